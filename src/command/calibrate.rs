@@ -81,6 +81,10 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         }
         let name = format!("{}, fitted as above", setup.law.name());
         held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
+        if !args.compare.iter().any(|law| law == setup.law.name()) {
+            let unfitted = HeldOut::as_it_stands(&setup, &table, &quiet)?;
+            held.push((format!("{}, {AS_SET_UP}", setup.law.name()), unfitted));
+        }
         for Compared { law, as_it_stands, setup, plan } in &compared {
             held.push((format!("{law}, {as_it_stands}"), HeldOut::as_it_stands(setup, &table, &quiet)?));
             held.push((format!("{law}, all coefficients fitted"), held_out(setup, &table, plan, folds, &quiet)?));
@@ -137,6 +141,9 @@ fn shown(is_numbered: bool) -> impl Fn(u64, f64) {
     }
 }
 
+/// What a law is called whose parameters are not fitted.
+const AS_SET_UP: &str = "as the setup has it";
+
 /// Another law on the same rows: as it is published, and with all its coefficients fitted.
 struct Compared<'a> {
     law: &'a str,
@@ -149,7 +156,7 @@ impl<'a> Compared<'a> {
     fn new(setup: &Setup<f64>, law: &'a str, plan: &Plan) -> Result<Self> {
         let mut other = *setup;
         other.set_law(law)?;
-        let as_it_stands = if law == setup.law.name() { "as the setup has it" } else { "as published" };
+        let as_it_stands = if law == setup.law.name() { AS_SET_UP } else { "as published" };
         let own = Law::all_rows().filter(|row| row.law == Some(other.law.name()));
         let coefficients = own.map(|row| Vary { parameter: row, low: row.range.low, high: row.range.high });
         let kept = plan.fit.iter().filter(|vary| vary.parameter.law.is_none()).copied();

@@ -1,11 +1,10 @@
 //! Shots with what was found of their flights.
 
+use super::section::Section;
 use super::shot::Shot;
-use super::source::Export;
 use crate::batch::{Block, Status};
 use crate::drive::{Beyond, Outcome};
 use crate::table::is_sideways;
-use std::sync::Arc;
 
 /// How the flight of a row ended that was not flown.
 pub(super) const REFUSED: &str = "refused";
@@ -20,15 +19,6 @@ pub struct Flown {
     block: Block,
     is_on_their_ground: bool,
     section: Option<Section>,
-}
-
-/// The part of a table that shots stand in.
-#[derive(Clone, Debug)]
-pub struct Section {
-    /// Its head.
-    pub export: Arc<Export>,
-    /// Whether it begins with these shots, and is not the first.
-    pub begins: bool,
 }
 
 impl Flown {

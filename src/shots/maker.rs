@@ -12,7 +12,7 @@ const SIGNATURES: [(&str, &[&str]); 16] = [
     ("FlightScope", &["launch angle v", "height"]),
     ("Foresight", &["push pull", "peak height"]),
     ("Foresight", &["tilt angle", "total spin"]),
-    ("Foresight", &["side angle", "offline"]),
+    ("Foresight", &["side angle", "offline", "face to target"]),
     ("Foresight", &["azimuth", "offline"]),
     ("Rapsodo", &["side carry", "club type"]),
     ("Uneekor", &["side angle", "side distance"]),

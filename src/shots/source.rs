@@ -1,21 +1,19 @@
 //! Where shots come from: an export, or messages of GSPro Open Connect.
 
-use super::flown::Section;
 use super::head::ExportHead;
 use super::objects::{Objects, Piece};
 use super::open_connect;
+use super::section::{Export, Section};
 use super::shot::{LAUNCH, Shot};
 use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Golfer, Parameter, Setup};
-use crate::table::{Decimals, Entry, Record, SourceName, Text, TextTable, Wanted, cells};
+use crate::table::{Entry, Record, SourceName, Text, TextTable, Wanted};
 use crate::units::Message;
-use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, Read};
-use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -29,44 +27,6 @@ pub enum Layout {
     Export(Arc<Export>),
     /// Messages of GSPro Open Connect.
     OpenConnect,
-}
-
-/// The head of an export.
-#[derive(Clone, Debug)]
-pub struct Export {
-    pub(super) head: ExportHead,
-}
-
-impl Export {
-    /// What separates its cells.
-    pub fn separator(&self) -> u8 {
-        self.head.separator
-    }
-
-    /// Its heads.
-    pub fn heads(&self) -> &[String] {
-        &self.head.heads
-    }
-
-    /// The units of a line below the heads, where there is one.
-    pub fn units(&self) -> Option<&[String]> {
-        self.head.units.as_deref()
-    }
-
-    /// Whether its numbers have decimal commas.
-    pub fn has_decimal_comma(&self) -> bool {
-        self.head.decimals == Decimals::Comma
-    }
-
-    /// The cells of a row.
-    pub fn cells<'a>(&self, text: &'a str) -> Vec<Cow<'a, str>> {
-        cells(text, self.head.separator)
-    }
-
-    /// The columns that an earlier flight of the rows has added, which the table has not from its maker.
-    pub(crate) fn added(&self) -> Range<usize> {
-        self.head.added.clone()
-    }
 }
 
 /// Shots in a file.

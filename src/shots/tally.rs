@@ -113,8 +113,18 @@ pub struct Tally {
     pub noted: u64,
     /// Those that landed beyond what the law was fitted to.
     pub beyond: BeyondCount,
+    /// Rows that landed whose spin ratio is above that of drives.
+    pub lofted: u64,
     /// Predicted beside measured values.
     comparison: Comparison,
+}
+
+/// Whether a launch (ball speed and direction, backspin and sidespin, SI) is one of a club with more loft than a driver: spin ratio rω/v above 0.12.
+fn is_lofted(launch: &[f64]) -> bool {
+    const RADIUS: f64 = 0.021_335;
+    const OF_DRIVES: f64 = 0.12;
+    let [speed, _, _, back, side] = launch else { return false };
+    RADIUS * back.hypot(*side) > OF_DRIVES * speed
 }
 
 impl Tally {
@@ -134,6 +144,7 @@ impl Tally {
             normalized: 0,
             noted: 0,
             beyond: BeyondCount::default(),
+            lofted: 0,
             comparison: Comparison::new(of.len()),
         }
     }
@@ -155,6 +166,7 @@ impl Tally {
             if flown.status(row) == Some(Status::Landed) {
                 self.flown += 1;
                 self.beyond.add(flown.beyond(row));
+                self.lofted += u64::from(shot.launch().is_some_and(is_lofted));
             }
             self.comparison.add(flown, row);
             let Some(speed) = shot.launch().map(|launch| launch[0]) else { continue };
@@ -181,6 +193,7 @@ impl Tally {
         self.normalized += other.normalized;
         self.noted += other.noted;
         self.beyond.merge(other.beyond);
+        self.lofted += other.lofted;
         self.comparison.merge(other.comparison);
         for (kind, refused) in other.refused {
             match self.refused.get_mut(kind) {

@@ -35,8 +35,11 @@ const AT_ONCE: usize = 16;
 /// Searches begun from points of a sample, at most.
 const SEARCHES: usize = 3;
 
-/// Compares the end of a search with a sample of the ranges. While a point is better than the best end, `search` is called to begin from it.
-/// `None` where `interrupt` became true before all points were flown.
+/// A region that fewer than one in so many points are in may have several parts.
+const ONE_IN: usize = 8;
+
+/// Compares the end of a search with a sample of the ranges. While a point is better than the best end, `search` is called to begin from it; and from the
+/// best of few that meet the constraints, whose region may have several parts. `None` where `interrupt` became true before all points were flown.
 pub(super) fn resample(
     problem: &DriveProblem,
     end: &Solution,
@@ -48,9 +51,11 @@ pub(super) fn resample(
     let mut ranked: Vec<_> = points.iter().map(|point| (scale.of_point(point), point)).collect();
     ranked.sort_by(|(a, _), (b, _)| a.violation.total_cmp(&b.violation).then(a.objective.total_cmp(&b.objective)));
 
+    let feasible = ranked.iter().filter(|(merit, _)| merit.is_feasible).count();
+    let is_in_parts = feasible > 0 && ONE_IN * feasible < POINTS;
     let (mut best, mut solution) = (scale.of_solution(end), None);
-    for (merit, point) in ranked.iter().take(SEARCHES) {
-        if !scale.is_better(merit, &best) {
+    for (at, (merit, point)) in ranked.iter().take(SEARCHES).enumerate() {
+        if !(scale.is_better(merit, &best) || is_in_parts && at == 0) {
             break;
         }
         let found = search(&point.x)?;
@@ -59,7 +64,6 @@ pub(super) fn resample(
             (best, solution) = (merit, Some(found));
         }
     }
-    let feasible = ranked.iter().filter(|(merit, _)| merit.is_feasible).count();
     let better = ranked.iter().filter(|(merit, _)| scale.is_better(merit, &best)).count();
     let sample = Sample { points: POINTS, feasible, better, improved: solution.is_some() };
     Ok(Some(Resampled { sample, solution }))

@@ -46,7 +46,7 @@ pub(super) fn density_in(words: &str) -> Option<f64> {
     let altitude = words.iter().position(|word| *word == "altitude")?;
     let altitude_unit = *words.get(altitude.checked_sub(1)?)?;
     let is_degrees = |word: &&str| ["°F", "°C", "F", "C"].contains(word);
-    let temperature = words.iter().position(|word| is_degrees(word))?;
+    let temperature = words.iter().position(is_degrees)?;
     let temperature_unit = if words[temperature].ends_with('F') { "degF" } else { "degC" };
     let stated = [
         ("air.altitude", format!("{} {altitude_unit}", number_before(altitude - 1)?)),

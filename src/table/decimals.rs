@@ -1,7 +1,7 @@
 //! The mark of decimals in the numbers of a table.
 
 use super::cells::cells;
-use super::launch_monitor::has_thousands;
+use super::numbers::has_thousands;
 use super::stated::digits;
 
 /// The mark of decimals in a table.

@@ -3,6 +3,7 @@
 use super::cells::cells;
 use super::heads::{HEADS, Meaning, NOT_USED};
 use super::stated::stated_number;
+use super::unit_names::is_unit;
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
@@ -108,30 +109,6 @@ fn is_simulated(word: &str) -> bool {
     word.trim_end_matches([')', ']']).trim().eq_ignore_ascii_case("sim")
 }
 
-pub(super) fn is_unit(word: &str) -> bool {
-    let unit = unit(word);
-    [Quantity::SPEED, Quantity::LENGTH, Quantity::ANGLE, Quantity::ANGULAR_VELOCITY, Quantity::TIME]
-        .iter()
-        .any(|quantity| quantity.size_of(&unit).is_some())
-}
-
-/// A unit as this program writes it: `MPH` and `Yards` are mph and yards, `yds` yd.
-pub(super) fn unit(written: &str) -> String {
-    let written = written.trim();
-    // `deg L-/R+`: what the signs mean
-    let written = written.split_once(' ').filter(|(_, signs)| signs.contains("-/")).map_or(written, |(unit, _)| unit);
-    match written.to_lowercase().as_str() {
-        "yds" => "yd".into(),
-        "mps" => "m/s".into(),
-        "degs" => "deg".into(),
-        "secs" => "s".into(),
-        small @ ("mph" | "km/h" | "kmh" | "kph" | "m/s" | "yd" | "yard" | "yards" | "m" | "meter" | "meters"
-        | "metre" | "metres" | "ft" | "feet" | "foot" | "deg" | "degree" | "degrees" | "rpm" | "s" | "sec"
-        | "seconds" | "in" | "inch" | "inches" | "mm" | "cm") => small.into(),
-        _ => written.into(),
-    }
-}
-
 /// The units of a line below the heads, `[mph]` each or nothing; `None` where the line is none of units. It is one where some cell under a known
 /// head is a unit, and none is a number, whatever stands under other heads. A word under a known head that is no unit is told as one.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
@@ -197,50 +174,9 @@ pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
     })
 }
 
-/// A number as these tables write it: with a decimal comma where that separates no cells.
-pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
-    let cell = cell.trim();
-    // as nearly all are written, in every table
-    if let Ok(number) = cell.parse::<f64>() {
-        return Some(number).filter(|number| number.is_finite());
-    }
-    let cell = without_thousands(&cell.replace('\u{2212}', "-"));
-    let cell = match has_decimal_comma {
-        true if !cell.contains('.') => cell.replacen(',', ".", 1),
-        false if has_thousands(&cell, ',') => cell.replace(',', ""),
-        _ => cell,
-    };
-    cell.parse().ok().filter(|number: &f64| number.is_finite())
-}
-
-/// A number without what stands between its thousands and is no decimal mark: `2 500`, `2\u{2019}500`.
-fn without_thousands(cell: &str) -> String {
-    const MARKS: [char; 7] = [' ', '\u{a0}', '\u{2009}', '\u{202f}', '\'', '\u{2019}', '_'];
-    let mark = MARKS.into_iter().find(|mark| cell.contains(*mark) && has_thousands(&cell.replace(*mark, "_"), '_'));
-    mark.map_or_else(|| cell.to_owned(), |mark| cell.replace(mark, ""))
-}
-
-/// Whether a mark may part the digits of a number into thousands: the comma in `2,686` or `1,234.5`, and not in `3,2` or `0,250`.
-pub(crate) fn has_thousands(cell: &str, mark: char) -> bool {
-    let decimals: &[char] = if mark == ',' {
-        &['.']
-    } else if mark == '.' {
-        &[',']
-    } else {
-        &['.', ',']
-    };
-    let whole = cell.trim_start_matches(['+', '-', '\u{2212}']).split(decimals).next().unwrap_or_default();
-    let mut groups = whole.split(mark);
-    let is_of = |group: &str, digits: std::ops::RangeInclusive<usize>| {
-        digits.contains(&group.len()) && group.bytes().all(|byte| byte.is_ascii_digit())
-    };
-    let begins = groups.next().is_some_and(|first| is_of(first, 1..=3) && !first.starts_with('0'));
-    whole.contains(mark) && begins && groups.all(|group| is_of(group, 3..=3))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Meaning, is_export, meaning, meaning_with, number, split_unit, unit, units_row};
+    use super::{Meaning, is_export, meaning, meaning_with, split_unit, units_row};
     use crate::Outcome;
     use crate::parameters::Setup;
     use std::collections::HashSet;
@@ -280,8 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_units_separators_and_sides() {
-        assert_eq!(["MPH", "Yards", "yds", "°", "Pa s"].map(unit), ["mph", "yards", "yd", "°", "Pa s"]);
+    fn exact_lines_of_units() {
         let heads = ["Date", "Ball Speed", "Launch Angle", "Spin Rate"].map(String::from);
         let below = |cells: [&str; 4]| units_row(&heads, &cells.map(String::from));
         let read = Some(vec![None, Some("mph".into()), Some("deg".into()), Some("rpm".into())]);
@@ -290,23 +225,5 @@ mod tests {
             (read.clone(), read)
         );
         assert_eq!((below(["", "1", "[deg]", ""]), below(["", "", "", ""])), (None, None));
-        for (cell, comma, expected) in [
-            ("2,686", false, 2686.0),
-            ("1,234,567.5", false, 1_234_567.5),
-            ("\u{2212}4.5", false, -4.5),
-            ("+12,0", true, 12.0),
-            ("2 500", false, 2500.0),
-            ("2\u{a0}500", true, 2500.0),
-            ("2\u{202f}500,5", true, 2500.5),
-            ("-2'500", false, -2500.0),
-            ("2\u{2019}500.25", false, 2500.25),
-        ] {
-            assert_eq!(number(cell, comma), Some(expected), "{cell}");
-        }
-        for (cell, comma) in
-            [("12,34", false), ("1234,567", false), ("3,2", false), ("12 5", false), ("1'2", false), ("", true)]
-        {
-            assert_eq!(number(cell, comma), None, "{cell}");
-        }
     }
 }

@@ -25,8 +25,9 @@ pub(crate) struct Record {
 impl Record {
     /// Why it cannot be taken apart into cells, where its quote is not closed.
     pub(crate) fn unclosed(&self) -> Option<Refusal> {
-        let reason = "a quote (\") is opened and not closed; close it, or take it out";
-        self.is_open.then(|| Refusal::new(Refusal::QUOTE, reason))
+        let reason =
+            || format!("line {} opens a quote (\") and does not close it; close it, or take it out", self.line);
+        self.is_open.then(|| Refusal::new(Refusal::QUOTE, reason()))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which mark separates the decimals of a table's numbers.
 
 use super::column::Column;
-use super::launch_monitor::has_thousands;
+use super::numbers::has_thousands;
 use super::stated::digits;
 
 /// The marks in the numbers of a table whose cells may have a decimal comma. Where points and commas both stand in its numbers, one that

@@ -16,12 +16,14 @@ mod left_out;
 mod lines;
 mod marks;
 mod no_shot;
+mod numbers;
 mod plausible;
 mod points;
 mod refusal;
 mod source_name;
 mod stated;
 mod text;
+mod unit_names;
 mod unstated;
 mod wrong;
 

@@ -1,6 +1,7 @@
 //! What a cell states: a number, perhaps with its unit and its side, `4.6° R`, `422 R rpm`, `1.2 D`.
 
-use super::launch_monitor::{is_unit, number, unit};
+use super::numbers::number;
+use super::unit_names::{is_unit, unit};
 
 /// What a cell states.
 #[derive(Clone, Debug, PartialEq)]

@@ -77,14 +77,19 @@ impl TextTable {
     pub fn open(text: Text, setup: &Setup<f64>, wanted: &Wanted) -> Result<(Self, Head)> {
         let Text { name, beginning, source, encoding } = text;
         let Some(place) = HeadPlace::find(&beginning) else {
-            return Err(name.refused(String::new(), "it is empty; give a head and a row for each shot"));
+            return Err(
+                name.refused(String::new(), "it is empty; give a head with the names of columns, and rows below it")
+            );
         };
         let lines = Lines::new(Box::new(BufReader::with_capacity(PIECE, source)), &beginning, encoding);
         let mut table = Self { name, lines, separator: place.separator, beginning, encoding, has_sections: false };
         let record = loop {
             match table.record()? {
                 None => {
-                    return Err(table.name.refused(String::new(), "it is empty; give a head and a row for each shot"));
+                    return Err(table.name.refused(
+                        String::new(),
+                        "it is empty; give a head with the names of columns, and rows below it",
+                    ));
                 }
                 Some(record) if record.line >= place.line => break record,
                 Some(_) => {}
@@ -104,7 +109,7 @@ impl TextTable {
     /// As [`open`](Self::open).
     pub fn head(&mut self, record: &Record, setup: &Setup<f64>, wanted: &Wanted) -> Result<Head> {
         if let Some(refusal) = record.unclosed() {
-            return Err(self.name.refused(format!(", line {}", record.line), refusal.reason));
+            return Err(self.name.refused(String::new(), refusal.reason));
         }
         let heads: Vec<String> = self.cells(record).into_iter().map(|head| head.replace(['\r', '\n'], " ")).collect();
         let below = self.record()?;

@@ -476,7 +476,8 @@ fn exact_one_datum_and_parameters_all_on_bounds() {
     let long = text.replace("\n50,2", "\n50,4");
     assert_ne!(long, text);
     let (status, said, found) = asked(&long, &["--fit", "aero.cd0=0.2..0.3"]);
-    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{said}");
+    // and misses what is measured by 85 of its standard uncertainties
+    assert_eq!((status, found["status"].as_str()), (1, Some("misfit")), "{said}");
     assert_eq!(found["estimates"]["aero.cd0"]["at_bound"], true);
     assert!(said.contains("on the bound of its range"), "{said}");
 }

@@ -363,19 +363,15 @@ fn broken_files_are_told_in_own_words() {
             b"club.loft [deg],swing.speed [mph]\n9,100\n\"10,100\n11,100\n",
             "line 3 opens a quote (\") and does not close it",
         ),
-        ("a.csv", b"club.loft [deg]\n\"9\n10\n", "row 1, column club.loft: a quote (\") is opened and not closed"),
-        (
-            "a.csv",
-            b"\"club.loft [deg]\n9\n",
-            "column 1: the column 'club.loft [deg]': a quote (\") is opened and not closed",
-        ),
+        ("a.csv", b"club.loft [deg]\n\"9\n10\n", "row 1: line 2 opens a quote (\") and does not close it"),
+        ("a.csv", b"\"club.loft [deg]\n9\n", "a.csv: line 1 opens a quote (\") and does not close it"),
         ("a.csv", b"club.loft [deg]\n1\x002\n", "row 1, column club.loft: '1\\u{0}2' is not a number"),
         (
             "a.csv",
             b"club.loft [deg],swing.speed [mph]\n9,100,1\n",
             "row 1: the row has 3 cells, but the head has 2 cells",
         ),
-        ("a.csv", b"club.loft [deg]\n\xff\n", "not text in UTF-8; save the table"),
+        ("a.csv", b"club.loft [deg]\n\xff\n", "row 1, column club.loft: '\u{ff}' is not a number"),
         ("none.csv", b"", "it cannot be read (there is no such file)"),
     ] {
         let path = folder.path().join(name);

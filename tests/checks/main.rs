@@ -64,6 +64,7 @@ mod robust;
 mod sample;
 #[path = "../schema/mod.rs"]
 mod schema;
+mod shot_tables;
 mod shots;
 mod shots_again;
 mod shots_air;

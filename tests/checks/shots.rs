@@ -275,29 +275,6 @@ fn tables_without_a_launch_name_the_nearest_head() {
     ] {
         assert!(refused(text).contains(says), "{text}: {}", refused(text));
     }
-    // bytes of Windows-1252, in the head and in a row
-    for (bytes, says) in [
-        (
-            &b"Ball (mph),Launch V (\xb0),Spin (rpm)\n150,12,2500\n"[..],
-            "a.csv: line 1: it holds bytes that are not text in UTF-8; save it as text in UTF-8",
-        ),
-        (
-            b"Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Player\n150,12,2500,A\n150,12,2500,J\xfcrg\n",
-            "line 3: it holds bytes",
-        ),
-    ] {
-        let mut shots = match Shots::read(&Setup::default(), "a.csv", bytes) {
-            Err(error) => {
-                assert!(error.to_string().contains(says) && error.to_string().contains("Windows-1252"), "{error}");
-                continue;
-            }
-            Ok(shots) => shots,
-        };
-        let of = [Outcome::CarryDistance];
-        let flying = Flying::new(&Setup::default(), &shots, &of).unwrap();
-        let error = flying.fly(&mut shots, &Run::default(), |flown| flown, |_| Ok(())).err().unwrap().to_string();
-        assert!(error.contains(says) && error.contains("Windows-1252"), "{error}");
-    }
     // so do calibrate and delivery
     let read = |text: &str| longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", text.as_bytes());
     let error = read("Ball Sped (mph),Lanch Angle (deg),Backspin (rpm),Carry (yd)\n150,12,2600,240\n").err().unwrap();

@@ -274,7 +274,7 @@ fn bad_tables_are_told_by_row_and_column_before_any_work() {
             "club.loft\n0.1\n",
             "column 1: the column 'club.loft': it has no unit; write it into the head, as in 'club.loft [deg]'",
         ),
-        ("a.csv", "", "column"),
+        ("a.csv", "", "it is empty; give a head"),
         ("a.txt", "club.loft [rad]\n0.1\n", "a table's name must end in .csv"),
         ("a.parquet", "club.loft [rad]\n0.1\n", "it is not a Parquet file"),
     ] {

@@ -28,6 +28,7 @@ STATUSES = [
     "no-flight",
     "diverged",
     "undefined",
+    "misfit",
 ]
 """How a search ends; the place in this list is the ``status`` of an optimum, -1 for any other."""
 

@@ -9,7 +9,7 @@ use crate::command::args::Fly;
 use crate::command::interrupt;
 use crate::command::output::{Answer, system, tell, warn};
 use crate::drive::Looked;
-use crate::parameters::Preset;
+use crate::parameters::{Law, Preset};
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
 use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
@@ -70,6 +70,10 @@ fn fly(args: &Fly) -> Result<Answer> {
         remarks.push(remark.clone());
     }
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
+    if let Some(remark) = of_lofted(&tally, &setup.law) {
+        tell(&format!("note: {}: {remark}", file.display()));
+        remarks.push(remark.into());
+    }
     if tally.rows == 0 && !is_stopped {
         let reason = "it has no rows; give a row for each shot".into();
         return Err(Error::Table { file: file.display().to_string(), place: String::new(), reason });
@@ -90,6 +94,17 @@ fn fly(args: &Fly) -> Result<Answer> {
         warnings.extend(nothing);
     }
     Ok(answer(args, &target, &tally, source, warnings, &remarks, missing))
+}
+
+/// What the law is worth for shots of other clubs than drivers.
+fn of_lofted(tally: &Tally, law: &Law<f64>) -> Option<String> {
+    (tally.lofted > 0 && law.name() == "launch-monitor").then(|| {
+        format!(
+            "{} of clubs with more loft than a driver (spin ratio above 0.12): launch monitors predict carries 4 to 8 yd longer there; \
+             --set aero.law=ferguson halves that",
+            counted(tally.lofted, "shot")
+        )
+    })
 }
 
 /// Flies the shots into the output; it is still to be ended.

@@ -41,6 +41,9 @@ pub enum Status {
     /// The sum is at a minimum as far as can be told, but one residual is so large that the others have no say beside it. Said by
     /// whoever judges the residuals, as above.
     Outweighed,
+    /// The sum is at a minimum, but the residuals are many times larger than they may be: the model does not describe the data. Said by whoever knows
+    /// how large they may be.
+    Misfit,
     /// No step makes the sum smaller, though the slope is not 0.
     Stalled,
     /// The iterations allowed were used up.
@@ -58,6 +61,7 @@ impl Status {
             Self::Converged => "converged",
             Self::Undetermined => "undetermined",
             Self::Outweighed => "outweighed",
+            Self::Misfit => "misfit",
             Self::Stalled => "stalled",
             Self::IterationLimit => "iteration-limit",
             Self::Interrupted => "interrupted",

@@ -131,11 +131,9 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
             };
         }
         document.paragraph(told + ".");
-        if found
-            .elsewhere
-            .iter()
-            .any(|(status, _)| !matches!(status, Status::Converged | Status::Undetermined | Status::Outweighed))
-        {
+        if found.elsewhere.iter().any(|(status, _)| {
+            !matches!(status, Status::Converged | Status::Undetermined | Status::Outweighed | Status::Misfit)
+        }) {
             document.paragraph(
                 "Starts are spread over the ranges of the parameters: with narrower ones, --fit NAME=LOW..HIGH, more of them come to a minimum.",
             );

@@ -1,7 +1,7 @@
 //! What deserves a word about a fit that came to an end.
 
 use super::calibration::{Calibration, Estimate};
-use super::data::ShotTable;
+use super::shot_table::ShotTable;
 use super::statistics::Uncertainties;
 use crate::optimize::least_squares::Status;
 use crate::units::{Message, counted, significant};
@@ -34,9 +34,11 @@ impl Calibration {
     /// Values that miss the fit by far more than their uncertainties.
     fn of_sum(&self, table: &ShotTable) -> Option<Message> {
         let (chi, freedom) = (self.statistics.chi_square, self.statistics.degrees_of_freedom);
-        let off = (chi / freedom as f64).sqrt();
-        let is_told = table.uncertainties != Uncertainties::Weights && self.fit.status != Status::Outweighed;
-        (is_told && freedom > 0 && off > MUCH).then(|| {
+        // a misfit and an outlier are told as how the fit ended
+        let is_told = !matches!(self.fit.status, Status::Outweighed | Status::Misfit);
+        let is_told = is_told && table.uncertainties != Uncertainties::Weights;
+        let off = self.statistics.misfit().filter(|off| is_told && *off > MUCH)?;
+        Some(
             format!(
                 "the values miss the fit by {} of their standard uncertainties (root mean square; χ² = {} with {} of freedom), where noise makes \
                  1: the fitted model does not describe them, or their uncertainties are too small; look at the largest residuals",
@@ -44,8 +46,8 @@ impl Calibration {
                 significant(chi, 5),
                 counted(freedom as u64, "degree")
             )
-            .into()
-        })
+            .into(),
+        )
     }
 
     fn of_value(&self, estimate: &Estimate) -> Option<Message> {

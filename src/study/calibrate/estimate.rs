@@ -1,8 +1,8 @@
 use super::calibration::{Calibration, Estimate, Remainder};
-use super::data::ShotTable;
 use super::refusal::no_answer;
 use super::residuals::ShotResiduals;
 use super::shot::Shot;
+use super::shot_table::ShotTable;
 use super::statistics::{Fitted, Statistics};
 use super::verdict;
 use crate::drive::Outcome;
@@ -197,7 +197,7 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
     }
     let (stopped, is_minimum) = verdict::of_searches(&mut fits, is_settled, follow.is_interrupted());
     let mut found = finished(&problem, &domain, table, &own, fits, &options)?;
-    verdict::of_data(&mut found, options.loss);
+    verdict::of_data(&mut found, options.loss, table.uncertainties);
     Ok(Calibration { starts: (plan.starts, same), elsewhere, stopped, is_minimum, renewals, ..found })
 }
 

@@ -1,8 +1,8 @@
 //! How well a fit tells shots that it was not made from.
 
 use super::calibration::Remainder;
-use super::data::ShotTable;
 use super::estimate::{Plan, calibrate, flown};
+use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Follow, Status};
 use crate::parameters::Setup;

@@ -15,15 +15,16 @@ mod refusal;
 mod residuals;
 mod rows;
 mod shot;
+mod shot_table;
 mod statistics;
 mod verdict;
 
 pub use beyond::beyond;
 pub use calibration::{Calibration, Estimate, Remainder};
-pub use data::ShotTable;
 pub use estimate::{Plan, calibrate};
 pub use folds::{HeldOut, check_folds, held_out};
 pub use instrument::{Instrument, instrument};
 pub use ranges::ranges;
 pub use shot::{Measurement, Shot, Stationary};
+pub use shot_table::ShotTable;
 pub use statistics::{Fitted, Statistics, Uncertainties, Undetermined};

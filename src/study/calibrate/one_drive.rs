@@ -1,6 +1,6 @@
 //! A table without a column of the swing or the launch: all its rows are compared with one drive.
 
-use super::data::ShotTable;
+use super::shot_table::ShotTable;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::units::{Digits, Message};
 

@@ -1,6 +1,6 @@
 //! The ranges that a fit flies in: what a tolerance is to hold in.
 
-use super::data::ShotTable;
+use super::shot_table::ShotTable;
 use crate::parameters::Vary;
 
 /// The ranges of the shots' inputs, and those that were given to the parameters fitted. One that is fitted without a range

@@ -1,8 +1,8 @@
 //! The rows of a table of measured shots: the shots, and what became of the others.
 
-use super::data::ShotTable;
 use super::reading::{Reading, Row, Values, Wrong};
 use super::shot::Shot;
+use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot as Stated;

@@ -133,6 +133,11 @@ impl Columns {
 }
 
 impl Statistics {
+    /// The root mean square of the residuals in units of their standard uncertainties, over the degrees of freedom; `None` without any.
+    pub fn misfit(&self) -> Option<f64> {
+        (self.degrees_of_freedom > 0).then(|| (self.chi_square / self.degrees_of_freedom as f64).sqrt())
+    }
+
     /// Of residuals and their Jacobian at the end of a fit. Residuals no larger than `rounding` are rounding.
     ///
     /// # Errors

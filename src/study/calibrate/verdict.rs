@@ -1,8 +1,9 @@
 //! What a fit's end is called once the data have been looked at: a search that has converged may still have no answer.
 
 use super::calibration::{Calibration, Remainder};
-use super::statistics::Undetermined;
+use super::statistics::{Uncertainties, Undetermined};
 use crate::optimize::least_squares::{Fit, Loss, Status};
+use crate::units::{counted, significant};
 
 /// The verdict of the best of several searches, by what became of all of them: `is_settled` tells whether the curvatures of optima
 /// stayed where they were. How many searches were stopped before their end is returned, and whether the best of all had ended at a minimum.
@@ -26,8 +27,11 @@ pub(super) fn of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bo
     (stopped, is_minimum)
 }
 
-/// The verdict where the data do not determine the parameters, or where one row leaves the others no say.
-pub(super) fn of_data(found: &mut Calibration, loss: Loss) {
+/// A fit that its values miss by so many of their standard uncertainties (root mean square) is none.
+const MISFIT: f64 = 6.0;
+
+/// The verdict where the data do not determine the parameters, where one row leaves the others no say, or where the model does not describe them.
+pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncertainties) {
     // a search also stalls where the data say too little for a step to show in the sum
     if !matches!(found.fit.status, Status::Converged | Status::Stalled) {
         return;
@@ -52,6 +56,18 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss) {
              ranges, or measure what depends on them ({})",
             all.join(", nor "),
             found.fit.message
+        );
+        return;
+    }
+    // Huber's loss is for data with rows that the model does not describe
+    let is_judged = loss == Loss::Squares && uncertainties != Uncertainties::Weights;
+    if let Some(off) = found.statistics.misfit().filter(|off| is_judged && *off > MISFIT) {
+        found.fit.status = Status::Misfit;
+        found.fit.message = format!(
+            "the values miss the fit by {} of their standard uncertainties (root mean square, with {} of freedom), where noise makes 1: the \
+             fitted model does not describe them, or their uncertainties are too small; look at the largest residuals",
+            significant(off, 3),
+            counted(found.statistics.degrees_of_freedom as u64, "degree")
         );
     }
 }

@@ -1,0 +1,54 @@
+//! The sections of a table: rows below a head.
+
+use super::head::ExportHead;
+use crate::table::{Decimals, cells};
+use std::borrow::Cow;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// The head of an export.
+#[derive(Clone, Debug)]
+pub struct Export {
+    pub(super) head: ExportHead,
+}
+
+impl Export {
+    /// What separates its cells.
+    pub fn separator(&self) -> u8 {
+        self.head.separator
+    }
+
+    /// Its heads.
+    pub fn heads(&self) -> &[String] {
+        &self.head.heads
+    }
+
+    /// The units of a line below the heads, where there is one.
+    pub fn units(&self) -> Option<&[String]> {
+        self.head.units.as_deref()
+    }
+
+    /// Whether its numbers have decimal commas.
+    pub fn has_decimal_comma(&self) -> bool {
+        self.head.decimals == Decimals::Comma
+    }
+
+    /// The cells of a row.
+    pub fn cells<'a>(&self, text: &'a str) -> Vec<Cow<'a, str>> {
+        cells(text, self.head.separator)
+    }
+
+    /// The columns that an earlier flight of the rows has added, which the table has not from its maker.
+    pub(crate) fn added(&self) -> Range<usize> {
+        self.head.added.clone()
+    }
+}
+
+/// The part of a table that shots stand in.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Its head.
+    pub export: Arc<Export>,
+    /// Whether it begins with these shots, and is not the first.
+    pub begins: bool,
+}

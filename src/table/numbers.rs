@@ -1,0 +1,69 @@
+//! Numbers as tables write them.
+
+/// A number as tables write it: with a decimal comma where that separates no cells.
+pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
+    let cell = cell.trim();
+    // as nearly all are written, in every table
+    if let Ok(number) = cell.parse::<f64>() {
+        return Some(number).filter(|number| number.is_finite());
+    }
+    let cell = without_thousands(&cell.replace('\u{2212}', "-"));
+    let cell = match has_decimal_comma {
+        true if !cell.contains('.') => cell.replacen(',', ".", 1),
+        false if has_thousands(&cell, ',') => cell.replace(',', ""),
+        _ => cell,
+    };
+    cell.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+/// A number without what stands between its thousands and is no decimal mark: `2 500`, `2\u{2019}500`.
+fn without_thousands(cell: &str) -> String {
+    const MARKS: [char; 7] = [' ', '\u{a0}', '\u{2009}', '\u{202f}', '\'', '\u{2019}', '_'];
+    let mark = MARKS.into_iter().find(|mark| cell.contains(*mark) && has_thousands(&cell.replace(*mark, "_"), '_'));
+    mark.map_or_else(|| cell.to_owned(), |mark| cell.replace(mark, ""))
+}
+
+/// Whether a mark may part the digits of a number into thousands: the comma in `2,686` or `1,234.5`, and not in `3,2` or `0,250`.
+pub(crate) fn has_thousands(cell: &str, mark: char) -> bool {
+    let decimals: &[char] = if mark == ',' {
+        &['.']
+    } else if mark == '.' {
+        &[',']
+    } else {
+        &['.', ',']
+    };
+    let whole = cell.trim_start_matches(['+', '-', '\u{2212}']).split(decimals).next().unwrap_or_default();
+    let mut groups = whole.split(mark);
+    let is_of = |group: &str, digits: std::ops::RangeInclusive<usize>| {
+        digits.contains(&group.len()) && group.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    let begins = groups.next().is_some_and(|first| is_of(first, 1..=3) && !first.starts_with('0'));
+    whole.contains(mark) && begins && groups.all(|group| is_of(group, 3..=3))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn exact_numbers_with_marks_of_decimals_and_thousands() {
+        for (cell, comma, expected) in [
+            ("2,686", false, 2686.0),
+            ("1,234,567.5", false, 1_234_567.5),
+            ("\u{2212}4.5", false, -4.5),
+            ("+12,0", true, 12.0),
+            ("2 500", false, 2500.0),
+            ("2\u{a0}500", true, 2500.0),
+            ("2\u{202f}500,5", true, 2500.5),
+            ("-2'500", false, -2500.0),
+            ("2\u{2019}500.25", false, 2500.25),
+        ] {
+            assert_eq!(number(cell, comma), Some(expected), "{cell}");
+        }
+        for (cell, comma) in
+            [("12,34", false), ("1234,567", false), ("3,2", false), ("12 5", false), ("1'2", false), ("", true)]
+        {
+            assert_eq!(number(cell, comma), None, "{cell}");
+        }
+    }
+}

@@ -1,0 +1,338 @@
+//! Tables as people have them, after real exports: each shot is the same as one that is written plainly.
+
+use crate::common::close;
+use crate::shots::flown;
+use longdrive::report::{ShotFormat, ShotWriter};
+use longdrive::shots::{Flown, Shots, Tally};
+use longdrive::study::calibrate::ShotTable;
+use longdrive::units::System;
+use longdrive::{Outcome, Setup};
+use std::io::Cursor;
+
+fn bytes(name: &str) -> Vec<u8> {
+    std::fs::read(format!("{}/data/cases/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn case(name: &str) -> (Shots, Vec<Flown>, Tally) {
+    flown(Cursor::new(bytes(name)))
+}
+
+/// The predicted carries and sides of the rows that land, m.
+fn landed(flown: &[Flown]) -> Vec<[f64; 2]> {
+    let of = |flown: &Flown| {
+        let row = |row| Some([flown.predicted(row, 0)?, flown.predicted(row, 1)?]);
+        (0..flown.rows()).filter_map(row).collect::<Vec<_>>()
+    };
+    flown.iter().flat_map(of).collect()
+}
+
+/// The same of launches that are written plainly: ball speed in mph, launch angle, direction and axis in degrees, spin in rpm.
+fn plain(launches: &[[f64; 5]]) -> Vec<[f64; 2]> {
+    let mut text =
+        String::from("Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg]\n");
+    for launch in launches {
+        let cells: Vec<String> = launch.iter().map(f64::to_string).collect();
+        text += &(cells.join(",") + "\n");
+    }
+    landed(&flown(Cursor::new(text)).1)
+}
+
+fn same(name: &str, launches: &[[f64; 5]]) {
+    same_within(name, launches, 1e-9);
+}
+
+fn same_within(name: &str, launches: &[[f64; 5]], tolerance: f64) {
+    let (found, expected) = (landed(&case(name).1), plain(launches));
+    assert_eq!(found.len(), expected.len(), "{name}");
+    for (found, expected) in found.iter().zip(&expected) {
+        close(found[0], expected[0], expected[0], tolerance, name);
+        close(found[1], expected[1], expected[0], tolerance, name);
+    }
+}
+
+const FIRST: [f64; 5] = [160.0, 12.0, -1.5, 2500.0, 3.0];
+const SECOND: [f64; 5] = [157.1, 11.4, 0.3, 2650.0, -1.9];
+const STRAIGHT: [f64; 5] = [160.0, 12.0, 0.0, 2500.0, 0.0];
+
+#[test]
+fn exact_numbers_in_the_forms_that_spreadsheets_and_other_countries_have() {
+    same("apostrophe-negatives.csv", &[FIRST, SECOND]);
+    same("excel-formula-cells.csv", &[FIRST, SECOND]);
+    same("thousands-of-other-locales.csv", &[STRAIGHT; 6]);
+}
+
+#[test]
+fn exact_heads_in_other_spellings() {
+    same("heads-camel-case.csv", &[FIRST]);
+    same("line-break-in-heads.csv", &[STRAIGHT]);
+    // by German heads; its speed is 257.495 km/h, and its air 1.184 kg/m³ as a column states it
+    let (shots, found, _) = case("garmin-german.csv");
+    assert_eq!(shots.maker(), Some("Garmin"));
+    close(landed(&found)[0][0], 269.9 * 0.9144, 247.0, 5e-4, "garmin-german.csv");
+}
+
+#[test]
+fn exact_units_in_cells() {
+    same("units-in-cells.csv", &[STRAIGHT]);
+    let launches = [[123.0, 17.1, 4.6, 0.0, 0.0], [126.4, 15.3, -2.0, 0.0, 0.0]];
+    let spins = [[2878.0_f64, 422.0], [2650.0, -210.0]];
+    // its spin is the total beside backspin and sidespin: 2909 rpm with the tilt of these
+    let launches = [0, 1].map(|row: usize| {
+        let [back, side] = spins[row];
+        let mut launch = launches[row];
+        (launch[3], launch[4]) = (back.hypot(side), side.atan2(back).to_degrees());
+        launch
+    });
+    same_within("foresight-units-in-cells-cp1252.csv", &launches, 2e-4);
+    let (shots, ..) = case("foresight-units-in-cells-cp1252.csv");
+    let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|told| told.contains("Windows-1252")), "{told:?}");
+    // a cell beside them without a unit, and one that contradicts its head
+    for (text, says) in [
+        ("Ball Speed,Launch Angle,Spin Rate\n160 mph,12,2500\n70,12,2500\n", "'70' has no unit"),
+        (
+            "Ball Speed [km/h],Launch Angle,Spin Rate\n160 mph,12,2500\n",
+            "'160 mph' states another unit than its head, [km/h]",
+        ),
+    ] {
+        let (_, found, _) = flown(text.as_bytes());
+        let reasons: Vec<&str> = (0..found[0].rows()).filter_map(|row| found[0].reason(row)).collect();
+        assert!(reasons.len() == 1 && reasons[0].contains(says), "{reasons:?}");
+    }
+}
+
+#[test]
+fn exact_a_line_of_units_is_one_whatever_its_other_cells_are() {
+    let (_, found, _) = case("units-row-with-a-pattern.csv");
+    for (found, expected) in landed(&found).iter().zip([269.9, 261.6]) {
+        close(found[0] / 0.9144, expected, expected, 4e-4, "units-row-with-a-pattern.csv");
+    }
+    let text = "Date,Ball Speed,Launch Angle,Spin Rate\nyyyy,furlongs,deg,rpm\n1,160,12,2500\n";
+    let error = Shots::read(&Setup::default(), "a.csv", text.as_bytes()).err().unwrap().to_string();
+    assert!(error.contains("column 2") && error.contains("furlongs"), "{error}");
+}
+
+#[test]
+fn exact_sections_have_heads_and_units_of_their_own() {
+    let (_, found, _) = case("two-exports-mph-then-kmh.csv");
+    let carries = landed(&found);
+    assert_eq!(carries.len(), 2);
+    close(carries[1][0], carries[0][0], carries[0][0], 1e-6, "the same shot in km/h");
+    close(carries[0][0] / 0.9144, 269.9, 269.9, 4e-4, "two-exports-mph-then-kmh.csv");
+    same("sections-with-heads.csv", &[FIRST, SECOND, [148.0, 11.5, -0.8, 3305.0, -3.3]]);
+    let (_, found, tally) = case("sections-with-heads.csv");
+    let kinds: Vec<&str> = tally.refused.keys().copied().collect();
+    assert_eq!(kinds, ["sums up other rows", "title"]);
+    // what is written is read again, with the same carries
+    let setup = Setup::default();
+    for name in ["two-exports-mph-then-kmh.csv", "sections-with-heads.csv"] {
+        let (shots, first, _) = case(name);
+        let writer = ShotWriter::new(ShotFormat::Csv, &shots, &[Outcome::CarryDistance], System::Us);
+        let mut text = writer.head();
+        for flown in &first {
+            text.extend(writer.rows(flown));
+        }
+        let again = landed(&flown(Cursor::new(text.clone())).1);
+        assert_eq!(again, landed(&first), "{name}: {}", String::from_utf8(text).unwrap());
+    }
+    // calibration reads the same rows
+    let table = ShotTable::read(&setup, "a.csv", &bytes("two-exports-mph-then-kmh.csv")[..]).unwrap();
+    let speeds: Vec<f64> = table.shots.iter().map(|shot| shot.inputs[0].1).collect();
+    assert!(table.shots.len() == 2 && (speeds[0] - speeds[1]).abs() < 1e-4, "{speeds:?}");
+    assert_eq!(found.iter().map(Flown::rows).sum::<usize>(), 5);
+}
+
+#[test]
+fn exact_values_of_a_club_that_were_not_measured_are_not_used() {
+    let (_, found, _) = case("gcquad-unmeasured-club.csv");
+    let shots: Vec<_> = found.iter().flat_map(Flown::shots).collect();
+    let speeds: Vec<Option<f64>> = shots.iter().map(|shot| shot.club.speed).collect();
+    assert_eq!(speeds[..2], [Some(48.5), None]);
+    assert_eq!(shots[1].club.values(), [None; 4]);
+    assert!(shots[1].notes.iter().any(|note| note.contains("counts as not measured")), "{:?}", shots[1].notes);
+    let (_, found, _) = case("open-connect-zero-club.jsonl");
+    assert_eq!(found[0].shots()[0].club.values(), [None; 4]);
+}
+
+#[test]
+fn exact_up_and_down_inside_and_outside_open_and_closed() {
+    let (_, found, _) = case("flightscope-up-down.csv");
+    let club = |row: usize| found[0].shots()[row].club.values().map(|value| value.map(f64::to_degrees));
+    let near = |found: [Option<f64>; 4], expected: [f64; 3]| {
+        for (found, expected) in found[1..].iter().zip(expected) {
+            close(found.unwrap(), expected, 1.0, 1e-12, "degrees");
+        }
+    };
+    near(club(0), [-1.2, 0.8, 0.4]);
+    near(club(1), [0.9, -0.5, -0.1]);
+    near(club(2), [0.9, -0.5, 0.1]);
+}
+
+#[test]
+fn published_signs_of_garmin_are_turned() {
+    let (shots, found, _) = case("garmin-sidespin-sign.csv");
+    let sides: Vec<f64> = landed(&found).iter().map(|landed| landed[1]).collect();
+    assert!(sides[0] > 0.0 && sides[1] < 0.0, "{sides:?}");
+    let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|told| told.contains("Sidespin is read with + to the left")), "{told:?}");
+    // beside an axis of the other sign, nothing contradicts
+    let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
+                Distance [yd]\n150,12,0,2500,10,2462,-434,12\n";
+    let (_, found, _) = flown(text.as_bytes());
+    assert!(found[0].shots()[0].notes.is_empty() && landed(&found)[0][1] > 0.0, "{:?}", found[0].shots()[0].notes);
+    // both agree, and the balls curve to the other side
+    let row = "150,12,0,2500,10,2462,434,240,-12\n";
+    let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Backspin [rpm],Sidespin [rpm],Carry \
+                 Distance [yd],Carry Deviation Distance [yd]\n";
+    let (shots, found, _) = flown(Cursor::new(format!("{heads}{row}{row}")));
+    assert!(landed(&found).iter().all(|landed| landed[1] < 0.0));
+    let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|told| told.contains("Spin Axis and Sidespin are read with + to the left")), "{told:?}");
+}
+
+/// 1135 ft and 77 °F: 1.1367 kg/m³ by the standard atmosphere's pressure and the density of dry air.
+#[test]
+fn independent_the_air_of_a_condition_is_that_of_its_altitude_and_temperature() {
+    let (shots, found, _) = case("trackman-short-heads.csv");
+    assert_eq!(shots.further().iter().map(|parameter| parameter.name).collect::<Vec<_>>(), ["air.density"]);
+    let kelvin = 273.15 + 25.0;
+    let pressure = 101_325.0 * (1.0 - 0.0065 * (1135.0 * 0.3048) / 288.15_f64).powf(5.255_88);
+    close(found[0].shots()[0].further()[0], pressure / (287.05 * kelvin), 1.1, 2e-3, "density");
+}
+
+#[test]
+fn every_shot_is_explained_with_what_it_states() {
+    for (name, rows) in [
+        ("blank-club-path.csv", 4),
+        ("foresight-empty-club.csv", 2),
+        ("gcquad-unmeasured-club.csv", 2),
+        ("open-connect-zero-club.jsonl", 1),
+    ] {
+        let file = format!("{}/data/cases/{name}", env!("CARGO_MANIFEST_DIR"));
+        let setup = Setup::default();
+        let table = ShotTable::open_launches(&setup, std::path::Path::new(&file)).unwrap();
+        assert_eq!(table.shots.len(), rows, "{name}");
+    }
+    let file = format!("{}/data/cases/blank-club-path.csv", env!("CARGO_MANIFEST_DIR"));
+    let table = ShotTable::open_launches(&Setup::default(), std::path::Path::new(&file)).unwrap();
+    let told: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
+    let says = "Club Path: not stated; what is known before the shot stands for it: row 2, row 3, row 4";
+    assert!(told.iter().any(|told| told == says), "{told:?}");
+}
+
+/// The same 12 drives with heads, units, sides and marks of many kinds.
+#[test]
+fn exact_generated_tables_are_those_that_are_written_plainly() {
+    let launches: Vec<[f64; 5]> = (0..12)
+        .map(|k| {
+            let part = |i: u32| (f64::from(k) * (0.754_877_666 + 0.1 * f64::from(i))).fract();
+            // no −0
+            let one = |low: f64, high: f64, i| (10.0 * (low + (high - low) * part(i))).round() / 10.0 + 0.0;
+            [
+                one(120.0, 170.0, 1),
+                one(8.0, 16.0, 2),
+                one(-4.0, 4.0, 3),
+                one(1800.0, 4000.0, 4).round(),
+                one(-12.0, 12.0, 5),
+            ]
+        })
+        .collect();
+    let expected = plain(&launches);
+    let speeds = [("mph", 1.0), ("km/h", 1.609_344), ("m/s", 0.447_04)];
+    let styles = [
+        "Ball Speed [U]|Launch Angle [deg]|Launch Direction [deg]|Spin Rate [rpm]|Spin Axis [deg]",
+        "Ball Speed (U)|Launch V (\u{b0})|Launch H (\u{b0})|Spin (rpm)|Spin Axis (\u{b0})",
+        "BallSpeed [U]|LaunchAngle [deg]|LaunchDirection [deg]|SpinRate [rpm]|SpinAxis [deg]",
+    ];
+    let mut tables = 0;
+    for (unit, size) in speeds {
+        for style in styles {
+            for separator in [',', ';', '\t'] {
+                for has_comma in [false, true] {
+                    for has_sides in [false, true] {
+                        for encoding in 0..3 {
+                            if has_comma && separator == ',' {
+                                continue;
+                            }
+                            let line = |cells: Vec<String>| cells.join(&separator.to_string()) + "\r\n";
+                            let heads = style.replace('U', unit);
+                            let mut text = String::from("Session of May\r\n");
+                            text += &line(heads.split('|').map(String::from).collect());
+                            for launch in &launches {
+                                let number = |value: f64| {
+                                    let text = value.to_string();
+                                    if has_comma { text.replace('.', ",") } else { text }
+                                };
+                                let sided = |value: f64| match has_sides {
+                                    true if value < 0.0 => format!("{} L", number(-value)),
+                                    true => format!("{}R", number(value)),
+                                    false => number(value),
+                                };
+                                let [speed, angle, direction, spin, axis] = *launch;
+                                text += &line(vec![
+                                    number(speed * size),
+                                    number(angle),
+                                    sided(direction),
+                                    number(spin),
+                                    sided(axis),
+                                ]);
+                            }
+                            let bytes: Vec<u8> = match encoding {
+                                0 => text.clone().into_bytes(),
+                                1 => text.encode_utf16().flat_map(u16::to_le_bytes).collect(),
+                                // Latin-1, which Windows-1252 contains
+                                _ => text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect(),
+                            };
+                            let found = landed(&flown(Cursor::new(bytes)).1);
+                            assert_eq!(found.len(), expected.len(), "{text}");
+                            for (found, expected) in found.iter().zip(&expected) {
+                                close(found[0], expected[0], expected[0], 1e-9, &text);
+                                close(found[1], expected[1], expected[0], 1e-9, &text);
+                            }
+                            tables += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(tables, 270);
+}
+
+/// Carries are those that are predicted, written in one unit under the head of another.
+#[test]
+fn exact_units_that_are_likely_to_be_others_are_warned_of() {
+    let launches: Vec<[f64; 5]> = (0..6).map(|k| [150.0 + 4.0 * f64::from(k), 12.0, 0.0, 2600.0, 2.0]).collect();
+    let carries: Vec<f64> = plain(&launches).iter().map(|landed| landed[0]).collect();
+    let text = |speed: f64, carry: f64, side: f64| {
+        let mut text = String::from(
+            "Ball Speed,Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Carry [yd],Side [yd]\n",
+        );
+        for ([mph, angle, direction, spin, axis], metres) in launches.iter().zip(&carries) {
+            let cells = [mph * speed, *angle, *direction, *spin, *axis, metres * carry, side];
+            text += &(cells.map(|cell| cell.to_string()).join(",") + "\n");
+        }
+        text
+    };
+    let warned = |text: String| {
+        let (shots, _, tally) = flown(Cursor::new(text));
+        let told = tally.suspicions(|of| shots.name_of(of));
+        told.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    let yards = 1.0 / 0.9144;
+    assert!(warned(text(1.0, yards, 7.0)).is_empty(), "{:?}", warned(text(1.0, yards, 7.0)));
+    for (told, words) in [
+        (
+            warned(text(1.0, 1.0, 7.0)),
+            "Carry: predicted values are 1.09 times the measured ones in the median, as if these were in m",
+        ),
+        (
+            warned(text(0.447_04, yards, 7.0)),
+            "Ball Speed: the balls carry farther than such speeds allow, as if they were in m/s",
+        ),
+        (warned(text(1.609_344, yards, 7.0)), "as if they were in km/h and read in mph"),
+        (warned(text(1.0, yards, -7.0)), "Side: of 6 rows that end beside the target line 6 end on the other side"),
+    ] {
+        assert!(told.len() == 1 && told[0].contains(words), "{words}: {told:?}");
+    }
+}
