@@ -33,17 +33,32 @@ const OF_CLUB: &[(&str, f64, f64, &str)] = &[
     ("swing.face_angle", -60.0, 60.0, "deg"),
 ];
 
+/// The kind of a range of the club, by its unit.
+fn quantity_in(unit: &str) -> Quantity {
+    if unit == "mph" { Quantity::SPEED } else { Quantity::ANGLE }
+}
+
+/// The ranges of the club in SI.
+static OF_CLUB_IN_SI: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
+    let range = |(_, low, high, unit): &(&str, f64, f64, &str)| {
+        let size = quantity_in(unit).size_of(unit).unwrap_or(1.0);
+        [low * size, high * size]
+    };
+    OF_CLUB.iter().map(range).collect()
+});
+
 /// Why a value of a parameter is none that was measured of a club, in words; `head` is that of its column.
 pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Option<String> {
-    let (_, low, high, unit) = OF_CLUB.iter().find(|(known, ..)| *known == parameter)?;
-    let is_speed = *unit == "mph";
-    let quantity = if is_speed { Quantity::SPEED } else { Quantity::ANGLE };
-    let number = value / quantity.size_of(unit).unwrap_or(1.0);
-    let is_within = (*low..=*high).contains(&number) && !(is_speed && number == 0.0);
-    (!is_within).then(|| {
-        let shown = quantity.show(value, unit);
-        format!("{head}: {shown} is outside of what a club has, {low} to {high} {unit}; it counts as not measured")
-    })
+    let at = OF_CLUB.iter().position(|(known, ..)| *known == parameter)?;
+    let [lowest, highest] = OF_CLUB_IN_SI[at];
+    let (_, low, high, unit) = OF_CLUB[at];
+    // a club that moves has a speed
+    let is_still = lowest == 0.0 && value == 0.0;
+    if (lowest..=highest).contains(&value) && !is_still {
+        return None;
+    }
+    let shown = quantity_in(unit).show(value, unit);
+    Some(format!("{head}: {shown} is outside of what a club has, {low} to {high} {unit}; it counts as not measured"))
 }
 
 /// Values that are above the lower end of their range: a 0 says that nothing was measured.
