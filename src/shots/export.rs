@@ -1,9 +1,8 @@
 //! A launch monitor's export: its rows as shots.
 
 use super::flown::REFUSED;
-use super::further::within;
 use super::head::ExportHead;
-use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions};
+use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, NoShot, Record, Refusal, Stated as Conditions, cells, conditions, contradiction, implausible,

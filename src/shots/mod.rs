@@ -33,7 +33,6 @@ mod air;
 mod export;
 mod flown;
 mod fly;
-mod further;
 mod head;
 mod maker;
 mod meant;

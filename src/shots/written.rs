@@ -2,9 +2,8 @@
 
 use super::export::launch;
 use super::flown::REFUSED;
-use super::further::within;
 use super::objects::Objects;
-use super::shot::{Club, Origin, Shot, Value, of_conditions};
+use super::shot::{Club, Origin, Shot, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{Refusal, is_straight_by_assumption};

@@ -2,8 +2,8 @@
 
 use super::heads::Meaning;
 use super::launch_monitor;
+use super::numbers;
 use super::stated::{Side, stated_number, unwrapped};
-use super::unit_names;
 use super::wrong::OF_SHOTS;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -88,7 +88,7 @@ impl Column {
     pub fn read(setup: &Setup<f64>, head: &str, below: Option<&str>, format: Format) -> Result<Self> {
         let head = head.trim();
         let (name, unit) = launch_monitor::split_unit(head);
-        let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| unit_names::unit(&unit));
+        let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| numbers::unit(&unit));
         let is_given = |parameter: &str| is_replaced(setup, parameter);
         let meaning = launch_monitor::meaning_with(name, unit.as_deref());
         let is_of_given_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));

@@ -2,8 +2,8 @@
 
 use super::cells::cells;
 use super::heads::{HEADS, Meaning, NOT_USED};
+use super::numbers::is_unit;
 use super::stated::stated_number;
-use super::unit_names::is_unit;
 use crate::drive::Outcome;
 use crate::units::Quantity;
 

@@ -20,10 +20,8 @@ mod numbers;
 mod plausible;
 mod points;
 mod refusal;
-mod source_name;
 mod stated;
 mod text;
-mod unit_names;
 mod unstated;
 mod wrong;
 
@@ -41,8 +39,7 @@ pub(crate) use no_shot::{NoShot, NoShots};
 pub(crate) use plausible::{implausible, implausible_club, implausible_launch, impossible, outside};
 pub use points::open_table;
 pub use refusal::Refusal;
-pub(crate) use source_name::SourceName;
-pub(crate) use text::{Entry, Text, TextTable, miscounted};
+pub(crate) use text::{Entry, SourceName, Text, TextTable, miscounted};
 #[cfg(feature = "cli")]
 pub(crate) use unstated::UNSTATED;
 pub(crate) use unstated::unstated;

@@ -1,7 +1,6 @@
 //! What a cell states: a number, perhaps with its unit and its side, `4.6° R`, `422 R rpm`, `1.2 D`.
 
-use super::numbers::number;
-use super::unit_names::{is_unit, unit};
+use super::numbers::{is_unit, number, unit};
 
 /// What a cell states.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,11 +6,11 @@ use super::head::{Head, Wanted};
 use super::launch_monitor::is_head;
 use super::lines::{Lines, Record};
 use super::refusal::Refusal;
-use super::source_name::SourceName;
 use crate::cells::separated;
-use crate::error::Result;
+use crate::error::{Error, Result};
+use crate::foreign::of_io;
 use crate::parameters::Setup;
-use std::io::{BufReader, Cursor, Read};
+use std::io::{self, BufReader, Cursor, Read};
 
 /// Bytes at the beginning of a text that its kind, its head and its marks are looked for in.
 const BEGINNING: u64 = 1 << 16;
@@ -20,6 +20,20 @@ const PIECE: usize = 1 << 16;
 
 /// The head stands among so many records at the beginning of a table.
 const MOST_RECORDS: usize = 25;
+
+/// The name of the file, for messages.
+#[derive(Clone, Debug)]
+pub(crate) struct SourceName(pub String);
+
+impl SourceName {
+    pub fn refused(&self, place: String, reason: impl Into<String>) -> Error {
+        Error::Table { file: self.0.clone(), place, reason: reason.into() }
+    }
+
+    pub fn io<T>(&self, result: io::Result<T>) -> Result<T> {
+        result.map_err(|error| self.refused(String::new(), of_io(&error)))
+    }
+}
 
 /// A text whose kind is to be found out: a table, or JSON.
 pub(crate) struct Text {
