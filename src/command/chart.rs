@@ -22,6 +22,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let mut warnings = setup.warnings();
     warn(&warnings);
     let stop = interrupt::stops(BEST_SO_FAR);
+    args.question.tell_of_the_start(&setup, &search.vary);
     let of = search.of;
     let spinner = spinner("following the optimum");
     let beginning = {

@@ -45,14 +45,15 @@ impl Meant {
 /// density and the setup no weather.
 fn weather_of_rows(setup: &Setup<f64>, plain: &[String], columns: &mut [Column], rows: &[Vec<String>]) {
     let Ok(density) = setup.parameter("air.density") else { return };
-    let is_stated = columns.iter().any(|column| column.is_stated_air() || column.is_of_given_air());
-    if is_stated || setup.why_replaced(density).is_some() {
+    if columns.iter().any(|column| column.is_stated_air() || column.is_of_given_air()) {
         return;
     }
     let is_condition = |at: &usize| ["condition", "conditions"].contains(&plain[*at].as_str());
     let states_weather = |at: &usize| rows.iter().any(|row| states_weather(&row[*at]));
     if let Some(at) = (0..columns.len()).filter(is_condition).find(states_weather) {
-        columns[at] = columns[at].clone().of_weather(density);
+        let column = columns[at].clone();
+        let is_given = setup.why_replaced(density).is_some();
+        columns[at] = if is_given { column.of_given_air() } else { column.of_weather(density) };
     }
 }
 

@@ -88,7 +88,14 @@ impl Column {
     pub fn read(setup: &Setup<f64>, head: &str, below: Option<&str>, format: Format) -> Result<Self> {
         let head = head.trim();
         let (name, unit) = launch_monitor::split_unit(head);
-        let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| numbers::unit(&unit));
+        let [unit, below] = [unit, below.map(str::to_owned)].map(|unit| unit.map(|unit| numbers::unit(&unit)));
+        if let (Some(unit), Some(below)) = (&unit, &below)
+            && !numbers::is_same_unit(unit, below)
+        {
+            let why = format!("the head says [{unit}], and the line of units [{below}]; correct one of them");
+            return Err(Error::Unreadable { name: format!("the column '{name}'"), source: why.into() });
+        }
+        let unit = unit.or(below);
         let is_given = |parameter: &str| is_replaced(setup, parameter);
         let meaning = launch_monitor::meaning_with(name, unit.as_deref());
         let is_of_given_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
@@ -249,6 +256,12 @@ impl Column {
     #[must_use]
     pub fn of_weather(self, density: &'static Parameter) -> Self {
         Self { holds: Holds::Input(density), is_weather: true, ..self }
+    }
+
+    /// The same as a remark on the air that the setup gives by its weather.
+    #[must_use]
+    pub fn of_given_air(self) -> Self {
+        Self { holds: Holds::Note, is_of_given_air: true, ..self }
     }
 
     /// Whether its cells describe the weather in words.

@@ -1,10 +1,10 @@
 //! The head of a table: what its columns hold.
 
+use super::CONDITIONS;
 use super::column::{Column, Format, Holds};
 use super::launch_monitor::{is_export, units_row};
-use super::left_out::{Club, Spin};
+use super::left_out::{Club, Spin, left_out};
 use super::wrong::{OF_LAUNCHES, OF_POINTS, OF_SHOTS, WrongColumns};
-use super::{CONDITIONS, left_out};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
@@ -78,7 +78,7 @@ impl Head {
         for column in columns.iter_mut().filter(|column| !is_air_of_rows && column.is_stated_air()) {
             column.holds = Holds::Note;
         }
-        let remarks = if is_export { left_out::remarks(&mut columns, wanted.club, wanted.spin) } else { vec![] };
+        let remarks = if is_export { left_out(&mut columns, wanted.club, wanted.spin) } else { vec![] };
         told_apart(&mut columns);
         let units = units.and(first);
         Ok(Self { heads, columns, format, units, remarks, encoding: None })

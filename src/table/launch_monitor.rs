@@ -145,7 +145,7 @@ pub(super) fn is_head(text: &str, separator: u8) -> bool {
 
 /// What a row is that sums up others: the word for it, as it is written. Shots have none of these words in any cell.
 pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    const WORDS: [&str; 12] = [
+    const WORDS: [&str; 17] = [
         "dev",
         "average",
         "averages",
@@ -158,6 +158,11 @@ pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
         "stdev",
         "standard deviation",
         "deviation",
+        "std deviation",
+        "durchschnitt",
+        "mittelwert",
+        "standardabweichung",
+        "Ø",
     ];
     let mut cells = cells.map(str::trim);
     // most cells are none of them: that must cost next to nothing

@@ -2,7 +2,7 @@
 
 use super::air::air_as_given;
 use super::column::{Column, Holds};
-use super::launch_monitor::nearest_head;
+use super::launch_monitor::{nearest_head, words};
 use crate::drive::Outcome;
 use crate::units::Message;
 
@@ -24,14 +24,6 @@ pub(crate) enum Spin {
     OfRow,
 }
 
-/// What deserves a word about an export, whose columns that are not used are then notes.
-pub(super) fn remarks(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
-    let mut remarks = left_out(columns, club, spin);
-    remarks.extend(in_degrees(columns).map(Message::from));
-    remarks.extend(given_air(columns).map(Message::from));
-    remarks
-}
-
 /// The columns of an export that have no name here but are near one that has, as the end of a clause: "; near a known head: …".
 pub(crate) fn near_known(columns: &[Column]) -> String {
     let near = columns.iter().filter(|column| column.is_unknown());
@@ -47,7 +39,7 @@ pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
 }
 
 /// The angles whose unit is taken for granted.
-fn in_degrees(columns: &[Column]) -> Option<String> {
+pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
     let heads: Vec<&str> =
         columns.iter().filter(|column| column.is_in_degrees_untold()).map(|column| column.head.as_str()).collect();
     let (is, angles) = if heads.len() == 1 { ("is", "an angle") } else { ("are", "angles") };
@@ -58,7 +50,7 @@ fn in_degrees(columns: &[Column]) -> Option<String> {
 
 /// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
 /// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin, unless each row chooses.
-fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
+pub(super) fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
     let named = |columns: &[Column], is: &dyn Fn(&Column) -> bool| -> Vec<String> {
         columns
             .iter()
@@ -68,7 +60,10 @@ fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
             .collect()
     };
     let mut remarks = vec![];
-    let unknown = columns.iter().filter(|column| column.is_unknown() && !column.head.is_empty());
+    // a condition is of the row's air, where it tells of that
+    let is_a_word =
+        |column: &Column| column.head.is_empty() || ["condition", "conditions"].contains(&words(&column.head).as_str());
+    let unknown = columns.iter().filter(|column| column.is_unknown() && !is_a_word(column));
     let unknown: Vec<String> = unknown
         .map(|column| match nearest_head(&column.head) {
             Some(near) => format!("{} (did you mean '{near}'?)", column.head),

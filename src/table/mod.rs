@@ -32,7 +32,7 @@ pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideway
 pub(crate) use decimals::Decimals;
 pub(crate) use head::{Head, Wanted};
 pub(crate) use launch_monitor::{nearest_head, split_unit, words};
-pub(crate) use left_out::{Club, given_air, near_known};
+pub(crate) use left_out::{Club, given_air, in_degrees, near_known};
 pub(crate) use lines::Record;
 pub(crate) use marks::Marks;
 pub(crate) use no_shot::{NoShot, NoShots};

@@ -68,6 +68,21 @@ pub(super) fn unit(written: &str) -> String {
     }
 }
 
+/// Whether two words are the same unit.
+pub(super) fn is_same_unit(one: &str, other: &str) -> bool {
+    const QUANTITIES: [Quantity; 6] = [
+        Quantity::SPEED,
+        Quantity::LENGTH,
+        Quantity::ANGLE,
+        Quantity::ANGULAR_VELOCITY,
+        Quantity::TIME,
+        Quantity::DENSITY,
+    ];
+    let is_in =
+        |quantity: &Quantity| quantity.size_of(one).is_some() && quantity.size_of(one) == quantity.size_of(other);
+    one == other || QUANTITIES.iter().any(is_in)
+}
+
 #[cfg(test)]
 mod tests {
     use super::{number, unit};

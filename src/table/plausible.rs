@@ -57,6 +57,9 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     if (lowest..=highest).contains(&value) && !is_still {
         return None;
     }
+    if is_still {
+        return Some(format!("{head}: a club that does not move counts as not measured"));
+    }
     let shown = quantity_in(unit).show(value, unit);
     Some(format!("{head}: {shown} is outside of what a club has, {low} to {high} {unit}; it counts as not measured"))
 }

@@ -1,5 +1,6 @@
 //! Tables as people have them, after real exports: each shot is the same as one that is written plainly.
 
+use crate::command_line::longdrive;
 use crate::common::close;
 use crate::shots::flown;
 use longdrive::report::{ShotFormat, ShotWriter};
@@ -334,5 +335,56 @@ fn exact_units_that_are_likely_to_be_others_are_warned_of() {
         (warned(text(1.0, yards, -7.0)), "Side: of 6 rows that end beside the target line 6 end on the other side"),
     ] {
         assert!(told.len() == 1 && told[0].contains(words), "{words}: {told:?}");
+    }
+}
+
+#[test]
+fn a_line_of_units_that_contradicts_its_head_is_refused() {
+    let text = |head: &str, below: &str| {
+        format!("Ball Speed [{head}],Launch Angle [deg],Spin Rate [rpm]\n[{below}],[deg],[rpm]\n70,12,2600\n")
+    };
+    let read = |text: String| Shots::read(&Setup::default(), "a.csv", Cursor::new(text)).map(drop);
+    let error = read(text("mph", "m/s")).err().unwrap().to_string();
+    assert!(error.contains("the head says [mph], and the line of units [m/s]; correct one of them"), "{error}");
+    for (head, below) in [("mph", "mph"), ("km/h", "kph")] {
+        read(text(head, below)).unwrap();
+    }
+}
+
+#[test]
+fn exact_a_club_of_zeros_is_as_one_that_is_not_stated() {
+    let text = |club: &str| {
+        format!(
+            "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Speed [mph],Attack Angle [deg],Club Path [deg],Face Angle [deg]\n\
+             160,12,2600,110,-1.2,0.8,0.1\n160,12,2600,{club}\n"
+        )
+    };
+    let inputs = |club: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        std::fs::write(&path, text(club)).unwrap();
+        let table = ShotTable::open_launches(&Setup::default(), &path).unwrap();
+        table.shots.iter().map(|shot| shot.inputs.len()).collect::<Vec<_>>()
+    };
+    assert_eq!((inputs("0,0,0,0"), inputs(",,,")), (vec![4, 0], vec![4, 0]));
+}
+
+#[test]
+fn rows_that_sum_up_others_are_known_in_german_too() {
+    let rows =
+        "A;257,5;12,0;2600\nDurchschnitt;257,5;12,0;2600\nStandardabweichung;2,5;1,0;200\n\u{d8};257,5;12,0;2600\n";
+    let text = format!("Spieler;Ballgeschwindigkeit;Abflugwinkel;Drehrate\n;[km/h];[deg];[rpm]\n{rows}");
+    let (_, _, tally) = flown(Cursor::new(text));
+    assert_eq!((tally.rows, tally.flown), (4, 1));
+}
+
+#[test]
+fn a_launch_that_is_set_beside_shots_is_refused() {
+    let file = format!("{}/data/cases/heads-camel-case.csv", env!("CARGO_MANIFEST_DIR"));
+    for set in
+        ["launch.backspin=4000rpm", "launch.launch_direction=5deg", "launch.spin_axis=3deg", "launch.ball_speed=150mph"]
+    {
+        let said = longdrive(&["fly", &file, "--set", set]);
+        assert!(said.status == 2 && said.err.contains("leave"), "{set}: {} {}", said.status, said.err);
     }
 }

@@ -14,7 +14,7 @@ use crate::parameters::{Law, Preset};
 use crate::report::ShotParquet;
 use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
 use crate::shots::{Flying, Shots, Tally};
-use crate::table::UNSTATED;
+use crate::table::{CONDITIONS, UNSTATED};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
 use asked::{asked, followed, setup};
@@ -40,7 +40,9 @@ fn fly(args: &Fly) -> Result<Answer> {
     if args.question.gives_air()? {
         shots.in_given_air();
     }
-    args.question.refuse_twice(&setup, shots.further(), "every row has a value of its own")?;
+    let of_rows = CONDITIONS.iter().filter_map(|of| setup.launch_condition(of.name()));
+    let of_rows: Vec<_> = of_rows.chain(shots.further().iter().copied()).collect();
+    args.question.refuse_twice(&setup, &of_rows, "every row has a value of its own")?;
     // it has something to tell: after what may be refused
     let of = asked(args)?;
     args.question.refuse_replaced(&setup, shots.further())?;
@@ -70,10 +72,6 @@ fn fly(args: &Fly) -> Result<Answer> {
         remarks.push(remark.clone());
     }
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
-    if let Some(remark) = of_lofted(&tally, &setup.law) {
-        tell(&format!("note: {}: {remark}", file.display()));
-        remarks.push(remark.into());
-    }
     if tally.rows == 0 && !is_stopped {
         let reason = "it has no rows; give a row for each shot".into();
         return Err(Error::Table { file: file.display().to_string(), place: String::new(), reason });
@@ -86,7 +84,12 @@ fn fly(args: &Fly) -> Result<Answer> {
     warnings.extend(beyond);
     let suspicions = tally.suspicions(|of| shots.name_of(of));
     warn(&suspicions);
+    let lofted = of_lofted(&tally, &setup.law).filter(|_| suspicions.is_empty());
     warnings.extend(suspicions);
+    if let Some(remark) = lofted {
+        tell(&format!("note: {}: {remark}", file.display()));
+        remarks.push(remark.into());
+    }
     let missing = Missing { stopped: is_stopped.then(|| stopped(&tally, &target)), nothing: nothing(&tally, &remarks) };
     if args.question.json {
         let nothing: Vec<Message> = missing.nothing.iter().cloned().map(Message::from).collect();

@@ -8,8 +8,9 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Meant, Shot as Stated};
 use crate::table::{
-    CONDITIONS, Club, Column, Fault, Head, Holds, Stated as Launch, TextTable, conditions, contradiction, implausible,
-    implausible_club, implausible_launch, impossible, is_sideways, is_straight_by_assumption, near_known, outside,
+    CONDITIONS, Club, Column, Fault, Head, Holds, Stated as Launch, TextTable, conditions, contradiction, given_air,
+    implausible, implausible_club, implausible_launch, impossible, in_degrees, is_sideways, is_straight_by_assumption,
+    near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -124,7 +125,8 @@ impl Reading {
         let is_export = head.format.is_export;
         let mut remarks: Vec<Message> = head.encoding.map(Message::from).into_iter().collect();
         remarks.append(&mut head.remarks);
-        remarks.extend(without_unit.into_iter().chain(turned).map(Message::from));
+        remarks.extend(in_degrees(&head.columns).into_iter().chain(without_unit).chain(turned).map(Message::from));
+        remarks.extend(given_air(&head.columns).map(Message::from));
         if is_export {
             remarks.extend(without_totals(&mut head));
         }
@@ -224,6 +226,7 @@ impl Reading {
         let stated = self.is_launched.then_some(stated);
         let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
         let mut at_shot = self.setup;
+        let is_still = self.club == Club::Kept && self.is_still(record);
         for (at, column) in self.columns.iter().enumerate() {
             let here = || Some(column.head.clone());
             match column.holds {
@@ -234,6 +237,7 @@ impl Reading {
                 Holds::Input(parameter) => {
                     let stated = self.cell(record, column.holds);
                     if self.is_of_the_club(column) {
+                        let stated = if is_still { Ok(None) } else { stated };
                         match self.usable(column, parameter, stated) {
                             Ok(value) => inputs.push((parameter, value)),
                             Err(why) => not_stated.push(why),
@@ -319,6 +323,18 @@ impl Reading {
     /// Whether a column is of the club beside a measured launch, of which a row may lack a value.
     fn is_of_the_club(&self, column: &Column) -> bool {
         self.club == Club::Kept && column.is_of_the_strike()
+    }
+
+    /// Whether a row states a club of zeros alone, which was not measured.
+    fn is_still(&self, record: Values<'_>) -> bool {
+        let of_club = self.columns.iter().enumerate().filter_map(|(at, column)| match column.holds {
+            Holds::Input(parameter) if ClubOfShot::NAMES.contains(&parameter.name) => {
+                Some((parameter.name, record.value(at, column).ok().flatten()?))
+            }
+            _ => None,
+        });
+        let stated: Vec<(&str, f64)> = of_club.collect();
+        stated.iter().any(|(name, _)| *name == "swing.speed") && stated.iter().all(|(_, value)| *value == 0.0)
     }
 
     /// The value that a row states of the club.

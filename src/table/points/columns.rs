@@ -3,7 +3,7 @@
 use crate::batch::refuse_repeated;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::table::{CONDITIONS, Column, Head, Holds, near_known};
+use crate::table::{CONDITIONS, Column, Head, Holds, given_air, in_degrees, near_known};
 use crate::units::Message;
 use std::path::Path;
 
@@ -50,7 +50,8 @@ impl Columns {
             let names: Vec<&str> = parameters.iter().map(|parameter| parameter.name).collect();
             setup.check_launch(&names).map_err(|error| refused(path, String::new(), format!("{error}{near}")))?;
         }
-        let notes = head.remarks.iter().cloned().chain(not_read(head, &at)).collect();
+        let of_units = in_degrees(&head.columns).into_iter().chain(given_air(&head.columns)).map(Message::from);
+        let notes = head.remarks.iter().cloned().chain(of_units).chain(not_read(head, &at)).collect();
         Ok(Self { at, parameters, notes })
     }
 
