@@ -9,7 +9,7 @@ impl ExportHead {
         self.further_columns.iter().position(Column::is_stated_air)
     }
 
-    /// What its reader should know.
+    /// Remark for the user.
     pub fn air_told(&self) -> Option<String> {
         self.air_at().map(|at| air_of_rows(&self.further_columns[at].head))
     }
@@ -25,7 +25,7 @@ impl ExportHead {
         true
     }
 
-    /// What is told of a row that has no usable air.
+    /// Message for rows without usable air.
     pub fn air_assumed<S: AsRef<str>>(&self, row: &[S]) -> Option<String> {
         let at = self.air_at()?;
         let stated = self.further_columns[at].stated_air(row[self.further[at].at].as_ref());

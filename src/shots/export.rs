@@ -5,7 +5,7 @@ use super::head::ExportHead;
 use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, NoShot, Record, Refusal, Stated as Conditions, cells, conditions, contradiction, implausible,
+    CONDITIONS, NonShot, Record, Refusal, Stated as Conditions, cells, conditions, contradiction, implausible,
     implausible_launch, is_straight_by_assumption, miscounted,
 };
 
@@ -18,7 +18,7 @@ impl ExportHead {
         let unclosed = record.unclosed();
         let Record { line, text, .. } = record;
         let row = cells(&text, self.separator);
-        let no_shot = || NoShot::of(&row).filter(|_| self.is_export).map(NoShot::refusal);
+        let no_shot = || NonShot::of(&row).filter(|_| self.is_export).map(NonShot::refusal);
         let wrong = unclosed.or_else(no_shot).or_else(|| miscounted(&row, self.heads.len()));
         if let Some(refusal) = wrong {
             return Shot::refused(line, text.clone(), refusal);
@@ -32,7 +32,7 @@ impl ExportHead {
         shot
     }
 
-    /// Why `fly` refused the row that this one was made of, where it lacks what was wrong.
+    /// Earlier refusal by `fly`, if the rewritten row lacks the faulty value.
     fn refused_before<S: AsRef<str>>(&self, row: &[S], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // a row that cannot be taken apart is written into the first of its cells
@@ -90,7 +90,7 @@ impl ExportHead {
         shot
     }
 
-    /// What is flown of a row.
+    /// Launch and further parameters of a row.
     fn point<S: AsRef<str>>(&self, stated: &Conditions, row: &[S]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(stated, |of| self.name_of(of), |of| self.read.iter().any(|read| read.of == of))?;
         for (further, column) in self.further.iter().zip(&self.further_columns) {
@@ -111,7 +111,7 @@ impl ExportHead {
     }
 }
 
-/// Whether a remark on the conditions says that values are normalized.
+/// Recognizes normalized values in a condition.
 fn says_normalized(text: &str) -> bool {
     let word = b"normali";
     text.as_bytes().windows(word.len()).any(|at| at.eq_ignore_ascii_case(word))

@@ -33,7 +33,7 @@ impl Flown {
         Self { of: of.to_vec(), shots, flights, block, is_on_their_ground, section: None }
     }
 
-    /// The same in a section of a table.
+    /// Sets the section.
     pub(super) fn of_section(self, section: Option<Section>) -> Self {
         Self { section, ..self }
     }
@@ -73,7 +73,7 @@ impl Flown {
         self.flights[row].map(|flight| self.block.beyond(flight)).unwrap_or_default()
     }
 
-    /// Why a row has no outcome.
+    /// Reason for a missing outcome.
     pub fn reason(&self, row: usize) -> Option<&str> {
         match self.status(row) {
             None => self.shots[row].refusal().map(|refusal| refusal.reason.as_str()),

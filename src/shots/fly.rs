@@ -12,11 +12,11 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use std::sync::atomic::Ordering;
 
-/// What shots are flown with, and what is asked of each.
+/// Batch and requested outcomes for flying shots.
 #[derive(Clone, Debug)]
 pub struct Flying {
     batch: Batch,
-    /// Whether the ground is that of the shots, so that what was measured of their run is compared.
+    /// The ground is that of the shots: measured runs are compared.
     is_on_their_ground: bool,
 }
 
@@ -40,7 +40,7 @@ impl Flying {
         Self::with(setup, shots.parameters(), of)
     }
 
-    /// The same for messages of GSPro Open Connect, one by one.
+    /// For single messages of GSPro Open Connect.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -82,7 +82,7 @@ impl Flying {
         Ok(Self { batch: self.batch.with_largest_defect(defect)?, ..self })
     }
 
-    /// The same on ground that is said to be that of the shots: total, run and lateral total are compared too.
+    /// Declares the ground as that of the shots: total, run and lateral total are compared.
     #[must_use]
     pub fn on_their_ground(self) -> Self {
         Self { is_on_their_ground: true, ..self }
@@ -97,7 +97,7 @@ impl Flying {
     /// order of the rows.
     ///
     /// # Errors
-    /// What the source and `sink` return; rows before an unreadable place are handed on first.
+    /// Errors of the source and of `sink`; rows before an unreadable place are delivered first.
     pub fn fly<R: Send>(
         &self,
         shots: &mut Shots,

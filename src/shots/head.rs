@@ -1,6 +1,6 @@
 //! The head of an export: where it stands, and what its columns hold.
 
-use super::meant::Meant;
+use super::interpretation::Interpretation;
 use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -21,7 +21,7 @@ pub(super) struct Read {
     pub origin: Option<Origin>,
 }
 
-/// What the head of an export says.
+/// Head of an export.
 #[derive(Clone, Debug)]
 pub(super) struct ExportHead {
     pub separator: u8,
@@ -47,7 +47,7 @@ pub(super) struct ExportHead {
 }
 
 impl ExportHead {
-    /// What the head of a table means for shots.
+    /// Interprets the head of a table for shots.
     ///
     /// # Errors
     /// [`Error::Table`] for a table without a column that a launch needs, or with a unit of another kind.
@@ -63,7 +63,7 @@ impl ExportHead {
                 }
             }
         }
-        let meant = Meant::found(Some(setup), &mut head, table);
+        let meant = Interpretation::of(Some(setup), &mut head, table);
         let Head { heads, columns, format, units, encoding, .. } = head;
         let is_export = format.is_export;
         let name = &table.name;
@@ -157,7 +157,7 @@ impl ExportHead {
         self.read.iter().any(|read| read.of == of)
     }
 
-    /// What a launch lacks.
+    /// Missing columns of a launch.
     fn needs_a_launch(&self, columns: &[Column]) -> Result<(), String> {
         let mut missing = vec![];
         for (of, words) in [(Outcome::BallSpeed, "the ball speed"), (Outcome::LaunchAngle, "the launch angle")] {
@@ -181,7 +181,7 @@ impl ExportHead {
         ))
     }
 
-    /// What its reader should know of the columns.
+    /// Collects remarks on the columns.
     fn tell(&mut self, columns: &[Column], without_unit: Option<String>, in_degrees: &[String]) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)

@@ -12,7 +12,7 @@ pub struct Piece {
     pub line: u64,
     /// Its text.
     pub text: String,
-    /// Whether its braces are closed.
+    /// All braces are closed.
     pub is_whole: bool,
 }
 
@@ -64,7 +64,7 @@ impl Objects {
         self.found.pop_front()
     }
 
-    /// Whether an object has begun and not ended.
+    /// An object is incomplete.
     pub fn is_under_way(&self) -> bool {
         self.state != State::Between
     }

@@ -65,7 +65,7 @@ fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
     Origin::read(named?.as_str()?)
 }
 
-/// Whether `fly` wrote a value that no instrument gave.
+/// True for values that `fly` assumed.
 fn is_assumed(message: &Map<String, Json>, of: Outcome) -> bool {
     // an axis that is assumed has the sidespin of 0 beside it
     let of = if of == Outcome::Sidespin { Outcome::SpinAxis } else { of };
@@ -100,7 +100,7 @@ pub(super) fn shot(piece: Piece, further: &[&'static Parameter]) -> Shot {
     shot
 }
 
-/// Why a text is no object of JSON.
+/// Message for a text that is no JSON object.
 fn broken(text: &str) -> String {
     match text.starts_with('{') {
         true => "the JSON object does not end; close its braces and quotes".into(),
@@ -108,7 +108,7 @@ fn broken(text: &str) -> String {
     }
 }
 
-/// What the reader of JSON says, with the place in the object.
+/// Message of the JSON parser with the position.
 fn told(error: &serde_json::Error) -> String {
     let said = error.to_string();
     let what = said.split(" at line").next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The sections of a table: rows below a head.
+//! Sections of a table: the rows below one head.
 
 use super::head::ExportHead;
 use crate::table::{Decimals, cells};
@@ -13,7 +13,7 @@ pub struct Export {
 }
 
 impl Export {
-    /// What separates its cells.
+    /// Cell separator.
     pub fn separator(&self) -> u8 {
         self.head.separator
     }
@@ -28,7 +28,7 @@ impl Export {
         self.head.units.as_deref()
     }
 
-    /// Whether its numbers have decimal commas.
+    /// Numbers have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
         self.head.decimals == Decimals::Comma
     }
@@ -49,6 +49,6 @@ impl Export {
 pub struct Section {
     /// Its head.
     pub export: Arc<Export>,
-    /// Whether it begins with these shots, and is not the first.
+    /// These shots are its first, and it is not the first section.
     pub begins: bool,
 }

@@ -39,7 +39,7 @@ impl Origin {
 /// A value that a row states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
-    /// What it is of.
+    /// Outcome.
     pub of: Outcome,
     /// SI.
     pub value: f64,
@@ -47,7 +47,7 @@ pub struct Value {
     pub origin: Option<Origin>,
 }
 
-/// What a row states of the club, SI.
+/// Club data of a row, SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Club {
     /// Club speed.
@@ -109,20 +109,20 @@ pub struct Shot {
     pub line: u64,
     /// The row as it was read.
     pub text: String,
-    /// What it states of the ball, the launch among it.
+    /// Ball data, including the launch.
     pub values: Vec<Value>,
-    /// What it states of the club.
+    /// Club data.
     pub club: Club,
-    /// What the export says of the conditions of its values, to the letter.
+    /// Condition text of the export, verbatim.
     pub condition: Option<String>,
-    /// Whether the export says that its values are normalized to other conditions; `None` where it says nothing.
+    /// The export states normalized values; `None` without a statement.
     pub is_normalized: Option<bool>,
-    /// What its reader should know: values that are assumed, or not used.
+    /// Notes on assumed or unused values.
     pub notes: Vec<String>,
-    /// Whether its direction or the tilt of its spin is assumed, so that nothing sideways can be compared.
+    /// Direction or spin tilt is assumed: lateral results are not compared.
     pub is_straight_by_assumption: bool,
     pub(super) point: Result<Point, Refusal>,
-    /// Whether it has a cell for each column of its table, and none beyond.
+    /// The row has exactly one cell per column.
     pub(crate) has_cells_of_head: bool,
 }
 
@@ -153,17 +153,17 @@ impl Shot {
         self.point.as_ref().map_or(&[], |point| &point[LAUNCH.len()..])
     }
 
-    /// Why it cannot be flown.
+    /// Reason for not flying it.
     pub fn refusal(&self) -> Option<&Refusal> {
         self.point.as_ref().err()
     }
 
-    /// What it states of an outcome.
+    /// Value of an outcome.
     pub fn value(&self, of: Outcome) -> Option<Value> {
         self.values.iter().find(|value| value.of == of).copied()
     }
 
-    /// What was measured of the flight.
+    /// Measured outcomes of the flight.
     pub fn measured(&self) -> impl Iterator<Item = &Value> {
         self.values.iter().filter(|value| !CONDITIONS.contains(&value.of))
     }
@@ -188,7 +188,7 @@ pub(super) fn of_conditions(value: impl Fn(Outcome) -> Option<f64>) -> Stated {
 /// The value, where it is in the parameter's range; `name` is that of its column.
 ///
 /// # Errors
-/// Why the row cannot be flown.
+/// Values outside the range.
 pub(super) fn within(parameter: &Parameter, value: f64, name: &str) -> Result<f64, Refusal> {
     if parameter.range.contains(value) {
         return Ok(value);

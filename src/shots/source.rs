@@ -34,7 +34,7 @@ pub struct Shots {
     pub(super) layout: Layout,
     pub(super) rows: Rows,
     pub(super) parameters: Vec<&'static Parameter>,
-    /// Whether they are lines that `fly` wrote.
+    /// JSON lines written by `fly`.
     is_written: bool,
 }
 
@@ -54,14 +54,14 @@ pub(super) struct TableRows {
     /// The further parameters that every row has a value of.
     further: Vec<&'static Parameter>,
     is_air_given: bool,
-    /// What its reader should know of later sections.
+    /// Remarks on later sections.
     remarks: Vec<Message>,
 }
 
 /// Rows of a section of an export.
 pub(super) struct Records {
     pub export: Arc<Export>,
-    /// Whether a later section begins with them.
+    /// They begin a later section.
     pub begins: bool,
     records: Vec<Record>,
 }
@@ -129,7 +129,7 @@ impl Shots {
     /// All of them.
     ///
     /// # Errors
-    /// What the source returns.
+    /// Errors of the source.
     pub(crate) fn all(mut self) -> Result<Vec<Shot>> {
         let mut all = vec![];
         while let Some(chunk) = self.rows.next_rows(CHUNK)? {
@@ -143,7 +143,7 @@ impl Shots {
         &self.layout
     }
 
-    /// Whose export it is, where its heads tell; of JSON, what wrote it.
+    /// Maker of the export, if its heads identify it; for JSON the format.
     pub fn maker(&self) -> Option<&'static str> {
         match &self.layout {
             Layout::Export(export) => export.head.maker,
@@ -152,7 +152,7 @@ impl Shots {
         }
     }
 
-    /// What its reader should know of later sections of a table, once their rows have been read.
+    /// Remarks on later sections, complete after the last row.
     pub fn remarks_of_sections(&self) -> &[Message] {
         match &self.rows {
             Rows::Table(rows) => &rows.remarks,
@@ -160,7 +160,7 @@ impl Shots {
         }
     }
 
-    /// What its reader should know of its columns.
+    /// Remarks on the columns.
     pub fn remarks(&self) -> &[Message] {
         match &self.layout {
             Layout::Export(export) => &export.head.remarks,
@@ -173,12 +173,12 @@ impl Shots {
         &self.parameters
     }
 
-    /// Whether its rows may state this outcome.
+    /// True if the table has a column of this outcome.
     pub fn has(&self, of: Outcome) -> bool {
         matches!(&self.layout, Layout::Export(export) if export.head.has(of))
     }
 
-    /// What the column of an outcome is called.
+    /// Head of the column of an outcome.
     pub fn name_of(&self, of: Outcome) -> String {
         match &self.layout {
             Layout::Export(export) => export.head.name_of(of),
@@ -290,7 +290,7 @@ impl Chunk {
     }
 }
 
-/// Whether a text is of messages in JSON, not of lines with cells.
+/// Recognizes JSON.
 pub(crate) fn is_json(text: &str) -> bool {
     let mut characters = text.chars().filter(|c| !c.is_whitespace());
     match characters.next() {

@@ -2,7 +2,7 @@
 
 use super::flown::Flown;
 use super::shot::Origin;
-use super::suspicion::Comparison;
+use super::unit_checks::Comparison;
 use crate::batch::Status;
 use crate::drive::{BeyondCount, Outcome};
 use crate::table::Refusal;
@@ -90,7 +90,7 @@ pub struct Refused {
     pub reason: String,
 }
 
-/// What was found of shots.
+/// Statistics of flown shots.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tally {
     /// The outcomes.
@@ -128,7 +128,7 @@ fn is_lofted(launch: &[f64]) -> bool {
 }
 
 impl Tally {
-    /// Of no shots.
+    /// Empty statistics.
     pub fn new(of: &[Outcome]) -> Self {
         let ends = |at: usize| BANDS.get(at).map(|mph| mph * MPH);
         let none = vec![Sums::default(); of.len()];
@@ -181,7 +181,7 @@ impl Tally {
     }
 
     /// Warnings about columns whose unit or sign is likely to be another; `name` is the head of an outcome's.
-    pub fn suspicions(&self, name: impl Fn(Outcome) -> String) -> Vec<Message> {
+    pub fn unit_warnings(&self, name: impl Fn(Outcome) -> String) -> Vec<Message> {
         self.comparison.warnings(&self.of, name)
     }
 

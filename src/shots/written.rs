@@ -12,12 +12,12 @@ use serde_json::{Map, Value as Json};
 /// What the row stands behind: the last member of a line, so that none of the others has it in its text.
 const ROW: &str = ",\"row\":";
 
-/// Whether a message is such a line.
+/// Recognizes a JSON line written by `fly`.
 pub(super) fn is_written(message: &Map<String, Json>) -> bool {
     ["stated", "predicted", "row"].iter().all(|key| message.contains_key(*key))
 }
 
-/// Whether a text begins with such a line.
+/// Recognizes a text that begins with such a line.
 pub(super) fn begins(beginning: &str) -> bool {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
@@ -53,7 +53,7 @@ fn members<'a>(message: &'a Map<String, Json>, key: &str) -> Result<Vec<(&'a Str
 /// Takes what the line says of its shot. What was predicted is predicted anew.
 ///
 /// # Errors
-/// Why it cannot be flown.
+/// Reason for not flying it.
 pub(super) fn fill(
     shot: &mut Shot,
     message: &Map<String, Json>,

@@ -9,7 +9,7 @@ use crate::units::Quantity;
 const RANGE: [f64; 2] = [0.6, 1.6];
 
 impl Column {
-    /// Whether it is the air as a launch monitor states it, and not a parameter by this program's name.
+    /// True for the air as an export states it, false for the parameter `air.density`.
     pub fn is_stated_air(&self) -> bool {
         self.head != AIR && matches!(self.holds, Holds::Input(parameter) if parameter.name == AIR)
     }
@@ -34,7 +34,7 @@ impl Column {
     }
 }
 
-/// Whether a cell describes the weather in words.
+/// Recognizes a description of the weather in words.
 pub(crate) fn states_weather(cell: &str) -> bool {
     density_in(cell).is_some()
 }
@@ -58,17 +58,17 @@ pub(super) fn density_in(words: &str) -> Option<f64> {
     Some(in_effect(&setup).air.density)
 }
 
-/// What is told of an export whose rows have their own air.
+/// Message for exports that state the air of each row.
 pub(crate) fn air_of_rows(head: &str) -> String {
     format!("the air is each row's, as the export states it: {head}")
 }
 
-/// What is told of one where the air is given otherwise.
+/// Message for exports whose air the setup overrides.
 pub(crate) fn air_as_given(head: &str) -> String {
     format!("the air is the one that is given, and not each row's, which the export states: {head}")
 }
 
-/// What is told of a row that has no usable air.
+/// Message for rows without usable air.
 pub(crate) fn air_of_setup(why: &str) -> String {
     format!("the air of the setup is assumed; {why}")
 }

@@ -46,7 +46,7 @@ fn cell(text: &str, separator: u8) -> (Cow<'_, str>, Option<&str>) {
     (quoted.replace("\"\"", "\"").trim().to_owned().into(), None)
 }
 
-/// Whether a quote is opened and not closed, so that the record goes on in the next line.
+/// True if a quote is still open at the end, so that the record continues in the next line.
 pub(super) fn is_open(text: &str, separator: u8) -> bool {
     if !text.contains('"') {
         return false;

@@ -1,16 +1,16 @@
 //! What the head of a table says of a column.
 
+use super::cell_number::{Side, cell_number, unwrapped};
+use super::column_errors::OF_SHOTS;
 use super::heads::Meaning;
 use super::launch_monitor;
 use super::numbers;
-use super::stated::{Side, stated_number, unwrapped};
-use super::wrong::OF_SHOTS;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::units::{Quantity, Unit, UnitError};
 
-/// What a column holds.
+/// Content of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Holds {
     /// A parameter of the shot.
@@ -25,7 +25,7 @@ pub(crate) enum Holds {
     SigmaStationary,
     /// A remark, which is not read.
     Note,
-    /// What this program writes and does not read: how a drive ended, a derivative.
+    /// Output of this program that is not read again: status, derivatives.
     Written,
 }
 
@@ -38,30 +38,30 @@ pub(crate) struct Column {
     /// The unit, where it is one of what the column holds.
     size: Option<Unit>,
     format: Format,
-    /// Whether it is an angle of a launch monitor that states no unit.
+    /// Angle of an export without a unit, read in degrees.
     is_in_degrees_untold: bool,
-    /// Whether it is a launch condition by its dotted name.
+    /// Launch condition with its dotted name.
     is_dotted_condition: bool,
-    /// Whether it states the air that the setup gives by its weather.
+    /// Air that the weather of the setup overrides.
     is_of_given_air: bool,
     /// The hand of the golfer whose swings it may hold.
     golfer: Golfer,
-    /// Whether its cells state their unit themselves.
+    /// Each cell states its unit.
     has_units_in_cells: bool,
-    /// Whether its unit is one that launch monitors usually have, and none that the table states.
+    /// The unit is assumed; the table states none.
     is_unit_assumed: bool,
-    /// Whether + is to the left.
+    /// + is to the left.
     is_turned: bool,
-    /// Whether its cells describe the weather in words, of which the air's density follows.
+    /// Cells describe the weather in words, which gives the air density.
     is_weather: bool,
 }
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Format {
-    /// Whether its heads are those of a launch monitor: columns that this program has no name for are then left out.
+    /// Export of a launch monitor: unknown columns are ignored.
     pub is_export: bool,
-    /// Whether numbers may have a decimal comma.
+    /// Numbers may have decimal commas.
     pub has_decimal_comma: bool,
 }
 
@@ -73,7 +73,7 @@ const NOTE: &str = "note";
 const STATUS: &str = "status";
 /// Columns that flown shots have beside their own.
 pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
-/// What stands before an outcome there.
+/// Prefixes of outcomes in flown shots.
 const FLOWN: [&str; 2] = ["Predicted ", "Residual "];
 /// The parameter of the air that launch monitors state.
 pub(super) const AIR: &str = "air.density";
@@ -152,47 +152,47 @@ impl Column {
         }
     }
 
-    /// Whether it is left out because this program has no name for it.
+    /// Ignored because its head is unknown.
     pub fn is_unknown(&self) -> bool {
         self.holds == Holds::Note && self.head != NOTE && !self.is_of_given_air
     }
 
-    /// Whether it states the air that the setup gives by its weather.
+    /// Air that the weather of the setup overrides.
     pub fn is_of_given_air(&self) -> bool {
         self.is_of_given_air
     }
 
-    /// Whether it states no unit and is read in degrees, as launch monitors write angles.
+    /// Angle without a unit, read in degrees.
     pub fn is_in_degrees_untold(&self) -> bool {
         self.is_in_degrees_untold && self.holds != Holds::Note
     }
 
-    /// Whether it is of the delivery of the club.
+    /// Parameter of the delivery.
     pub fn is_of_the_strike(&self) -> bool {
         matches!(self.holds, Holds::Input(parameter) if parameter.is_of_strike())
     }
 
-    /// Whether it is a launch condition by its dotted name, `launch.ball_speed`.
+    /// Launch condition with its dotted name, `launch.ball_speed`.
     pub fn is_dotted_condition(&self) -> bool {
         self.is_dotted_condition
     }
 
-    /// Whether it says how each drive of a sweep ended.
+    /// Status column of a sweep.
     pub fn is_status(&self) -> bool {
         self.holds == Holds::Written && self.head == STATUS
     }
 
-    /// Whether its cells may have a decimal comma.
+    /// Cells may have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
         self.format.has_decimal_comma
     }
 
-    /// Whether its cells are read as numbers.
+    /// Cells are read as numbers.
     pub fn is_a_number(&self) -> bool {
         self.quantity().is_some() && !self.is_weather
     }
 
-    /// Whether its unit is one of what it holds, and stated where it must be.
+    /// Checks that the unit is present and of the right kind.
     pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
             _ if self.is_unknown() || self.is_of_given_air || self.holds == Holds::Written => Ok(()),
@@ -216,49 +216,49 @@ impl Column {
         }
     }
 
-    /// Whether its numbers have a unit and the table does not state it.
+    /// The quantity has units and the table states none.
     pub fn lacks_unit(&self) -> bool {
         self.unit.is_none() && self.quantity().is_some_and(|quantity| !quantity.si.is_empty())
     }
 
-    /// The same, read in this unit where the table states none.
+    /// Assumes this unit if the table states none.
     #[must_use]
     pub fn in_unit(self, unit: &str) -> Self {
         if self.lacks_unit() { Self { unit: Some(unit.into()), is_unit_assumed: true, ..self }.sized() } else { self }
     }
 
-    /// The same, with the size of its unit.
+    /// Computes the size of the unit.
     fn sized(self) -> Self {
         let size = self.unit.as_ref().and_then(|unit| self.quantity()?.unit_named(unit));
         Self { size, ..self }
     }
 
-    /// The same, with or without decimal commas.
+    /// Sets whether numbers may have decimal commas.
     #[must_use]
     pub fn with_decimal_comma(mut self, has_decimal_comma: bool) -> Self {
         self.format.has_decimal_comma = has_decimal_comma;
         self
     }
 
-    /// The same, of which each cell states its unit.
+    /// Marks the column as having a unit in each cell.
     #[must_use]
     pub fn with_units_in_cells(self) -> Self {
         Self { has_units_in_cells: true, is_in_degrees_untold: false, ..self }
     }
 
-    /// The same, with + to the left.
+    /// Reverses the sign convention.
     #[must_use]
     pub fn turned(self) -> Self {
         Self { is_turned: !self.is_turned, ..self }
     }
 
-    /// The same as the air of each row, which its cells describe in words.
+    /// Marks the column as the air of each row, described in words.
     #[must_use]
     pub fn of_weather(self, density: &'static Parameter) -> Self {
         Self { holds: Holds::Input(density), is_weather: true, ..self }
     }
 
-    /// The same as a remark on the air that the setup gives by its weather.
+    /// Marks the column as air that the setup overrides.
     #[must_use]
     pub fn of_given_air(self) -> Self {
         Self { holds: Holds::Note, is_of_given_air: true, ..self }
@@ -269,10 +269,10 @@ impl Column {
         self.is_weather
     }
 
-    /// Whether a cell states its unit itself.
+    /// True if a cell states its unit.
     pub fn has_unit_in(&self, cell: &str) -> bool {
         self.format.is_export
-            && stated_number(cell, self.format.has_decimal_comma).is_some_and(|cell| cell.unit.is_some())
+            && cell_number(cell, self.format.has_decimal_comma).is_some_and(|cell| cell.unit.is_some())
     }
 
     /// The kind of its numbers.
@@ -306,7 +306,7 @@ impl Column {
         matches!(self.holds, Holds::Input(parameter) if parameter.range.contains(value))
     }
 
-    /// Whether its numbers may have this side.
+    /// True if the quantity can have this side.
     fn has(&self, side: Side) -> bool {
         let of_parameter =
             |names: &[&str]| matches!(self.holds, Holds::Input(parameter) if names.contains(&parameter.name));
@@ -347,7 +347,7 @@ impl Column {
         if cell.is_empty() || cell.trim().parse().is_ok_and(f64::is_nan) {
             return Ok(None);
         }
-        let Some(stated) = stated_number(cell, self.format.has_decimal_comma) else {
+        let Some(stated) = cell_number(cell, self.format.has_decimal_comma) else {
             return self.no_number(cell);
         };
         if self.format.is_export && stated.number.abs() >= MISSING {
@@ -418,7 +418,7 @@ impl Column {
         Err(self.is_not(cell, if is_infinite { "not finite" } else { "not a number" }))
     }
 
-    /// Why a cell cannot be read, and what to write.
+    /// Message for an unreadable cell.
     fn is_not(&self, cell: &str, what: &str) -> String {
         if let Some((whole, decimals)) = cell.split_once(',').filter(|_| !self.format.has_decimal_comma)
             && format!("{whole}.{decimals}").parse::<f64>().is_ok()
@@ -450,27 +450,27 @@ fn visible(cell: &str) -> String {
     cell.chars().map(shown).collect()
 }
 
-/// Whether a cell of a launch monitor says that there is no value: a dash, or `N/A`.
+/// Recognizes missing values of exports: dashes, `N/A`.
 fn is_missing(cell: &str) -> bool {
     ["", "-", "--", "–", "—", "n/a", "na", "null"].iter().any(|word| cell.eq_ignore_ascii_case(word))
 }
 
-/// What a measured outcome is: launch monitors, and people, mean the distance to the landing point by carry.
+/// Measured carry is the distance to the landing point.
 fn measured(outcome: Outcome) -> Outcome {
     if outcome == Outcome::Carry { Outcome::CarryDistance } else { outcome }
 }
 
-/// Whether the setup gives this parameter in another way.
+/// True if another parameter of the setup overrides this one.
 fn is_replaced(setup: &Setup<f64>, name: &str) -> bool {
     setup.parameter(name).is_ok_and(|parameter| setup.why_replaced(parameter).is_some())
 }
 
-/// Whether a column is one that flown shots have beside their own.
+/// Recognizes columns added by `fly`.
 fn is_of_flown(name: &str) -> bool {
     OF_FLOWN.contains(&name) || FLOWN.iter().any(|before| name.starts_with(before))
 }
 
-/// Whether a head is none of this program's: a launch monitor's own, and not spelled as names are here.
+/// Recognizes unknown heads of launch monitors, as opposed to misspelt names of this program.
 fn is_foreign(name: &str, format: Format) -> bool {
     let is_written_otherwise = name.is_empty() || name.contains(". ");
     let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');
@@ -480,7 +480,7 @@ fn is_foreign(name: &str, format: Format) -> bool {
     format.is_export && (is_written_otherwise || is_its_own)
 }
 
-/// What a column of this program's own name holds.
+/// Content of a column with a name of this program.
 fn named(setup: &Setup<f64>, name: &str) -> Result<Holds> {
     let condition = |name: &str| setup.launch_condition(name).and_then(|_| Outcome::named(name).ok());
     match name.strip_prefix("sigma ").map(str::trim) {

@@ -3,13 +3,13 @@
 use super::CONDITIONS;
 use crate::drive::Outcome;
 
-/// What is wrong with the conditions of a row.
+/// Error in the launch conditions of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fault {
     /// The condition.
     pub of: Outcome,
     pub why: &'static str,
-    /// Whether it is missing, and all that is there is sound.
+    /// The value is missing; the other values are valid.
     pub is_missing: bool,
 }
 
@@ -35,13 +35,13 @@ pub(crate) fn taken(values: Stated) -> Stated {
     [speed, angle, direction, spin, backspin, sidespin, axis]
 }
 
-/// Whether the direction or the tilt of the spin is not stated, so that nothing sideways can be compared.
+/// True without a launch direction or a spin tilt: lateral results cannot be compared.
 pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
     let [_, _, direction, _, _, sidespin, axis] = values;
     direction.is_none() || sidespin.is_none() && axis.is_none()
 }
 
-/// Whether an outcome is compared only where the direction and the tilt of the spin are stated.
+/// Lateral outcomes, which need the launch direction and the spin tilt.
 pub(crate) fn is_sideways(of: Outcome) -> bool {
     matches!(of, Outcome::Lateral | Outcome::LateralTotal)
 }
@@ -97,7 +97,7 @@ pub(crate) fn contradiction(
 /// is 0; of a spin that is stated in several ways one is [`taken`]. `has` tells which conditions have a column.
 ///
 /// # Errors
-/// What is missing, contradicts another value, or is no launch.
+/// Missing, contradictory or invalid conditions.
 pub(crate) fn conditions(values: Stated, has: impl Fn(Outcome) -> bool) -> Result<[(&'static str, f64); 5], Fault> {
     let [speed, angle, direction, spin, backspin, sidespin, axis] = taken(values);
     let missing = |of: Outcome, why| Fault { of, why, is_missing: true };

@@ -1,8 +1,8 @@
 //! The mark of decimals in the numbers of a table.
 
+use super::cell_number::digits;
 use super::cells::cells;
 use super::numbers::has_thousands;
-use super::stated::digits;
 
 /// The mark of decimals in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ impl Decimals {
         }
     }
 
-    /// Whether a number has two meanings, thousands or decimals.
+    /// True if the mark may separate thousands or decimals.
     pub fn is_ambiguous(self, cell: &str) -> bool {
         let of = |mark, other| {
             let number = digits(cell);

@@ -13,16 +13,16 @@ const SWAPPED_LINE_END: char = '\u{a00}';
 /// Bytes read at a time.
 const PIECE: usize = 1 << 14;
 
-/// How the lines of a text are encoded, once what is in UTF-16 is in UTF-8.
+/// Encoding of the lines, after decoding of UTF-16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     Utf8,
-    /// As programs of Windows save texts of western languages: `°` is the byte B0.
+    /// Western-European Windows: `°` is the byte B0.
     Windows1252,
 }
 
 impl Encoding {
-    /// The encoding of a text that begins with these bytes. Windows-1252 is what is no text in UTF-8, nor one that was cut within a character.
+    /// Detects the encoding from the first bytes: Windows-1252 if they are invalid UTF-8; an incomplete last character is valid.
     pub fn of(beginning: &[u8]) -> Self {
         match std::str::from_utf8(beginning) {
             Err(error) if error.error_len().is_some() && !beginning.contains(&0) => Self::Windows1252,
@@ -30,7 +30,7 @@ impl Encoding {
         }
     }
 
-    /// The text of a line.
+    /// Decodes a line.
     ///
     /// # Errors
     /// A sentence for bytes that are no text.
@@ -42,7 +42,7 @@ impl Encoding {
         }
     }
 
-    /// A text whose end may be cut within a character.
+    /// Decodes the beginning of a text, whose last character may be incomplete.
     pub fn lossy(self, bytes: &[u8]) -> String {
         match self {
             Self::Utf8 => String::from_utf8_lossy(bytes).into_owned(),
@@ -58,7 +58,7 @@ pub(crate) struct Decoded<R> {
     pairs: Option<Pairs>,
     /// Bytes that are not decoded yet: half a character.
     raw: Vec<u8>,
-    /// What is decoded, and how much of it has been handed on.
+    /// Decoded text and the read position.
     text: Vec<u8>,
     at: usize,
 }

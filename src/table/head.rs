@@ -2,37 +2,37 @@
 
 use super::CONDITIONS;
 use super::column::{Column, Format, Holds};
+use super::column_errors::{ColumnErrors, OF_LAUNCHES, OF_POINTS, OF_SHOTS};
+use super::ignored_columns::{ClubColumns, SpinSource, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
-use super::left_out::{Club, Spin, left_out};
-use super::wrong::{OF_LAUNCHES, OF_POINTS, OF_SHOTS, WrongColumns};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
 use crate::units::Message;
 
-/// What is wanted of a table of text.
+/// Options for reading a table.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wanted {
-    /// What becomes of the club beside a measured launch.
-    pub club: Club,
+    /// Use of the club columns beside a measured launch.
+    pub club: ClubColumns,
     /// Where a spin is taken from that is stated twice.
-    pub spin: Spin,
-    /// What to do about a head without a meaning.
+    pub spin: SpinSource,
+    /// Advice for unknown heads.
     pub advice: &'static str,
 }
 
 impl Wanted {
     /// Shots that are flown from their launch.
-    pub const LAUNCHES: Self = Self { club: Club::LeftOut, spin: Spin::OfRow, advice: OF_LAUNCHES };
+    pub const LAUNCHES: Self = Self { club: ClubColumns::Ignored, spin: SpinSource::Row, advice: OF_LAUNCHES };
     /// Shots with what was measured of them.
-    pub const MEASUREMENTS: Self = Self { club: Club::LeftOut, spin: Spin::OfRow, advice: OF_SHOTS };
+    pub const MEASUREMENTS: Self = Self { club: ClubColumns::Ignored, spin: SpinSource::Row, advice: OF_SHOTS };
     /// Shots whose delivery is sought.
-    pub const DELIVERIES: Self = Self { club: Club::Kept, spin: Spin::OfRow, advice: OF_SHOTS };
+    pub const DELIVERIES: Self = Self { club: ClubColumns::Read, spin: SpinSource::Row, advice: OF_SHOTS };
     /// Points of a sweep, and swings.
-    pub const POINTS: Self = Self { club: Club::LeftOut, spin: Spin::OfTable, advice: OF_POINTS };
+    pub const POINTS: Self = Self { club: ClubColumns::Ignored, spin: SpinSource::Table, advice: OF_POINTS };
 }
 
-/// What the columns of a table hold.
+/// Head of a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Head {
     /// The heads, as they are written.
@@ -43,9 +43,9 @@ pub(crate) struct Head {
     pub format: Format,
     /// The cells of a line of units below the heads, where there is one.
     pub units: Option<Vec<String>>,
-    /// What deserves a word: columns of an export that are not used.
+    /// Remarks on ignored columns.
     pub remarks: Vec<Message>,
-    /// What deserves a word about the encoding of the text.
+    /// Remark on the encoding.
     pub encoding: Option<&'static str>,
 }
 
@@ -63,7 +63,7 @@ impl Head {
         first: Option<Vec<String>>,
         separator: u8,
         wanted: &Wanted,
-    ) -> Result<Self, WrongColumns> {
+    ) -> Result<Self, ColumnErrors> {
         let is_export = is_export(heads.iter().map(String::as_str));
         let format = Format { is_export, has_decimal_comma: separator != b',' };
         let units = first.as_ref().and_then(|first| units_row(&heads, first));
@@ -74,11 +74,11 @@ impl Head {
         let columns = all(heads.iter().enumerate().map(column));
         let mut columns = columns.map_err(|wrong| wrong.advised(wanted.advice))?;
         // a sweep needs a value in every row, and the delivery of a club none of the air
-        let is_air_of_rows = wanted.club == Club::LeftOut && wanted.spin == Spin::OfRow;
+        let is_air_of_rows = wanted.club == ClubColumns::Ignored && wanted.spin == SpinSource::Row;
         for column in columns.iter_mut().filter(|column| !is_air_of_rows && column.is_stated_air()) {
             column.holds = Holds::Note;
         }
-        let remarks = if is_export { left_out(&mut columns, wanted.club, wanted.spin) } else { vec![] };
+        let remarks = if is_export { ignore_columns(&mut columns, wanted.club, wanted.spin) } else { vec![] };
         told_apart(&mut columns);
         let units = units.and(first);
         Ok(Self { heads, columns, format, units, remarks, encoding: None })
@@ -89,7 +89,7 @@ impl Head {
     /// # Errors
     /// As [`read`](Self::read).
     #[cfg(any(feature = "arrow", feature = "parquet"))]
-    pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, WrongColumns> {
+    pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, ColumnErrors> {
         let columns = all(names.iter().enumerate().map(|(at, name)| (at, Column::in_si(setup, name))));
         let mut columns = columns.map_err(|wrong| wrong.advised(OF_POINTS))?;
         told_apart(&mut columns);
@@ -97,17 +97,17 @@ impl Head {
         Ok(Self { heads: names.to_vec(), columns, format, units: None, remarks: vec![], encoding: None })
     }
 
-    /// Whether it is the same as another head.
+    /// Compares heads and units.
     pub fn is_like(&self, heads: &[String], units: Option<&[String]>) -> bool {
         self.heads == heads && self.units.as_deref() == units
     }
 
-    /// Whether a column is of the club's delivery.
+    /// True with a column of the delivery.
     pub fn has_strike(&self) -> bool {
         self.columns.iter().any(Column::is_of_the_strike)
     }
 
-    /// Whether it has a whole launch, and no club.
+    /// True with a complete launch and no delivery.
     pub fn is_launched(&self) -> bool {
         let has = |outcome| self.columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
         let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
@@ -121,7 +121,7 @@ impl Head {
 }
 
 /// The columns, where all can be read.
-fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column>, WrongColumns> {
+fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column>, ColumnErrors> {
     let (mut columns, mut faults) = (vec![], vec![]);
     for (at, column) in read {
         match column {
@@ -129,7 +129,7 @@ fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column
             Err(error) => faults.push((at, error)),
         }
     }
-    WrongColumns::of(faults).map_or(Ok(columns), Err)
+    ColumnErrors::of(faults).map_or(Ok(columns), Err)
 }
 
 /// What the same name is in a sweep that this program wrote, which has a status. Beside launch conditions by their dotted names, those without a

@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 
-/// What a head means.
+/// Meaning of a head.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Meaning {
     /// An outcome.

@@ -1,9 +1,9 @@
 //! Tables as launch monitors write them: heads, units, separators and sides.
 
+use super::cell_number::cell_number;
 use super::cells::cells;
 use super::heads::{HEADS, Meaning, NOT_USED};
 use super::numbers::is_unit;
-use super::stated::stated_number;
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
@@ -31,7 +31,7 @@ fn apart(name: &str) -> String {
     spaced
 }
 
-/// Whether a name is spelled as this program's are: `ball_speed`.
+/// True for the spelling of this program: `ball_speed`.
 fn is_own(name: &str) -> bool {
     name == name.to_lowercase() && !name.contains(' ')
 }
@@ -70,13 +70,13 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     by_unit.or_else(|| meaning(name))
 }
 
-/// Whether a table is one of a launch monitor: two heads or more are written as these write them, perhaps with a slip of the pen.
+/// Recognizes exports: at least two heads of launch monitors, misspelt or not.
 pub(crate) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
     let is_near = |head: &str| !is_own(split_unit(head).0) && nearest_head(head).is_some();
     heads.filter(|head| is_known(head) || is_near(head)).count() >= 2
 }
 
-/// Whether a head is a launch monitor's; one of this program's names with a unit behind it is too, `ball_speed_mph`.
+/// Recognizes heads of launch monitors, also `ball_speed_mph`.
 fn is_known(head: &str) -> bool {
     let (name, unit) = split_unit(head);
     meaning(name).is_some() || unit.is_some() && head.trim().starts_with(name) && head[name.len()..].starts_with('_')
@@ -104,7 +104,7 @@ pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     (head, None)
 }
 
-/// Whether what stands in brackets is TrackMan's word for values of another flight model, `Carry (Sim)`, and not a unit.
+/// Recognizes TrackMan's `Carry (Sim)`, whose brackets hold no unit.
 fn is_simulated(word: &str) -> bool {
     word.trim_end_matches([')', ']']).trim().eq_ignore_ascii_case("sim")
 }
@@ -120,7 +120,7 @@ pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option
     let is_under_known = |at: usize| under_known.get(at).copied().unwrap_or_default();
     let bare = |cell: &str| cell.trim().trim_matches(['[', ']', '(', ')']).trim().to_owned();
     let is_in_brackets = |cell: &str| cell.trim().starts_with(['[', '(']) && cell.trim().ends_with([']', ')']);
-    let is_number = |cell: &str| stated_number(cell, true).is_some();
+    let is_number = |cell: &str| cell_number(cell, true).is_some();
     if cells.iter().enumerate().any(|(at, cell)| is_under_known(at) && is_number(cell)) {
         return None;
     }
@@ -133,7 +133,7 @@ pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option
     has_unit.then(|| cells.iter().enumerate().map(unit).collect())
 }
 
-/// Whether a record is the head of a launch monitor's table.
+/// Recognizes the head of an export.
 pub(super) fn is_head(text: &str, separator: u8) -> bool {
     // nearly all rows have a number
     let is_number = |cell: &str| cell.trim().parse::<f64>().is_ok();
@@ -143,7 +143,7 @@ pub(super) fn is_head(text: &str, separator: u8) -> bool {
     cells(text, separator).iter().filter(|cell| is_known(&cell.replace('\n', " "))).count() >= 2
 }
 
-/// What a row is that sums up others: the word for it, as it is written. Shots have none of these words in any cell.
+/// The word that identifies a statistic of other rows, such as `Average`. Shots contain none of these words.
 pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     const WORDS: [&str; 17] = [
         "dev",

@@ -18,12 +18,12 @@ pub(crate) struct Record {
     /// The line that it begins in, from 1.
     pub line: u64,
     pub text: String,
-    /// Whether a quote is opened in it and never closed.
+    /// A quote is not closed.
     pub is_open: bool,
 }
 
 impl Record {
-    /// Why it cannot be taken apart into cells, where its quote is not closed.
+    /// Refusal of a record with an unclosed quote.
     pub(crate) fn unclosed(&self) -> Option<Refusal> {
         let reason =
             || format!("line {} opens a quote (\") and does not close it; close it, or take it out", self.line);
@@ -35,7 +35,7 @@ impl Record {
 pub(super) struct Lines {
     source: Box<dyn BufRead + Send>,
     encoding: Encoding,
-    /// What ends a line.
+    /// Line terminator.
     end: u8,
     /// Lines that have been read from the source.
     read: u64,
@@ -74,12 +74,12 @@ impl Lines {
         self.held.push_front(line);
     }
 
-    /// Gives a record back: it is the next one again.
+    /// Pushes a record back to the front of the input.
     pub fn give_back_record(&mut self, record: Record) {
         self.give_back((record.line, record.text));
     }
 
-    /// The next line with a text: an empty one, a remark (`#`), and one that says what separates cells (`sep=;`), have none.
+    /// The next line other than blank lines, comments (`#`) and a separator declaration (`sep=;`).
     pub fn text_line(&mut self) -> io::Result<Option<(u64, String)>> {
         loop {
             let Some((line, text)) = self.line()? else { return Ok(None) };

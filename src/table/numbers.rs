@@ -2,7 +2,7 @@
 
 use crate::units::Quantity;
 
-/// A number as tables write it: with a decimal comma where that separates no cells.
+/// Parses a number; decimal commas only where the comma does not separate cells.
 pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     let cell = cell.trim();
     // as nearly all are written, in every table
@@ -18,14 +18,14 @@ pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     cell.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-/// A number without what stands between its thousands and is no decimal mark: `2 500`, `2\u{2019}500`.
+/// Removes thousands separators that cannot be decimal marks: `2 500`, `2\u{2019}500`.
 fn without_thousands(cell: &str) -> String {
     const MARKS: [char; 7] = [' ', '\u{a0}', '\u{2009}', '\u{202f}', '\'', '\u{2019}', '_'];
     let mark = MARKS.into_iter().find(|mark| cell.contains(*mark) && has_thousands(&cell.replace(*mark, "_"), '_'));
     mark.map_or_else(|| cell.to_owned(), |mark| cell.replace(mark, ""))
 }
 
-/// Whether a mark may part the digits of a number into thousands: the comma in `2,686` or `1,234.5`, and not in `3,2` or `0,250`.
+/// True if the mark may separate thousands: the comma in `2,686` or `1,234.5`, not in `3,2` or `0,250`.
 pub(crate) fn has_thousands(cell: &str, mark: char) -> bool {
     let decimals: &[char] = if mark == ',' {
         &['.']
@@ -43,7 +43,7 @@ pub(crate) fn has_thousands(cell: &str, mark: char) -> bool {
     whole.contains(mark) && begins && groups.all(|group| is_of(group, 3..=3))
 }
 
-/// Whether a word is a unit of what launch monitors state.
+/// Recognizes units of speed, length, angle, spin and time.
 pub(super) fn is_unit(word: &str) -> bool {
     let unit = unit(word);
     [Quantity::SPEED, Quantity::LENGTH, Quantity::ANGLE, Quantity::ANGULAR_VELOCITY, Quantity::TIME]
@@ -68,7 +68,7 @@ pub(super) fn unit(written: &str) -> String {
     }
 }
 
-/// Whether two words are the same unit.
+/// Compares units by size: `km/h` equals `kph`.
 pub(super) fn is_same_unit(one: &str, other: &str) -> bool {
     const QUANTITIES: [Quantity; 6] = [
         Quantity::SPEED,

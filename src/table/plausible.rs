@@ -47,7 +47,7 @@ static OF_CLUB_IN_SI: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
     OF_CLUB.iter().map(range).collect()
 });
 
-/// Why a value of a parameter is none that was measured of a club, in words; `head` is that of its column.
+/// Message for implausible values of a club; `head` is the head of the column.
 pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Option<String> {
     let at = OF_CLUB.iter().position(|(known, ..)| *known == parameter)?;
     let [lowest, highest] = OF_CLUB_IN_SI[at];
@@ -86,12 +86,12 @@ static IN_SI: LazyLock<Vec<(Outcome, f64, f64)>> = LazyLock::new(|| {
     RANGES.iter().map(range).collect()
 });
 
-/// Why a value is none of a drive, in words; `name` is that of its column.
+/// Message for values that no drive has; `name` is the head of the column.
 pub(crate) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String) -> Option<String> {
     outside(of, value).map(|why| format!("{}: {why}", name()))
 }
 
-/// The same without the name of the column.
+/// Message without the head of the column.
 pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     let (at, (_, lowest, highest)) = IN_SI.iter().enumerate().find(|(_, (outcome, ..))| *outcome == of)?;
     if (*lowest..=*highest).contains(&value) {
@@ -103,7 +103,7 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     Some(format!("{shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and its unit"))
 }
 
-/// What no drive has less of than nothing: a measured value below 0, or of a length or time 0 itself, is a mistake of the table.
+/// Positive outcomes: negative values, and zero lengths and times, are errors of the table.
 const POSITIVE: &[Outcome] = &[
     Outcome::Carry,
     Outcome::CarryDistance,
@@ -116,7 +116,7 @@ const POSITIVE: &[Outcome] = &[
     Outcome::SmashFactor,
 ];
 
-/// Why a value cannot have been measured of any drive that landed, in words.
+/// Message for values that no landed drive can have.
 pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     let is_possible = if of == Outcome::Spin { value >= 0.0 } else { !POSITIVE.contains(&of) || value > 0.0 };
     let advice = if value == 0.0 { "leave the cell empty where nothing was measured" } else { "check its sign" };

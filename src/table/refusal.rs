@@ -1,11 +1,11 @@
-//! Why a row of a table is not used.
+//! Reasons for rejecting a row of a table.
 
-/// Why a row is not used.
+/// Reason for rejecting a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// The kind of reason, by which rows are counted: "missing value".
+    /// Category for counting: "missing value".
     pub kind: &'static str,
-    /// The reason, with the column and the value.
+    /// Reason with column and value.
     pub reason: String,
 }
 
@@ -22,12 +22,12 @@ impl Refusal {
     pub(crate) const NO_BALL: &'static str = "no ball data";
     pub(crate) const BEFORE: &'static str = "refused before";
 
-    /// Whether the row is a message that is no shot, such as a heartbeat.
+    /// True for messages without a shot, such as heartbeats.
     pub fn is_no_shot(&self) -> bool {
         self.kind == Self::NO_BALL
     }
 
-    /// Whether nothing at all can be read from the row.
+    /// True if the row cannot be split into cells or parsed.
     pub fn is_unreadable(&self) -> bool {
         [Self::JSON, Self::QUOTE, Self::CELLS, Self::TITLE].contains(&self.kind)
     }

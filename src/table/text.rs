@@ -1,4 +1,4 @@
-//! A table of text being read: title lines, a head, rows, and further heads that begin sections of their own.
+//! Reader of text tables: title lines, a head, rows, and further heads that begin sections.
 
 use super::cells::cells;
 use super::encoding::{Encoding, decoded};
@@ -12,13 +12,13 @@ use crate::foreign::of_io;
 use crate::parameters::Setup;
 use std::io::{self, BufReader, Cursor, Read};
 
-/// Bytes at the beginning of a text that its kind, its head and its marks are looked for in.
+/// Bytes inspected for the format, the head and the decimal mark.
 const BEGINNING: u64 = 1 << 16;
 
 /// Bytes read at a time.
 const PIECE: usize = 1 << 16;
 
-/// The head stands among so many records at the beginning of a table.
+/// Records searched for the head.
 const MOST_RECORDS: usize = 25;
 
 /// The name of the file, for messages.
@@ -35,18 +35,18 @@ impl SourceName {
     }
 }
 
-/// A text whose kind is to be found out: a table, or JSON.
+/// A text before its format (table or JSON) is known.
 pub(crate) struct Text {
     pub name: SourceName,
-    /// How it begins.
+    /// Its first 64 KiB.
     pub beginning: String,
-    /// All of it, in UTF-8 or with bytes of Windows-1252.
+    /// The whole text, in UTF-8 or Windows-1252.
     pub source: Box<dyn Read + Send>,
     encoding: Encoding,
 }
 
 impl Text {
-    /// Begins to read a text in UTF-8, UTF-16 or Windows-1252, behind byte-order marks or not.
+    /// Opens a text in UTF-8, UTF-16 or Windows-1252, with or without byte-order marks.
     ///
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) for a source that cannot be read.
@@ -62,29 +62,29 @@ impl Text {
     }
 }
 
-/// What comes next in a table.
+/// The next record of a table.
 pub(crate) enum Entry {
     /// A row.
     Row(Record),
-    /// A head that begins a section.
+    /// The head of a further section.
     Head(Record),
 }
 
-/// A table of text being read.
+/// Streaming reader of a text table.
 pub(crate) struct TextTable {
     pub name: SourceName,
     lines: Lines,
-    /// What stands between cells.
+    /// Cell separator.
     pub separator: u8,
-    /// How the text begins.
+    /// The first 64 KiB of the text.
     pub beginning: String,
     encoding: Encoding,
-    /// Whether a row with the heads of a launch monitor begins a section.
+    /// Exports may contain further heads.
     has_sections: bool,
 }
 
 impl TextTable {
-    /// Begins to read a table, and its first head.
+    /// Opens a table and reads its first head.
     ///
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) for an empty table, a head that is not closed, an unknown column, and what the source returns.
@@ -117,7 +117,7 @@ impl TextTable {
         Ok((table, head))
     }
 
-    /// Reads the head in a record, and the line of units below it.
+    /// Reads a head and the line of units below it.
     ///
     /// # Errors
     /// As [`open`](Self::open).
@@ -141,7 +141,7 @@ impl TextTable {
     /// The next row or head; `None` at the end.
     ///
     /// # Errors
-    /// What the source returns; a line that is no text, or too long.
+    /// Errors of the source; lines that are not text, or too long.
     pub fn next_entry(&mut self) -> Result<Option<Entry>> {
         let record = self.record()?;
         Ok(record.map(|record| match self.has_sections && is_head(&record.text, self.separator) {
@@ -150,7 +150,7 @@ impl TextTable {
         }))
     }
 
-    /// Gives a record back: it is the next one again.
+    /// Pushes a record back to the front of the input.
     pub fn give_back(&mut self, record: Record) {
         self.lines.give_back_record(record);
     }
@@ -166,20 +166,20 @@ impl TextTable {
     }
 }
 
-/// Where the head of a table stands.
+/// Location of the head.
 struct HeadPlace {
     separator: u8,
     line: u64,
 }
 
 impl HeadPlace {
-    /// The first record with the heads of a launch monitor, else the first record.
+    /// The first record with two known heads, else the first record.
     fn find(beginning: &str) -> Option<Self> {
         let mut lines = Lines::new(Box::new(Cursor::new(beginning.to_owned())), beginning, Encoding::Utf8);
         let stated = separated(beginning);
         let stated = (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
         let mut first = None;
-        // what separates cells is not known before a record is, which may go on over lines
+        // the separator of a record is estimated from its first line
         for _ in 0..MOST_RECORDS {
             let Ok(Some((line, text))) = lines.text_line() else { break };
             let separator = stated.unwrap_or_else(|| separated(&text).0);
@@ -194,7 +194,7 @@ impl HeadPlace {
     }
 }
 
-/// Why a row has not the cells of its head: one for each of so many columns, and nothing beyond.
+/// Refusal of a row whose number of cells differs from that of the head.
 pub(crate) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
     let filled = row.iter().rposition(|cell| !cell.as_ref().is_empty()).map_or(0, |at| at + 1);
     if row.len() >= heads && filled <= heads {

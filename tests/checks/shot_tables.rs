@@ -317,7 +317,7 @@ fn exact_units_that_are_likely_to_be_others_are_warned_of() {
     };
     let warned = |text: String| {
         let (shots, _, tally) = flown(Cursor::new(text));
-        let told = tally.suspicions(|of| shots.name_of(of));
+        let told = tally.unit_warnings(|of| shots.name_of(of));
         told.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     let yards = 1.0 / 0.9144;

@@ -14,7 +14,7 @@ use crate::parameters::{Law, Preset};
 use crate::report::ShotParquet;
 use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
 use crate::shots::{Flying, Shots, Tally};
-use crate::table::{CONDITIONS, UNSTATED};
+use crate::table::{ASSUMED_UNITS, CONDITIONS};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
 use asked::{asked, followed, setup};
@@ -82,7 +82,7 @@ fn fly(args: &Fly) -> Result<Answer> {
     let beyond = tally.beyond.warnings(&setup.law, ["shot that landed", "shots that landed"], Looked::AtLaunch);
     warn(&beyond);
     warnings.extend(beyond);
-    let suspicions = tally.suspicions(|of| shots.name_of(of));
+    let suspicions = tally.unit_warnings(|of| shots.name_of(of));
     warn(&suspicions);
     let lofted = of_lofted(&tally, &setup.law).filter(|_| suspicions.is_empty());
     warnings.extend(suspicions);
@@ -154,7 +154,7 @@ fn nothing(tally: &Tally, remarks: &[Message]) -> Option<String> {
         let first = first.map_or(String::new(), |first| format!("; line {}: {}", first.line, first.reason));
         let remarks = remarks.iter().map(|remark| remark.in_units(system()));
         let units: String =
-            remarks.filter(|remark| remark.starts_with(UNSTATED)).map(|remark| format!("; {remark}")).collect();
+            remarks.filter(|remark| remark.starts_with(ASSUMED_UNITS)).map(|remark| format!("; {remark}")).collect();
         let all = if tally.rows == 1 {
             "the only row could not".into()
         } else {

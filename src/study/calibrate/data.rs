@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::foreign::of_io;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
-use crate::table::{Club, Entry, Text, TextTable, Wanted};
+use crate::table::{ClubColumns, Entry, Text, TextTable, Wanted};
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -18,7 +18,7 @@ impl ShotTable {
     /// # Errors
     /// As [`read`](Self::read).
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        Self::opened(setup, path, Club::LeftOut)
+        Self::opened(setup, path, ClubColumns::Ignored)
     }
 
     /// Reads a table in a CSV file whose rows may be launches alone, of which nothing more is measured. What it states of the club beside
@@ -27,10 +27,10 @@ impl ShotTable {
     /// # Errors
     /// As [`read`](Self::read).
     pub fn open_launches(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        Self::opened(setup, path, Club::Kept)
+        Self::opened(setup, path, ClubColumns::Read)
     }
 
-    fn opened(setup: &Setup<f64>, path: &Path, club: Club) -> Result<Self> {
+    fn opened(setup: &Setup<f64>, path: &Path, club: ClubColumns) -> Result<Self> {
         let file = path.display().to_string();
         let source = File::open(path).map_err(|error| Error::Table {
             file: file.clone(),
@@ -48,11 +48,11 @@ impl ShotTable {
     /// every shot needs, or a measurement, are left out and named in the remarks. Of a
     /// launch monitor's export so are rows that sum up others or have a value that cannot be used, and measured values that no drive has, which are not compared. Messages of GSPro Open Connect, and exports with title lines before their head, are read too.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
-        Self::read_rows(setup, file, source, Club::LeftOut)
+        Self::read_rows(setup, file, source, ClubColumns::Ignored)
     }
 
     /// The same; where the club beside a measured launch is read too, a row needs no measurement beside its launch.
-    fn read_rows(setup: &Setup<f64>, file: &str, mut source: impl Read, club: Club) -> Result<Self> {
+    fn read_rows(setup: &Setup<f64>, file: &str, mut source: impl Read, club: ClubColumns) -> Result<Self> {
         let mut bytes = vec![];
         source.read_to_end(&mut bytes).map_err(|error| Error::Table {
             file: file.into(),
@@ -64,8 +64,8 @@ impl ShotTable {
             return Self::of_messages(setup, Shots::of_text(setup, text)?, file, club);
         }
         let wanted = match club {
-            Club::LeftOut => Wanted::MEASUREMENTS,
-            Club::Kept => Wanted::DELIVERIES,
+            ClubColumns::Ignored => Wanted::MEASUREMENTS,
+            ClubColumns::Read => Wanted::DELIVERIES,
         };
         let (mut table, head) = TextTable::open(text, setup, &wanted)?;
         let (mut heads, mut units) = (head.heads.clone(), head.units.clone());
@@ -94,7 +94,7 @@ impl ShotTable {
     }
 
     /// The shots of messages of GSPro Open Connect, and of lines that `fly` wrote.
-    fn of_messages(setup: &Setup<f64>, shots: Shots, file: &str, club: Club) -> Result<Self> {
+    fn of_messages(setup: &Setup<f64>, shots: Shots, file: &str, club: ClubColumns) -> Result<Self> {
         let further = shots.further().to_vec();
         let shots = shots.all()?;
         let reading = Reading::of_shots(setup, &shots, &further, club);

@@ -6,29 +6,29 @@ use super::statistics::Uncertainties;
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
-use crate::shots::{Club as ClubOfShot, Meant, Shot as Stated};
+use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
-    CONDITIONS, Club, Column, Fault, Head, Holds, Stated as Launch, TextTable, conditions, contradiction, given_air,
-    implausible, implausible_club, implausible_launch, impossible, in_degrees, is_sideways, is_straight_by_assumption,
-    near_known, outside,
+    CONDITIONS, ClubColumns, Column, Fault, Head, Holds, Stated as Launch, TextTable, conditions, contradiction,
+    given_air, implausible, implausible_club, implausible_launch, impossible, in_degrees, is_sideways,
+    is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
 /// No outcome of a drive is larger than this, in whatever SI unit.
 const MOST: f64 = 1e9;
 
-/// What is read of the rows below a head.
+/// Columns of a section and their use.
 #[derive(Clone)]
 pub(super) struct Reading {
     pub setup: Setup<f64>,
     pub columns: Vec<Column>,
-    /// What its reader should know of the columns.
+    /// Collects remarks on the columns.
     pub remarks: Vec<Message>,
     pub is_launched: bool,
-    /// Whether it is a launch monitor's export, of which `fly` tells what is no drive.
+    /// Export of a launch monitor.
     pub is_export: bool,
-    /// Whether the launches of clubs are looked at, of which the flight is not used.
-    pub club: Club,
+    /// Use of the club columns; `Read` for deliveries, which ignore the flight.
+    pub club: ClubColumns,
 }
 
 /// A row that is read.
@@ -36,17 +36,17 @@ pub(super) struct Row {
     pub shot: Shot,
     /// The column of what is not compared, since the direction or the tilt of the spin is assumed.
     pub not_compared: Option<String>,
-    /// What is used of spins that contradict each other.
+    /// Message on contradictory spins.
     pub contradiction: Option<String>,
-    /// Why measured values are not compared, which no drive has.
+    /// Messages on implausible measured values.
     pub implausible: Vec<String>,
-    /// Why the air of the row is the setup's, where the table has a column of it.
+    /// Reason for using the air of the setup.
     pub no_air: Option<String>,
     /// The columns of the club that state nothing usable: what is known before the shot stands for them.
     pub not_stated: Vec<String>,
 }
 
-/// What a row states of its columns.
+/// Values of a row.
 #[derive(Clone, Copy)]
 pub(super) enum Values<'a> {
     /// The cells of a text.
@@ -73,7 +73,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// What messages state, by their columns.
+/// Outcomes of messages, with their heads.
 const OF_MESSAGES: [(Outcome, &str); 13] = [
     (Outcome::BallSpeed, "Ball Speed"),
     (Outcome::LaunchAngle, "Launch Angle"),
@@ -90,12 +90,12 @@ const OF_MESSAGES: [(Outcome, &str); 13] = [
     (Outcome::LandingSpeed, "Landing Speed"),
 ];
 
-/// What is wrong with a row.
+/// Error in a row.
 pub(super) struct Wrong {
     /// The column, where it is one.
     pub column: Option<String>,
     pub why: String,
-    /// Whether the row lacks what every shot needs, and is sound otherwise.
+    /// A required value is missing; the other values are valid.
     pub is_incomplete: bool,
 }
 
@@ -113,15 +113,15 @@ impl<T: Into<String>> From<(Option<String>, T)> for Wrong {
 }
 
 impl Reading {
-    /// What is read of the rows below a head.
+    /// Columns of a section and their use.
     ///
     /// # Errors
     /// [`Error::Table`] for a column that is given twice or in a wrong unit, or whose value is missing that it is the uncertainty of; for an export
     /// whose rows are neither launches nor strikes.
-    pub fn of_head(setup: &Setup<f64>, table: &TextTable, mut head: Head, club: Club) -> Read<Self> {
+    pub fn of_head(setup: &Setup<f64>, table: &TextTable, mut head: Head, club: ClubColumns) -> Read<Self> {
         let refused = |place: String, reason: String| table.name.refused(place, reason);
-        let Meant { without_unit, turned, .. } =
-            Meant::found((club == Club::LeftOut).then_some(setup), &mut head, table);
+        let Interpretation { without_unit, turned, .. } =
+            Interpretation::of((club == ClubColumns::Ignored).then_some(setup), &mut head, table);
         let is_export = head.format.is_export;
         let mut remarks: Vec<Message> = head.encoding.map(Message::from).into_iter().collect();
         remarks.append(&mut head.remarks);
@@ -134,7 +134,7 @@ impl Reading {
         let written = head.named(|column| column.holds == Holds::Written);
         remarks.extend(written.told("columns that a sweep writes beside what is measured are not read"));
         // where a delivery is sought, the launch is what was measured, and not given
-        let is_launched = head.is_launched() && club == Club::LeftOut;
+        let is_launched = head.is_launched() && club == ClubColumns::Ignored;
         let inputs = head.columns.iter().filter_map(|column| match column.holds {
             Holds::Input(parameter) => Some(parameter.name),
             _ => None,
@@ -144,7 +144,7 @@ impl Reading {
             .map_err(|error| refused(String::new(), error.to_string()))?;
         let reading = Self { setup: *setup, is_launched, is_export, club, columns: head.columns, remarks };
         let has_club = || reading.columns.iter().any(Column::is_of_the_strike);
-        if is_export && club == Club::LeftOut && !is_launched && !has_club() {
+        if is_export && club == ClubColumns::Ignored && !is_launched && !has_club() {
             let near = near_known(&reading.columns);
             let reason = format!(
                 "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club speed{near}; add \
@@ -155,12 +155,12 @@ impl Reading {
         Ok(reading)
     }
 
-    /// What is read of messages, and of lines that `fly` wrote: what some of them states.
-    pub fn of_shots(setup: &Setup<f64>, shots: &[Stated], further: &[&'static Parameter], club: Club) -> Self {
+    /// Columns of messages and of lines written by `fly`: values that any of them has.
+    pub fn of_shots(setup: &Setup<f64>, shots: &[Stated], further: &[&'static Parameter], club: ClubColumns) -> Self {
         let is_stated = |of: Outcome| shots.iter().any(|shot| shot.refusal().is_none() && shot.value(of).is_some());
         let outcomes = OF_MESSAGES.into_iter().filter(|(of, _)| is_stated(*of));
         let mut columns: Vec<Column> = outcomes.map(|(of, head)| Column::of(Holds::Outcome(of), head)).collect();
-        if club == Club::Kept {
+        if club == ClubColumns::Read {
             let of_club = ClubOfShot::NAMES.iter().filter_map(|name| setup.variable(name).ok());
             let is_given = |parameter: &&Parameter| {
                 let at = ClubOfShot::NAMES.iter().position(|name| *name == parameter.name);
@@ -170,11 +170,11 @@ impl Reading {
                 .extend(of_club.filter(is_given).map(|parameter| Column::of(Holds::Input(parameter), parameter.name)));
         }
         columns.extend(further.iter().map(|parameter| Column::of(Holds::Input(parameter), parameter.name)));
-        let is_launched = club == Club::LeftOut;
+        let is_launched = club == ClubColumns::Ignored;
         Self { setup: *setup, is_launched, is_export: true, club, columns, remarks: vec![] }
     }
 
-    /// What a message states of the columns.
+    /// Values of a message.
     pub fn numbers(&self, shot: &Stated, further: &[&'static Parameter]) -> Vec<Option<f64>> {
         let of = |column: &Column| match column.holds {
             Holds::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
@@ -207,11 +207,11 @@ impl Reading {
         }
     }
 
-    /// Whether an outcome is used as measured: not what gives the launch, and of the launch of a club nothing else.
+    /// Measured outcomes for the fit: no launch conditions of flown launches; for deliveries only the launch.
     fn is_used(&self, outcome: Outcome) -> bool {
         match self.club {
-            Club::LeftOut => !(self.is_launched && CONDITIONS.contains(&outcome)),
-            Club::Kept => outcome.part() == Part::Launch,
+            ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
+            ClubColumns::Read => outcome.part() == Part::Launch,
         }
     }
 
@@ -226,7 +226,7 @@ impl Reading {
         let stated = self.is_launched.then_some(stated);
         let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
         let mut at_shot = self.setup;
-        let is_still = self.club == Club::Kept && self.is_still(record);
+        let is_still = self.club == ClubColumns::Read && self.is_still(record);
         for (at, column) in self.columns.iter().enumerate() {
             let here = || Some(column.head.clone());
             match column.holds {
@@ -320,12 +320,12 @@ impl Reading {
         Ok(Row { shot, not_compared, contradiction: contradicts, implausible: beyond, no_air, not_stated })
     }
 
-    /// Whether a column is of the club beside a measured launch, of which a row may lack a value.
+    /// Club column of a delivery, where rows may lack a value.
     fn is_of_the_club(&self, column: &Column) -> bool {
-        self.club == Club::Kept && column.is_of_the_strike()
+        self.club == ClubColumns::Read && column.is_of_the_strike()
     }
 
-    /// Whether a row states a club of zeros alone, which was not measured.
+    /// True for a club with zeros only, which was not measured.
     fn is_still(&self, record: Values<'_>) -> bool {
         let of_club = self.columns.iter().enumerate().filter_map(|(at, column)| match column.holds {
             Holds::Input(parameter) if ClubOfShot::NAMES.contains(&parameter.name) => {
@@ -340,7 +340,7 @@ impl Reading {
     /// The value that a row states of the club.
     ///
     /// # Errors
-    /// Why there is none that can be used.
+    /// Reason for the missing value.
     fn usable(
         &self,
         column: &Column,
@@ -362,7 +362,7 @@ impl Reading {
         self.columns.iter().any(|column| column.holds == Holds::Outcome(outcome))
     }
 
-    /// Whether it has the columns of a whole launch.
+    /// True with all columns of a launch.
     fn has_whole_launch(&self) -> bool {
         let has_spin = self.has(Outcome::Spin) || self.has(Outcome::Backspin);
         self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin
@@ -394,7 +394,7 @@ impl Reading {
         Ok(values)
     }
 
-    /// Why the launch that a row states is none of a drive, as `fly` refuses it.
+    /// Refusal of an implausible launch, as by `fly`.
     fn refused(&self, stated: &Launch) -> Option<Wrong> {
         let mut looked_at = *stated;
         for (value, of) in looked_at.iter_mut().zip(CONDITIONS) {
@@ -407,16 +407,16 @@ impl Reading {
             return None;
         }
         // a delivery is looked for behind a whole launch, where the table has one
-        let is_whole = self.club == Club::Kept && self.has_whole_launch();
+        let is_whole = self.club == ClubColumns::Read && self.has_whole_launch();
         self.launch(*stated).err().filter(|wrong| !wrong.is_incomplete || is_whole)
     }
 
-    /// Why a measured value is none of a drive, in words.
+    /// Message for an implausible measured value.
     fn outside(&self, of: Outcome, value: f64) -> Option<String> {
         if self.may_be_none(of, value) { None } else { outside(of, value) }
     }
 
-    /// Whether a value says that a ball does not spin: a launch monitor's 0 says that no spin was measured.
+    /// Zero spin is a value except in exports, where it means unmeasured.
     fn may_be_none(&self, of: Outcome, value: f64) -> bool {
         of == Outcome::Spin && value == 0.0 && !self.is_export
     }
@@ -450,7 +450,7 @@ impl Reading {
         Ok(all)
     }
 
-    /// What is taken where no standard uncertainty stands beside a measured column, and what they are worth in all.
+    /// Assumed standard uncertainties, and the quality of all.
     pub fn assumed(&self, shots: &[Shot]) -> (Vec<Message>, Uncertainties) {
         let has = |holds: Holds| self.columns.iter().any(|column| column.holds == holds);
         let measured = || shots.iter().flat_map(|shot| &shot.measured);
@@ -510,7 +510,7 @@ fn without_totals(head: &mut Head) -> Option<Message> {
     told
 }
 
-/// What is wrong with a column, with its place.
+/// First faulty column with its position.
 fn check_columns(head: &Head) -> Result<(), (usize, String)> {
     for (at, column) in head.columns.iter().enumerate() {
         column.check_unit().map_err(|error| (at, error.to_string()))?;

@@ -1,4 +1,4 @@
-//! The rows of a table of measured shots: the shots, and what became of the others.
+//! Collects the rows of a table of measured shots: shots, and messages about rejected rows.
 
 use super::reading::{Reading, Row, Values, Wrong};
 use super::shot::Shot;
@@ -6,34 +6,36 @@ use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot as Stated;
-use crate::table::{Club, Marks, NoShot, NoShots, Record, air_of_rows, air_of_setup, cells, miscounted};
+use crate::table::{
+    ClubColumns, DecimalMarks, NonShot, NonShotRows, Record, air_of_rows, air_of_setup, cells, miscounted,
+};
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
 
-/// Rows with the same told of them.
-type Told = BTreeMap<String, Vec<String>>;
+/// Row numbers by message.
+type RowsByMessage = BTreeMap<String, Vec<String>>;
 
-/// The rows of a table, as they are read.
+/// Rows read so far.
 pub(super) struct Rows {
     file: String,
     /// The number of the last row.
     row: usize,
     shots: Vec<Shot>,
-    no_shots: NoShots,
+    no_shots: NonShotRows,
     messages: Vec<String>,
     incomplete: Vec<String>,
     unreadable: Vec<String>,
-    /// Columns that are not compared, since a direction or tilt is assumed.
-    sideways: Told,
-    /// Columns of the club that state nothing usable.
-    not_stated: Told,
+    /// Lateral columns that are not compared because the direction or the tilt is assumed.
+    sideways: RowsByMessage,
+    /// Columns of the club without a usable value.
+    not_stated: RowsByMessage,
     contradictions: Vec<String>,
     implausible: Vec<String>,
     airless: Vec<String>,
     of_sections: Vec<Message>,
-    /// What the first incomplete row of a table of one's own lacks.
+    /// Error of the first incomplete row of a table that is no export.
     lacking: Option<Error>,
-    marks: Marks,
+    marks: DecimalMarks,
 }
 
 impl Rows {
@@ -42,18 +44,18 @@ impl Rows {
             file: file.into(),
             row: 0,
             shots: vec![],
-            no_shots: NoShots::default(),
+            no_shots: NonShotRows::default(),
             messages: vec![],
             incomplete: vec![],
             unreadable: vec![],
-            sideways: Told::new(),
-            not_stated: Told::new(),
+            sideways: RowsByMessage::new(),
+            not_stated: RowsByMessage::new(),
             contradictions: vec![],
             implausible: vec![],
             airless: vec![],
             of_sections: vec![],
             lacking: None,
-            marks: Marks::default(),
+            marks: DecimalMarks::default(),
         }
     }
 
@@ -75,7 +77,7 @@ impl Rows {
         self.row += 1;
         let row = cells(&record.text, separator);
         let unclosed = record.unclosed();
-        if let Some(no_shot) = NoShot::of(&row).filter(|_| reading.is_export && unclosed.is_none()) {
+        if let Some(no_shot) = NonShot::of(&row).filter(|_| reading.is_export && unclosed.is_none()) {
             self.no_shots.add(self.row as u64, no_shot);
             return Ok(());
         }
@@ -88,7 +90,7 @@ impl Rows {
             None => {}
         }
         for (column, cell) in reading.columns.iter().zip(&row) {
-            let looked = self.marks.look(self.row as u64, column, cell);
+            let looked = self.marks.check(self.row as u64, column, cell);
             looked.map_err(|reason| self.refused(&format!(", column {}", column.head), reason))?;
         }
         let row: Vec<&str> = row.iter().map(AsRef::as_ref).collect();
@@ -113,7 +115,7 @@ impl Rows {
             Ok(Row { shot, not_compared, contradiction, implausible, no_air, not_stated }) => {
                 self.airless.extend(no_air.map(|why| format!("row {row}: {}", air_of_setup(&why))));
                 self.implausible.extend(implausible.into_iter().map(|why| format!("row {row}: not compared: {why}")));
-                if let Some(head) = not_compared.filter(|_| reading.club == Club::LeftOut) {
+                if let Some(head) = not_compared.filter(|_| reading.club == ClubColumns::Ignored) {
                     self.sideways.entry(head).or_default().push(format!("row {row}"));
                 }
                 for why in not_stated {
@@ -144,9 +146,9 @@ impl Rows {
         Err(self.refused(&column, wrong.why))
     }
 
-    /// What became of the rows that are no shots here.
+    /// Messages about rejected rows.
     fn left_out(&self) -> Vec<String> {
-        let mut told = self.no_shots.told();
+        let mut told = self.no_shots.messages();
         let others = [
             (&self.incomplete, "rows left out, since they lack a value that every shot needs"),
             (&self.unreadable, "rows left out, since they cannot be used"),
@@ -161,7 +163,7 @@ impl Rows {
         told
     }
 
-    /// The table, read by the head of its first section.
+    /// Builds the table; `reading` belongs to the first section.
     ///
     /// # Errors
     /// [`Error::Table`] without a shot.

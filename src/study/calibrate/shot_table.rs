@@ -19,7 +19,7 @@ pub struct ShotTable {
     pub file: String,
     /// The shots.
     pub shots: Vec<Shot>,
-    /// Whether rows are launch conditions.
+    /// Rows are launch conditions.
     pub is_launched: bool,
     /// Notes: outcomes without a sigma column.
     pub remarks: Vec<Message>,
@@ -27,7 +27,7 @@ pub struct ShotTable {
     pub warnings: Vec<Message>,
     /// The heads of a measured launch, and of the columns of the club beside it, where both are there: the rows are then deliveries.
     pub(super) launch_beside_club: Option<[String; 2]>,
-    /// What the standard uncertainties of the measured values are worth.
+    /// Quality of the standard uncertainties.
     pub uncertainties: Uncertainties,
     /// The head of the column of each row's air, of an export that states it.
     pub(super) stated_air: Option<String>,
@@ -57,7 +57,7 @@ impl ShotTable {
         1e-12 * measured.map(|measurement| (measurement.value / measurement.sigma).abs()).fold(0.0, f64::max)
     }
 
-    /// Whether a parameter is an input of the shots.
+    /// True if the shots state this parameter.
     pub fn gives(&self, parameter: &'static Parameter) -> bool {
         self.shots.iter().any(|shot| shot.inputs.iter().any(|(row, _)| *row == parameter))
     }

@@ -17,7 +17,7 @@ pub(super) struct Columns {
     /// Their places in the table, from 0.
     pub at: Vec<usize>,
     pub parameters: Vec<&'static Parameter>,
-    /// What deserves a word about the others.
+    /// Remarks on the other columns.
     pub notes: Vec<Message>,
 }
 

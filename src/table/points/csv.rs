@@ -4,9 +4,9 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::cells::cells;
 use crate::table::column::Column;
+use crate::table::decimal_marks::DecimalMarks;
 use crate::table::head::{Head, Wanted};
-use crate::table::marks::Marks;
-use crate::table::no_shot::{NoShot, NoShots};
+use crate::table::non_shot_rows::{NonShot, NonShotRows};
 use crate::table::text::{Entry, Text, TextTable, miscounted};
 use crate::units::Message;
 use std::fs::File;
@@ -22,17 +22,17 @@ pub(super) struct CsvRows {
     section: Section,
     /// The number of the row in the file, and of those that are no drives.
     row: u64,
-    no_shots: NoShots,
-    marks: Marks,
+    no_shots: NonShotRows,
+    marks: DecimalMarks,
 }
 
-/// What is read of the rows up to the next head.
+/// Columns read up to the next head.
 struct Section {
     /// How many cells a row has.
     width: usize,
     /// The columns that are read, with their places.
     read: Vec<(usize, Column)>,
-    /// Whether they are a launch monitor's, of which rows that sum up others are passed over.
+    /// Export of a launch monitor: averages and titles are skipped.
     is_export: bool,
 }
 
@@ -45,7 +45,16 @@ impl CsvRows {
         let columns = Columns::new(setup, path, &head)?;
         let section = Section::new(path, &head, &columns.parameters, &columns.at)?;
         let (path, setup) = (path.to_owned(), *setup);
-        Ok(Self { path, setup, table, columns, section, row: 0, no_shots: NoShots::default(), marks: Marks::default() })
+        Ok(Self {
+            path,
+            setup,
+            table,
+            columns,
+            section,
+            row: 0,
+            no_shots: NonShotRows::default(),
+            marks: DecimalMarks::default(),
+        })
     }
 
     /// The cells of the next row that is a drive.
@@ -72,7 +81,7 @@ impl CsvRows {
                 return Err(refused(&self.path, place(), refusal.reason));
             }
             let row = cells(&record.text, self.table.separator);
-            if let Some(no_shot) = NoShot::of(&row).filter(|_| self.section.is_export) {
+            if let Some(no_shot) = NonShot::of(&row).filter(|_| self.section.is_export) {
                 self.no_shots.add(self.row, no_shot);
                 continue;
             }
@@ -113,7 +122,7 @@ impl Rows for CsvRows {
         // a text in another encoding has no places to go back to
         let (table, head) = opened(&self.setup, &self.path)?;
         self.section = Section::new(&self.path, &head, &self.columns.parameters, &self.columns.at)?;
-        (self.table, self.row, self.no_shots) = (table, 0, NoShots::default());
+        (self.table, self.row, self.no_shots) = (table, 0, NonShotRows::default());
         Ok(())
     }
 
@@ -123,7 +132,7 @@ impl Rows for CsvRows {
             for (at, column) in &self.section.read {
                 let cell = row[*at].as_str();
                 let wrong = |reason| refused(&self.path, format!(", row {}, column {}", self.row, column.head), reason);
-                self.marks.look(self.row, column, cell).map_err(wrong)?;
+                self.marks.check(self.row, column, cell).map_err(wrong)?;
                 values.push(column.value(cell).map_err(wrong)?.unwrap_or(f64::NAN));
             }
         }

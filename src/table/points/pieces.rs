@@ -13,7 +13,7 @@ pub(super) trait Pieces: Sized {
     /// The names of its columns.
     fn names(&self) -> Vec<String>;
 
-    /// Why a column is not one of numbers that can be read.
+    /// Message for columns without readable numbers.
     fn refusal(&self, column: usize) -> Option<String>;
 
     fn rewind(&mut self);

@@ -15,7 +15,7 @@ pub(super) trait Rows {
     /// As [`Points::read`]; NaN stands for a value that is missing.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
-    /// What deserves a word, once all rows have been read.
+    /// Remarks after the last row.
     fn notes(&self) -> Vec<Message> {
         self.columns().notes.clone()
     }
@@ -79,7 +79,7 @@ impl<R: Rows> Table<R> {
     }
 }
 
-/// Why a value makes no drive.
+/// Message for values outside their range.
 fn wrong(parameter: &'static Parameter, value: f64) -> Option<String> {
     let name = parameter.name;
     if value.is_nan() {
@@ -131,7 +131,7 @@ impl<R: Rows> Points for Table<R> {
         self.notes.clone()
     }
 
-    /// The same words for the same rows, whatever format they are in.
+    /// Identical text for identical rows in any format.
     fn identity(&self) -> String {
         let names: Vec<_> = self.parameters().iter().map(|parameter| parameter.name).collect();
         format!("table of {} rows of {}, fingerprint {:016x}", self.count, names.join(" "), self.fingerprint.0)

@@ -1,32 +1,32 @@
-//! What a cell states: a number, perhaps with its unit and its side, `4.6° R`, `422 R rpm`, `1.2 D`.
+//! Numbers in cells, optionally with a unit and a side: `4.6° R`, `422 R rpm`, `1.2 D`.
 
 use super::numbers::{is_unit, number, unit};
 
-/// What a cell states.
+/// A number in a cell.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct StatedNumber {
-    /// The number, without its side.
+pub(super) struct CellNumber {
+    /// Magnitude, or signed value if the cell has no side.
     pub number: f64,
-    /// The unit that stands behind it.
+    /// Unit behind the number.
     pub unit: Option<String>,
-    /// The side.
+    /// Side, in place of a sign.
     pub side: Option<Side>,
 }
 
-/// A word or letter in place of a sign.
+/// A word or letter that replaces the sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
-    /// Left or right of the target, as everybody sees it.
+    /// Left or right of the target, for right- and left-handed golfers alike.
     OfTarget { is_right: bool },
     /// Up or down.
     UpDown { is_up: bool },
-    /// A club that moves from inside to outside, `I-O`, or the other way: as the golfer sees it.
+    /// Club path from inside to outside (`I-O`) or the reverse, relative to the golfer.
     InOut { is_in_to_out: bool },
-    /// An open or a closed face, as the golfer sees it.
+    /// Open or closed face, relative to the golfer.
     OpenClosed { is_open: bool },
 }
 
-/// The words.
+/// Spellings of the sides.
 const SIDES: [(&str, Side); 14] = [
     ("right", Side::OfTarget { is_right: true }),
     ("left", Side::OfTarget { is_right: false }),
@@ -49,7 +49,7 @@ impl Side {
         SIDES.iter().find(|(name, _)| word.eq_ignore_ascii_case(name)).map(|(_, side)| *side)
     }
 
-    /// The sign of the number: + to the right of the target, up, from inside to outside, open.
+    /// Sign of the value: + right of the target, up, inside to outside, open.
     pub fn sign(self) -> f64 {
         let is_positive = match self {
             Self::OfTarget { is_right: is }
@@ -61,7 +61,7 @@ impl Side {
     }
 }
 
-/// A cell without what spreadsheets put around a number: `="160.0"`, `'-1.5`.
+/// Strips spreadsheet wrappers: `="160.0"`, `'-1.5`.
 pub(super) fn unwrapped(cell: &str) -> &str {
     let cell = cell.trim();
     let formula = cell.strip_prefix('=').map(|rest| rest.trim_matches('"'));
@@ -69,20 +69,20 @@ pub(super) fn unwrapped(cell: &str) -> &str {
     cell.strip_prefix('\'').unwrap_or(cell).trim()
 }
 
-/// The digits of a cell with their marks, without what stands around them.
+/// The digits of a cell with their decimal and thousands marks.
 pub(super) fn digits(cell: &str) -> &str {
     unwrapped(cell).trim_matches(|c: char| !(c.is_ascii_digit() || "+-.,".contains(c)))
 }
 
-/// What a cell states; `None` for one that is no number.
-pub(super) fn stated_number(cell: &str, has_decimal_comma: bool) -> Option<StatedNumber> {
+/// Parses a cell; `None` if it holds no number.
+pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNumber> {
     let cell = unwrapped(cell);
     if let Some(number) = number(cell, has_decimal_comma) {
-        return Some(StatedNumber { number, unit: None, side: None });
+        return Some(CellNumber { number, unit: None, side: None });
     }
     let (mut found, mut side) = (None, None);
     let mut rest = cell;
-    // a side may stand before the number
+    // the side may precede the number
     if let Some((word, after)) =
         cell.split_once(' ').or_else(|| cell.char_indices().nth(1).map(|(at, _)| cell.split_at(at)))
         && let Some(named) = Side::named(word)
@@ -91,7 +91,7 @@ pub(super) fn stated_number(cell: &str, has_decimal_comma: bool) -> Option<State
     }
     let is_of_number = |c: char| c.is_ascii_digit() || "+-.,\u{2212}".contains(c);
     let begins = rest.find(|c: char| !is_of_number(c)).unwrap_or(rest.len());
-    // thousands may be apart
+    // the thousands may be separated by a space
     let ends = rest.rfind(|c: char| c.is_ascii_digit()).map_or(begins, |last| last + 1).max(begins);
     let (digits, words) = match number(&rest[..ends], has_decimal_comma) {
         Some(_) => rest.split_at(ends),
@@ -106,12 +106,12 @@ pub(super) fn stated_number(cell: &str, has_decimal_comma: bool) -> Option<State
         }
     }
     let is_signed = digits.starts_with(['-', '\u{2212}']);
-    (!(is_signed && side.is_some())).then_some(StatedNumber { number: value, unit: found, side })
+    (!(is_signed && side.is_some())).then_some(CellNumber { number: value, unit: found, side })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Side, StatedNumber, stated_number};
+    use super::{CellNumber, Side, cell_number};
 
     #[test]
     fn exact_numbers_with_units_and_sides() {
@@ -136,11 +136,11 @@ mod tests {
             ("0.8 I-O", false, 0.8, None, inside),
             ("0.1 C", false, 0.1, None, closed),
         ] {
-            let expected = StatedNumber { number, unit: unit.map(String::from), side };
-            assert_eq!(stated_number(cell, comma), Some(expected), "{cell}");
+            let expected = CellNumber { number, unit: unit.map(String::from), side };
+            assert_eq!(cell_number(cell, comma), Some(expected), "{cell}");
         }
         for cell in ["", "-", "mph", "L", "-3 L", "3 L R", "3 mph rpm", "3 apples", "Driver 3", "12:30"] {
-            assert_eq!(stated_number(cell, false), None, "{cell}");
+            assert_eq!(cell_number(cell, false), None, "{cell}");
         }
     }
 }

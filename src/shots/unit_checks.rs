@@ -1,27 +1,27 @@
-//! What all rows of a table together say of its columns: units and signs that are likely to be others.
+//! Plausibility checks over all rows: likely errors of units and signs.
 
 use super::flown::Flown;
 use crate::drive::Outcome;
 use crate::units::{Message, Quantity};
 
-/// Rows of which the ratios are kept: enough for a median.
+/// Maximum number of ratios kept for a median.
 const MOST: usize = 4096;
 
-/// So many rows tell something at least; of a ratio near 1, so many.
+/// Minimum number of rows for a warning; more for ratios near 1.
 const LEAST: usize = 2;
 const LEAST_NEAR_ONE: usize = 5;
 
-/// A median is near a ratio within this part of it, and one near 1 within the next.
+/// Relative tolerance of a ratio; smaller for ratios near 1.
 const NEAR: f64 = 0.06;
 const NEAR_ONE: f64 = 0.025;
 
-/// Distances to the side up to this say nothing of their sign, m.
+/// Minimum lateral distance that indicates a side, m.
 const STRAIGHT: f64 = 3.0;
 
-/// Of all rows that tell a sign, at least this part disagrees.
+/// Minimum share of rows with opposite sides.
 const MOST_DISAGREE: f64 = 0.8;
 
-/// What predicted/measured is where values in a first unit were read in a second.
+/// Quantities whose values in the first unit may have been read in the second.
 const MISTAKEN: [(Quantity, &str, &str); 6] = [
     (Quantity::LENGTH, "yd", "ft"),
     (Quantity::LENGTH, "ft", "yd"),
@@ -31,21 +31,21 @@ const MISTAKEN: [(Quantity, &str, &str); 6] = [
     (Quantity::SPEED, "m/s", "mph"),
 ];
 
-/// No ball carries farther than so many seconds times its speed: 62 m/s that were read as mph carry half as far again.
+/// Upper limit of carry over ball speed, s. Speeds in m/s read as mph exceed it.
 const MOST_CARRY_PER_SPEED: f64 = 4.6;
 
 /// Predicted/measured carry of speeds in km/h that were read in mph.
 const IN_KMH: std::ops::Range<f64> = 1.45..2.0;
 
-/// A ball slower than this is no drive, whose carry says little of its speed, m/s.
+/// Minimum ball speed for this check, m/s.
 const SLOW: f64 = 22.0;
 
-/// What is compared of some shots.
+/// Ratios and sides of predicted and measured values.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Comparison {
     /// predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// Rows whose sides are told, and those that disagree.
+    /// Number of rows with clear sides, and of those with opposite sides.
     sides: [usize; 2],
     /// Measured carry over ball speed.
     carries: Vec<f64>,
@@ -81,7 +81,7 @@ impl Comparison {
         }
     }
 
-    /// Adds those of later rows.
+    /// Merges the values of later rows.
     pub fn merge(&mut self, other: Self) {
         for (own, theirs) in self.ratios.iter_mut().zip(other.ratios) {
             own.extend(theirs.into_iter().take(MOST.saturating_sub(own.len())));
@@ -90,7 +90,7 @@ impl Comparison {
         self.sides = [self.sides[0] + other.sides[0], self.sides[1] + other.sides[1]];
     }
 
-    /// Warnings about columns; `name` is the head of an outcome's.
+    /// Warnings about columns; `name` gives the head of an outcome.
     pub fn warnings(&self, of: &[Outcome], name: impl Fn(Outcome) -> String) -> Vec<Message> {
         let mut told = vec![];
         if let Some(speed) = self.speed(of) {
@@ -117,7 +117,7 @@ impl Comparison {
         told.into_iter().map(Message::from).collect()
     }
 
-    /// The unit that the ball speed is likely to be in, by the carries.
+    /// Likely unit of the ball speed, from the carries.
     fn speed(&self, of: &[Outcome]) -> Option<&'static str> {
         if self.carries.len() < LEAST {
             return None;
@@ -133,7 +133,7 @@ impl Comparison {
     }
 }
 
-/// The ratio of predicted to measured values, and the units that explain it.
+/// Median of predicted/measured, and the pair of units that explains it.
 fn mistaken(quantity: Quantity, ratios: &[f64]) -> Option<(f64, (Quantity, &'static str, &'static str))> {
     let ratio = median(ratios)?;
     let is_it = |(of, meant, read): &(Quantity, &'static str, &'static str)| {

@@ -1,20 +1,20 @@
-//! Rows of an export that are no shots: sums of others, and titles.
+//! Rows of an export that hold no shot: averages and titles.
 
 use super::launch_monitor::summary;
 use super::refusal::Refusal;
 use crate::units::Message;
 
-/// A row that is no shot, with the word that says so.
+/// A row without a shot, with the word that identifies it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum NoShot<'a> {
-    /// It sums up others: `Average`.
+pub(crate) enum NonShot<'a> {
+    /// An average or another statistic of other rows: `Average`.
     Summary(&'a str),
-    /// It has one word alone, such as the name of a club above its shots.
+    /// A title with a single filled cell, such as the name of a club above its shots.
     Title(&'a str),
 }
 
-impl<'a> NoShot<'a> {
-    /// What a row of an export is that is no shot; `None` for one that may be a shot.
+impl<'a> NonShot<'a> {
+    /// Classifies a row of an export; `None` for a row that may hold a shot.
     pub fn of<S: AsRef<str>>(row: &'a [S]) -> Option<Self> {
         if let Some(word) = summary(row.iter().map(AsRef::as_ref)) {
             return Some(Self::Summary(word));
@@ -25,7 +25,7 @@ impl<'a> NoShot<'a> {
         is_title.then_some(Self::Title(only))
     }
 
-    /// Why it is not used.
+    /// The refusal of the row.
     pub fn refusal(self) -> Refusal {
         match self {
             Self::Summary(word) => Refusal::new(Refusal::SUMMARY, format!("the row sums up other rows ({word})")),
@@ -34,25 +34,25 @@ impl<'a> NoShot<'a> {
     }
 }
 
-/// The rows of a table that are no shots.
+/// Rows without a shot, by kind.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct NoShots {
+pub(crate) struct NonShotRows {
     summaries: Vec<String>,
     titles: Vec<String>,
 }
 
-impl NoShots {
-    /// Adds a row with its number.
-    pub fn add(&mut self, row: u64, no_shot: NoShot<'_>) {
+impl NonShotRows {
+    /// Adds a row by its number.
+    pub fn add(&mut self, row: u64, no_shot: NonShot<'_>) {
         let (rows, word) = match no_shot {
-            NoShot::Summary(word) => (&mut self.summaries, word),
-            NoShot::Title(word) => (&mut self.titles, word),
+            NonShot::Summary(word) => (&mut self.summaries, word),
+            NonShot::Title(word) => (&mut self.titles, word),
         };
         rows.push(format!("row {row} ({word})"));
     }
 
-    /// What deserves a word about them.
-    pub fn told(&self) -> Vec<String> {
+    /// One message per kind of row.
+    pub fn messages(&self) -> Vec<String> {
         [(&self.summaries, "sum up other rows"), (&self.titles, "are titles")]
             .into_iter()
             .filter(|(rows, _)| !rows.is_empty())
@@ -60,8 +60,8 @@ impl NoShots {
             .collect()
     }
 
-    /// The same as messages.
+    /// The messages as remarks.
     pub fn remarks(&self) -> impl Iterator<Item = Message> {
-        self.told().into_iter().map(Message::from)
+        self.messages().into_iter().map(Message::from)
     }
 }

@@ -1,26 +1,25 @@
-//! What a launch monitor's columns mean: whose export it is, the units that it leaves out, and the sides that are its own.
+//! Interpretation of an export: its maker, missing units, and sign conventions.
 
 use super::maker::maker;
-use super::sides::Turned;
+use super::sign_conventions::SignConventions;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
-use crate::table::{Column, Head, Holds, TextTable, cells, split_unit, states_weather, unstated, words};
+use crate::table::{Column, Head, Holds, TextTable, assume_units, cells, split_unit, states_weather, words};
 
-/// What was found of an export.
+/// Interpretation of an export.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Meant {
-    /// Whose it is, where its heads tell.
+pub(crate) struct Interpretation {
+    /// Maker, if the heads identify it.
     pub maker: Option<&'static str>,
-    /// The units that are taken for granted.
+    /// Message about assumed units.
     pub without_unit: Option<String>,
-    /// The columns whose + is to the left.
+    /// Message about columns with + to the left.
     pub turned: Option<String>,
 }
 
-impl Meant {
-    /// What the columns of an export mean, which are changed accordingly; nothing of a table that is none. `setup` has the air that is given, where the
-    /// air of the rows matters.
-    pub fn found(setup: Option<&Setup<f64>>, head: &mut Head, table: &TextTable) -> Self {
+impl Interpretation {
+    /// Interprets the columns of an export and changes them accordingly; other tables stay as they are. `setup` enables the air of each row.
+    pub fn of(setup: Option<&Setup<f64>>, head: &mut Head, table: &TextTable) -> Self {
         if !head.format.is_export {
             return Self::default();
         }
@@ -34,15 +33,15 @@ impl Meant {
         if let Some(setup) = setup {
             weather_of_rows(setup, &plain, &mut head.columns, &rows);
         }
-        let without_unit = unstated(&mut head.columns, states_unit);
-        let turned = Turned::found(maker, &head.columns, &rows);
-        turned.turn(&mut head.columns);
-        Self { maker, without_unit, turned: turned.told(&head.columns) }
+        let without_unit = assume_units(&mut head.columns, states_unit);
+        let turned = SignConventions::detect(maker, &head.columns, &rows);
+        turned.apply(&mut head.columns);
+        Self { maker, without_unit, turned: turned.message(&head.columns) }
     }
 }
 
-/// In TrackMan's exports the condition of a row says at which altitude and temperature it is meant: the air of the row, where no column states its
-/// density and the setup no weather.
+/// TrackMan: `Condition` states altitude and temperature. They give the air of each row unless a column states the density; the weather of the setup comes
+/// first.
 fn weather_of_rows(setup: &Setup<f64>, plain: &[String], columns: &mut [Column], rows: &[Vec<String>]) {
     let Ok(density) = setup.parameter("air.density") else { return };
     if columns.iter().any(|column| column.is_stated_air() || column.is_of_given_air()) {
@@ -57,16 +56,16 @@ fn weather_of_rows(setup: &Setup<f64>, plain: &[String], columns: &mut [Column],
     }
 }
 
-/// So many rows at the beginning are looked at.
+/// Rows inspected.
 const MOST_ROWS: usize = 200;
 
-/// The rows at the beginning of a table that have so many cells.
+/// Rows at the beginning with at least this number of cells.
 fn rows(table: &TextTable, width: usize) -> Vec<Vec<String>> {
     let row = |line: &str| cells(line, table.separator).into_iter().map(String::from).collect::<Vec<_>>();
     table.beginning.lines().map(row).filter(|row| row.len() >= width).take(MOST_ROWS).collect()
 }
 
-/// In Foresight's exports `Offline` is where the ball comes to rest.
+/// Foresight: `Offline` is the lateral position at rest.
 fn rests_offline(columns: &mut [Column]) {
     for column in columns.iter_mut().filter(|column| words(&column.head) == "offline") {
         column.holds = Holds::Outcome(Outcome::LateralTotal);

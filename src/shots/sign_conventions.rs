@@ -1,25 +1,25 @@
-//! Columns of an export whose + is to the other side than elsewhere.
+//! Columns of the spin with + to the left.
 
 use crate::drive::Outcome;
 use crate::table::{Column, Holds};
 
-/// Which of the columns of the spin have + to the left.
+/// Columns of the spin with + to the left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Turned {
+pub(super) struct SignConventions {
     sidespin: bool,
     axis: bool,
 }
 
-/// Rows that must tell the same: so many of those that tell anything.
+/// Minimum share of the rows that must agree.
 const SHARE: f64 = 0.8;
 
-/// A ball that curves by less than this part of its carry tells nothing.
+/// Minimum curve, relative to the carry, that indicates a side.
 const STRAIGHT: f64 = 0.01;
 
-impl Turned {
-    /// In Garmin's exports + of a sidespin is to the left: alone, and beside an axis of the other sign. Where axis and sidespin agree and the balls
-    /// curve to the other side, both are turned.
-    pub fn found(maker: Option<&str>, columns: &[Column], rows: &[Vec<String>]) -> Self {
+impl SignConventions {
+    /// Garmin: + of `Sidespin` is to the left if the column stands alone, or if its sign opposes that of the spin axis. If both agree and the balls curve to
+    /// the other side, both columns have + to the left.
+    pub fn detect(maker: Option<&str>, columns: &[Column], rows: &[Vec<String>]) -> Self {
         let has = |of: Outcome| columns.iter().any(|column| column.holds == Holds::Outcome(of));
         if maker != Some("Garmin") || !has(Outcome::Sidespin) {
             return Self::default();
@@ -35,8 +35,8 @@ impl Turned {
         Self { sidespin: curves_against, axis: curves_against }
     }
 
-    /// Turns the columns.
-    pub fn turn(self, columns: &mut [Column]) {
+    /// Reverses the signs of the affected columns.
+    pub fn apply(self, columns: &mut [Column]) {
         for column in columns {
             let is_turned = match column.holds {
                 Holds::Outcome(Outcome::Sidespin) => self.sidespin,
@@ -49,8 +49,8 @@ impl Turned {
         }
     }
 
-    /// What its reader should know.
-    pub fn told(self, columns: &[Column]) -> Option<String> {
+    /// Message about the affected columns.
+    pub fn message(self, columns: &[Column]) -> Option<String> {
         let is_turned = |column: &&Column| match column.holds {
             Holds::Outcome(Outcome::Sidespin) => self.sidespin,
             Holds::Outcome(Outcome::SpinAxis) => self.axis,
@@ -65,11 +65,11 @@ impl Turned {
     }
 }
 
-/// The signs of what a row states; `None` of what it does not, or of nearly 0.
+/// Signs of the values of a row; `None` for missing values and for values near 0.
 struct Signs {
     sidespin: Option<bool>,
     axis: Option<bool>,
-    /// To which side the ball curves from where it is launched.
+    /// Side of the landing point relative to the launch direction.
     curve: Option<bool>,
 }
 
@@ -90,7 +90,7 @@ impl Signs {
     }
 }
 
-/// Whether most of some rows, and at least one, say yes.
+/// True for a share of at least [`SHARE`], and at least one row.
 fn mostly(rows: impl Iterator<Item = bool>) -> bool {
     let (mut all, mut yes) = (0_u32, 0_u32);
     for row in rows {

@@ -1,13 +1,13 @@
 //! Which mark separates the decimals of a table's numbers.
 
+use super::cell_number::digits;
 use super::column::Column;
 use super::numbers::has_thousands;
-use super::stated::digits;
 
 /// The marks in the numbers of a table whose cells may have a decimal comma. Where points and commas both stand in its numbers, one that
 /// might separate thousands, as in `2.500`, has two meanings.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Marks {
+pub(crate) struct DecimalMarks {
     of: [Seen; 2],
 }
 
@@ -29,12 +29,12 @@ struct Cell {
 /// The marks, with what a message calls them.
 const MARKS: [(char, &str); 2] = [(',', "comma"), ('.', "point")];
 
-impl Marks {
+impl DecimalMarks {
     /// Looks at the cell of a row that is read as a number.
     ///
     /// # Errors
     /// A sentence where its mark, or that of a cell before it, has two meanings.
-    pub fn look(&mut self, row: u64, column: &Column, text: &str) -> Result<(), String> {
+    pub fn check(&mut self, row: u64, column: &Column, text: &str) -> Result<(), String> {
         if !(column.has_decimal_comma() && column.is_a_number()) {
             return Ok(());
         }

@@ -6,22 +6,22 @@ use super::launch_monitor::{nearest_head, words};
 use crate::drive::Outcome;
 use crate::units::Message;
 
-/// What becomes of the columns of the club where the launch was measured.
+/// Use of the club columns beside a measured launch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Club {
+pub(crate) enum ClubColumns {
     /// They are left out: the ball flies from its launch.
-    LeftOut,
+    Ignored,
     /// They are read: the delivery is sought that explains the launch.
-    Kept,
+    Read,
 }
 
 /// Where the spin is taken from that is stated in several ways.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Spin {
+pub(crate) enum SpinSource {
     /// From columns that are chosen for the whole table.
-    OfTable,
+    Table,
     /// From what each row has, where rows are launches: [`taken`](super::conditions::taken).
-    OfRow,
+    Row,
 }
 
 /// The columns of an export that have no name here but are near one that has, as the end of a clause: "; near a known head: …".
@@ -33,7 +33,7 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
     if near.is_empty() { String::new() } else { format!("; near a known head: {}", near.join(", ")) }
 }
 
-/// What is told of an export that states the air of each row, where the setup gives its weather.
+/// Message for exports whose air the setup overrides.
 pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
     columns.iter().find(|column| column.is_of_given_air()).map(|column| air_as_given(&column.head))
 }
@@ -50,7 +50,7 @@ pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
 
 /// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
 /// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin, unless each row chooses.
-pub(super) fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
+pub(super) fn ignore_columns(columns: &mut [Column], club: ClubColumns, spin: SpinSource) -> Vec<Message> {
     let named = |columns: &[Column], is: &dyn Fn(&Column) -> bool| -> Vec<String> {
         columns
             .iter()
@@ -77,7 +77,7 @@ pub(super) fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Me
     let has_spin = has(columns, Outcome::Spin) || has(columns, Outcome::Backspin);
     if has(columns, Outcome::BallSpeed) && has(columns, Outcome::LaunchAngle) && has_spin {
         let is_club = |column: &Column| {
-            let is_of_the_strike = club == Club::LeftOut && column.is_of_the_strike();
+            let is_of_the_strike = club == ClubColumns::Ignored && column.is_of_the_strike();
             is_of_the_strike || column.holds == Holds::Outcome(Outcome::SmashFactor)
         };
         let left = named(columns, &is_club);
@@ -86,8 +86,9 @@ pub(super) fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Me
                 format!(
                     "{}: {}",
                     match club {
-                        Club::LeftOut => "the ball flies from its measured launch; columns of the club are left out",
-                        Club::Kept => "the speeds of ball and club are read, and not their ratio; left out",
+                        ClubColumns::Ignored =>
+                            "the ball flies from its measured launch; columns of the club are left out",
+                        ClubColumns::Read => "the speeds of ball and club are read, and not their ratio; left out",
                     },
                     left.join(", ")
                 )
@@ -103,7 +104,8 @@ pub(super) fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Me
         };
         let repeats = |column: &Column| repeated.iter().any(|outcome| column.holds == Holds::Outcome(*outcome));
         let again = named(columns, &repeats);
-        let is_of_row = spin == Spin::OfRow && (club == Club::LeftOut || !columns.iter().any(Column::is_of_the_strike));
+        let is_of_row =
+            spin == SpinSource::Row && (club == ClubColumns::Ignored || !columns.iter().any(Column::is_of_the_strike));
         if !again.is_empty() {
             let told = match is_of_row {
                 true => "the spin is stated twice; used only in rows without the other columns of the spin",

@@ -2,7 +2,7 @@ use crate::error::Error;
 
 /// Heads of columns that cannot be read: all that have no meaning, or the first with another fault.
 #[derive(Debug)]
-pub(crate) struct WrongColumns {
+pub(crate) struct ColumnErrors {
     /// Their numbers, from 0.
     at: Vec<usize>,
     reason: String,
@@ -18,8 +18,8 @@ pub(super) const OF_POINTS: &str = "give each a name that is known, or take it o
 pub(super) const OF_LAUNCHES: &str = "give the columns of the launch heads that are known, as in 'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]'; the heads \
                            stand in one of the first lines, in English";
 
-impl WrongColumns {
-    /// Of the faults of columns, each with the number of its column, from 0; `None` without any.
+impl ColumnErrors {
+    /// Collects the errors of columns, numbered from 0; `None` without errors.
     pub(super) fn of(faults: Vec<(usize, Error)>) -> Option<Self> {
         let mut unknown = vec![];
         for (at, error) in &faults {
@@ -37,7 +37,7 @@ impl WrongColumns {
         Some(Self { at: vec![at], reason: error.to_string() })
     }
 
-    /// The same with what to do in a table of another kind.
+    /// Replaces the advice by that for another kind of table.
     pub fn advised(self, advice: &str) -> Self {
         Self { reason: self.reason.replace(OF_SHOTS, advice), ..self }
     }

@@ -4,8 +4,8 @@ use super::column::{Column, Holds};
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
-/// What the remark about them begins with.
-pub(crate) const UNSTATED: &str = "heads without a unit are read as";
+/// Prefix of the remark.
+pub(crate) const ASSUMED_UNITS: &str = "heads without a unit are read as";
 
 /// The units of heads that state none, of an export: those of the makers' applications in the US.
 const USUAL: [(Quantity, &str); 4] =
@@ -13,7 +13,7 @@ const USUAL: [(Quantity, &str); 4] =
 
 /// Reads the columns of an export that state no unit in the usual ones, and says which; angles are in degrees already. Where the cells of a column
 /// state their units, they are read in those.
-pub(crate) fn unstated(columns: &mut [Column], states_unit: impl Fn(usize, &Column) -> bool) -> Option<String> {
+pub(crate) fn assume_units(columns: &mut [Column], states_unit: impl Fn(usize, &Column) -> bool) -> Option<String> {
     let mut told = vec![];
     for (at, column) in columns.iter_mut().enumerate() {
         let is_untold = column.lacks_unit() || column.is_in_degrees_untold();
@@ -30,5 +30,5 @@ pub(crate) fn unstated(columns: &mut [Column], states_unit: impl Fn(usize, &Colu
         told.push(format!("{} in {unit}", column.head));
         *column = column.clone().in_unit(unit);
     }
-    (!told.is_empty()).then(|| format!("{UNSTATED} {}; write other units into the heads", told.join(", ")))
+    (!told.is_empty()).then(|| format!("{ASSUMED_UNITS} {}; write other units into the heads", told.join(", ")))
 }
