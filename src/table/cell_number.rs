@@ -71,7 +71,9 @@ pub(super) fn unwrapped(cell: &str) -> &str {
 
 /// The digits of a cell with their decimal and thousands marks.
 pub(super) fn digits(cell: &str) -> &str {
-    unwrapped(cell).trim_matches(|c: char| !(c.is_ascii_digit() || "+-.,".contains(c)))
+    let number = unwrapped(cell).trim_matches(|c: char| !(c.is_ascii_digit() || "+-.,".contains(c)));
+    // a head such as `Launch Dir.` has a mark without digits
+    if number.contains(|c: char| c.is_ascii_digit()) { number } else { "" }
 }
 
 /// Parses a cell; `None` if it holds no number.

@@ -72,6 +72,15 @@ fn exact_heads_in_other_spellings() {
     close(landed(&found)[0][0], 269.9 * 0.9144, 247.0, 5e-4, "garmin-german.csv");
 }
 
+/// A dot in a head is no decimal point: `61,468` has decimals, as the other numbers of its table have.
+#[test]
+fn exact_decimal_commas_below_heads_with_dots() {
+    let text = "Ball Speed [m/s];Launch Ang. [deg];Launch Dir. [deg];Spin Rate [rpm];Spin Axis [deg]\n61,468;17,8;-3,3;2507;-12,2\n";
+    let (_, found, _) = flown(text.as_bytes());
+    let expected = plain(&[[61.468 / 0.447_04, 17.8, -3.3, 2507.0, -12.2]]);
+    close(landed(&found)[0][0], expected[0][0], expected[0][0], 1e-9, "carry");
+}
+
 #[test]
 fn exact_units_in_cells() {
     same("units-in-cells.csv", &[STRAIGHT]);
