@@ -41,7 +41,7 @@ fn bowl(at: &[f64]) -> Result<Evaluation, String> {
 }
 
 /// The active set with its equations and their factors, the step, and the point; argmin's copy of the best point.
-const PER_ITERATION: u64 = 30;
+const PER_ITERATION: u64 = 24;
 
 #[test]
 fn regress_allocations_in_an_iteration_within_bounds() {

@@ -64,7 +64,7 @@ impl ExportHead {
             }
         }
         let meant = Interpretation::of(Some(setup), &mut head, table);
-        let Head { heads, columns, format, units, encoding, .. } = head;
+        let Head { line, heads, columns, format, units, encoding, .. } = head;
         let is_export = format.is_export;
         let name = &table.name;
         let at_column = |(at, error): (usize, Error)| name.refused(format!(", column {}", at + 1), error.to_string());
@@ -98,7 +98,8 @@ impl ExportHead {
         let named = |names: &[&str]| plain.iter().position(|head| names.contains(&head.as_str()));
         found.spin_type = named(&["spin rate type", "spin type", "spin reading", "spin source", "drehratentyp"]);
         found.condition = named(&["condition", "conditions"]);
-        found.decimals = Decimals::found(table.separator, found.read.iter().map(|read| read.at), &table.beginning);
+        found.decimals =
+            Decimals::found(table.separator, found.read.iter().map(|read| read.at), &table.rows_below(line));
         let has_comma = table.separator != b',' && found.decimals != Decimals::Point;
         for read in &mut found.read {
             read.column = read.column.clone().with_decimal_comma(has_comma);

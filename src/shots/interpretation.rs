@@ -4,7 +4,7 @@ use super::maker::maker;
 use super::sign_conventions::SignConventions;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
-use crate::table::{Column, Head, Holds, TextTable, assume_units, cells, split_unit, states_weather, words};
+use crate::table::{Column, Head, Holds, TextTable, assume_units, split_unit, states_weather, words};
 
 /// Interpretation of an export.
 #[derive(Clone, Debug, Default)]
@@ -28,7 +28,8 @@ impl Interpretation {
         if maker == Some("Foresight") {
             rests_offline(&mut head.columns);
         }
-        let rows = rows(table, head.heads.len());
+        let width = head.heads.len();
+        let rows = table.rows_below(head.line).into_iter().filter(|row| row.len() >= width).collect::<Vec<_>>();
         let states_unit = |at: usize, column: &Column| rows.iter().any(|row| column.has_unit_in(&row[at]));
         if let Some(setup) = setup {
             weather_of_rows(setup, &plain, &mut head.columns, &rows);
@@ -54,15 +55,6 @@ fn weather_of_rows(setup: &Setup<f64>, plain: &[String], columns: &mut [Column],
         let is_given = setup.why_replaced(density).is_some();
         columns[at] = if is_given { column.of_given_air() } else { column.of_weather(density) };
     }
-}
-
-/// Rows inspected.
-const MOST_ROWS: usize = 200;
-
-/// Rows at the beginning with at least this number of cells.
-fn rows(table: &TextTable, width: usize) -> Vec<Vec<String>> {
-    let row = |line: &str| cells(line, table.separator).into_iter().map(String::from).collect::<Vec<_>>();
-    table.beginning.lines().map(row).filter(|row| row.len() >= width).take(MOST_ROWS).collect()
 }
 
 /// Foresight: `Offline` is the lateral position at rest.

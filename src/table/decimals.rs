@@ -1,7 +1,6 @@
 //! The mark of decimals in the numbers of a table.
 
 use super::cell_number::digits;
-use super::cells::cells;
 use super::numbers::has_thousands;
 
 /// The mark of decimals in a table.
@@ -14,14 +13,13 @@ pub(crate) enum Decimals {
 }
 
 impl Decimals {
-    /// The mark in the numbers at the beginning of a text.
-    pub fn found(separator: u8, read: impl Iterator<Item = usize> + Clone, beginning: &str) -> Self {
+    /// Detects the mark from the numbers of some rows.
+    pub fn found(separator: u8, read: impl Iterator<Item = usize> + Clone, rows: &[Vec<String>]) -> Self {
         if separator == b',' {
             return Self::Point;
         }
         let (mut commas, mut points) = (false, false);
-        for line in beginning.lines().take(200) {
-            let cells = cells(line, separator);
+        for cells in rows {
             for cell in read.clone().filter_map(|at| cells.get(at)) {
                 let number = digits(cell);
                 let is_number = number.bytes().all(|byte| byte.is_ascii_digit() || b"-.,".contains(&byte));

@@ -35,6 +35,8 @@ impl Wanted {
 /// Head of a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Head {
+    /// Line of the head, from 1.
+    pub line: u64,
     /// The heads, as they are written.
     pub heads: Vec<String>,
     /// The columns, in their order.
@@ -81,7 +83,7 @@ impl Head {
         let remarks = if is_export { ignore_columns(&mut columns, wanted.club, wanted.spin) } else { vec![] };
         told_apart(&mut columns);
         let units = units.and(first);
-        Ok(Self { heads, columns, format, units, remarks, encoding: None })
+        Ok(Self { line: 1, heads, columns, format, units, remarks, encoding: None })
     }
 
     /// Reads the names of the columns of a table that is in SI throughout.
@@ -94,7 +96,7 @@ impl Head {
         let mut columns = columns.map_err(|wrong| wrong.advised(OF_POINTS))?;
         told_apart(&mut columns);
         let format = Format { is_export: false, has_decimal_comma: false };
-        Ok(Self { heads: names.to_vec(), columns, format, units: None, remarks: vec![], encoding: None })
+        Ok(Self { line: 1, heads: names.to_vec(), columns, format, units: None, remarks: vec![], encoding: None })
     }
 
     /// Compares heads and units.

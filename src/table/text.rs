@@ -18,6 +18,9 @@ const BEGINNING: u64 = 1 << 16;
 /// Bytes read at a time.
 const PIECE: usize = 1 << 16;
 
+/// Rows inspected for units, decimal marks and signs.
+const MOST_ROWS: usize = 200;
+
 /// Records searched for the head.
 const MOST_RECORDS: usize = 25;
 
@@ -77,7 +80,7 @@ pub(crate) struct TextTable {
     /// Cell separator.
     pub separator: u8,
     /// The first 64 KiB of the text.
-    pub beginning: String,
+    beginning: String,
     encoding: Encoding,
     /// Exports may contain further heads.
     has_sections: bool,
@@ -129,13 +132,25 @@ impl TextTable {
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
         let head = Head::read(setup, heads, first, self.separator, wanted);
-        let head = head.map_err(|wrong| wrong.in_file(&self.name.0))?;
+        let mut head = head.map_err(|wrong| wrong.in_file(&self.name.0))?;
+        head.line = record.line;
         if head.units.is_none()
             && let Some(below) = below
         {
             self.give_back(below);
         }
         Ok(head)
+    }
+
+    /// Rows of the section below a head, as far as the first 64 KiB contain them, at most [`MOST_ROWS`].
+    pub fn rows_below(&self, head: u64) -> Vec<Vec<String>> {
+        let has_returns = self.beginning.contains('\r') && !self.beginning.contains('\n');
+        let end = if has_returns { '\r' } else { '\n' };
+        let below = usize::try_from(head).unwrap_or(usize::MAX);
+        let lines = self.beginning.split(end).skip(below);
+        let rows = lines.take_while(|line| !(self.has_sections && is_head(line, self.separator)));
+        let cells = |line: &str| cells(line, self.separator).into_iter().map(String::from).collect();
+        rows.take(MOST_ROWS).map(cells).collect()
     }
 
     /// The next row or head; `None` at the end.

@@ -200,6 +200,19 @@ fn published_signs_of_garmin_are_turned() {
     assert!(told.iter().any(|told| told.contains("Spin Axis and Sidespin are read with + to the left")), "{told:?}");
 }
 
+/// In the second section the columns stand in another order: its signs and units come from its own rows.
+#[test]
+fn exact_a_section_is_interpreted_by_its_own_rows() {
+    let text = "Ball Speed,Launch Angle,Launch Direction,Spin Rate,Spin Axis,Sidespin,Carry Deviation Distance\n\
+                160 mph,12 deg,0 deg,2500 rpm,10 deg,-434 rpm,12 yd\n\
+                Sidespin,Spin Axis,Ball Speed,Launch Angle,Launch Direction,Spin Rate,Carry Deviation Distance\n\
+                434,10,160,12,0,2500,12\n";
+    let (_, found, tally) = flown(text.as_bytes());
+    let carries = landed(&found);
+    assert_eq!((tally.flown, carries[0]), (2, carries[1]), "{:?}", found[1].reason(0));
+    assert!(found.iter().flat_map(Flown::shots).all(|shot| shot.notes.is_empty()));
+}
+
 /// 1135 ft and 77 °F: 1.1367 kg/m³ by the standard atmosphere's pressure and the density of dry air.
 #[test]
 fn independent_the_air_of_a_condition_is_that_of_its_altitude_and_temperature() {
