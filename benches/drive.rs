@@ -1,8 +1,8 @@
-//! What derivatives and the optimum cost, as ratios to the value, on the mae494 problem at step 0.01 s, loft 10°,
-//! attack angle 0°: the value is one drive of 276 steps.
+//! What derivatives and the optimum cost, as ratios to the value, on the mae494 problem at step
+//! 0.01 s, loft 10°, attack angle 0°: the value is one drive of 276 steps.
 //!
-//! `cargo bench --bench drive` measures all in one run and ends with the table of ratios, each of the fastest sample, since
-//! machines are shared and noisy.
+//! `cargo bench --bench drive` measures all in one run and ends with the table of ratios, each of
+//! the fastest sample, since machines are shared and noisy.
 
 use criterion::Criterion;
 use longdrive::derivative::{Order, evaluate};
@@ -60,8 +60,13 @@ impl Fastest {
 
     fn print_ratios(&self) {
         let all = self.0.borrow();
-        let Some((_, value)) = all.first() else { return };
-        println!("\n{:<40} {:>12} {:>10}", "mae494, step 0.01 s, fastest samples", "time", "/ value");
+        let Some((_, value)) = all.first() else {
+            return;
+        };
+        println!(
+            "\n{:<40} {:>12} {:>10}",
+            "mae494, step 0.01 s, fastest samples", "time", "/ value"
+        );
         for (name, time) in all.iter() {
             println!(
                 "{name:<40} {:>9.2} µs {:>10.2}",
@@ -75,25 +80,45 @@ impl Fastest {
 fn main() {
     let setup = Setup::preset("mae494").expect("a preset of this name");
     let named = |names: &[&str]| -> Vec<&'static Parameter> {
-        names.iter().map(|name| setup.variable(name).expect("a parameter of this name")).collect()
+        names
+            .iter()
+            .map(|name| setup.variable(name).expect("a parameter of this name"))
+            .collect()
     };
     let (two, twelve, all) = (named(&TWELVE[..2]), named(&TWELVE), setup.variables());
-    let derivatives = |wrt: &[&'static Parameter], order| evaluate(black_box(&setup), &[Outcome::Carry], wrt, order);
+    let derivatives = |wrt: &[&'static Parameter], order| {
+        evaluate(black_box(&setup), &[Outcome::Carry], wrt, order)
+    };
     let ranges = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
-    let vary: Vec<Vary> = ranges.iter().map(|text| Vary::read(&setup, text).expect("a range")).collect();
-    let search = Search { vary, ..Search::longest_drive(&setup).expect("the default search") };
+    let vary: Vec<Vary> = ranges
+        .iter()
+        .map(|text| Vary::read(&setup, text).expect("a range"))
+        .collect();
+    let search = Search {
+        vary,
+        ..Search::longest_drive(&setup).expect("the default search")
+    };
 
     let mut criterion = Criterion::default().configure_from_args();
     let fastest = Fastest::default();
     fastest.measure(&mut criterion, "value", || Drive::new(black_box(&setup)));
-    fastest.measure(&mut criterion, "gradient, 2 parameters", || derivatives(&two, Order::First));
-    fastest.measure(&mut criterion, "gradient, 12 parameters", || derivatives(&twelve, Order::First));
-    fastest.measure(&mut criterion, &format!("gradient, all {} parameters", all.len()), || {
-        derivatives(&all, Order::First)
+    fastest.measure(&mut criterion, "gradient, 2 parameters", || {
+        derivatives(&two, Order::First)
     });
-    fastest.measure(&mut criterion, "Hessian, 2 parameters", || derivatives(&two, Order::Second));
-    fastest
-        .measure(&mut criterion, "optimum from (10°, 0°)", || optimum(&setup, search.clone(), Observer::default()));
+    fastest.measure(&mut criterion, "gradient, 12 parameters", || {
+        derivatives(&twelve, Order::First)
+    });
+    fastest.measure(
+        &mut criterion,
+        &format!("gradient, all {} parameters", all.len()),
+        || derivatives(&all, Order::First),
+    );
+    fastest.measure(&mut criterion, "Hessian, 2 parameters", || {
+        derivatives(&two, Order::Second)
+    });
+    fastest.measure(&mut criterion, "optimum from (10°, 0°)", || {
+        optimum(&setup, search.clone(), Observer::default())
+    });
     criterion.final_summary();
     fastest.print_ratios();
 }

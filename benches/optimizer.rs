@@ -1,5 +1,6 @@
-//! What the optimizer itself costs, without the functions: the published problems of `tests/problems` from their published
-//! starts, each a second time with the evaluations of the first copied from a list. `cargo bench --bench optimizer`.
+//! What the optimizer itself costs, without the functions: the published problems of
+//! `tests/problems` from their published starts, each a second time with the evaluations of the
+//! first copied from a list. `cargo bench --bench optimizer`.
 
 #[expect(dead_code, reason = "published optima and points are for the tests")]
 #[path = "../tests/problems/mod.rs"]
@@ -51,7 +52,12 @@ fn measured(case: &Case) -> Measured {
         time
     };
     let fastest = (0..TIMES).map(once).min().unwrap_or_default();
-    Measured { variables: case.start.len(), is_constrained: !case.least.is_empty(), solution, fastest }
+    Measured {
+        variables: case.start.len(),
+        is_constrained: !case.least.is_empty(),
+        solution,
+        fastest,
+    }
 }
 
 fn print(what: &str, all: &[Measured], is_one: impl Fn(&Measured) -> bool) {
@@ -59,10 +65,17 @@ fn print(what: &str, all: &[Measured], is_one: impl Fn(&Measured) -> bool) {
     let mut micros: Vec<f64> = group.iter().map(|one| one.micros_per_iteration()).collect();
     micros.sort_by(f64::total_cmp);
     let iterations: u64 = group.iter().map(|one| one.solution.iterations).sum();
-    let programs: [u64; 3] = group.iter().fold([0; 3], |[warm_starts, clarabel, unpolished], one| {
-        let effort = &one.solution.effort;
-        [warm_starts + effort.warm_starts, clarabel + effort.clarabel, unpolished + effort.unpolished]
-    });
+    let programs: [u64; 3] =
+        group
+            .iter()
+            .fold([0; 3], |[warm_starts, clarabel, unpolished], one| {
+                let effort = &one.solution.effort;
+                [
+                    warm_starts + effort.warm_starts,
+                    clarabel + effort.clarabel,
+                    unpolished + effort.unpolished,
+                ]
+            });
     println!(
         "{what:<48} {:>8} {iterations:>10} {:>10.2} {:>10.2}   {programs:?}",
         group.len(),
@@ -72,7 +85,9 @@ fn print(what: &str, all: &[Measured], is_one: impl Fn(&Measured) -> bool) {
 }
 
 fn main() {
-    let cases = problems::hock_schittkowski().into_iter().chain(problems::more_garbow_hillstrom());
+    let cases = problems::hock_schittkowski()
+        .into_iter()
+        .chain(problems::more_garbow_hillstrom());
     let all: Vec<Measured> = cases.map(|case| measured(&case)).collect();
     println!(
         "{:<48} {:>8} {:>10} {:>10} {:>10}   programs by [warm start, Clarabel, unpolished]",
@@ -80,7 +95,11 @@ fn main() {
     );
     for (size, is_small) in [("up to 4 variables", true), ("5 variables or more", false)] {
         let is_of_size = |one: &Measured| (one.variables <= FEW) == is_small;
-        print(&format!("{size}, bounds alone"), &all, |one| is_of_size(one) && !one.is_constrained);
-        print(&format!("{size}, constraints"), &all, |one| is_of_size(one) && one.is_constrained);
+        print(&format!("{size}, bounds alone"), &all, |one| {
+            is_of_size(one) && !one.is_constrained
+        });
+        print(&format!("{size}, constraints"), &all, |one| {
+            is_of_size(one) && one.is_constrained
+        });
     }
 }

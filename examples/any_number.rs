@@ -1,5 +1,5 @@
-//! The same physics over another number: the third derivative of carry by loft, with num-dual's `Dual3_64`, and
-//! the fourth-order Taylor polynomial's cubic part against a drive flown there.
+//! The same physics over another number: the third derivative of carry by loft, with num-dual's
+//! `Dual3_64`, and the fourth-order Taylor polynomial's cubic part against a drive flown there.
 //!
 //! `cargo run --release --example any_number`
 
@@ -14,10 +14,17 @@ fn carry<T: Number>(setup: &Setup<T>) -> longdrive::Result<T> {
 fn main() -> longdrive::Result<()> {
     let setup = Setup::default();
     let lifted = setup.map(|parameter, value| {
-        if parameter.name == "club.loft" { Dual3_64::from(value).derivative() } else { Dual3_64::constant(value) }
+        if parameter.name == "club.loft" {
+            Dual3_64::from(value).derivative()
+        } else {
+            Dual3_64::constant(value)
+        }
     });
     let c = carry(&lifted)?;
-    println!("carry {:.6} m, d {:.6}, d² {:.6}, d³ {:.4} (m, rad)", c.re, c.v1, c.v2, c.v3);
+    println!(
+        "carry {:.6} m, d {:.6}, d² {:.6}, d³ {:.4} (m, rad)",
+        c.re, c.v1, c.v2, c.v3
+    );
 
     for degrees in [0.25, 0.5, 1.0_f64] {
         let h = degrees.to_radians();

@@ -1,9 +1,12 @@
-//! The best loft for the swings of a beginner and of a professional, beside that of their mean swing alone.
+//! The best loft for the swings of a beginner and of a professional, beside that of their mean
+//! swing alone.
 //!
 //! `cargo run --release --example best_loft`
 
 use longdrive::optimize::{Follow, Options};
-use longdrive::study::swings::{Goal, Rule, Scenarios, Swings, SwingsSearch, price, swings_optimum};
+use longdrive::study::swings::{
+    Goal, Rule, Scenarios, Swings, SwingsSearch, price, swings_optimum,
+};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Sense, Vary};
 use longdrive::{Outcome, Result, Setup};
@@ -20,11 +23,15 @@ fn main() -> Result<()> {
         "swing.attack_angle=normal(-0.9 deg, 1 deg)",
         "strike.high=normal(3 mm, 3 mm)",
     ];
-    for (golfer, preset, distributions) in
-        [("beginner", "amateur-average", beginner), ("professional", "tour-average", professional)]
-    {
+    for (golfer, preset, distributions) in [
+        ("beginner", "amateur-average", beginner),
+        ("professional", "tour-average", professional),
+    ] {
         let setup = Setup::preset(preset)?;
-        let inputs = distributions.iter().map(|text| Uncertain::read(&setup, text)).collect::<Result<_>>()?;
+        let inputs = distributions
+            .iter()
+            .map(|text| Uncertain::read(&setup, text))
+            .collect::<Result<_>>()?;
         let swings = Swings::distributed(inputs, &[])?;
         let scenarios = Scenarios::new(&swings, Rule::of(&swings, None, 0)?)?;
         let search = SwingsSearch {
@@ -36,7 +43,10 @@ fn main() -> Result<()> {
         };
         let best = swings_optimum(&setup, search, scenarios, &Follow::default())?;
         let alone = price(&setup, &swings, &best)?.nominal;
-        let show = |x: &[f64]| x.first().map_or("none".into(), |x| format!("{:.2} deg", x.to_degrees()));
+        let show = |x: &[f64]| {
+            x.first()
+                .map_or("none".into(), |x| format!("{:.2} deg", x.to_degrees()))
+        };
         println!(
             "{golfer}: best loft {} over all swings, {} for the mean swing",
             show(&best.solution.x),

@@ -32,6 +32,9 @@ fn main() -> longdrive::Result<()> {
         .into_iter()
         .collect::<longdrive::Result<Vec<_>>>()?;
     let carry = hessian(&setup, Outcome::Carry, &pair)?;
-    println!("\nHessian of carry by loft and attack angle, m per rad²: {:?}", carry.hessian);
+    println!(
+        "\nHessian of carry by loft and attack angle, m per rad²: {:?}",
+        carry.hessian
+    );
     Ok(())
 }

@@ -1,5 +1,5 @@
-//! Where a movable weight of 15 g belongs, for a golfer whose swings vary, under the limit of the Rules of Golf on the moment of
-//! inertia: its best place, and what the limit costs.
+//! Where a movable weight of 15 g belongs, for a golfer whose swings vary, under the limit of the
+//! Rules of Golf on the moment of inertia: its best place, and what the limit costs.
 //!
 //! `cargo run --release --example design`
 
@@ -19,11 +19,17 @@ fn main() -> Result<()> {
         ("club.weight_1.depth", "40.8 mm"),
         ("club.weight_1.toe", "0 mm"),
     ])?;
-    let vary = ["club.weight_1.depth=0mm..110mm", "club.weight_1.toe=-50mm..50mm"];
+    let vary = [
+        "club.weight_1.depth=0mm..110mm",
+        "club.weight_1.toe=-50mm..50mm",
+    ];
     let search = SwingsSearch {
         of: Goal::read("mean(carry) - 0.5*rms(lateral)", None)?,
         sense: Sense::Maximize,
-        vary: vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<_>>()?,
+        vary: vary
+            .iter()
+            .map(|text| Vary::read(&setup, text))
+            .collect::<Result<_>>()?,
         subject_to: vec![],
         options: Options::default(),
     };
@@ -33,16 +39,30 @@ fn main() -> Result<()> {
     let best = swings_optimum(&setup, design.search.clone(), scenarios, &Follow::default())?;
     println!("{}: {}", best.status(), best.message());
     for (vary, x) in best.search.vary.iter().zip(&best.solution.x) {
-        println!("{} = {}", vary.parameter.name, vary.parameter.show(Some(*x)));
+        println!(
+            "{} = {}",
+            vary.parameter.name,
+            vary.parameter.show(Some(*x))
+        );
     }
     for standing in design.standings(&best) {
         let held = &standing.held;
-        let value = standing.value.map_or("unknown".into(), |value| held.quantity.show(value, held.unit));
+        let value = standing.value.map_or("unknown".into(), |value| {
+            held.quantity.show(value, held.unit)
+        });
         // a yard is 0.9144 m
-        let price = standing
-            .price
-            .map(|price| format!(", {:+.3} yd for each 100 g cm^2 of the limit", price * held.step / 0.9144));
-        println!("{}: {value} ({}){}", held.name, held.expression, price.unwrap_or_default());
+        let price = standing.price.map(|price| {
+            format!(
+                ", {:+.3} yd for each 100 g cm^2 of the limit",
+                price * held.step / 0.9144
+            )
+        });
+        println!(
+            "{}: {value} ({}){}",
+            held.name,
+            held.expression,
+            price.unwrap_or_default()
+        );
     }
     Ok(())
 }

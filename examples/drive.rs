@@ -20,7 +20,11 @@ fn main() -> longdrive::Result<()> {
         Outcome::Carry,
         Outcome::Lateral,
     ] {
-        println!("{:>14}  {}", outcome.name(), outcome.show(outcome.of(&drive)?));
+        println!(
+            "{:>14}  {}",
+            outcome.name(),
+            outcome.show(outcome.of(&drive)?)
+        );
     }
 
     println!("\n  time s   downrange m   right m   up m");

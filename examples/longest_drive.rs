@@ -1,5 +1,5 @@
-//! The longest drive, for a golfer with a slower swing who cannot hit up by more than 3°, and what each bound
-//! costs.
+//! The longest drive, for a golfer with a slower swing who cannot hit up by more than 3°, and what
+//! each bound costs.
 //!
 //! `cargo run --release --example longest_drive`
 
@@ -13,11 +13,16 @@ fn main() -> longdrive::Result<()> {
     let vary = ["club.loft=6deg..18deg", "swing.attack_angle=-5deg..3deg"];
     let search = Search {
         of: Outcome::Carry,
-        vary: vary.iter().map(|text| Vary::read(&setup, text)).collect::<longdrive::Result<_>>()?,
+        vary: vary
+            .iter()
+            .map(|text| Vary::read(&setup, text))
+            .collect::<longdrive::Result<_>>()?,
         ..Search::longest_drive(&setup)?
     };
 
-    let observer = Observer::showing(|iteration| println!("iteration {}: {:.4} m", iteration.number, -iteration.value));
+    let observer = Observer::showing(|iteration| {
+        println!("iteration {}: {:.4} m", iteration.number, -iteration.value)
+    });
     let best = optimum(&setup, search, observer)?;
     println!("{}: {}", best.status(), best.message());
     for (i, vary) in best.search.vary.iter().enumerate() {

@@ -1,4 +1,5 @@
-//! The optimizer without golf: a can of one litre with the least sheet metal, its height and then its base limited.
+//! The optimizer without golf: a can of one litre with the least sheet metal, its height and then
+//! its base limited.
 //!
 //! `cargo run --release --example own_function`
 
@@ -14,7 +15,10 @@ impl Functions for Can {
         let (radius, height) = (x[0], x[1]);
         let area = radius * (radius + height) * (2.0 * PI);
         let volume = radius * radius * height * PI;
-        Ok(Values { objective: area, constraints: vec![volume] })
+        Ok(Values {
+            objective: area,
+            constraints: vec![volume],
+        })
     }
 }
 
@@ -23,7 +27,10 @@ fn main() -> longdrive::Result<()> {
         let sizes = Domain::new(vec![0.1, 0.1], vec![10.0, highest])?;
         let litre = sizes.subject_to(vec![1.0], vec![1.0])?;
         let can = minimize(&Exact(Can), &litre, &[1.0, 0.7], &Options::default())?;
-        println!("height up to {highest} dm: {} ({}, {} iterations)", can.status, can.message, can.iterations);
+        println!(
+            "height up to {highest} dm: {} ({}, {} iterations)",
+            can.status, can.message, can.iterations
+        );
         if let Some(area) = can.value {
             let (radius, height, price) = (can.x[0], can.x[1], can.upper_multipliers[1]);
             println!("  radius {radius:.9} dm, height {height:.9} dm, area {area:.9} dm²");

@@ -1,7 +1,7 @@
 //! What was measured of the derivatives, as the Markdown of `docs/verification.md`.
 //!
-//! `cargo run --release --example verification docs/pictures > docs/verification.md`: the pictures go into the folder named; without one
-//! there are none.
+//! `cargo run --release --example verification docs/pictures > docs/verification.md`: the pictures
+//! go into the folder named; without one there are none.
 
 use longdrive::derivative::check::Verdict;
 use longdrive::parameters::PRESETS;
@@ -19,16 +19,24 @@ fn main() -> Result<()> {
     let mut certificates = vec![];
     for preset in PRESETS {
         let setup = Setup::preset(preset.name)?;
-        certificates.push((preset.name, certify(&setup, Outcome::ALL, &setup.variables(), &|_, _| true)?));
+        certificates.push((
+            preset.name,
+            certify(&setup, Outcome::ALL, &setup.variables(), &|_, _| true)?,
+        ));
     }
     println!("## Every outcome by every parameter\n");
     println!(
-        "| preset | derivatives | pass | worst error, relative | largest difference from num-dual, relative | worst error of a second derivative, in bars | landing, held at a fixed time | planted errors caught |"
+        "| preset | derivatives | pass | worst error, relative | largest difference from num-dual, \
+         relative | worst error of a second derivative, in bars | landing, held at a fixed time | \
+         planted errors caught |"
     );
     println!("|---|---|---|---|---|---|---|---|");
-    certificates.iter().for_each(|(name, certificate)| println!("{}", row(name, certificate)));
+    certificates
+        .iter()
+        .for_each(|(name, certificate)| println!("{}", row(name, certificate)));
     println!(
-        "\nErrors are relative to the derivative, over rows whose derivative is not nearly 0; a bar is the error that a derivative may have.\n"
+        "\nErrors are relative to the derivative, over rows whose derivative is not nearly 0; a \
+         bar is the error that a derivative may have.\n"
     );
 
     let setup = Setup::preset("mae494")?;
@@ -50,15 +58,41 @@ fn main() -> Result<()> {
 
 fn row(name: &str, certificate: &Certificate) -> String {
     let rows = &certificate.rows;
-    let is_something = |row: &&longdrive::study::certificate::Row| row.first.exact.abs() > row.ladder.next_to_nothing();
-    let first = rows.iter().filter(is_something).map(|row| row.first.error / row.first.exact.abs());
-    let num_dual = rows.iter().filter(is_something).map(|row| row.num_dual.difference / row.first.exact.abs());
-    let second = rows.iter().filter(is_something).filter_map(|row| row.second.as_ref());
-    let second = second.filter(|check| check.error > 0.0).map(|check| check.error / check.bar);
-    let passed = rows.iter().filter(|row| row.verdict() == Verdict::Pass).count();
-    let landing = certificate.landing.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
-    let planted =
-        certificate.planted.map(|planted| format!("{} {}/{}", planted.plant.name(), planted.caught, planted.rows));
+    let is_something = |row: &&longdrive::study::certificate::Row| {
+        row.first.exact.abs() > row.ladder.next_to_nothing()
+    };
+    let first = rows
+        .iter()
+        .filter(is_something)
+        .map(|row| row.first.error / row.first.exact.abs());
+    let num_dual = rows
+        .iter()
+        .filter(is_something)
+        .map(|row| row.num_dual.difference / row.first.exact.abs());
+    let second = rows
+        .iter()
+        .filter(is_something)
+        .filter_map(|row| row.second.as_ref());
+    let second = second
+        .filter(|check| check.error > 0.0)
+        .map(|check| check.error / check.bar);
+    let passed = rows
+        .iter()
+        .filter(|row| row.verdict() == Verdict::Pass)
+        .count();
+    let landing = certificate
+        .landing
+        .iter()
+        .filter(|row| row.check.verdict == Verdict::Pass)
+        .count();
+    let planted = certificate.planted.map(|planted| {
+        format!(
+            "{} {}/{}",
+            planted.plant.name(),
+            planted.caught,
+            planted.rows
+        )
+    });
     format!(
         "| `{name}` | {} | {passed} | {:.0e} | {:.0e} | {:.2} | {landing} of {} | {} |",
         rows.len(),
@@ -72,19 +106,28 @@ fn row(name: &str, certificate: &Certificate) -> String {
 
 fn v_curve(carry: &Certificate) {
     println!(
-        "## The V-curve\n\nCarry of `mae494` by loft: the error of plain central differences relative to the derivative, by the step relative to the loft.\n"
+        "## The V-curve\n\nCarry of `mae494` by loft: the error of plain central differences \
+         relative to the derivative, by the step relative to the loft.\n"
     );
     println!("| step | error |\n|---|---|");
     for row in carry.rows.iter().filter(|row| row.of == Outcome::Carry) {
         for point in row.first.curve.iter().step_by(2) {
-            println!("| {:.0e} | {:.0e} |", point.step / row.ladder.scale, point.error / row.first.exact.abs());
+            println!(
+                "| {:.0e} | {:.0e} |",
+                point.step / row.ladder.scale,
+                point.error / row.first.exact.abs()
+            );
         }
         let best = row.first.best.map_or(f64::NAN, |best| best.value);
-        println!("\nExact {:.10} m/rad, extrapolated from differences {best:.10}.", row.first.exact);
+        println!(
+            "\nExact {:.10} m/rad, extrapolated from differences {best:.10}.",
+            row.first.exact
+        );
     }
     for row in carry.landing.iter().filter(|row| row.of == Outcome::Carry) {
         println!(
-            "\nWithout the landing term, {:.2} m/rad, it would be {:.2}: a loop that stops at a fixed step has the wrong sign here.\n",
+            "\nWithout the landing term, {:.2} m/rad, it would be {:.2}: a loop that stops at a \
+             fixed step has the wrong sign here.\n",
             row.landing_term,
             row.check.exact - row.landing_term
         );
@@ -94,8 +137,10 @@ fn v_curve(carry: &Certificate) {
 fn the_loop(loops: &[LoopRow]) {
     for row in loops {
         println!(
-            "A while-loop that stops at the first step below the ground, as the MAE 494 report's does, gets {:.2} m/rad from a difference at a step of 1e-8. \
-             No step is right: large ones reach over several of its jumps and have an error from the curvature, small ones lie between two jumps.\n",
+            "A while-loop that stops at the first step below the ground, as the MAE 494 report's \
+             does, gets {:.2} m/rad from a difference at a step of 1e-8. \
+             No step is right: large ones reach over several of its jumps and have an error from \
+             the curvature, small ones lie between two jumps.\n",
             row.small_difference().unwrap_or(f64::NAN)
         );
     }
@@ -104,16 +149,34 @@ fn the_loop(loops: &[LoopRow]) {
 
 fn smoothness(name: &str, certificate: &Certificate) {
     println!(
-        "## `{name}`: steps\n\n| outcome | jump where the number of steps changes: value, gradient, Hessian | order in the step: value, gradient | error from the time step: value, worst derivative |\n|---|---|---|---|"
+        "## `{name}`: steps\n\n| outcome | jump where the number of steps changes: value, \
+         gradient, Hessian | order in the step: value, gradient | error from the time step: value, \
+         worst derivative |\n|---|---|---|---|"
     );
     for found in &certificate.continuity {
-        let orders = certificate.convergence.iter().find(|other| other.of == found.of).map(|other| other.orders);
-        let orders =
-            orders.unwrap_or_default().map(|order| order.map_or("rounding".into(), |order| format!("{order:.2}")));
+        let orders = certificate
+            .convergence
+            .iter()
+            .find(|other| other.of == found.of)
+            .map(|other| other.orders);
+        let orders = orders
+            .unwrap_or_default()
+            .map(|order| order.map_or("rounding".into(), |order| format!("{order:.2}")));
         let jumps = found.jumps.map(|jump| format!("{jump:.0e}")).join(", ");
         let step = certificate.step.iter().find(|other| other.of == found.of);
-        let left = step.map(|it| format!("{:.0e}, {:.0e}", it.value, it.derivative.map_or(0.0, |(_, error)| error)));
-        println!("| {} | {jumps} | {} | {} |", found.of.name(), orders.join(", "), left.unwrap_or_default());
+        let left = step.map(|it| {
+            format!(
+                "{:.0e}, {:.0e}",
+                it.value,
+                it.derivative.map_or(0.0, |(_, error)| error)
+            )
+        });
+        println!(
+            "| {} | {jumps} | {} | {} |",
+            found.of.name(),
+            orders.join(", "),
+            left.unwrap_or_default()
+        );
     }
     println!();
 }

@@ -1,7 +1,7 @@
 //! How tables of text are written.
 
-/// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head; and the text without a line
-/// `sep=;` that says so.
+/// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head;
+/// and the text without a line `sep=;` that says so.
 pub(crate) fn separated(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {
@@ -10,10 +10,16 @@ pub(crate) fn separated(text: &str) -> (u8, &str) {
             return (separator, rest);
         }
     }
-    let head = text.lines().find(|line| !line.starts_with('#') && !line.trim().is_empty()).unwrap_or_default();
+    let head = text
+        .lines()
+        .find(|line| !line.starts_with('#') && !line.trim().is_empty())
+        .unwrap_or_default();
     let count = |separator: &u8| head.bytes().filter(|byte| byte == separator).count();
     // of equally many the last; a head of one column has none
-    let separator = [b'\t', b';', b','].into_iter().max_by_key(count).unwrap_or(b',');
+    let separator = [b'\t', b';', b',']
+        .into_iter()
+        .max_by_key(count)
+        .unwrap_or(b',');
     (separator, text)
 }
 

@@ -6,8 +6,8 @@ use crate::units::{Digits, Message, Quantity, System, significant};
 /// `Result` with longdrive's [`enum@Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// Why something could not be done. Every message names the thing, the value, what is allowed, and what to
-/// do.
+/// Why something could not be done. Every message names the thing, the value, what is allowed, and
+/// what to do.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -24,7 +24,10 @@ pub enum Error {
         advice: String,
     },
     /// A coefficient of another aerodynamic law than the one the setup flies.
-    #[error("'{name}' is a coefficient of {owners}, but this setup uses the law '{law}'; set aero.law too")]
+    #[error(
+        "'{name}' is a coefficient of {owners}, but this setup uses the law '{law}'; set aero.law \
+         too"
+    )]
     OtherLaw {
         /// The parameter.
         name: String,
@@ -63,7 +66,8 @@ pub enum Error {
     },
     /// An inertia tensor no body can have.
     #[error(
-        "club.inertia is not positive definite: its smallest principal moment is {smallest:e} kg m^2; \
+        "club.inertia is not positive definite: its smallest principal moment is {smallest:e} kg \
+         m^2; \
          raise club.inertia.xx, .yy, .zz or reduce the products .xy, .xz, .yz"
     )]
     Inertia {
@@ -72,7 +76,8 @@ pub enum Error {
     },
     /// Launch conditions that do not make one launch.
     #[error(
-        "the launch ({given}): {reason}; a launch has ball_speed, launch_angle, perhaps launch_direction, and either backspin \
+        "the launch ({given}): {reason}; a launch has ball_speed, launch_angle, perhaps \
+         launch_direction, and either backspin \
          (perhaps sidespin) or spin (perhaps spin_axis)"
     )]
     Launch {
@@ -83,7 +88,8 @@ pub enum Error {
     },
     /// A value that breaks a rule of golf.
     #[error(
-        "against {rule}: {found}, and the rule is {limit}; {advice}, or leave the Rules of Golf out with --rules none"
+        "against {rule}: {found}, and the rule is {limit}; {advice}, or leave the Rules of Golf \
+         out with --rules none"
     )]
     Rule {
         /// The rule with its source.
@@ -128,7 +134,10 @@ pub enum Error {
         what: &'static str,
     },
     /// A setup file that cannot be opened or read.
-    #[error("the setup file '{file}': {}; a setup is a preset ({presets}) or a TOML file", of_io(source))]
+    #[error(
+        "the setup file '{file}': {}; a setup is a preset ({presets}) or a TOML file",
+        of_io(source)
+    )]
     File {
         /// The file.
         file: String,
@@ -177,8 +186,10 @@ pub enum Error {
     },
     /// An impact point beyond the edge of the face's ellipsoid.
     #[error(
-        "the strike is off the face: strike.high = {high_mm} mm and strike.toe = {toe_mm} mm give q = {q} \
-         (q = (high²/roll_radius + toe²/bulge_radius)/face_semi_axis), which must be below 1; strike nearer the sweet spot or flatten the face"
+        "the strike is off the face: strike.high = {high_mm} mm and strike.toe = {toe_mm} mm give \
+         q = {q} \
+         (q = (high²/roll_radius + toe²/bulge_radius)/face_semi_axis), which must be below 1; \
+         strike nearer the sweet spot or flatten the face"
     )]
     OffFace {
         /// `strike.high`, mm.
@@ -202,7 +213,8 @@ pub enum Error {
     },
     /// A flight that cannot be followed.
     #[error(
-        "the flight diverged at t = {} s: drag and lift change the velocity too much within a step (flight.step = {} s) to be \
+        "the flight diverged at t = {} s: drag and lift change the velocity too much within a step \
+         (flight.step = {} s) to be \
          followed; {advice}", significant(*time, 5), significant(*step, 5)
     )]
     Diverged {
@@ -345,13 +357,21 @@ impl Error {
     ) -> Self {
         let nearest = nearest(name, names).filter(|(likeness, _)| *likeness > 0.8);
         let suggestion = nearest.map(|(_, known)| known.to_owned());
-        Self::Unknown { what, name: name.into(), suggestion, advice: advice.into() }
+        Self::Unknown {
+            what,
+            name: name.into(),
+            suggestion,
+            advice: advice.into(),
+        }
     }
 
     /// The error as that of one of several drives: "drive a".
     #[must_use]
     pub fn of_drive(self, drive: &'static str) -> Self {
-        Self::OfDrive { drive, source: Box::new(self) }
+        Self::OfDrive {
+            drive,
+            source: Box::new(self),
+        }
     }
 
     /// Why a file cannot be written, in words: "the disk is full".
@@ -359,7 +379,8 @@ impl Error {
         of_write(error)
     }
 
-    /// The error with computed quantities in the units of a system; what was given is named as it was given.
+    /// The error with computed quantities in the units of a system; what was given is named as it
+    /// was given.
     pub fn in_units(&self, system: System) -> String {
         self.message().in_units(system)
     }
@@ -372,19 +393,22 @@ impl Error {
                 Message::from(format!("no optimum was found: {status}: ")).message(message.clone())
             }
             Self::NoStrike { approach } => no_strike(*approach),
-            Self::OfDrive { drive, source } => Message::from(format!("{drive}: ")).message(source.message()),
+            Self::OfDrive { drive, source } => {
+                Message::from(format!("{drive}: ")).message(source.message())
+            }
             other => other.to_string().into(),
         }
     }
 
-    /// Whether the question was sound but has no answer (a drive that does not fly, a flight that diverges, an angle without
-    /// direction), as against bad input.
+    /// Whether the question was sound but has no answer (a drive that does not fly, a flight that
+    /// diverges, an angle without direction), as against bad input.
     pub fn is_an_outcome(&self) -> bool {
         self.status() != "error"
     }
 
-    /// The error in a word, as JSON answers give it: `no-flight`, `diverged`, `undefined`, how a search ended (`infeasible`, …),
-    /// `no-answer` where the rows of a calibration end differently, or `error` for bad input.
+    /// The error in a word, as JSON answers give it: `no-flight`, `diverged`, `undefined`, how a
+    /// search ended (`infeasible`, …), `no-answer` where the rows of a calibration end differently,
+    /// or `error` for bad input.
     pub fn status(&self) -> &'static str {
         match self {
             Self::NoFlight { .. } => "no-flight",
@@ -399,15 +423,30 @@ impl Error {
 
 /// In what a face misses the ball.
 fn no_strike(approach: f64) -> Message {
-    Message::from("the club does not strike the ball: the contact point approaches along the face normal at ")
-        .quantity(Quantity::SPEED, "m/s", approach, Digits::Significant(5))
-        .words(", which must be above 0; check swing.speed, club.loft, swing.face_angle, swing.shaft_lean and swing.shaft_bend, which grows with the square of the speed")
+    Message::from(
+        "the club does not strike the ball: the contact point approaches along the face \
+                   normal at ",
+    )
+    .quantity(Quantity::SPEED, "m/s", approach, Digits::Significant(5))
+    .words(
+        ", which must be above 0; check swing.speed, club.loft, swing.face_angle, \
+                swing.shaft_lean and swing.shaft_bend, which grows with the square of the speed",
+    )
 }
 
 /// The name that is most like a given one, and how alike they are, 0 to 1.
-pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<(f64, &'a str)> {
-    let alike: Vec<_> = names.into_iter().map(|known| (similarity(name, known), known)).collect();
-    let most = alike.iter().map(|(likeness, _)| *likeness).max_by(f64::total_cmp)?;
+pub(crate) fn nearest<'a>(
+    name: &str,
+    names: impl IntoIterator<Item = &'a str>,
+) -> Option<(f64, &'a str)> {
+    let alike: Vec<_> = names
+        .into_iter()
+        .map(|known| (similarity(name, known), known))
+        .collect();
+    let most = alike
+        .iter()
+        .map(|(likeness, _)| *likeness)
+        .max_by(f64::total_cmp)?;
     // of names that are equally alike the one that looks like it: o is not 0, but looks so
     let looks = |text: &str| text.replace('0', "o").replace('1', "l");
     let as_it_looks = |known: &str| similarity(&looks(name), &looks(known));
@@ -415,21 +454,29 @@ pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) 
     equally.max_by(|a, b| as_it_looks(a.1).total_cmp(&as_it_looks(b.1)))
 }
 
-/// How alike two names are, 0 to 1. Of names of one group the rest is compared; a name without its group ("loft") is compared with the last part
-/// too; names that differ in their case alone are the same.
+/// How alike two names are, 0 to 1. Of names of one group the rest is compared; a name without its
+/// group ("loft") is compared with the last part too; names that differ in their case alone are the
+/// same.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;
     }
     match (given.rsplit_once('.'), known.rsplit_once('.')) {
-        (Some((group, rest)), Some((of, known))) if group == of => strsim::jaro_winkler(rest, known),
-        (None, Some((_, last))) => strsim::jaro_winkler(given, known).max(0.99 * strsim::jaro_winkler(given, last)),
+        (Some((group, rest)), Some((of, known))) if group == of => {
+            strsim::jaro_winkler(rest, known)
+        }
+        (None, Some((_, last))) => {
+            strsim::jaro_winkler(given, known).max(0.99 * strsim::jaro_winkler(given, last))
+        }
         _ => strsim::jaro_winkler(given, known),
     }
 }
 
 fn suggested(suggestion: &Option<String>) -> String {
-    suggestion.as_ref().map(|name| format!("did you mean '{name}'? ")).unwrap_or_default()
+    suggestion
+        .as_ref()
+        .map(|name| format!("did you mean '{name}'? "))
+        .unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -439,11 +486,16 @@ mod tests {
     #[test]
     fn nearest_name_is_suggested() {
         let names = ["club.loft", "club.mass", "swing.attack_angle"];
-        for (given, meant) in
-            [("club.lofft", "club.loft"), ("loft", "club.loft"), ("atack_angle", "swing.attack_angle")]
-        {
+        for (given, meant) in [
+            ("club.lofft", "club.loft"),
+            ("loft", "club.loft"),
+            ("atack_angle", "swing.attack_angle"),
+        ] {
             let message = Error::unknown("parameter", given, names, "list").to_string();
-            assert!(message.contains(&format!("did you mean '{meant}'?")), "{message}");
+            assert!(
+                message.contains(&format!("did you mean '{meant}'?")),
+                "{message}"
+            );
         }
         let coefficients = ["aero.cd0", "aero.cd1", "aero.cd2"];
         let message = Error::unknown("parameter", "aero.cdo", coefficients, "list").to_string();

@@ -8,6 +8,7 @@
 /// ```
 pub fn how_to_get(feature: &str) -> String {
     format!(
-        "this longdrive is built without the feature {feature}; build one with it: cargo install --path . --features {feature}"
+        "this longdrive is built without the feature {feature}; build one with it: cargo install \
+         --path . --features {feature}"
     )
 }

@@ -1,10 +1,19 @@
-//! Errors of the libraries that read files, in longdrive's words: what is wrong there, and what to do.
+//! Errors of the libraries that read files, in longdrive's words: what is wrong there, and what to
+//! do.
 
 /// What is wrong with a file of comma-separated values.
 pub(crate) fn of_csv(error: &csv::Error) -> String {
     match error.kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            let cells = |count: u64| if count == 1 { "1 cell".to_owned() } else { format!("{count} cells") };
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => {
+            let cells = |count: u64| {
+                if count == 1 {
+                    "1 cell".to_owned()
+                } else {
+                    format!("{count} cells")
+                }
+            };
             format!(
                 "the row has {}, but the head has {}; give every row a cell for each column",
                 cells(*len),
@@ -50,58 +59,121 @@ pub(crate) fn of_arrow(error: &arrow_schema::ArrowError) -> String {
         }
         // others are of a decoder
         ArrowError::IoError(_, error) if error.raw_os_error().is_some() => of_io(error),
-        ArrowError::MemoryError(_) => "there is no memory for it; write smaller record batches".into(),
+        ArrowError::MemoryError(_) => {
+            "there is no memory for it; write smaller record batches".into()
+        }
         _ => format!("a record batch is damaged; {DAMAGED}"),
     }
 }
 
-/// What is wrong with a setup file that is not TOML, with the line where it is; `place` finds line and column.
-pub(crate) fn of_toml(error: &toml::de::Error, text: &str, place: impl Fn(usize) -> (usize, usize)) -> String {
+/// What is wrong with a setup file that is not TOML, with the line where it is; `place` finds line
+/// and column.
+pub(crate) fn of_toml(
+    error: &toml::de::Error,
+    text: &str,
+    place: impl Fn(usize) -> (usize, usize),
+) -> String {
     let said = error.message().trim_end().replace('\n', ", ");
-    let what = in_own_words(&said).map_or_else(|| format!("the reader says: {said}"), str::to_owned);
-    let Some(span) = error.span() else { return format!("it is not valid TOML: {what}") };
+    let what =
+        in_own_words(&said).map_or_else(|| format!("the reader says: {said}"), str::to_owned);
+    let Some(span) = error.span() else {
+        return format!("it is not valid TOML: {what}");
+    };
     let (line, column) = place(span.start);
     let there = text.lines().nth(line.saturating_sub(1)).unwrap_or_default();
     let mark = " ".repeat(column.saturating_sub(1));
     format!("line {line}, column {column} is not valid TOML: {what}\n  {there}\n  {mark}^")
 }
 
-/// The most common mistakes in TOML: how the reader's message begins, what is wrong, and what to do.
+/// The most common mistakes in TOML: how the reader's message begins, what is wrong, and what to
+/// do.
 const OF_TOML: [(&str, &str); 22] = [
-    ("duplicate key", "this key or table is given twice; keep one"),
+    (
+        "duplicate key",
+        "this key or table is given twice; keep one",
+    ),
     ("string values must be quoted", NOT_QUOTED),
     ("invalid float", NOT_QUOTED),
     ("invalid integer", NOT_QUOTED),
     ("invalid boolean", NOT_QUOTED),
-    ("unexpected leading zero", "a number must not begin with 0; take the zero out"),
-    ("`_` may only go between digits", "'_' may stand between digits only; take it out"),
-    ("invalid basic string, expected `\"`", "the string does not end; close it with \" on its line"),
-    ("invalid literal string, expected `'`", "the string does not end; close it with ' on its line"),
-    ("invalid multi-line basic string, expected `\"`", "the string does not end; close it with \"\"\""),
-    ("invalid multi-line literal string, expected `'`", "the string does not end; close it with '''"),
-    ("missing escaped value", "a backslash in \"…\" begins an escape; write the backslash twice, or the string in '…'"),
-    ("unclosed table", "the head of the table does not end; close it with ], as in [club]"),
-    ("unclosed array table", "the head of the table does not end; write it as [club]"),
+    (
+        "unexpected leading zero",
+        "a number must not begin with 0; take the zero out",
+    ),
+    (
+        "`_` may only go between digits",
+        "'_' may stand between digits only; take it out",
+    ),
+    (
+        "invalid basic string, expected `\"`",
+        "the string does not end; close it with \" on its line",
+    ),
+    (
+        "invalid literal string, expected `'`",
+        "the string does not end; close it with ' on its line",
+    ),
+    (
+        "invalid multi-line basic string, expected `\"`",
+        "the string does not end; close it with \"\"\"",
+    ),
+    (
+        "invalid multi-line literal string, expected `'`",
+        "the string does not end; close it with '''",
+    ),
+    (
+        "missing escaped value",
+        "a backslash in \"…\" begins an escape; write the backslash twice, or the string in '…'",
+    ),
+    (
+        "unclosed table",
+        "the head of the table does not end; close it with ], as in [club]",
+    ),
+    (
+        "unclosed array table",
+        "the head of the table does not end; write it as [club]",
+    ),
     ("unclosed array", "the list does not end; close it with ]"),
-    ("unclosed inline table", "the table in braces does not end; close it with }"),
-    ("key with no value", "a key needs '=' and a value after it, as in loft = \"10.5 deg\""),
+    (
+        "unclosed inline table",
+        "the table in braces does not end; close it with }",
+    ),
+    (
+        "key with no value",
+        "a key needs '=' and a value after it, as in loft = \"10.5 deg\"",
+    ),
     ("extra `=`", "there is one '=' too many; take it out"),
-    ("unexpected key or value", "a line holds one setting; begin a new line here"),
-    ("unquoted keys cannot be empty", "the name is missing; write for example [club] or loft = \"10.5 deg\""),
-    ("invalid key-value pair", "a setting begins with its name, as in loft = \"10.5 deg\""),
-    ("invalid unquoted key", "a name has letters, digits, '-' and '_' only, as in attack_angle = \"3 deg\""),
+    (
+        "unexpected key or value",
+        "a line holds one setting; begin a new line here",
+    ),
+    (
+        "unquoted keys cannot be empty",
+        "the name is missing; write for example [club] or loft = \"10.5 deg\"",
+    ),
+    (
+        "invalid key-value pair",
+        "a setting begins with its name, as in loft = \"10.5 deg\"",
+    ),
+    (
+        "invalid unquoted key",
+        "a name has letters, digits, '-' and '_' only, as in attack_angle = \"3 deg\"",
+    ),
 ];
 
 /// What a value is where it is not a number alone.
-const NOT_QUOTED: &str = "a value is a number, or text in quotes where it has a unit or is a name, as in loft = \"10.5 deg\" or preset = \"mae494\"";
+const NOT_QUOTED: &str = "a value is a number, or text in quotes where it has a unit or is a name, \
+                          as in loft = \"10.5 deg\" or preset = \"mae494\"";
 
 fn in_own_words(said: &str) -> Option<&'static str> {
-    OF_TOML.iter().find(|(begins, _)| said.starts_with(begins)).map(|(_, what)| *what)
+    OF_TOML
+        .iter()
+        .find(|(begins, _)| said.starts_with(begins))
+        .map(|(_, what)| *what)
 }
 
 /// What is said of bytes that are no text.
-pub(crate) const NOT_UTF_8: &str =
-    "it holds bytes that are not text in UTF-8; save it as text in UTF-8 (it may be in Windows-1252, ANSI or Latin-1)";
+pub(crate) const NOT_UTF_8: &str = "it holds bytes that are not text in UTF-8; save it as text in \
+                                    UTF-8 (it may be in Windows-1252, ANSI or Latin-1)";
 
 /// Why a file cannot be read. What this program says itself stays as it is.
 pub(crate) fn of_io(error: &std::io::Error) -> String {
@@ -121,7 +193,9 @@ pub(crate) fn of_io(error: &std::io::Error) -> String {
 pub(crate) fn of_write(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
-        _ if error.raw_os_error().is_none() && error.get_ref().is_some() => return error.to_string(),
+        _ if error.raw_os_error().is_none() && error.get_ref().is_some() => {
+            return error.to_string();
+        }
         ErrorKind::NotFound => "no file can be made there",
         ErrorKind::PermissionDenied => "the permissions do not allow it",
         ErrorKind::ReadOnlyFilesystem => "the disk is read-only",
@@ -137,14 +211,20 @@ pub(crate) fn of_write(error: &std::io::Error) -> String {
 /// The number of the first line in which a quote is opened and not closed.
 pub(crate) fn unclosed_quote(text: impl std::io::BufRead) -> Option<usize> {
     let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
-    text.split(b'\n').map_while(Result::ok).position(|line| is_odd(&line)).map(|at| at + 1)
+    text.split(b'\n')
+        .map_while(Result::ok)
+        .position(|line| is_odd(&line))
+        .map(|at| at + 1)
 }
 
-/// What is wrong with a row of a CSV table, `text` anew: a quote that is not closed takes the rows after it in.
+/// What is wrong with a row of a CSV table, `text` anew: a quote that is not closed takes the rows
+/// after it in.
 pub(crate) fn of_csv_row(error: &csv::Error, text: impl std::io::BufRead) -> String {
     match (error.kind(), unclosed_quote(text)) {
         (csv::ErrorKind::UnequalLengths { .. }, Some(line)) => {
-            format!("line {line} opens a quote (\") and does not close it; close it, or take it out")
+            format!(
+                "line {line} opens a quote (\") and does not close it; close it, or take it out"
+            )
         }
         _ => of_csv(error),
     }
@@ -159,7 +239,13 @@ mod tests {
         let mut reader = csv::Reader::from_reader("a,b,c\n1,2\n".as_bytes());
         let error = reader.records().next().unwrap().unwrap_err();
         let told = of_csv(&error);
-        assert!(told.starts_with("the row has 2 cells, but the head has 3 cells; "), "{told}");
-        assert!(error.to_string().contains("found record"), "what the library says is not what is told");
+        assert!(
+            told.starts_with("the row has 2 cells, but the head has 3 cells; "),
+            "{told}"
+        );
+        assert!(
+            error.to_string().contains("found record"),
+            "what the library says is not what is told"
+        );
     }
 }

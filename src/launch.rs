@@ -3,8 +3,8 @@
 use crate::number::{Number, Numbers, Vector};
 use crate::parameters::Setup;
 
-/// η, rad/s: below it a spin counts as none. |ω| is taken as √(ω·ω + η²) in the air, so that neither it nor
-/// a derivative fails at zero spin.
+/// η, rad/s: below it a spin counts as none. |ω| is taken as √(ω·ω + η²) in the air, so that
+/// neither it nor a derivative fails at zero spin.
 pub const LEAST_SPIN: f64 = 1e-6;
 
 /// Velocity and spin of the ball at launch, in the ground frame.
@@ -23,13 +23,17 @@ impl<T> Launch<T> {
     where
         T: Copy,
     {
-        Launch { velocity: self.velocity.map(f), spin: self.spin.map(f) }
+        Launch {
+            velocity: self.velocity.map(f),
+            spin: self.spin.map(f),
+        }
     }
 }
 
 impl<T: Numbers> Launch<T> {
-    /// The launch with these conditions, as a launch monitor reports them: what [`ball_speed`](Self::ball_speed),
-    /// [`launch_angle`](Self::launch_angle), [`launch_direction`](Self::launch_direction), [`backspin`](Self::backspin) and
+    /// The launch with these conditions, as a launch monitor reports them: what
+    /// [`ball_speed`](Self::ball_speed), [`launch_angle`](Self::launch_angle),
+    /// [`launch_direction`](Self::launch_direction), [`backspin`](Self::backspin) and
     /// [`sidespin`](Self::sidespin) then say. SI.
     ///
     /// ```
@@ -39,12 +43,21 @@ impl<T: Numbers> Launch<T> {
     /// assert!((launch.backspin() - 300.0).abs() < 1e-12 && (launch.sidespin() + 50.0).abs() < 1e-12);
     /// ```
     #[inline(always)]
-    pub fn with_conditions(ball_speed: T, angle: T, direction: T, backspin: T, sidespin: T) -> Self {
+    pub fn with_conditions(
+        ball_speed: T,
+        angle: T,
+        direction: T,
+        backspin: T,
+        sidespin: T,
+    ) -> Self {
         let ((rise, run), (right, ahead)) = (angle.sin_cos(), direction.sin_cos());
         let velocity = Vector::new(rise, run * right, run * ahead) * ball_speed;
         let back_axis = Vector::new(T::zero(), ahead, -right);
         let side_axis = Vector::new(-run, rise * right, rise * ahead);
-        Self { velocity, spin: back_axis * backspin + side_axis * sidespin }
+        Self {
+            velocity,
+            spin: back_axis * backspin + side_axis * sidespin,
+        }
     }
 
     /// The launch that a setup gives (`launch.*`), where no club strikes the ball.
@@ -60,7 +73,13 @@ impl<T: Numbers> Launch<T> {
             }
             None => (or_zero(given.backspin), or_zero(given.sidespin)),
         };
-        Some(Self::with_conditions(speed, angle, or_zero(given.launch_direction), back, side))
+        Some(Self::with_conditions(
+            speed,
+            angle,
+            or_zero(given.launch_direction),
+            back,
+            side,
+        ))
     }
 }
 
@@ -86,21 +105,23 @@ impl<T: Number> Launch<T> {
         squared / (squared + LEAST_SPIN * LEAST_SPIN).sqrt()
     }
 
-    /// Spin about the horizontal axis perpendicular to the launch direction, rad/s; lifts the ball where > 0.
+    /// Spin about the horizontal axis perpendicular to the launch direction, rad/s; lifts the ball
+    /// where > 0.
     pub fn backspin(&self) -> T {
         let v = self.velocity;
         (self.spin.y * v.z - self.spin.z * v.y) / self.horizontal_speed()
     }
 
-    /// Spin about the axis perpendicular to the velocity in its vertical plane, rad/s; curves right where > 0.
+    /// Spin about the axis perpendicular to the velocity in its vertical plane, rad/s; curves right
+    /// where > 0.
     pub fn sidespin(&self) -> T {
         let (v, horizontal) = (self.velocity, self.horizontal_speed());
         let along = (self.spin.y * v.y + self.spin.z * v.z) / horizontal;
         (v.x * along - self.spin.x * horizontal) / self.ball_speed()
     }
 
-    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + tilts (and curves) right. NaN where there is no spin but
-    /// rounding.
+    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + tilts (and curves) right. NaN where
+    /// there is no spin but rounding.
     pub fn spin_axis(&self) -> T {
         if self.spin.dot(self.spin).re() < LEAST_SPIN * LEAST_SPIN {
             return T::constant(f64::NAN);

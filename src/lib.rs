@@ -7,11 +7,11 @@
 //!   subject to low ≤ x ≤ high    what the club maker and the golfer can do
 //! ```
 //!
-//! where carry is the distance at which a ball lands that a rigid clubhead has struck ([`impact`]) and that
-//! has flown through air with drag, lift and spin decay ([`flight`]). Both are written once, over a
-//! [`Number`](number::Number): with `f64` they give values, with dual numbers the exact gradients and
-//! Hessians ([`derivative`]) that the bound-constrained optimizer ([`optimize`]) and every study
-//! ([`study`]) stand on.
+//! where carry is the distance at which a ball lands that a rigid clubhead has struck ([`impact`])
+//! and that has flown through air with drag, lift and spin decay ([`flight`]). Both are written
+//! once, over a [`Number`](number::Number): with `f64` they give values, with dual numbers the
+//! exact gradients and Hessians ([`derivative`]) that the bound-constrained optimizer
+//! ([`optimize`]) and every study ([`study`]) stand on.
 //!
 //! ```
 //! use longdrive::{Outcome, Setup, derivative};
@@ -23,12 +23,12 @@
 //! assert!((carry.gradient[0] - 336.769746388603).abs() < 1e-8); // m per radian of loft
 //! ```
 //!
-//! A debug build should optimize the library, by `[profile.dev.package.longdrive] opt-level = 1` in the `Cargo.toml` of the program: without it, derivatives need more
-//! stack than a thread has.
+//! A debug build should optimize the library, by `[profile.dev.package.longdrive] opt-level = 1` in
+//! the `Cargo.toml` of the program: without it, derivatives need more stack than a thread has.
 //!
 //! # Frame
-//! X up, Y right of the target line, Z downrange; right-handed. SI units and radians everywhere inside;
-//! degrees, mph and yards only in strings ([`units`]) and reports.
+//! X up, Y right of the target line, Z downrange; right-handed. SI units and radians everywhere
+//! inside; degrees, mph and yards only in strings ([`units`]) and reports.
 //!
 //! # Modules
 //! Imports point downward, without a circle between modules; docs/architecture.md lists them.

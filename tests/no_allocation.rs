@@ -1,5 +1,5 @@
-//! No heap memory is used inside a flight, over whatever number it is computed, and little in an iteration of the
-//! optimizer. A program of its own, for it counts every allocation of the process.
+//! No heap memory is used inside a flight, over whatever number it is computed, and little in an
+//! iteration of the optimizer. A program of its own, for it counts every allocation of the process.
 
 use longdrive::flight::fly;
 use longdrive::impact::strike;
@@ -8,7 +8,13 @@ use longdrive::optimize::{Domain, Evaluation, Options, Status, minimize};
 use longdrive::{Drive, Setup};
 
 fn allocations<T: Number>(setup: &Setup<f64>, variable: impl Fn(f64) -> T) -> u64 {
-    let lifted = setup.map(|row, value| if row.name == "club.loft" { variable(value) } else { T::constant(value) });
+    let lifted = setup.map(|row, value| {
+        if row.name == "club.loft" {
+            variable(value)
+        } else {
+            T::constant(value)
+        }
+    });
     let launch = strike(&lifted).unwrap().launch;
     let counted = allocation_counter::measure(|| {
         fly(&lifted, &launch).unwrap();
@@ -23,8 +29,14 @@ fn exact_count_of_allocations_in_a_drive_is_zero() {
         let mut setup = Setup::default();
         setup.set_law(law).unwrap();
         assert_eq!(allocations(&setup, |value| value), 0);
-        assert_eq!(allocations(&setup, |value| Jet::<12>::variable(value, 3)), 0);
-        assert_eq!(allocations(&setup, |value| Mixed::variable(Jet::variable(value, 0), 0)), 0);
+        assert_eq!(
+            allocations(&setup, |value| Jet::<12>::variable(value, 3)),
+            0
+        );
+        assert_eq!(
+            allocations(&setup, |value| Mixed::variable(Jet::variable(value, 0), 0)),
+            0
+        );
     }
 }
 
@@ -37,26 +49,38 @@ fn bowl(at: &[f64]) -> Result<Evaluation, String> {
         gradient: vec![rising + 2.0 * apart, -falling - 2.0 * apart],
         hessian: vec![vec![rising + 2.0, -2.0], vec![-2.0, falling + 2.0]],
     };
-    Ok(Evaluation { objective, constraints: vec![] })
+    Ok(Evaluation {
+        objective,
+        constraints: vec![],
+    })
 }
 
-/// The active set with its equations and their factors, the step, and the point; argmin's copy of the best point.
+/// The active set with its equations and their factors, the step, and the point; argmin's copy of
+/// the best point.
 const PER_ITERATION: u64 = 24;
 
 #[test]
 fn regress_allocations_in_an_iteration_within_bounds() {
     let domain = Domain::new(vec![0.0, -1.0], vec![20.0, 20.0]).unwrap();
     let search = |most: u64| {
-        let options = Options { max_iterations: most, ..Options::default() };
+        let options = Options {
+            max_iterations: most,
+            ..Options::default()
+        };
         let mut solution = None;
-        let counted =
-            allocation_counter::measure(|| solution = Some(minimize(&bowl, &domain, &[20.0, 18.0], &options)));
+        let counted = allocation_counter::measure(|| {
+            solution = Some(minimize(&bowl, &domain, &[20.0, 18.0], &options))
+        });
         (counted.count_total, solution.unwrap().unwrap())
     };
     let evaluation = allocation_counter::measure(|| drop(bowl(&[0.0, 0.0]))).count_total;
     let (_, end) = search(500);
     assert_eq!((end.status, end.x[0]), (Status::Converged, 0.0));
-    assert!(end.effort.warm_starts > end.effort.clarabel, "{:?}", end.effort);
+    assert!(
+        end.effort.warm_starts > end.effort.clarabel,
+        "{:?}",
+        end.effort
+    );
     assert!(end.iterations > 10, "{}", end.iterations);
     // the first iteration makes the room that the others use, and the last writes the verdict
     for iterations in 2..end.iterations {
@@ -67,6 +91,9 @@ fn regress_allocations_in_an_iteration_within_bounds() {
         }
         let evaluations = (second.evaluations - first.evaluations) * evaluation;
         let own = after - before - evaluations;
-        assert!(own <= PER_ITERATION, "{own} allocations in iteration {iterations}");
+        assert!(
+            own <= PER_ITERATION,
+            "{own} allocations in iteration {iterations}"
+        );
     }
 }

@@ -11,7 +11,9 @@ const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 /// Where it is. `cargo test` builds it before any test runs.
 pub fn path() -> &'static Path {
     static FOUND: LazyLock<Result<PathBuf, String>> = LazyLock::new(find);
-    FOUND.as_ref().unwrap_or_else(|why| panic!("the program is {why}: `cargo test --no-run` builds it"))
+    FOUND
+        .as_ref()
+        .unwrap_or_else(|why| panic!("the program is {why}: `cargo test --no-run` builds it"))
 }
 
 /// It, in the folder of the project.
@@ -24,21 +26,48 @@ pub fn command() -> Command {
 /// It, where it is made of the present source and has all features; else what is wrong with it.
 fn find() -> Result<PathBuf, String> {
     // the tests' own programs lie there too
-    let deps = std::env::current_exe().unwrap().parent().unwrap().to_owned();
-    let program = deps.parent().unwrap().join(format!("longdrive{}", std::env::consts::EXE_SUFFIX));
+    let deps = std::env::current_exe()
+        .unwrap()
+        .parent()
+        .unwrap()
+        .to_owned();
+    let program = deps
+        .parent()
+        .unwrap()
+        .join(format!("longdrive{}", std::env::consts::EXE_SUFFIX));
     let modified = |path: &Path| fs::metadata(path).and_then(|about| about.modified()).ok();
     let made = modified(&program).ok_or("missing")?;
     // where the compiler lists what it has read for the library, and for the program
-    let names = fs::read_dir(&deps).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let names = fs::read_dir(&deps)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let lists = names.filter(|name| name.starts_with("longdrive-") && name.ends_with(".d"));
-    let lists: Vec<_> = lists.map(|name| fs::read_to_string(deps.join(name)).unwrap()).collect();
-    let mut sources = lists.iter().flat_map(|list| list.split_whitespace()).filter(|word| word.ends_with(".rs"));
-    let is_newer = |source: &&str| modified(&Path::new(FOLDER).join(source)).is_some_and(|at| at > made);
+    let lists: Vec<_> = lists
+        .map(|name| fs::read_to_string(deps.join(name)).unwrap())
+        .collect();
+    let mut sources = lists
+        .iter()
+        .flat_map(|list| list.split_whitespace())
+        .filter(|word| word.ends_with(".rs"));
+    let is_newer =
+        |source: &&str| modified(&Path::new(FOLDER).join(source)).is_some_and(|at| at > made);
     if let Some(source) = sources.find(is_newer) {
         return Err(format!("older than {source}"));
     }
     let folder = tempfile::tempdir().unwrap();
     let mut sweep = Command::new(&program);
-    sweep.args(["sweep", "--quiet", "--over", "club.loft=10deg..11deg:2", "-o"]).arg(folder.path().join("a.parquet"));
-    if sweep.output().unwrap().status.success() { Ok(program) } else { Err("built without all features".into()) }
+    sweep
+        .args([
+            "sweep",
+            "--quiet",
+            "--over",
+            "club.loft=10deg..11deg:2",
+            "-o",
+        ])
+        .arg(folder.path().join("a.parquet"));
+    if sweep.output().unwrap().status.success() {
+        Ok(program)
+    } else {
+        Err("built without all features".into())
+    }
 }

@@ -17,8 +17,9 @@ const GATHERED: usize = 65_536;
 /// Rows that are looked at before Python is let in.
 const LOOKED_AT: usize = 1 << 20;
 
-/// Looks NumPy's functions up while nobody waits for work: the first use of an array does so, and a Ctrl-C within that would be a panic. Where
-/// there is no NumPy, it is told by whoever needs an array.
+/// Looks NumPy's functions up while nobody waits for work: the first use of an array does so, and a
+/// Ctrl-C within that would be a panic. Where there is no NumPy, it is told by whoever needs an
+/// array.
 pub fn prepared(py: Python<'_>) {
     if py.import("numpy").is_ok() {
         let array = PyArray1::<f64>::zeros(py, [0], false);
@@ -47,23 +48,25 @@ pub struct Arrays {
 }
 
 impl Arrays {
-    /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are taken as they are, whatever their strides; other floats
-    /// and whole numbers are converted.
-    /// They are not looked through yet.
+    /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are taken as
+    /// they are, whatever their strides; other floats and whole numbers are converted. They are not
+    /// looked through yet.
     pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>) -> Answer<Self> {
         let Ok(points) = points.cast::<PyMapping>() else {
             let kind = kind_of(points);
             return Err(Failure::Input(format!(
-                "points is {kind}; expected a dict of parameters with arrays, like {{\"club.loft\": array}}, SI; sweep(points=…) takes tables, with \
+                "points is {kind}; expected a dict of parameters with arrays, like \
+                 {{\"club.loft\": array}}, SI; sweep(points=…) takes tables, with \
                  their units in the heads"
             )));
         };
         if points.len()? == 0 {
-            let what =
-                "points is empty; give at least one parameter with its values, as in {\"club.loft\": [0.16, 0.18]}";
+            let what = "points is empty; give at least one parameter with its values, as in \
+                        {\"club.loft\": [0.16, 0.18]}";
             return Err(Failure::Input(what.into()));
         }
-        let (mut parameters, mut columns, mut rows) = (vec![], vec![], None::<(&'static str, usize)>);
+        let (mut parameters, mut columns, mut rows) =
+            (vec![], vec![], None::<(&'static str, usize)>);
         for item in points.items()?.iter() {
             let (name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
             let Ok(name) = name.cast::<PyString>() else {
@@ -79,7 +82,8 @@ impl Arrays {
                 match rows {
                     Some((first, rows)) if rows != length => {
                         return Err(Failure::Input(format!(
-                            "points: {} has shape ({length},), and {first} has ({rows},); expected arrays of one length, or numbers",
+                            "points: {} has shape ({length},), and {first} has ({rows},); expected \
+                             arrays of one length, or numbers",
                             parameter.name
                         )));
                     }
@@ -91,7 +95,16 @@ impl Arrays {
         }
         let rows = rows.map_or(usize::from(!columns.is_empty()), |(_, rows)| rows);
         let (ranges, in_degrees, gathered) = (vec![], vec![], vec![]);
-        Ok(Self { parameters, columns, rows, ranges, in_degrees, next: 0, gathered, first: 0 })
+        Ok(Self {
+            parameters,
+            columns,
+            rows,
+            ranges,
+            in_degrees,
+            next: 0,
+            gathered,
+            first: 0,
+        })
     }
 
     /// How many rows there are.
@@ -104,8 +117,9 @@ impl Arrays {
         self.in_degrees.clone()
     }
 
-    /// Finds the ranges of the values that their parameters may have, and columns that look like degrees. Python is let in between. `is_bare`
-    /// tells whether the numbers are given without a unit: those of a sweep have one.
+    /// Finds the ranges of the values that their parameters may have, and columns that look like
+    /// degrees. Python is let in between. `is_bare` tells whether the numbers are given without a
+    /// unit: those of a sweep have one.
     pub fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
@@ -121,8 +135,16 @@ impl Arrays {
                     }
                 });
             }
-            self.ranges.extend(range.map(|(low, high)| Vary { parameter, low, high }));
-            self.in_degrees.extend(degrees.told(parameter, self.rows as u64).filter(|_| is_bare));
+            self.ranges.extend(range.map(|(low, high)| Vary {
+                parameter,
+                low,
+                high,
+            }));
+            self.in_degrees.extend(
+                degrees
+                    .told(parameter, self.rows as u64)
+                    .filter(|_| is_bare),
+            );
         }
         Ok(())
     }
@@ -153,7 +175,11 @@ impl Column {
                 let array = array.bind(py).readonly();
                 match array.as_slice() {
                     Ok(values) => values[rows].iter().for_each(|value| take(*value)),
-                    Err(_) => array.as_array().slice(s![rows]).iter().for_each(|value| take(*value)),
+                    Err(_) => array
+                        .as_array()
+                        .slice(s![rows])
+                        .iter()
+                        .for_each(|value| take(*value)),
                 }
             }
         }
@@ -165,8 +191,11 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
     let name = parameter.name;
     if let Ok(text) = given.cast::<PyString>() {
         let value = parameter.read(text_of(&format!("points: {name}"), text)?, false)?;
-        let value =
-            value.ok_or_else(|| Failure::Input(format!("points: {name} is unset; give a value for each row")))?;
+        let value = value.ok_or_else(|| {
+            Failure::Input(format!(
+                "points: {name} is unset; give a value for each row"
+            ))
+        })?;
         return Ok(Column::Same(value));
     }
     let refuse = |found: String| {
@@ -175,7 +204,11 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
             si(parameter)
         ))
     };
-    let array = floats(given, " (a NaN, not None, makes a row without a drive)", &refuse)?;
+    let array = floats(
+        given,
+        " (a NaN, not None, makes a row without a drive)",
+        &refuse,
+    )?;
     match array.cast::<PyArray1<f64>>() {
         Ok(array) => Ok(Column::Each(array.clone().unbind())),
         Err(_) => {
@@ -190,8 +223,8 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
     }
 }
 
-/// Whole numbers and floats as an array of 64-bit floats, whatever its shape; `refuse` tells what is wrong with anything else, and `missing`
-/// what stands for no value.
+/// Whole numbers and floats as an array of 64-bit floats, whatever its shape; `refuse` tells what
+/// is wrong with anything else, and `missing` what stands for no value.
 pub fn floats<'py>(
     given: &Bound<'py, PyAny>,
     missing: &str,
@@ -216,7 +249,9 @@ pub fn floats<'py>(
         return Err(refuse(format!("is a masked array: fill it{missing}")));
     }
     let array = numpy.call_method1("asarray", (array,))?;
-    let array = array.cast::<PyUntypedArray>().map_err(|_| refuse("is no array".into()))?;
+    let array = array
+        .cast::<PyUntypedArray>()
+        .map_err(|_| refuse("is no array".into()))?;
     let kind = array.dtype().kind();
     // whole numbers and floats; a truth, a text, a time or a complex number is no quantity
     if !matches!(kind, b'i' | b'u' | b'f') {
@@ -225,11 +260,20 @@ pub fn floats<'py>(
         return Err(refuse(format!("has dtype {}{objects}", array.dtype())));
     }
     let converted = array.call_method1("astype", ("f8", "K", "safe", true, false));
-    converted.map_err(|_| refuse(format!("has dtype {}, which 64-bit floats do not hold", array.dtype())))
+    converted.map_err(|_| {
+        refuse(format!(
+            "has dtype {}, which 64-bit floats do not hold",
+            array.dtype()
+        ))
+    })
 }
 
 fn si(parameter: &Parameter) -> &'static str {
-    if parameter.quantity.si.is_empty() { "numbers without a unit" } else { parameter.quantity.si }
+    if parameter.quantity.si.is_empty() {
+        "numbers without a unit"
+    } else {
+        parameter.quantity.si
+    }
 }
 
 impl Points for Arrays {

@@ -1,11 +1,16 @@
-//! Tables by Arrow's C stream interface, which pandas, polars, pyarrow and others read: columns are lent, not copied.
-#![expect(unsafe_code, reason = "arrow is lent the memory of arrays of NumPy, which are held as long as it is in use")]
+//! Tables by Arrow's C stream interface, which pandas, polars, pyarrow and others read: columns are
+//! lent, not copied.
+#![expect(
+    unsafe_code,
+    reason = "arrow is lent the memory of arrays of NumPy, which are held as long as it is in use"
+)]
 
 use crate::boundary::{Answer, Failure, answer};
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::types::Int8Type;
 use arrow_array::{
-    Array, ArrayRef, DictionaryArray, Float64Array, Int8Array, RecordBatch, RecordBatchIterator, StringArray,
+    Array, ArrayRef, DictionaryArray, Float64Array, Int8Array, RecordBatch, RecordBatchIterator,
+    StringArray,
 };
 use arrow_buffer::alloc::Allocation;
 use arrow_buffer::{BooleanBuffer, Buffer, NullBuffer, ScalarBuffer};
@@ -19,12 +24,17 @@ use std::ptr::NonNull;
 use std::sync::Arc;
 
 /// The numbers of an array, lent to Arrow.
-fn lent<T: Element + arrow_buffer::ArrowNativeType>(array: &Bound<'_, PyArray1<T>>) -> Answer<ScalarBuffer<T>> {
+fn lent<T: Element + arrow_buffer::ArrowNativeType>(
+    array: &Bound<'_, PyArray1<T>>,
+) -> Answer<ScalarBuffer<T>> {
     let held = array.readonly();
-    let values = held.as_slice().map_err(|_| Failure::Input("a column of a table does not lie in one piece".into()))?;
+    let values = held
+        .as_slice()
+        .map_err(|_| Failure::Input("a column of a table does not lie in one piece".into()))?;
     let (bytes, length) = (NonNull::from(values).cast::<u8>(), size_of_val(values));
     let owner: Arc<dyn Allocation> = Arc::new(AssertUnwindSafe(array.clone().unbind()));
-    // SAFETY: the bytes are those of the array, which `owner` keeps; a table's arrays cannot be written to (longdrive.table)
+    // SAFETY: the bytes are those of the array, which `owner` keeps; a table's arrays cannot be
+    // written to (longdrive.table)
     let buffer = unsafe { Buffer::from_custom_allocation(bytes, length, owner) };
     Ok(ScalarBuffer::from(buffer))
 }
@@ -37,7 +47,8 @@ fn numbers(array: &Bound<'_, PyArray1<f64>>) -> Answer<Float64Array> {
     Ok(Float64Array::new(values, nulls))
 }
 
-/// The capsule of `__arrow_c_stream__`: columns of numbers with their units, and the status of each row before the column of this number.
+/// The capsule of `__arrow_c_stream__`: columns of numbers with their units, and the status of each
+/// row before the column of this number.
 #[pyfunction]
 pub fn arrow_stream<'py>(
     py: Python<'py>,
@@ -56,14 +67,22 @@ pub fn arrow_stream<'py>(
             fields.push(field.with_metadata(HashMap::from([("unit".to_owned(), unit)])));
             arrays.push(Arc::new(array));
         }
-        let (keys, words) = (Int8Array::new(lent(&status)?, None), Arc::new(StringArray::from(names)));
+        let (keys, words) = (
+            Int8Array::new(lent(&status)?, None),
+            Arc::new(StringArray::from(names)),
+        );
         let status = DictionaryArray::<Int8Type>::try_new(keys, words).map_err(refused)?;
         let at = at.min(fields.len());
         fields.insert(at, Field::new("status", status.data_type().clone(), false));
         arrays.insert(at, Arc::new(status));
         let schema = Arc::new(Schema::new_with_metadata(fields, metadata));
         let batch = RecordBatch::try_new(Arc::clone(&schema), arrays).map_err(refused)?;
-        let stream = FFI_ArrowArrayStream::new(Box::new(RecordBatchIterator::new([Ok(batch)], schema)));
-        Ok(PyCapsule::new_with_value(py, stream, c"arrow_array_stream")?)
+        let stream =
+            FFI_ArrowArrayStream::new(Box::new(RecordBatchIterator::new([Ok(batch)], schema)));
+        Ok(PyCapsule::new_with_value(
+            py,
+            stream,
+            c"arrow_array_stream",
+        )?)
     })
 }

@@ -19,7 +19,8 @@ use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The status of a drive that landed and lacks an outcome or a derivative that was asked for, after those of `longdrive::batch::Status`.
+/// The status of a drive that landed and lacks an outcome or a derivative that was asked for, after
+/// those of `longdrive::batch::Status`.
 const UNDEFINED: i8 = Status::ALL.len() as i8;
 
 /// What a batch has found, column after column.
@@ -66,10 +67,17 @@ impl Piece {
                 }
             }
         }
-        for (row, status) in status.iter_mut().enumerate().filter(|(_, status)| **status == Status::Landed as i8) {
+        for (row, status) in status
+            .iter_mut()
+            .enumerate()
+            .filter(|(_, status)| **status == Status::Landed as i8)
+        {
             let of_row = hessians.map_or(0, Hessians::width);
-            let mut numbers =
-                columns.iter().skip(row).step_by(rows).chain(seconds.iter().skip(row * of_row).take(of_row));
+            let mut numbers = columns
+                .iter()
+                .skip(row)
+                .step_by(rows)
+                .chain(seconds.iter().skip(row * of_row).take(of_row));
             if numbers.any(|number| number.is_nan()) {
                 *status = UNDEFINED;
             }
@@ -77,7 +85,12 @@ impl Piece {
         let mut tally = Tally::default();
         tally.add(block);
         points.append(&mut columns);
-        Self { columns: points, status, hessians: seconds, tally }
+        Self {
+            columns: points,
+            status,
+            hessians: seconds,
+            tally,
+        }
     }
 }
 
@@ -86,27 +99,43 @@ impl Results {
     fn new(room: usize, width: usize, of_hessians: usize) -> Answer<Self> {
         let numbers = room.checked_mul(width).zip(room.checked_mul(of_hessians));
         let has_room = |numbers: usize| Vec::<f64>::new().try_reserve_exact(numbers).is_ok();
-        let Some((of_columns, of_hessians)) = numbers.filter(|(one, two)| has_room(one.saturating_add(*two))) else {
+        let Some((of_columns, of_hessians)) =
+            numbers.filter(|(one, two)| has_room(one.saturating_add(*two)))
+        else {
             let message = format!(
-                "{room} drives with {} numbers each do not fit into memory; compute fewer at a time, or let the program write them to a file (longdrive sweep)",
+                "{room} drives with {} numbers each do not fit into memory; compute fewer at a \
+                 time, or let the program write them to a file (longdrive sweep)",
                 width + of_hessians
             );
             return Err(Failure::Input(message));
         };
         // zeros that the system makes once they are touched
-        let (columns, hessians, status) = (vec![0.0; of_columns], vec![0.0; of_hessians], vec![0; room]);
-        Ok(Self { room, done: 0, columns, status, hessians, tally: Tally::default() })
+        let (columns, hessians, status) =
+            (vec![0.0; of_columns], vec![0.0; of_hessians], vec![0; room]);
+        Ok(Self {
+            room,
+            done: 0,
+            columns,
+            status,
+            hessians,
+            tally: Tally::default(),
+        })
     }
 
     /// Puts a piece after those that are there.
     fn take(&mut self, piece: &Piece) {
         let rows = piece.status.len();
-        for (to, from) in self.columns.chunks_exact_mut(self.room.max(1)).zip(piece.columns.chunks_exact(rows)) {
+        for (to, from) in self
+            .columns
+            .chunks_exact_mut(self.room.max(1))
+            .zip(piece.columns.chunks_exact(rows))
+        {
             to[self.done..self.done + rows].copy_from_slice(from);
         }
         self.status[self.done..self.done + rows].copy_from_slice(&piece.status);
         let width = piece.hessians.len() / rows;
-        self.hessians[self.done * width..(self.done + rows) * width].copy_from_slice(&piece.hessians);
+        self.hessians[self.done * width..(self.done + rows) * width]
+            .copy_from_slice(&piece.hessians);
         self.tally.merge(piece.tally);
         self.done += rows;
     }
@@ -124,9 +153,11 @@ impl Shared {
     }
 }
 
-/// What Python gets: status, columns (points, outcomes, derivatives; a row of the array each), Hessians, the names of outcomes, of what they
-/// are differentiated by, and of the points' parameters, the units of the columns, warnings, how many rows are done and how many points there
-/// are, and the exception that ended it early. Behind the rows that are done there is room for the others.
+/// What Python gets: status, columns (points, outcomes, derivatives; a row of the array each),
+/// Hessians, the names of outcomes, of what they are differentiated by, and of the points'
+/// parameters, the units of the columns, warnings, how many rows are done and how many points there
+/// are, and the exception that ended it early. Behind the rows that are done there is room for the
+/// others.
 type Found<'py> = (
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray2<f64>>,
@@ -142,8 +173,13 @@ type Found<'py> = (
 
 /// The drives at the points of arrays; see :func:`longdrive.batch`.
 #[pyfunction]
-#[pyo3(signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians, ranges = None))]
-#[expect(clippy::too_many_arguments, reason = "it is called by longdrive.batch alone, with all of them")]
+#[pyo3(
+    signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians, ranges = None),
+)]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "it is called by longdrive.batch alone, with all of them"
+)]
 pub fn batch<'py>(
     py: Python<'py>,
     setup: &Bound<'py, PyAny>,
@@ -166,9 +202,12 @@ pub fn batch<'py>(
             None => vec![],
             Some(wrt) => by_names(&setup, &arrays, wrt)?,
         };
-        if first_row > arrays.len() || (!first_row.is_multiple_of(CHUNK) && first_row != arrays.len()) {
+        if first_row > arrays.len()
+            || (!first_row.is_multiple_of(CHUNK) && first_row != arrays.len())
+        {
             let message = format!(
-                "first_row = {first_row}; expected a multiple of {CHUNK} up to the {} rows, as a table that was interrupted ends with",
+                "first_row = {first_row}; expected a multiple of {CHUNK} up to the {} rows, as a \
+                 table that was interrupted ends with",
                 arrays.len()
             );
             return Err(Failure::Input(message));
@@ -177,7 +216,11 @@ pub fn batch<'py>(
         setup.setup.refuse_replaced(&given)?;
         let (whole, rows) = (arrays.len(), arrays.len().saturating_sub(first_row));
         let width = arrays.parameters().len() + of.len() * (1 + wrt.len());
-        let of_hessians = if hessians { of.len() * wrt.len() * wrt.len() } else { 0 };
+        let of_hessians = if hessians {
+            of.len() * wrt.len() * wrt.len()
+        } else {
+            0
+        };
         let asked = Asked::of(tolerance, own_step)?;
         let shared = Arc::new(Shared {
             results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
@@ -191,7 +234,11 @@ pub fn batch<'py>(
         };
         let shape = (of.len(), wrt.len());
         let (units, in_degrees) = (units(&arrays, &of, &wrt), arrays.in_degrees());
-        let names = (of.iter().map(|of| of.name()).collect(), wrt.iter().map(|row| row.name).collect(), given);
+        let names = (
+            of.iter().map(|of| of.name()).collect(),
+            wrt.iter().map(|row| row.name).collect(),
+            given,
+        );
         let parameters = arrays.parameters().to_vec();
         let (to, sought) = (Arc::clone(&shared), of.clone());
         let work = move |stop: &AtomicBool| -> longdrive::Result<Vec<String>> {
@@ -201,19 +248,37 @@ pub fn batch<'py>(
             if let Some(found) = found {
                 batch = batch.with_largest_defect(found.largest_defect)?;
             }
-            let seconds =
-                hessians.then(|| Hessians::new(&integrated, arrays.parameters(), &sought, &wrt)).transpose()?;
-            compute(&batch, arrays, seconds.as_ref(), first_row, threads, stop, &to)?;
-            Ok(setup.setup.warnings().iter().map(|message| message.in_units(System::default())).chain(told).collect())
+            let seconds = hessians
+                .then(|| Hessians::new(&integrated, arrays.parameters(), &sought, &wrt))
+                .transpose()?;
+            compute(
+                &batch,
+                arrays,
+                seconds.as_ref(),
+                first_row,
+                threads,
+                stop,
+                &to,
+            )?;
+            Ok(setup
+                .setup
+                .warnings()
+                .iter()
+                .map(|message| message.in_units(System::default()))
+                .chain(told)
+                .collect())
         };
         let total = rows;
         let watch = || match progress {
-            Some(progress) => progress.call1((shared.done.load(Ordering::Relaxed), total)).map(|_| ()),
+            Some(progress) => progress
+                .call1((shared.done.load(Ordering::Relaxed), total))
+                .map(|_| ()),
             None => Ok(()),
         };
         // few drives are done before anyone could stop them
         let ended = if rows <= CHUNK && !hessians && asked.is_known(&setup) {
-            py.detach(|| work(&AtomicBool::new(false))).map_err(Failure::from)
+            py.detach(|| work(&AtomicBool::new(false)))
+                .map_err(Failure::from)
         } else {
             pool::run(py, work, watch).and_then(|done| Ok(done?))
         };
@@ -226,14 +291,20 @@ pub fn batch<'py>(
             // the rows are kept where Ctrl-C comes now
             raised = progress.call1((total, total)).err();
         }
-        let results = shared.with(Option::take).ok_or_else(|| Failure::Panic("a batch without results".into()))?;
+        let results = shared
+            .with(Option::take)
+            .ok_or_else(|| Failure::Panic("a batch without results".into()))?;
         let done = results.done;
         let beyond = results.tally.beyond().warnings(
             &setup.setup.law,
             ["drive that landed", "drives that landed"],
             Looked::AtLaunch,
         );
-        warnings.extend(beyond.iter().map(|message| message.in_units(System::default())));
+        warnings.extend(
+            beyond
+                .iter()
+                .map(|message| message.in_units(System::default())),
+        );
         let is_whole = raised.is_none();
         if is_whole && first_row == 0 && !results.tally.has_any(&of) {
             warnings.push(none(&setup.setup, &parameters, &results, &of));
@@ -241,40 +312,82 @@ pub fn batch<'py>(
         warnings.extend(in_degrees);
         let (of_names, wrt, given) = names;
         let (status, columns, seconds) = moved(py, results, width, shape, hessians)?;
-        Ok((status, columns, seconds, of_names, wrt, given, units, warnings, (done, whole), raised))
+        Ok((
+            status,
+            columns,
+            seconds,
+            of_names,
+            wrt,
+            given,
+            units,
+            warnings,
+            (done, whole),
+            raised,
+        ))
     })
 }
 
-/// What deserves a word where no drive has what was asked for: how they ended, and why the first did.
-fn none(setup: &Setup<f64>, parameters: &[&'static Parameter], results: &Results, of: &[Outcome]) -> String {
+/// What deserves a word where no drive has what was asked for: how they ended, and why the first
+/// did.
+fn none(
+    setup: &Setup<f64>,
+    parameters: &[&'static Parameter],
+    results: &Results,
+    of: &[Outcome],
+) -> String {
     let ended = results.tally.counts().filter(|(_, count)| *count > 0);
-    let ended: Vec<_> = ended.map(|(status, count)| format!("{count} {status}")).collect();
-    let which = if of.len() == 1 { "the outcome" } else { "any of the outcomes" };
+    let ended: Vec<_> = ended
+        .map(|(status, count)| format!("{count} {status}"))
+        .collect();
+    let which = if of.len() == 1 {
+        "the outcome"
+    } else {
+        "any of the outcomes"
+    };
     let why = (|| {
         let mut first = *setup;
-        for (parameter, column) in parameters.iter().zip(results.columns.chunks_exact(results.room.max(1))) {
+        for (parameter, column) in parameters
+            .iter()
+            .zip(results.columns.chunks_exact(results.room.max(1)))
+        {
             if column[0].is_nan() {
                 return Err(format!("{} is NaN", parameter.name));
             }
-            first.set_value(parameter, Some(column[0])).map_err(|error| error.to_string())?;
+            first
+                .set_value(parameter, Some(column[0]))
+                .map_err(|error| error.to_string())?;
         }
         let drive = Drive::new(&first).map_err(|error| error.to_string())?;
         drive.landed().map(drop).map_err(|error| error.to_string())
     })();
-    let why = why.err().map_or(String::new(), |why| format!("; row 0: {why}"));
-    format!("no drive has {which} that was asked for: {}{why}", ended.join(", "))
+    let why = why
+        .err()
+        .map_or(String::new(), |why| format!("; row 0: {why}"));
+    format!(
+        "no drive has {which} that was asked for: {}{why}",
+        ended.join(", ")
+    )
 }
 
-/// The ranges that a sweep chooses its step for: those that were asked for, which the points need not reach.
+/// The ranges that a sweep chooses its step for: those that were asked for, which the points need
+/// not reach.
 fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
     let range = |(name, low, high): &(String, f64, f64)| {
-        Ok(Vary { parameter: setup.setup.column(name)?, low: *low, high: *high })
+        Ok(Vary {
+            parameter: setup.setup.column(name)?,
+            low: *low,
+            high: *high,
+        })
     };
     given.iter().map(range).collect()
 }
 
 /// The parameters of a derivative: those of the points where it is asked for by all of them.
-fn by_names(setup: &PySetup, arrays: &Arrays, wrt: &Bound<'_, PyAny>) -> Answer<Vec<&'static Parameter>> {
+fn by_names(
+    setup: &PySetup,
+    arrays: &Arrays,
+    wrt: &Bound<'_, PyAny>,
+) -> Answer<Vec<&'static Parameter>> {
     let names = listed("wrt", wrt)?;
     let of_points = arrays.parameters();
     if names == ["points"] {
@@ -291,7 +404,9 @@ fn by_names(setup: &PySetup, arrays: &Arrays, wrt: &Bound<'_, PyAny>) -> Answer<
                 None => setup.setup.variable(name)?,
             };
             if rows.contains(&row) {
-                return Err(Failure::Input(format!("wrt names '{name}' twice; keep one")));
+                return Err(Failure::Input(format!(
+                    "wrt names '{name}' twice; keep one"
+                )));
             }
             rows.push(row);
         }
@@ -302,9 +417,15 @@ fn by_names(setup: &PySetup, arrays: &Arrays, wrt: &Bound<'_, PyAny>) -> Answer<
 
 /// The SI units of the points' parameters, the outcomes and the derivatives.
 fn units(arrays: &Arrays, of: &[Outcome], wrt: &[&'static Parameter]) -> Vec<String> {
-    let points = arrays.parameters().iter().map(|row| row.quantity.si.to_owned());
+    let points = arrays
+        .parameters()
+        .iter()
+        .map(|row| row.quantity.si.to_owned());
     let outcomes = of.iter().map(|of| of.quantity().si.to_owned());
-    let derivatives = of.iter().flat_map(|of| wrt.iter().map(|row| ratio(of.quantity().si, row.quantity.si)));
+    let derivatives = of.iter().flat_map(|of| {
+        wrt.iter()
+            .map(|row| ratio(of.quantity().si, row.quantity.si))
+    });
     points.chain(outcomes).chain(derivatives).collect()
 }
 
@@ -329,7 +450,12 @@ fn compute(
         });
         Ok(())
     };
-    let run = Run { first_row: first_row as u64, threads, stop: Some(stop), ..Run::default() };
+    let run = Run {
+        first_row: first_row as u64,
+        threads,
+        stop: Some(stop),
+        ..Run::default()
+    };
     if arrays.len() - first_row > CHUNK {
         batch.run(&mut arrays, &run, piece, sink)?;
         return Ok(());
@@ -344,7 +470,11 @@ fn compute(
 }
 
 /// Status, columns and Hessians.
-type Moved<'py> = (Bound<'py, PyArray1<i8>>, Bound<'py, PyArray2<f64>>, Option<Bound<'py, PyArray4<f64>>>);
+type Moved<'py> = (
+    Bound<'py, PyArray1<i8>>,
+    Bound<'py, PyArray2<f64>>,
+    Option<Bound<'py, PyArray4<f64>>>,
+);
 
 /// The numbers as arrays of Python, moved there.
 fn moved(
@@ -356,7 +486,12 @@ fn moved(
 ) -> Answer<Moved<'_>> {
     let rows = results.room;
     let columns = shaped(Array2::from_shape_vec((width, rows), results.columns))?.into_pyarray(py);
-    let seconds = hessians.then(|| shaped(Array4::from_shape_vec((rows, of, wrt, wrt), results.hessians)));
+    let seconds = hessians.then(|| {
+        shaped(Array4::from_shape_vec(
+            (rows, of, wrt, wrt),
+            results.hessians,
+        ))
+    });
     let seconds = seconds.transpose()?.map(|array| array.into_pyarray(py));
     Ok((results.status.into_pyarray(py), columns, seconds))
 }

@@ -1,5 +1,5 @@
-//! Where Rust meets Python: every function that Python calls answers through [`answer`], so that errors become the exceptions of
-//! `longdrive.errors` and a panic becomes one too.
+//! Where Rust meets Python: every function that Python calls answers through [`answer`], so that
+//! errors become the exceptions of `longdrive.errors` and a panic becomes one too.
 
 use pyo3::exceptions::{PyRuntimeError, PyUnicodeEncodeError};
 use pyo3::prelude::*;
@@ -51,13 +51,19 @@ impl From<Failure> for PyErr {
     }
 }
 
-/// An exception of `longdrive.errors`; they are classes of Python, so that they pickle as any other. Options of the command line in its
-/// message are named as the arguments that they are.
+/// An exception of `longdrive.errors`; they are classes of Python, so that they pickle as any
+/// other. Options of the command line in its message are named as the arguments that they are.
 fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     Python::attach(|py| {
-        let class = py.import("longdrive.errors").and_then(|module| module.getattr(name));
-        let wording = py.import("longdrive.wording").and_then(|module| module.getattr("in_python"));
-        let message = wording.and_then(|wording| wording.call1((&message,))?.extract()).unwrap_or(message);
+        let class = py
+            .import("longdrive.errors")
+            .and_then(|module| module.getattr(name));
+        let wording = py
+            .import("longdrive.wording")
+            .and_then(|module| module.getattr("in_python"));
+        let message = wording
+            .and_then(|wording| wording.call1((&message,))?.extract())
+            .unwrap_or(message);
         let made = class.and_then(|class| match status {
             Some(status) => class.call1((message, status)),
             None => class.call1((message,)),
@@ -72,7 +78,10 @@ fn half_a_character(error: PyErr) -> PyErr {
         if !error.is_instance_of::<PyUnicodeEncodeError>(py) {
             return error;
         }
-        let text = error.value(py).getattr("object").map_or_else(|_| "a text".into(), |text| shown(&text));
+        let text = error
+            .value(py)
+            .getattr("object")
+            .map_or_else(|_| "a text".into(), |text| shown(&text));
         Failure::Input(format!("{text} {HALF}")).into()
     })
 }
@@ -82,22 +91,29 @@ const HALF: &str = "has half a character (a lone surrogate); give the text witho
 
 /// A text of Python; `what` names what it is given for.
 pub fn text_of<'a>(what: &str, text: &'a Bound<'_, PyString>) -> Answer<&'a str> {
-    text.to_str().map_err(|_| Failure::Input(format!("{what} = {} {HALF}", shown(text))))
+    text.to_str()
+        .map_err(|_| Failure::Input(format!("{what} = {} {HALF}", shown(text))))
 }
 
-/// Does what Python asked for. A panic becomes `longdrive.InternalError`, which `except Exception` catches; PyO3 alone would make a
-/// `BaseException` of it.
+/// Does what Python asked for. A panic becomes `longdrive.InternalError`, which `except Exception`
+/// catches; PyO3 alone would make a `BaseException` of it.
 pub fn answer<T>(work: impl FnOnce() -> Answer<T>) -> PyResult<T> {
     Ok(unpanicked(work)??)
 }
 
 /// What some work comes to, its panic as a failure.
 pub fn unpanicked<T>(work: impl FnOnce() -> T) -> Answer<T> {
-    // nothing that Python still sees is left half done: results are made whole before they are handed on
+    // nothing that Python still sees is left half done: results are made whole before they are
+    // handed on
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
-        let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
+        let text = panic
+            .downcast_ref::<String>()
+            .map(String::as_str)
+            .or_else(|| panic.downcast_ref::<&str>().copied());
         let what = text.unwrap_or("no message");
-        Failure::Panic(format!("a mistake in longdrive, please report it with what you called: {what}"))
+        Failure::Panic(format!(
+            "a mistake in longdrive, please report it with what you called: {what}"
+        ))
     })
 }
 
@@ -112,15 +128,22 @@ pub fn kind_of(value: &Bound<'_, PyAny>) -> String {
 
 /// A value in a message, cut where it is long.
 pub fn shown(value: &Bound<'_, PyAny>) -> String {
-    let shown =
-        value.py().import("longdrive.arguments").and_then(|module| module.getattr("shown")?.call1((value,))?.extract());
+    let shown = value
+        .py()
+        .import("longdrive.arguments")
+        .and_then(|module| module.getattr("shown")?.call1((value,))?.extract());
     shown.unwrap_or_else(|_: PyErr| kind_of(value))
 }
 
-/// Panics, so that a test can see what becomes of it. With `in_python`, as a panic outside of longdrive's own code would.
+/// Panics, so that a test can see what becomes of it. With `in_python`, as a panic outside of
+/// longdrive's own code would.
 #[pyfunction(name = "_panic_for_a_test")]
 pub fn panic_for_a_test(message: String) -> PyResult<()> {
-    answer(|| Err(Failure::Python(PyRuntimeError::new_err(panicking(&message)))))
+    answer(|| {
+        Err(Failure::Python(PyRuntimeError::new_err(panicking(
+            &message,
+        ))))
+    })
 }
 
 fn panicking(message: &str) -> String {

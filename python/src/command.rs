@@ -15,7 +15,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// How long work that was told to end may take to answer with what it has so far: it stops between two drives, and one alone may take long.
+/// How long work that was told to end may take to answer with what it has so far: it stops between
+/// two drives, and one alone may take long.
 const LAST_WORDS: Duration = Duration::from_secs(2);
 
 /// A program in Python, as the host of a command.
@@ -32,7 +33,8 @@ struct Now {
     answer: String,
     said: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
-    /// Whether there was work that could stop: what follows it only makes an answer of what was found.
+    /// Whether there was work that could stop: what follows it only makes an answer of what was
+    /// found.
     has_found: bool,
     /// The bar that was shown last.
     bar: Option<ProgressBar>,
@@ -59,20 +61,39 @@ impl Caller {
     /// Tells how far work with a bar had come, and what stands beside it: the best value so far.
     fn tell_of_bar(&self) {
         let mut now = self.now();
-        let Some(bar) = now.bar.clone().filter(|bar| bar.length().is_some_and(|of| of > 0)) else { return };
+        let Some(bar) = now
+            .bar
+            .clone()
+            .filter(|bar| bar.length().is_some_and(|of| of > 0))
+        else {
+            return;
+        };
         let best = bar.message();
-        let best = if best.is_empty() { best } else { format!(", best {best}") };
-        let told = format!("{} of {} done{best}", bar.position(), bar.length().unwrap_or(0));
+        let best = if best.is_empty() {
+            best
+        } else {
+            format!(", best {best}")
+        };
+        let told = format!(
+            "{} of {} done{best}",
+            bar.position(),
+            bar.length().unwrap_or(0)
+        );
         now.said.push(("note", told));
     }
 
-    /// Tells the work that goes on to end, and says how long it may take to answer: no time where it cannot be told.
+    /// Tells the work that goes on to end, and says how long it may take to answer: no time where
+    /// it cannot be told.
     fn stops(&self) -> Duration {
         let now = self.now();
         if let Some(stop) = &now.stop {
             stop.store(true, Ordering::Relaxed);
         }
-        if now.stop.is_some() || now.has_found { LAST_WORDS } else { Duration::ZERO }
+        if now.stop.is_some() || now.has_found {
+            LAST_WORDS
+        } else {
+            Duration::ZERO
+        }
     }
 }
 
@@ -128,23 +149,27 @@ struct Writing<'a>(MutexGuard<'a, Files>);
 
 impl Hold for Writing<'_> {
     fn written(&mut self, files: &[&Path]) {
-        self.0.written.extend(files.iter().map(|file| file.display().to_string()));
+        self.0
+            .written
+            .extend(files.iter().map(|file| file.display().to_string()));
     }
 }
 
-/// What a command comes to: its exit status, None where it was left before its end; its answer, or the files that it had written then; and the
-/// exception that told it to end.
+/// What a command comes to: its exit status, None where it was left before its end; its answer, or
+/// the files that it had written then; and the exception that told it to end.
 type Asked<'py> = (Option<u8>, Bound<'py, PyAny>, Option<PyErr>);
 
-/// Runs a command and waits for its answer: exit status, answer (parsed where it is JSON, else a text), and the exception that told it to end
-/// before it was done, where there was one. After Ctrl-C work that can stop has two seconds to answer with what it has so far, or until Ctrl-C is
-/// pressed again; other work is left: in place of an answer is then a list of the files that it has written, and it writes no more.
+/// Runs a command and waits for its answer: exit status, answer (parsed where it is JSON, else a
+/// text), and the exception that told it to end before it was done, where there was one. After
+/// Ctrl-C work that can stop has two seconds to answer with what it has so far, or until Ctrl-C is
+/// pressed again; other work is left: in place of an answer is then a list of the files that it has
+/// written, and it writes no more.
 ///
-/// Args:
-///     words: the command line, without the name of the program.
-///     setup: the text of the setup file that is named ``-``.
-///     say: called from the calling thread with what is said beside the answer: its kind (``note``, ``warning``, ``error``) and the text.
-///     progress: called now and then from the calling thread with how many parts of how many are done (0 of 0 where they cannot be counted).
+/// Args: words: the command line, without the name of the program. setup: the text of the setup
+/// file that is named ``-``. say: called from the calling thread with what is said beside the
+/// answer: its kind (``note``, ``warning``, ``error``) and the text. progress: called now and then
+/// from the calling thread with how many parts of how many are done (0 of 0 where they cannot be
+/// counted).
 #[pyfunction]
 #[pyo3(signature = (words, setup, say, progress = None))]
 pub fn command<'py>(
@@ -164,28 +189,39 @@ fn asked<'py>(
     say: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> Answer<Asked<'py>> {
-    let caller = Arc::new(Caller { setup, ..Caller::default() });
+    let caller = Arc::new(Caller {
+        setup,
+        ..Caller::default()
+    });
     let host = caller.clone();
-    let words = [OsString::from("longdrive")].into_iter().chain(words).collect();
+    let words = [OsString::from("longdrive")]
+        .into_iter()
+        .chain(words)
+        .collect();
     let watch = || said(&caller, say).and_then(|()| shown(&caller, progress));
     let patience = |raised: &PyErr| {
         let time = caller.stops();
         // any other exception is the caller's own, and waits for nothing
-        if raised.is_instance_of::<PyKeyboardInterrupt>(py) { time } else { Duration::ZERO }
-    };
-    let (status, raised) = match pool::run_to_answer(py, move |_| run(words, host), watch, patience)? {
-        Ended::Done(status, raised) => (Some(status), raised),
-        Ended::Left(raised) => {
-            caller.tell_of_bar();
-            said(&caller, say)?;
-            let written = py.detach(|| {
-                let mut files = caller.files();
-                files.is_left = true;
-                std::mem::take(&mut files.written)
-            });
-            return Ok((None, written.into_pyobject(py)?, Some(raised)));
+        if raised.is_instance_of::<PyKeyboardInterrupt>(py) {
+            time
+        } else {
+            Duration::ZERO
         }
     };
+    let (status, raised) =
+        match pool::run_to_answer(py, move |_| run(words, host), watch, patience)? {
+            Ended::Done(status, raised) => (Some(status), raised),
+            Ended::Left(raised) => {
+                caller.tell_of_bar();
+                said(&caller, say)?;
+                let written = py.detach(|| {
+                    let mut files = caller.files();
+                    files.is_left = true;
+                    std::mem::take(&mut files.written)
+                });
+                return Ok((None, written.into_pyobject(py)?, Some(raised)));
+            }
+        };
     // Ctrl-C may come now, too
     let raised = raised.or(said(&caller, say).err());
     let text = std::mem::take(&mut caller.now().answer);
@@ -194,11 +230,14 @@ fn asked<'py>(
 
 fn said(caller: &Caller, say: &Bound<'_, PyAny>) -> PyResult<()> {
     let said = std::mem::take(&mut caller.now().said);
-    said.into_iter().try_for_each(|said| say.call1(said).map(drop))
+    said.into_iter()
+        .try_for_each(|said| say.call1(said).map(drop))
 }
 
 fn shown(caller: &Caller, progress: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
-    let Some(progress) = progress else { return Ok(()) };
+    let Some(progress) = progress else {
+        return Ok(());
+    };
     let bar = caller.now().bar.clone();
     if let Some(bar) = bar {
         progress.call1((bar.position(), bar.length().unwrap_or(0)))?;
@@ -221,7 +260,10 @@ fn parsed<'py>(py: Python<'py>, text: &str) -> Answer<Bound<'py, PyAny>> {
 #[pyfunction]
 pub fn main(py: Python<'_>, words: Vec<OsString>) -> PyResult<u8> {
     answer(|| {
-        let words = [OsString::from("longdrive")].into_iter().chain(words).collect();
+        let words = [OsString::from("longdrive")]
+            .into_iter()
+            .chain(words)
+            .collect();
         Ok(py.detach(|| run_in_terminal(words)))
     })
 }

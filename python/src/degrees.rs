@@ -24,15 +24,21 @@ impl Degrees {
         self.is_beyond |= !parameter.range.contains(value.to_radians());
     }
 
-    /// What deserves a word where values of a parameter, of so many, lie outside of its range, and in degrees within it.
+    /// What deserves a word where values of a parameter, of so many, lie outside of its range, and
+    /// in degrees within it.
     pub fn told(&self, parameter: &Parameter, all: u64) -> Option<String> {
         let (low, high) = self.range.filter(|_| !self.is_beyond)?;
         let name = parameter.name;
         let which = counted_of(self.count, all, ["value", "values"]);
-        let values = if low == high { format!("{low}") } else { format!("{low} to {high}") };
+        let values = if low == high {
+            format!("{low}")
+        } else {
+            format!("{low} to {high}")
+        };
         let allowed = parameter.range.show(parameter.quantity, "rad");
         Some(format!(
-            "points: out of range: {which} of {name} ({values}; it may be {allowed}); numbers are radians, and these look like degrees: if they are, \
+            "points: out of range: {which} of {name} ({values}; it may be {allowed}); numbers are \
+             radians, and these look like degrees: if they are, \
              give numpy.radians(…) of them"
         ))
     }

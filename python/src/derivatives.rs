@@ -15,9 +15,14 @@ pub fn vector(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
 }
 
 /// The rows of a matrix, each as long as the other, as an array.
-pub fn matrix<'py>(py: Python<'py>, rows: &[Vec<f64>], columns: usize) -> Answer<Bound<'py, PyArray2<f64>>> {
+pub fn matrix<'py>(
+    py: Python<'py>,
+    rows: &[Vec<f64>],
+    columns: usize,
+) -> Answer<Bound<'py, PyArray2<f64>>> {
     let values = Array2::from_shape_vec((rows.len(), columns), rows.concat());
-    let values = values.map_err(|error| Failure::Panic(format!("a matrix of derivatives: {error}")))?;
+    let values =
+        values.map_err(|error| Failure::Panic(format!("a matrix of derivatives: {error}")))?;
     Ok(values.into_pyarray(py))
 }
 
@@ -27,11 +32,19 @@ struct Asked {
     wrt: Vec<&'static Parameter>,
 }
 
-fn asked(setup: &Bound<'_, PyAny>, of: &[String], wrt: Option<&Bound<'_, PyAny>>, order: Order) -> Answer<Asked> {
+fn asked(
+    setup: &Bound<'_, PyAny>,
+    of: &[String],
+    wrt: Option<&Bound<'_, PyAny>>,
+    order: Order,
+) -> Answer<Asked> {
     let setup = PySetup::of(setup)?.setup;
     let of = outcomes_named(of)?;
     let wrt = variables(&setup, wrt)?;
-    Ok(Asked { taylors: evaluate(&setup, &of, &wrt, order)?, wrt })
+    Ok(Asked {
+        taylors: evaluate(&setup, &of, &wrt, order)?,
+        wrt,
+    })
 }
 
 fn one(mut asked: Asked) -> Answer<Taylor> {
@@ -39,7 +52,9 @@ fn one(mut asked: Asked) -> Answer<Taylor> {
         .taylors
         .pop()
         .filter(|_| asked.taylors.is_empty())
-        .ok_or_else(|| Failure::Input("of names several outcomes; name one, or ask for the jacobian".into()))
+        .ok_or_else(|| {
+            Failure::Input("of names several outcomes; name one, or ask for the jacobian".into())
+        })
 }
 
 type Gradient<'py> = (f64, Bound<'py, PyArray1<f64>>);
@@ -73,12 +88,17 @@ pub fn jacobian<'py>(
     answer(|| {
         let asked = asked(setup, &listed("of", of)?, wrt, Order::First)?;
         let values = asked.taylors.iter().map(|taylor| taylor.value).collect();
-        let rows: Vec<_> = asked.taylors.into_iter().map(|taylor| taylor.gradient).collect();
+        let rows: Vec<_> = asked
+            .taylors
+            .into_iter()
+            .map(|taylor| taylor.gradient)
+            .collect();
         Ok((vector(py, values), matrix(py, &rows, asked.wrt.len())?))
     })
 }
 
-/// Value of an outcome, its gradient, shape (parameters,), and its Hessian, shape (parameters, parameters).
+/// Value of an outcome, its gradient, shape (parameters,), and its Hessian, shape (parameters,
+/// parameters).
 #[pyfunction]
 #[pyo3(signature = (setup, of = "carry", wrt = None))]
 pub fn hessian<'py>(
@@ -90,6 +110,10 @@ pub fn hessian<'py>(
     answer(|| {
         let taylor = one(asked(setup, &[of.to_owned()], wrt, Order::Second)?)?;
         let columns = taylor.gradient.len();
-        Ok((taylor.value, vector(py, taylor.gradient), matrix(py, &taylor.hessian, columns)?))
+        Ok((
+            taylor.value,
+            vector(py, taylor.gradient),
+            matrix(py, &taylor.hessian, columns)?,
+        ))
     })
 }

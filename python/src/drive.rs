@@ -9,7 +9,8 @@ use longdrive::{Drive, Outcome};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Outcomes of one drive by name, SI, None where it has none; and the answer of ``longdrive simulate --json``, a dict of dicts.
+/// Outcomes of one drive by name, SI, None where it has none; and the answer of ``longdrive
+/// simulate --json``, a dict of dicts.
 #[pyfunction]
 #[pyo3(signature = (setup = None, of = None))]
 pub fn simulate<'py>(
@@ -18,7 +19,10 @@ pub fn simulate<'py>(
     of: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyAny>)> {
     answer(|| {
-        let of = of.map_or_else(|| Ok(Outcome::ALL.to_vec()), |of| outcomes_named(&listed("of", of)?))?;
+        let of = of.map_or_else(
+            || Ok(Outcome::ALL.to_vec()),
+            |of| outcomes_named(&listed("of", of)?),
+        )?;
         let setup = PySetup::of_any(setup)?.setup;
         setup.validate()?;
         let drive = Drive::new(&setup)?;
@@ -27,6 +31,9 @@ pub fn simulate<'py>(
             outcomes.set_item(outcome.name(), outcome.value(&drive))?;
         }
         let warnings = drive.warnings_about(&setup, &of);
-        Ok((outcomes, to_python(py, &DriveReport::reply(&setup, &drive, warnings))?))
+        Ok((
+            outcomes,
+            to_python(py, &DriveReport::reply(&setup, &drive, warnings))?,
+        ))
     })
 }

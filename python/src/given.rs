@@ -1,4 +1,5 @@
-//! What Python gives for the parameters of a setup: numbers, texts with units, quantities of pint, nested or dotted dicts.
+//! What Python gives for the parameters of a setup: numbers, texts with units, quantities of pint,
+//! nested or dotted dicts.
 
 use crate::boundary::{Answer, Failure, kind_of, shown, text_of};
 use longdrive::Setup;
@@ -13,7 +14,8 @@ pub const PRESET: &str = "preset";
 /// The choices that are no numbers.
 const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
 
-/// So many dicts may lie within each other: a name has three parts at most, as `club.inertia.xx` has.
+/// So many dicts may lie within each other: a name has three parts at most, as `club.inertia.xx`
+/// has.
 const DEEPEST: usize = 4;
 
 /// A parameter or a choice, as it was given.
@@ -26,7 +28,9 @@ pub struct Given<'py> {
 impl Given<'_> {
     /// Whether it is the text that unsets a parameter.
     pub fn is_unset(&self) -> bool {
-        self.value.cast::<PyString>().is_ok_and(|text| text == UNSET)
+        self.value
+            .cast::<PyString>()
+            .is_ok_and(|text| text == UNSET)
     }
 
     /// The value as a text, and whether a number in it is SI without a unit.
@@ -40,7 +44,10 @@ impl Given<'_> {
             };
         }
         if let Ok(text) = value.cast::<PyString>() {
-            return Ok((text_of(&format!("'{}'", self.name), text)?.to_owned(), false));
+            return Ok((
+                text_of(&format!("'{}'", self.name), text)?.to_owned(),
+                false,
+            ));
         }
         if let Some(number) = self.of_pint(setup)? {
             return Ok((format!("{number:?}"), true));
@@ -48,18 +55,24 @@ impl Given<'_> {
         match value.extract::<f64>() {
             // a truth is a number to Python, and no quantity
             Ok(number) if !value.is_instance_of::<PyBool>() => Ok((format!("{number:?}"), true)),
-            Err(error) if error.is_instance_of::<PyOverflowError>(value.py()) => Err(Failure::Input(format!(
-                "'{}' = {} is too large for a 64-bit float, which ends at 1.8e308",
-                self.name,
-                shown(value)
-            ))),
+            Err(error) if error.is_instance_of::<PyOverflowError>(value.py()) => {
+                Err(Failure::Input(format!(
+                    "'{}' = {} is too large for a 64-bit float, which ends at 1.8e308",
+                    self.name,
+                    shown(value)
+                )))
+            }
             _ => {
                 if !CHOICES.contains(&self.name.as_str()) {
                     setup.parameter(&self.name)?;
                 }
                 let kind = kind_of(value);
-                let expected = "expected a number (SI), a text like \"10.5 deg\", or None for what may be unset";
-                Err(Failure::Input(format!("'{}' is {kind}; {expected}", self.name)))
+                let expected = "expected a number (SI), a text like \"10.5 deg\", or None for what \
+                                may be unset";
+                Err(Failure::Input(format!(
+                    "'{}' is {kind}; {expected}",
+                    self.name
+                )))
             }
         }
     }
@@ -74,21 +87,30 @@ impl Given<'_> {
                 row.quantity.si,
                 row.show(row.default_value())
             ),
-            Err(_) if name == TABLE => "the name of a CSV file with a table of drag and lift".into(),
+            Err(_) if name == TABLE => {
+                "the name of a CSV file with a table of drag and lift".into()
+            }
             Err(_) => "a name in quotes".into(),
         };
-        Failure::Input(format!("'{name}' is None, and cannot be unset; expected {wanted}, or leave it out"))
+        Failure::Input(format!(
+            "'{name}' is None, and cannot be unset; expected {wanted}, or leave it out"
+        ))
     }
 
-    /// The number of a quantity of pint, SI. It is known by what it has: pint itself need not be there.
+    /// The number of a quantity of pint, SI. It is known by what it has: pint itself need not be
+    /// there.
     fn of_pint(&self, setup: &Setup<f64>) -> Answer<Option<f64>> {
-        let is_quantity = ["to", "magnitude", "units"].iter().all(|name| self.value.hasattr(*name).unwrap_or(false));
+        let is_quantity = ["to", "magnitude", "units"]
+            .iter()
+            .all(|name| self.value.hasattr(*name).unwrap_or(false));
         if !is_quantity {
             return Ok(None);
         }
         let (py, si) = (self.value.py(), setup.parameter(&self.name)?.quantity.si);
         let in_si = py.import("longdrive.written")?.getattr("in_si")?;
-        let number = in_si.call1((&self.value, si)).and_then(|number| number.extract());
+        let number = in_si
+            .call1((&self.value, si))
+            .and_then(|number| number.extract());
         let refused = |error: PyErr| Failure::Input(format!("{}: {}", self.name, error.value(py)));
         number.map(Some).map_err(refused)
     }
@@ -97,11 +119,17 @@ impl Given<'_> {
 /// The entries of a dict under their dotted names, each given once.
 pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
     let mut all = vec![];
-    flatten(dict.cast::<PyMapping>().map_err(|_| not_a_mapping(dict))?, "", 1, &mut all)?;
+    flatten(
+        dict.cast::<PyMapping>().map_err(|_| not_a_mapping(dict))?,
+        "",
+        1,
+        &mut all,
+    )?;
     Ok(all)
 }
 
-/// Whether None may stand for a parameter: where it is one that may be unset, or no known name, which is told later.
+/// Whether None may stand for a parameter: where it is one that may be unset, or no known name,
+/// which is told later.
 fn may_be_unset(setup: &Setup<f64>, name: &str) -> bool {
     match setup.parameter(name) {
         Ok(row) => row.kind == Kind::Optional,
@@ -111,14 +139,26 @@ fn may_be_unset(setup: &Setup<f64>, name: &str) -> bool {
 
 /// Refuses a name that stands twice in what was given.
 pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
-    match all.iter().enumerate().find(|(at, given)| all[..*at].iter().any(|first| first.name == given.name)) {
-        Some((_, twice)) => Err(Failure::Input(format!("'{}' is given twice; keep one", twice.name))),
+    match all
+        .iter()
+        .enumerate()
+        .find(|(at, given)| all[..*at].iter().any(|first| first.name == given.name))
+    {
+        Some((_, twice)) => Err(Failure::Input(format!(
+            "'{}' is given twice; keep one",
+            twice.name
+        ))),
         None => Ok(()),
     }
 }
 
 /// Takes the entries of a dict that lies within others: `depth` counts it and them.
-fn flatten<'py>(dict: &Bound<'py, PyMapping>, prefix: &str, depth: usize, all: &mut Vec<Given<'py>>) -> Answer<()> {
+fn flatten<'py>(
+    dict: &Bound<'py, PyMapping>,
+    prefix: &str,
+    depth: usize,
+    all: &mut Vec<Given<'py>>,
+) -> Answer<()> {
     for item in dict.items()?.iter() {
         let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
         let Ok(key) = key.cast::<PyString>() else {
@@ -131,8 +171,10 @@ fn flatten<'py>(dict: &Bound<'py, PyMapping>, prefix: &str, depth: usize, all: &
         match value.cast::<PyMapping>() {
             Ok(_) if depth == DEEPEST => {
                 return Err(Failure::Input(format!(
-                    "'{name}' is a dict within {DEEPEST} others, or within itself; a name has three parts at most, as \
-                     'club.inertia.xx' has: give {{\"club\": {{\"inertia\": {{\"xx\": …}}}}}}, or {{\"club.inertia.xx\": …}}"
+                    "'{name}' is a dict within {DEEPEST} others, or within itself; a name has \
+                     three parts at most, as \
+                     'club.inertia.xx' has: give {{\"club\": {{\"inertia\": {{\"xx\": …}}}}}}, or \
+                     {{\"club.inertia.xx\": …}}"
                 )));
             }
             // a group of which nothing is given
@@ -146,15 +188,23 @@ fn flatten<'py>(dict: &Bound<'py, PyMapping>, prefix: &str, depth: usize, all: &
 
 /// Whether there are parameters in a group of this name, in a setup of any law.
 fn is_group(name: &str) -> bool {
-    let begins = |row: &str| row.strip_prefix(name).is_some_and(|rest| rest.starts_with('.'));
+    let begins = |row: &str| {
+        row.strip_prefix(name)
+            .is_some_and(|rest| rest.starts_with('.'))
+    };
     let setup = Setup::<f64>::default();
-    setup.parameters().into_iter().chain(Law::all_rows()).any(|row| begins(row.name))
+    setup
+        .parameters()
+        .into_iter()
+        .chain(Law::all_rows())
+        .any(|row| begins(row.name))
 }
 
 fn not_a_mapping(value: &Bound<'_, PyAny>) -> Failure {
     let kind = kind_of(value);
     Failure::Input(format!(
-        "a setup cannot be made of {kind}; give the name of a preset, or a dict like {{\"preset\": \"tour-average\", \
+        "a setup cannot be made of {kind}; give the name of a preset, or a dict like \
+         {{\"preset\": \"tour-average\", \
          \"club.loft\": \"10.5 deg\"}}; a file is read by Setup.read"
     ))
 }
@@ -168,20 +218,29 @@ pub fn apply(setup: &mut Setup<f64>, given: &[Given<'_>]) -> Answer<()> {
         // what is wrong with it is told below
         let _ = of_law.set(&choice.name, &choice.text(setup)?.0);
     }
-    let texts = given.iter().map(|given| given.text(&of_law)).collect::<Answer<Vec<_>>>()?;
-    let settings: Vec<_> =
-        given.iter().zip(&texts).map(|(given, (text, bare))| (given.name.as_str(), text.as_str(), *bare)).collect();
+    let texts = given
+        .iter()
+        .map(|given| given.text(&of_law))
+        .collect::<Answer<Vec<_>>>()?;
+    let settings: Vec<_> = given
+        .iter()
+        .zip(&texts)
+        .map(|(given, (text, bare))| (given.name.as_str(), text.as_str(), *bare))
+        .collect();
     Ok(setup.set_each(&settings)?)
 }
 
 /// The preset that a dict names, taken out of it.
 pub fn preset(given: &mut Vec<Given<'_>>) -> Answer<Option<String>> {
-    let Some(at) = given.iter().position(|given| given.name == PRESET) else { return Ok(None) };
+    let Some(at) = given.iter().position(|given| given.name == PRESET) else {
+        return Ok(None);
+    };
     let named = given.remove(at);
     match named.value.cast::<PyString>() {
         Ok(name) => Ok(Some(text_of("'preset'", name)?.to_owned())),
-        Err(_) => {
-            Err(Failure::Input(format!("'preset' is {}; expected the name of a preset in quotes", shown(&named.value))))
-        }
+        Err(_) => Err(Failure::Input(format!(
+            "'preset' is {}; expected the name of a preset in quotes",
+            shown(&named.value)
+        ))),
     }
 }

@@ -11,7 +11,8 @@ pub struct Hessians {
     points: Vec<&'static Parameter>,
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
-    /// Where the points have values of nothing else than what is differentiated by: the question, checked once.
+    /// Where the points have values of nothing else than what is differentiated by: the question,
+    /// checked once.
     once: Option<Evaluator>,
 }
 
@@ -24,10 +25,18 @@ impl Hessians {
         of: &[Outcome],
         wrt: &[&'static Parameter],
     ) -> longdrive::Result<Self> {
-        let is_once =
-            points.iter().all(|row| wrt.contains(row)) && wrt.iter().all(|row| setup.variable(row.name).is_ok());
-        let once = is_once.then(|| Evaluator::new(setup, of, wrt, Order::Second)).transpose()?;
-        Ok(Self { setup: *setup, points: points.to_vec(), of: of.to_vec(), wrt: wrt.to_vec(), once })
+        let is_once = points.iter().all(|row| wrt.contains(row))
+            && wrt.iter().all(|row| setup.variable(row.name).is_ok());
+        let once = is_once
+            .then(|| Evaluator::new(setup, of, wrt, Order::Second))
+            .transpose()?;
+        Ok(Self {
+            setup: *setup,
+            points: points.to_vec(),
+            of: of.to_vec(),
+            wrt: wrt.to_vec(),
+            once,
+        })
     }
 
     /// Numbers of a row: outcomes × parameters × parameters.
@@ -37,18 +46,28 @@ impl Hessians {
 
     /// The Hessians of a row, outcome after outcome; nothing where the drive has none.
     pub fn of_row(&self, block: &Block, row: usize) -> Option<Vec<f64>> {
-        if matches!(block.status(row), Status::OutOfRange | Status::NoStrike | Status::Diverged) {
+        if matches!(
+            block.status(row),
+            Status::OutOfRange | Status::NoStrike | Status::Diverged
+        ) {
             return None;
         }
         let taylors = self.taylors(block.point(row)).ok()?;
-        Some(taylors.into_iter().flat_map(|taylor| taylor.hessian.concat()).collect())
+        Some(
+            taylors
+                .into_iter()
+                .flat_map(|taylor| taylor.hessian.concat())
+                .collect(),
+        )
     }
 
     fn taylors(&self, point: &[f64]) -> longdrive::Result<Vec<Taylor>> {
         if let Some(evaluator) = &self.once {
             let given = |row: &&'static Parameter| {
                 let at = self.points.iter().position(|point| point == row);
-                at.map(|at| point[at]).or_else(|| self.setup.value(row)).unwrap_or(f64::NAN)
+                at.map(|at| point[at])
+                    .or_else(|| self.setup.value(row))
+                    .unwrap_or(f64::NAN)
             };
             return evaluator.at(&self.wrt.iter().map(given).collect::<Vec<_>>());
         }

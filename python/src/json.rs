@@ -8,9 +8,11 @@ use pyo3::types::{PyDict, PyList};
 use serde::Serialize;
 use serde_json::Value;
 
-/// What `--json` prints, as dicts, lists, numbers and texts. JSON has no infinity and says `"inf"`: here it is one.
+/// What `--json` prints, as dicts, lists, numbers and texts. JSON has no infinity and says `"inf"`:
+/// here it is one.
 pub fn to_python<'py>(py: Python<'py>, answer: &impl Serialize) -> Answer<Bound<'py, PyAny>> {
-    let value = serde_json::to_value(answer).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let value =
+        serde_json::to_value(answer).map_err(|error| PyValueError::new_err(error.to_string()))?;
     Ok(object(py, &value)?)
 }
 
@@ -28,7 +30,10 @@ fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
             text => text.into_bound_py_any(py),
         },
         Value::Array(values) => {
-            let objects = values.iter().map(|value| object(py, value)).collect::<PyResult<Vec<_>>>()?;
+            let objects = values
+                .iter()
+                .map(|value| object(py, value))
+                .collect::<PyResult<Vec<_>>>()?;
             Ok(PyList::new(py, objects)?.into_any())
         }
         Value::Object(map) => {

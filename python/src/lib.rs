@@ -1,5 +1,5 @@
-//! The compiled half of the Python package `longdrive`: setups, one drive, its derivatives, very many drives. What a user sees of it is
-//! imported and typed in `python/longdrive`.
+//! The compiled half of the Python package `longdrive`: setups, one drive, its derivatives, very
+//! many drives. What a user sees of it is imported and typed in `python/longdrive`.
 
 mod arrays;
 mod arrow;

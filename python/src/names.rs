@@ -17,11 +17,16 @@ pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
     }
     let Ok(names) = given.cast::<PySequence>() else {
         let kind = kind_of(given);
-        return Err(Failure::Input(format!("{what} is {kind}; expected a name or a list of names")));
+        return Err(Failure::Input(format!(
+            "{what} is {kind}; expected a name or a list of names"
+        )));
     };
     let named = |(at, name): (usize, Bound<'_, PyAny>)| match name.cast::<PyString>() {
         Ok(name) => Ok(text_of(&format!("{what}[{at}]"), name)?.to_owned()),
-        Err(_) => Err(Failure::Input(format!("{what}[{at}] is {}; expected a name", kind_of(&name)))),
+        Err(_) => Err(Failure::Input(format!(
+            "{what}[{at}] is {}; expected a name",
+            kind_of(&name)
+        ))),
     };
     names.to_list()?.iter().enumerate().map(named).collect()
 }
@@ -30,38 +35,60 @@ pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
 pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     let mut of = vec![];
     for name in names {
-        let named = if name == "all" { Outcome::ALL.to_vec() } else { vec![Outcome::named(name)?] };
+        let named = if name == "all" {
+            Outcome::ALL.to_vec()
+        } else {
+            vec![Outcome::named(name)?]
+        };
         of.extend(named);
     }
     refuse_repeated("of", &of.iter().map(|of| of.name()).collect::<Vec<_>>())?;
     Ok(of)
 }
 
-/// The parameters to differentiate by; without any named, loft and attack angle, or the conditions of a given launch, as the program has it.
-pub fn variables(setup: &Setup<f64>, given: Option<&Bound<'_, PyAny>>) -> Answer<Vec<&'static Parameter>> {
+/// The parameters to differentiate by; without any named, loft and attack angle, or the conditions
+/// of a given launch, as the program has it.
+pub fn variables(
+    setup: &Setup<f64>,
+    given: Option<&Bound<'_, PyAny>>,
+) -> Answer<Vec<&'static Parameter>> {
     let Some(given) = given else {
         if setup.launch.is_given() {
             return Ok(setup.given_launch_conditions());
         }
-        return Ok([setup.variable("club.loft")?, setup.variable("swing.attack_angle")?].to_vec());
+        return Ok([
+            setup.variable("club.loft")?,
+            setup.variable("swing.attack_angle")?,
+        ]
+        .to_vec());
     };
     let names = listed("wrt", given)?;
     if names == ["all"] {
         return Ok(setup.variables());
     }
     refuse_repeated("wrt", &names.iter().map(String::as_str).collect::<Vec<_>>())?;
-    Ok(names.iter().map(|name| setup.variable(name)).collect::<longdrive::Result<_>>()?)
+    Ok(names
+        .iter()
+        .map(|name| setup.variable(name))
+        .collect::<longdrive::Result<_>>()?)
 }
 
 /// An array has a place for each name: one that is named twice would have two.
 fn refuse_repeated(what: &str, names: &[&str]) -> Answer<()> {
-    match names.iter().enumerate().find(|(at, name)| names[..*at].contains(name)) {
-        Some((_, twice)) => Err(Failure::Input(format!("{what} names '{twice}' twice; keep one"))),
+    match names
+        .iter()
+        .enumerate()
+        .find(|(at, name)| names[..*at].contains(name))
+    {
+        Some((_, twice)) => Err(Failure::Input(format!(
+            "{what} names '{twice}' twice; keep one"
+        ))),
         None => Ok(()),
     }
 }
 
-/// The names of outcomes and of parameters to differentiate by, as a question about a setup means them.
+/// The names of outcomes and of parameters to differentiate by, as a question about a setup means
+/// them.
 #[pyfunction]
 pub fn asked<'py>(
     setup: &Bound<'py, PyAny>,
@@ -71,23 +98,38 @@ pub fn asked<'py>(
     answer(|| {
         let of = outcomes_named(&listed("of", of)?)?;
         let wrt = variables(&PySetup::of(setup)?.setup, wrt)?;
-        Ok((of.iter().map(|of| of.name()).collect(), wrt.iter().map(|row| row.name).collect()))
+        Ok((
+            of.iter().map(|of| of.name()).collect(),
+            wrt.iter().map(|row| row.name).collect(),
+        ))
     })
 }
 
 /// What is told of a key that a mapping of Python has not: the nearest of those that it has.
 #[pyfunction]
-pub fn unknown_key(what: &str, key: &Bound<'_, PyAny>, keys: Vec<String>, advice: String) -> PyResult<String> {
-    let what = ["column", "parameter"].into_iter().find(|known| *known == what).unwrap_or("outcome");
+pub fn unknown_key(
+    what: &str,
+    key: &Bound<'_, PyAny>,
+    keys: Vec<String>,
+    advice: String,
+) -> PyResult<String> {
+    let what = ["column", "parameter"]
+        .into_iter()
+        .find(|known| *known == what)
+        .unwrap_or("outcome");
     let key = key.str()?;
     let key = key.to_string_lossy();
     Ok(longdrive::Error::unknown(what, &key, keys.iter().map(String::as_str), advice).to_string())
 }
 
-/// Every parameter of a setup with its value, range, unit and meaning, as ``longdrive parameters --json`` gives it.
+/// Every parameter of a setup with its value, range, unit and meaning, as ``longdrive parameters
+/// --json`` gives it.
 #[pyfunction]
 #[pyo3(signature = (setup = None))]
-pub fn parameters<'py>(py: Python<'py>, setup: Option<&Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+pub fn parameters<'py>(
+    py: Python<'py>,
+    setup: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
     answer(|| {
         let setup = PySetup::of_any(setup)?;
         to_python(py, &parameters_reply(&setup.setup, setup.setup.warnings()))
@@ -100,8 +142,9 @@ pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     answer(|| to_python(py, &presets_reply(None)?))
 }
 
-/// Every outcome: a list of dicts with its ``name``, ``symbol``, ``si`` unit, the ``unit`` people read, ``doc``, and ``part``, what it is of:
-/// ``launch``, ``flight``, or ``head``. Those of the head go by name; ``of="all"`` means the others, which a swing changes.
+/// Every outcome: a list of dicts with its ``name``, ``symbol``, ``si`` unit, the ``unit`` people
+/// read, ``doc``, and ``part``, what it is of: ``launch``, ``flight``, or ``head``. Those of the
+/// head go by name; ``of="all"`` means the others, which a swing changes.
 #[pyfunction]
 pub fn outcomes(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     answer(|| {

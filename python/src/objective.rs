@@ -1,4 +1,5 @@
-//! An outcome, or a goal over swings, as a function of some parameters, for optimizers that take functions.
+//! An outcome, or a goal over swings, as a function of some parameters, for optimizers that take
+//! functions.
 
 use crate::arrays::floats;
 use crate::boundary::{Answer, Failure, answer};
@@ -35,13 +36,25 @@ enum Function {
 }
 
 impl Function {
-    /// What it is at a point; many swings are flown on threads of their own, while Python looks for Ctrl-C and lets others run.
-    fn at(&self, py: Python<'_>, x: &[f64], order: Order) -> Answer<longdrive::Result<Option<Taylor>>> {
+    /// What it is at a point; many swings are flown on threads of their own, while Python looks for
+    /// Ctrl-C and lets others run.
+    fn at(
+        &self,
+        py: Python<'_>,
+        x: &[f64],
+        order: Order,
+    ) -> Answer<longdrive::Result<Option<Taylor>>> {
         match self {
-            Self::Drive(evaluators) => Ok(evaluators[order as usize].at(x).map(|mut taylors| taylors.pop())),
+            Self::Drive(evaluators) => Ok(evaluators[order as usize]
+                .at(x)
+                .map(|mut taylors| taylors.pop())),
             Self::Swings(goal) => {
                 let (goal, x) = (Arc::clone(goal), x.to_vec());
-                pool::run(py, move |stop| goal.at_until(&x, order, stop).map(Some), || Ok(()))
+                pool::run(
+                    py,
+                    move |stop| goal.at_until(&x, order, stop).map(Some),
+                    || Ok(()),
+                )
             }
         }
     }
@@ -76,15 +89,25 @@ impl Over {
     fn taken(&self, setup: &longdrive::Setup<f64>) -> Answer<Scenarios> {
         let swings = match &self.swings {
             Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
-                let what = "swings: a file gives the distributions and correlations; leave distribution and correlation out, or swings";
+                let what = "swings: a file gives the distributions and correlations; leave \
+                            distribution and correlation out, or swings";
                 return Err(Failure::Input(what.into()));
             }
             Some(file) => Swings::open(setup, file)?,
             None => {
-                let inputs = self.distribution.iter().map(|text| Uncertain::read(setup, text));
-                let correlations = self.correlation.iter().map(|text| Correlation::read(setup, text));
+                let inputs = self
+                    .distribution
+                    .iter()
+                    .map(|text| Uncertain::read(setup, text));
+                let correlations = self
+                    .correlation
+                    .iter()
+                    .map(|text| Correlation::read(setup, text));
                 let inputs = inputs.collect::<longdrive::Result<Vec<_>>>()?;
-                Swings::distributed(inputs, &correlations.collect::<longdrive::Result<Vec<_>>>()?)?
+                Swings::distributed(
+                    inputs,
+                    &correlations.collect::<longdrive::Result<Vec<_>>>()?,
+                )?
             }
         };
         let rule = Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?;
@@ -94,16 +117,25 @@ impl Over {
 
     /// The goal over the swings; what is wrong with it is pointed at.
     fn goal(&self, of: &str) -> Answer<Goal> {
-        let strokes = self.strokes.as_ref().map(|file| Strokes::open(file, false)).transpose()?;
+        let strokes = self
+            .strokes
+            .as_ref()
+            .map(|file| Strokes::open(file, false))
+            .transpose()?;
         let goal = Goal::read(of, strokes.as_ref()).map_err(|error| match error {
-            Error::Constraint { expression, column, reason } => {
-                Failure::Input(format!("of: {reason}\n  {expression}\n  {}^", " ".repeat(column)))
-            }
+            Error::Constraint {
+                expression,
+                column,
+                reason,
+            } => Failure::Input(format!(
+                "of: {reason}\n  {expression}\n  {}^",
+                " ".repeat(column)
+            )),
             error => error.into(),
         })?;
         if strokes.is_some() && goal.strokes().next().is_none() {
-            let what =
-                "strokes: the goal does not ask for strokes; write for example of=\"strokes(400yd)\", or leave it out";
+            let what = "strokes: the goal does not ask for strokes; write for example \
+                        of=\"strokes(400yd)\", or leave it out";
             return Err(Failure::Input(what.into()));
         }
         Ok(goal)
@@ -127,7 +159,8 @@ impl Over {
     }
 }
 
-/// An outcome as a function of some parameters, for ``scipy.optimize`` and the like: ``fun``, ``jac`` and ``hess`` of a point. Or a goal over swings.
+/// An outcome as a function of some parameters, for ``scipy.optimize`` and the like: ``fun``,
+/// ``jac`` and ``hess`` of a point. Or a goal over swings.
 ///
 /// See :func:`longdrive.objective`, which makes one.
 #[pyclass(name = "Objective", module = "longdrive", frozen)]
@@ -148,14 +181,23 @@ const ORDERS: [Order; 3] = [Order::Value, Order::First, Order::Second];
 
 /// The least and the greatest number in a range: an end that does not belong to it is left out.
 fn ends(range: Range) -> (f64, f64) {
-    let low = if range.low_included || range.low.is_infinite() { range.low } else { range.low.next_up() };
-    let high = if range.high_included || range.high.is_infinite() { range.high } else { range.high.next_down() };
+    let low = if range.low_included || range.low.is_infinite() {
+        range.low
+    } else {
+        range.low.next_up()
+    };
+    let high = if range.high_included || range.high.is_infinite() {
+        range.high
+    } else {
+        range.high.next_down()
+    };
     (low, high)
 }
 
 impl PyObjective {
-    /// What it is at a point, to an order. Optimizers ask for value, gradient and Hessian of a point one after the other: what was asked for at
-    /// the point before is computed together at this one, and kept until the next.
+    /// What it is at a point, to an order. Optimizers ask for value, gradient and Hessian of a
+    /// point one after the other: what was asked for at the point before is computed together at
+    /// this one, and kept until the next.
     fn at(&self, x: &Bound<'_, PyAny>, order: Order) -> Answer<Option<Taylor>> {
         let (py, x) = (x.py(), self.point(x)?);
         let mut to = order;
@@ -181,8 +223,19 @@ impl PyObjective {
             }
             found => self.lone(found)?,
         };
-        let found = found.map(|taylor| if self.sign < 0.0 { taylor.negated() } else { taylor });
-        *self.last() = Some(Point { x, order: to, asked, found: found.clone() });
+        let found = found.map(|taylor| {
+            if self.sign < 0.0 {
+                taylor.negated()
+            } else {
+                taylor
+            }
+        });
+        *self.last() = Some(Point {
+            x,
+            order: to,
+            asked,
+            found: found.clone(),
+        });
         Ok(found)
     }
 
@@ -199,12 +252,16 @@ impl PyObjective {
         }
     }
 
-    /// A point from any one-dimensional array or sequence of numbers, with a value for each parameter.
+    /// A point from any one-dimensional array or sequence of numbers, with a value for each
+    /// parameter.
     fn point(&self, x: &Bound<'_, PyAny>) -> Answer<Vec<f64>> {
         let wanted = self.wrt().len();
         let refuse = |found: String| {
             let names: Vec<_> = self.wrt().iter().map(|row| row.name).collect();
-            Failure::Input(format!("x {found}; expected shape ({wanted},): {}, SI", names.join(", ")))
+            Failure::Input(format!(
+                "x {found}; expected shape ({wanted},): {}, SI",
+                names.join(", ")
+            ))
         };
         let values = match x.cast::<PyArray1<f64>>() {
             Ok(array) if array.hasattr("mask")? => return Err(refuse("is a masked array".into())),
@@ -215,18 +272,31 @@ impl PyObjective {
             Err(_) => {
                 let py = x.py();
                 let units = PyDict::new(py);
-                self.wrt().iter().try_for_each(|row| units.set_item(row.name, row.quantity.si))?;
-                let x = py.import("longdrive.written")?.getattr("point_in_si")?.call1((x, units))?;
+                self.wrt()
+                    .iter()
+                    .try_for_each(|row| units.set_item(row.name, row.quantity.si))?;
+                let x = py
+                    .import("longdrive.written")?
+                    .getattr("point_in_si")?
+                    .call1((x, units))?;
                 let array = floats(&x, "", &refuse)?;
                 // a search along one variable, as SciPy's minimize_scalar, gives a number alone
-                let array = if wanted == 1 { py.import("numpy")?.call_method1("atleast_1d", (array,))? } else { array };
+                let array = if wanted == 1 {
+                    py.import("numpy")?.call_method1("atleast_1d", (array,))?
+                } else {
+                    array
+                };
                 match array.extract::<PyReadonlyArray1<'_, f64>>() {
                     Ok(array) => array.as_array().to_vec(),
                     Err(_) => return Err(refuse(format!("has shape {}", array.getattr("shape")?))),
                 }
             }
         };
-        if values.len() == wanted { Ok(values) } else { Err(refuse(format!("has shape ({},)", values.len()))) }
+        if values.len() == wanted {
+            Ok(values)
+        } else {
+            Err(refuse(format!("has shape ({},)", values.len())))
+        }
     }
 
     fn wrt(&self) -> &[&'static Parameter] {
@@ -234,7 +304,13 @@ impl PyObjective {
     }
 
     fn gradient<'py>(&self, py: Python<'py>, found: Option<&Taylor>) -> Bound<'py, PyArray1<f64>> {
-        vector(py, found.map_or_else(|| vec![f64::NAN; self.wrt().len()], |taylor| taylor.gradient.clone()))
+        vector(
+            py,
+            found.map_or_else(
+                || vec![f64::NAN; self.wrt().len()],
+                |taylor| taylor.gradient.clone(),
+            ),
+        )
     }
 }
 
@@ -245,7 +321,9 @@ fn value(found: Option<&Taylor>) -> f64 {
 #[pymethods]
 impl PyObjective {
     #[new]
-    #[pyo3(signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None, strokes = None))]
+    #[pyo3(
+        signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None, strokes = None),
+    )]
     #[expect(clippy::too_many_arguments, reason = "each is one that Python names")]
     fn new(
         setup: &Bound<'_, PyAny>,
@@ -262,26 +340,45 @@ impl PyObjective {
     ) -> PyResult<Self> {
         answer(|| {
             let setup = PySetup::of(setup)?;
-            let over = Over { swings, distribution, correlation, scenarios, seed, strokes };
+            let over = Over {
+                swings,
+                distribution,
+                correlation,
+                scenarios,
+                seed,
+                strokes,
+            };
             let wrt = match wrt {
                 // the attack angle is the golfer's, and varies from swing to swing
-                None if over.is_given() && !setup.setup.launch.is_given() => vec![setup.setup.variable("club.loft")?],
+                None if over.is_given() && !setup.setup.launch.is_given() => {
+                    vec![setup.setup.variable("club.loft")?]
+                }
                 wrt => variables(&setup.setup, wrt)?,
             };
             let function = if over.is_given() {
                 let scenarios = over.taken(&setup.setup)?;
-                Function::Swings(Arc::new(GoalFunction::new(&setup.setup, &over.goal(of)?, &wrt, scenarios)?))
+                Function::Swings(Arc::new(GoalFunction::new(
+                    &setup.setup,
+                    &over.goal(of)?,
+                    &wrt,
+                    scenarios,
+                )?))
             } else {
                 over.refuse_stray()?;
                 if of.contains('(') && Outcome::named(of).is_err() {
-                    let what = format!("of: {of} is of many swings; give these too, with swings or distribution");
+                    let what = format!(
+                        "of: {of} is of many swings; give these too, with swings or distribution"
+                    );
                     return Err(Failure::Input(what));
                 }
                 let named = outcomes_named(&[of.to_owned()])?;
                 if named.len() != 1 {
-                    return Err(Failure::Input("of = 'all': an objective is one outcome; name it".into()));
+                    return Err(Failure::Input(
+                        "of = 'all': an objective is one outcome; name it".into(),
+                    ));
                 }
-                let evaluators = ORDERS.map(|order| Evaluator::new(&setup.setup, &named, &wrt, order));
+                let evaluators =
+                    ORDERS.map(|order| Evaluator::new(&setup.setup, &named, &wrt, order));
                 let [values, gradients, hessians] = evaluators;
                 Function::Drive(Box::new([values?, gradients?, hessians?]))
             };
@@ -296,13 +393,27 @@ impl PyObjective {
             let gives_nan = match invalid {
                 "raise" => false,
                 "nan" => true,
-                other => return Err(Failure::Input(format!("invalid = '{other}'; expected 'raise' or 'nan'"))),
+                other => {
+                    return Err(Failure::Input(format!(
+                        "invalid = '{other}'; expected 'raise' or 'nan'"
+                    )));
+                }
             };
-            Ok(Self { setup, of: of.to_owned(), function, over, sense, sign, gives_nan, last: Mutex::new(None) })
+            Ok(Self {
+                setup,
+                of: of.to_owned(),
+                function,
+                over,
+                sense,
+                sign,
+                gives_nan,
+                last: Mutex::new(None),
+            })
         })
     }
 
-    /// The value at x, a number: that of the outcome in SI, with its sign changed where ``sense`` is ``"max"``.
+    /// The value at x, a number: that of the outcome in SI, with its sign changed where ``sense``
+    /// is ``"max"``.
     ///
     /// Args:
     ///     x: shape (parameters,), SI: a list or any one-dimensional array.
@@ -311,23 +422,36 @@ impl PyObjective {
     }
 
     /// The gradient at x, shape (parameters,).
-    fn jac<'py>(&self, py: Python<'py>, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn jac<'py>(
+        &self,
+        py: Python<'py>,
+        x: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         answer(|| Ok(self.gradient(py, self.at(x, Order::First)?.as_ref())))
     }
 
     /// The Hessian at x, shape (parameters, parameters).
-    fn hess<'py>(&self, py: Python<'py>, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn hess<'py>(
+        &self,
+        py: Python<'py>,
+        x: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         answer(|| {
             let wanted = self.wrt().len();
-            let rows = self
-                .at(x, Order::Second)?
-                .map_or_else(|| vec![vec![f64::NAN; wanted]; wanted], |taylor| taylor.hessian);
+            let rows = self.at(x, Order::Second)?.map_or_else(
+                || vec![vec![f64::NAN; wanted]; wanted],
+                |taylor| taylor.hessian,
+            );
             matrix(py, &rows, wanted)
         })
     }
 
     /// Value and gradient at x together, for ``scipy.optimize.minimize(…, jac=True)``.
-    fn fun_and_jac<'py>(&self, py: Python<'py>, x: &Bound<'py, PyAny>) -> PyResult<(f64, Bound<'py, PyArray1<f64>>)> {
+    fn fun_and_jac<'py>(
+        &self,
+        py: Python<'py>,
+        x: &Bound<'py, PyAny>,
+    ) -> PyResult<(f64, Bound<'py, PyArray1<f64>>)> {
         answer(|| {
             let found = self.at(x, Order::First)?;
             Ok((value(found.as_ref()), self.gradient(py, found.as_ref())))
@@ -359,28 +483,66 @@ impl PyObjective {
     /// The setup's own values of the parameters, shape (parameters,), SI.
     #[getter]
     fn x0<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let own = self.wrt().iter().map(|row| self.setup.setup.value(row).unwrap_or(f64::NAN));
+        let own = self
+            .wrt()
+            .iter()
+            .map(|row| self.setup.setup.value(row).unwrap_or(f64::NAN));
         vector(py, own.collect())
     }
 
-    /// What each parameter may physically be, a pair (low, high) each, SI: not what a golfer or club maker can do.
+    /// What each parameter may physically be, a pair (low, high) each, SI: not what a golfer or
+    /// club maker can do.
     #[getter]
     fn bounds(&self) -> Vec<(f64, f64)> {
         self.wrt().iter().map(|row| ends(row.range)).collect()
     }
 
     fn __repr__(&self) -> PyResult<String> {
-        let sense = self.sense.as_ref().map_or_else(String::new, |sense| format!(", {sense}"));
-        let over = if self.over.is_given() { " over swings" } else { "" };
-        Ok(format!("<longdrive.Objective {}{over} of {}{sense}>", self.of, self.names().join(", ")))
+        let sense = self
+            .sense
+            .as_ref()
+            .map_or_else(String::new, |sense| format!(", {sense}"));
+        let over = if self.over.is_given() {
+            " over swings"
+        } else {
+            ""
+        };
+        Ok(format!(
+            "<longdrive.Objective {}{over} of {}{sense}>",
+            self.of,
+            self.names().join(", ")
+        ))
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let invalid = if self.gives_nan { "nan" } else { "raise" };
-        let Over { swings, distribution, correlation, scenarios, seed, strokes } = self.over.clone();
-        let of_swings = (swings, distribution, correlation, scenarios, seed, strokes).into_pyobject(py)?;
-        let own = (self.setup, &self.of, self.names(), self.sense.as_deref(), invalid).into_pyobject(py)?;
-        Ok((py.get_type::<Self>().into_any(), own.as_sequence().concat(of_swings.as_sequence())?.to_tuple()?))
+        let Over {
+            swings,
+            distribution,
+            correlation,
+            scenarios,
+            seed,
+            strokes,
+        } = self.over.clone();
+        let of_swings =
+            (swings, distribution, correlation, scenarios, seed, strokes).into_pyobject(py)?;
+        let own = (
+            self.setup,
+            &self.of,
+            self.names(),
+            self.sense.as_deref(),
+            invalid,
+        )
+            .into_pyobject(py)?;
+        Ok((
+            py.get_type::<Self>().into_any(),
+            own.as_sequence()
+                .concat(of_swings.as_sequence())?
+                .to_tuple()?,
+        ))
     }
 
     fn __copy__(slf: Py<Self>) -> Py<Self> {

@@ -36,7 +36,11 @@ pub fn plan<'py>(
             (Some(file), _) => open_table(&setup, &file)?,
             (None, Some(rows)) => {
                 let ranges = over.iter().map(|text| Vary::read_column(&setup, text));
-                Box::new(Sequence::new(ranges.collect::<longdrive::Result<_>>()?, rows, seed)?)
+                Box::new(Sequence::new(
+                    ranges.collect::<longdrive::Result<_>>()?,
+                    rows,
+                    seed,
+                )?)
             }
             (None, None) => {
                 let axes = over.iter().map(|text| Axis::read(&setup, text));
@@ -48,18 +52,30 @@ pub fn plan<'py>(
         for (parameter, column) in points.parameters().iter().zip(columns) {
             dict.set_item(parameter.name, column.into_pyarray(py))?;
         }
-        let ranges = points.ranges().iter().map(|vary| (vary.parameter.name, vary.low, vary.high)).collect();
+        let ranges = points
+            .ranges()
+            .iter()
+            .map(|vary| (vary.parameter.name, vary.low, vary.high))
+            .collect();
         Ok((dict, ranges))
     })
 }
 
 /// All points, a column for each parameter.
 fn columns(points: &mut dyn Points) -> Answer<Vec<Vec<f64>>> {
-    let (width, rows) = (points.parameters().len(), usize::try_from(points.rows()).unwrap_or(usize::MAX));
+    let (width, rows) = (
+        points.parameters().len(),
+        usize::try_from(points.rows()).unwrap_or(usize::MAX),
+    );
     let mut columns: Vec<Vec<f64>> = vec![vec![]; width];
-    if columns.iter_mut().any(|column| column.try_reserve_exact(rows).is_err()) {
-        let message =
-            format!("{rows} points do not fit into memory; give output=FILE, which is written as they are computed");
+    if columns
+        .iter_mut()
+        .any(|column| column.try_reserve_exact(rows).is_err())
+    {
+        let message = format!(
+            "{rows} points do not fit into memory; give output=FILE, which is written as they are \
+             computed"
+        );
         return Err(Failure::Input(message));
     }
     let mut values = vec![];

@@ -1,4 +1,5 @@
-//! Long work: on threads of this process's own, while the thread of Python waits and looks whether anyone presses Ctrl-C.
+//! Long work: on threads of this process's own, while the thread of Python waits and looks whether
+//! anyone presses Ctrl-C.
 
 use crate::boundary::{Answer, unpanicked};
 use pyo3::prelude::*;
@@ -19,8 +20,9 @@ struct Own {
 
 static OWN: AtomicPtr<Own> = AtomicPtr::new(std::ptr::null_mut());
 
-/// The threads of this process, as many as the processors that it may use (`available_parallelism` knows the quota of a container). There is no lock
-/// in it: another thread could hold one at the moment of a fork, and the child would wait for it forever.
+/// The threads of this process, as many as the processors that it may use (`available_parallelism`
+/// knows the quota of a container). There is no lock in it: another thread could hold one at the
+/// moment of a fork, and the child would wait for it forever.
 fn pool() -> std::io::Result<&'static ThreadPool> {
     let process = std::process::id();
     let known = OWN.load(Ordering::Acquire);
@@ -29,8 +31,11 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
     }
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let named = |thread| format!("longdrive {thread}");
-    let pool =
-        ThreadPoolBuilder::new().num_threads(threads).thread_name(named).build().map_err(std::io::Error::other)?;
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .thread_name(named)
+        .build()
+        .map_err(std::io::Error::other)?;
     let made = Box::into_raw(Box::new(Own { process, pool }));
     // what a parent left stays: its threads are not here to be ended
     let kept = match OWN.compare_exchange(known, made, Ordering::AcqRel, Ordering::Acquire) {
@@ -38,11 +43,16 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
         // another thread was first
         Err(first) => first,
     };
-    shared(kept).map(|own| &own.pool).ok_or_else(|| std::io::Error::other("no threads"))
+    shared(kept)
+        .map(|own| &own.pool)
+        .ok_or_else(|| std::io::Error::other("no threads"))
 }
 
 /// What is in `OWN` is never freed.
-#[expect(unsafe_code, reason = "a pointer that Box::into_raw made, to what is never freed and only read")]
+#[expect(
+    unsafe_code,
+    reason = "a pointer that Box::into_raw made, to what is never freed and only read"
+)]
 fn shared(own: *const Own) -> Option<&'static Own> {
     // SAFETY: null, or from Box::into_raw in `pool`, and never freed
     unsafe { own.as_ref() }
@@ -56,9 +66,11 @@ pub enum Ended<R> {
     Left(PyErr),
 }
 
-/// Does some work on the threads of this process, so that what is parallel in it (rayon) is parallel there and never waits for threads that
-/// a fork has left behind. The thread of Python waits and lets others run; within 20 ms of a Ctrl-C it raises what Python makes of it,
-/// `stop` is then true, and the work ends by itself once it looks at it. `watch` is called as often as it looks.
+/// Does some work on the threads of this process, so that what is parallel in it (rayon) is
+/// parallel there and never waits for threads that a fork has left behind. The thread of Python
+/// waits and lets others run; within 20 ms of a Ctrl-C it raises what Python makes of it, `stop` is
+/// then true, and the work ends by itself once it looks at it. `watch` is called as often as it
+/// looks.
 pub fn run<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
@@ -70,8 +82,8 @@ pub fn run<R: Send + 'static>(
     }
 }
 
-/// The same for work that has an answer where it is told to end: `patience` tells the work to, and says how long it may take. A second Ctrl-C
-/// ends the waiting at once.
+/// The same for work that has an answer where it is told to end: `patience` tells the work to, and
+/// says how long it may take. A second Ctrl-C ends the waiting at once.
 pub fn run_to_answer<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
@@ -110,14 +122,16 @@ pub fn run_to_answer<R: Send + 'static>(
                 }
             }
             Err(RecvTimeoutError::Disconnected) => {
-                return Err(crate::boundary::Failure::Panic("a thread ended without an answer".into()));
+                return Err(crate::boundary::Failure::Panic(
+                    "a thread ended without an answer".into(),
+                ));
             }
         }
     }
 }
 
-/// Lets Python do what it has put off: handlers of signals, and exceptions that other threads have sent to this one, which only running
-/// code sees.
+/// Lets Python do what it has put off: handlers of signals, and exceptions that other threads have
+/// sent to this one, which only running code sees.
 pub fn look(py: Python<'_>) -> PyResult<()> {
     py.check_signals()?;
     py.run(c"pass", None, None)

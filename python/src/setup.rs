@@ -3,7 +3,9 @@
 use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
 use crate::given::{self, PRESET};
 use longdrive::atmosphere::in_effect;
-use longdrive::parameters::{GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF};
+use longdrive::parameters::{
+    GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF,
+};
 use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
@@ -19,10 +21,12 @@ const OF_FILES: &str = "modern-driver";
 /// Changes that a short text shows.
 const SHOWN: usize = 4;
 
-/// Everything a drive depends on: head, swing, strike, ball, air, ground and how the flight is integrated.
+/// Everything a drive depends on: head, swing, strike, ball, air, ground and how the flight is
+/// integrated.
 ///
-/// ``Setup()`` is the preset ``tour-average``, ``Setup("modern-driver")`` another one, and a dict starts from its ``preset`` (without one:
-/// ``modern-driver``, as a setup file does) with nested or dotted names:
+/// ``Setup()`` is the preset ``tour-average``, ``Setup("modern-driver")`` another one, and a dict
+/// starts from its ``preset`` (without one: ``modern-driver``, as a setup file does) with nested or
+/// dotted names:
 ///
 /// >>> import longdrive
 /// >>> setup = longdrive.Setup({"preset": "tour-average", "club": {"loft": "10.5 deg"}, "swing.speed": "110 mph"})
@@ -31,8 +35,9 @@ const SHOWN: usize = 4;
 /// >>> setup
 /// <longdrive.Setup tour-average with club speed 110 mph, club loft 10.5°>
 ///
-/// A number is SI (m, kg, s, rad, K); a text carries its unit; a quantity of pint is converted. None unsets what may be unset.
-/// A setup cannot be changed: ``replace`` makes another one. Setups are equal whose numbers and choices are.
+/// A number is SI (m, kg, s, rad, K); a text carries its unit; a quantity of pint is converted.
+/// None unsets what may be unset. A setup cannot be changed: ``replace`` makes another one. Setups
+/// are equal whose numbers and choices are.
 #[pyclass(name = "Setup", module = "longdrive", frozen, eq, hash)]
 #[derive(Clone, Copy)]
 pub struct PySetup {
@@ -54,9 +59,17 @@ impl Hash for PySetup {
     fn hash<H: Hasher>(&self, state: &mut H) {
         for parameter in self.setup.parameters() {
             // 0 and −0 are equal
-            self.setup.value(parameter).map(|value| (value + 0.0).to_bits()).hash(state);
+            self.setup
+                .value(parameter)
+                .map(|value| (value + 0.0).to_bits())
+                .hash(state);
         }
-        (self.setup.law.name(), self.setup.method.name(), self.setup.golfer.name()).hash(state);
+        (
+            self.setup.law.name(),
+            self.setup.method.name(),
+            self.setup.golfer.name(),
+        )
+            .hash(state);
     }
 }
 
@@ -64,12 +77,18 @@ impl PySetup {
     /// A preset as it is.
     pub fn of_preset(name: &str) -> Answer<Self> {
         let setup = longdrive::Setup::preset(name).map_err(|error| not_a_preset(name, error))?;
-        let preset = Preset::named(name).ok_or_else(|| Failure::Input(format!("unknown preset '{name}'")))?;
+        let preset = Preset::named(name)
+            .ok_or_else(|| Failure::Input(format!("unknown preset '{name}'")))?;
         let gives_step = preset.entries.iter().any(|entry| is_of_step(entry.name));
-        Ok(Self { setup, preset, gives_step })
+        Ok(Self {
+            setup,
+            preset,
+            gives_step,
+        })
     }
 
-    /// What Python may give in place of a setup: one, the name of a preset, a dict, or None for the preset `tour-average`.
+    /// What Python may give in place of a setup: one, the name of a preset, a dict, or None for the
+    /// preset `tour-average`.
     pub fn of(given: &Bound<'_, PyAny>) -> Answer<Self> {
         if let Ok(setup) = given.cast::<Self>() {
             return Ok(*setup.get());
@@ -93,7 +112,11 @@ impl PySetup {
 
     fn of_file(file: SetupFile) -> Answer<Self> {
         file.setup.validate_but_launch()?;
-        Ok(Self { setup: file.setup, preset: file.preset, gives_step: file.gives_step })
+        Ok(Self {
+            setup: file.setup,
+            preset: file.preset,
+            gives_step: file.gives_step,
+        })
     }
 
     /// The same with other values of some parameters.
@@ -104,12 +127,21 @@ impl PySetup {
         let base = longdrive::Setup::preset(self.preset.name)?;
         let is_given = |row: &&&'static Parameter| {
             given.iter().any(|given| given.name == row.name)
-                || base.parameter(row.name).is_ok_and(|_| base.value(row) != self.setup.value(row))
+                || base
+                    .parameter(row.name)
+                    .is_ok_and(|_| base.value(row) != self.setup.value(row))
         };
         // nor is one given that "none" takes back
-        let is_back = |row: &Parameter| given.iter().any(|given| given.name == row.name && given.is_unset());
+        let is_back = |row: &Parameter| {
+            given
+                .iter()
+                .any(|given| given.name == row.name && given.is_unset())
+        };
         let rows = self.setup.parameters();
-        let set = rows.iter().filter(is_given).filter(|row| self.setup.value(row).is_some() && !is_back(row));
+        let set = rows
+            .iter()
+            .filter(is_given)
+            .filter(|row| self.setup.value(row).is_some() && !is_back(row));
         let names: Vec<_> = set.map(|row| row.name).collect();
         self.setup.refuse_replaced(&names)?;
         self.setup.validate_but_launch()?;
@@ -137,15 +169,23 @@ impl PySetup {
             Some(choice) => choice.into_bound_py_any(py)?,
             None if name == TURF => {
                 let told = format!(
-                    "'{TURF}' only chooses the other numbers of the ground, which the setup has: setup[\"ground.restitution\"]"
+                    "'{TURF}' only chooses the other numbers of the ground, which the setup has: \
+                     setup[\"ground.restitution\"]"
                 );
                 return Err(Failure::Key(told));
             }
             None => {
-                let row = setup.parameter(name).map_err(|error| Failure::Key(error.to_string()))?;
-                // what follows from the weather, or from the wind's speed and direction, is what the drive has
+                let row = setup
+                    .parameter(name)
+                    .map_err(|error| Failure::Key(error.to_string()))?;
+                // what follows from the weather, or from the wind's speed and direction, is what
+                // the drive has
                 let is_replaced = setup.why_replaced(row).is_some();
-                let value = if is_replaced { in_effect(setup).value(row) } else { setup.value(row) };
+                let value = if is_replaced {
+                    in_effect(setup).value(row)
+                } else {
+                    setup.value(row)
+                };
                 value.into_bound_py_any(py)?
             }
         })
@@ -153,12 +193,21 @@ impl PySetup {
 
     /// The names of its choices and parameters: what a dict of it holds.
     fn names(&self) -> Vec<&'static str> {
-        let used = self.setup.parameters().into_iter().filter(|row| self.setup.why_replaced(row).is_none());
+        let used = self
+            .setup
+            .parameters()
+            .into_iter()
+            .filter(|row| self.setup.why_replaced(row).is_none());
         let table = self.setup.law.table().map(|_| TABLE);
-        [PRESET, GOLFER, SPEED_OF, LAW, METHOD].into_iter().chain(table).chain(used.map(|row| row.name)).collect()
+        [PRESET, GOLFER, SPEED_OF, LAW, METHOD]
+            .into_iter()
+            .chain(table)
+            .chain(used.map(|row| row.name))
+            .collect()
     }
 
-    /// What tells the user's own table of drag and lift from others: setup files name the file alone.
+    /// What tells the user's own table of drag and lift from others: setup files name the file
+    /// alone.
     fn table(&self) -> Option<String> {
         self.setup.law.table().map(|table| format!("{table:?}"))
     }
@@ -168,7 +217,8 @@ impl PySetup {
     }
 }
 
-/// What a pickled setup is made of: its text, whether it says how to integrate, and what its table contained.
+/// What a pickled setup is made of: its text, whether it says how to integrate, and what its table
+/// contained.
 type State = (String, bool, Option<String>);
 
 /// What is told of an argument of a wrong kind.
@@ -179,7 +229,9 @@ fn not_of_the_kind(name: &str, given: &Bound<'_, PyAny>, expected: &str) -> Fail
 /// What is told of the name of no preset: that of a file is read by another function.
 fn not_a_preset(name: &str, error: longdrive::Error) -> Failure {
     if name.ends_with(".toml") || Path::new(name).is_file() {
-        return Failure::Input(format!("{name:?} is a file, and no preset; Setup.read({name:?}) reads it"));
+        return Failure::Input(format!(
+            "{name:?} is a file, and no preset; Setup.read({name:?}) reads it"
+        ));
     }
     error.into()
 }
@@ -189,7 +241,9 @@ fn is_of_step(name: &str) -> bool {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
 }
 
 #[pymethods]
@@ -212,9 +266,14 @@ impl PySetup {
         answer(|| {
             if let Ok(name) = path.cast::<PyString>() {
                 // surrogates that stand for bytes are those of names of files
-                path.py().import("os")?.getattr("fsencode")?.call1((name,))?;
+                path.py()
+                    .import("os")?
+                    .getattr("fsencode")?
+                    .call1((name,))?;
             }
-            let file: PathBuf = path.extract().map_err(|_| not_of_the_kind("path", path, "the name of a file"))?;
+            let file: PathBuf = path
+                .extract()
+                .map_err(|_| not_of_the_kind("path", path, "the name of a file"))?;
             Self::of_file(SetupFile::open(&file)?)
         })
     }
@@ -232,8 +291,9 @@ impl PySetup {
     #[pyo3(signature = (text, file = "setup.toml"))]
     fn from_toml(text: &Bound<'_, PyAny>, file: &str) -> PyResult<Self> {
         answer(|| {
-            let toml =
-                text.cast::<PyString>().map_err(|_| not_of_the_kind("text", text, "the text of a setup file"))?;
+            let toml = text
+                .cast::<PyString>()
+                .map_err(|_| not_of_the_kind("text", text, "the text of a setup file"))?;
             Self::of_file(SetupFile::read(text_of("text", toml)?, file)?)
         })
     }
@@ -241,13 +301,17 @@ impl PySetup {
     #[staticmethod]
     fn _from_state(toml: &str, gives_step: bool, table: Option<&str>) -> PyResult<Self> {
         answer(|| {
-            let read = Self { gives_step, ..Self::of_file(SetupFile::read(toml, "a pickled setup")?)? };
+            let read = Self {
+                gives_step,
+                ..Self::of_file(SetupFile::read(toml, "a pickled setup")?)?
+            };
             if read.table().as_deref() == table {
                 return Ok(read);
             }
             let file = read.setup.law.table().map_or("", |table| table.file());
             Err(Failure::Input(format!(
-                "the table of drag and lift '{file}' is not what it was when the setup was pickled; make the setup anew"
+                "the table of drag and lift '{file}' is not what it was when the setup was \
+                 pickled; make the setup anew"
             )))
         })
     }
@@ -263,7 +327,11 @@ impl PySetup {
     ///     changes: names with values, as in the constructor.
     ///     named: the same by keyword; ``**{"club.loft": "11 deg"}`` for dotted names.
     #[pyo3(signature = (changes = None, /, **named))]
-    fn replace(&self, changes: Option<&Bound<'_, PyAny>>, named: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn replace(
+        &self,
+        changes: Option<&Bound<'_, PyAny>>,
+        named: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
         answer(|| {
             let mut all = changes.map_or_else(|| Ok(vec![]), given::flattened)?;
             if let Some(named) = named {
@@ -272,7 +340,8 @@ impl PySetup {
             given::refuse_repeated(&all)?;
             if let Some(preset) = given::preset(&mut all)? {
                 let message = format!(
-                    "'preset' = '{preset}': a setup keeps the preset it started from; make another with Setup({{\"preset\": …}})"
+                    "'preset' = '{preset}': a setup keeps the preset it started from; make another \
+                     with Setup({{\"preset\": …}})"
                 );
                 return Err(Failure::Input(message));
             }
@@ -280,26 +349,36 @@ impl PySetup {
         })
     }
 
-    /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a text. What follows from other parameters
-    /// that are set (``air.density`` from the weather, ``wind.right`` from ``wind.speed``) has the value that the drive has, as in
+    /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a
+    /// text. What follows from other parameters that are set (``air.density`` from the weather,
+    /// ``wind.right`` from ``wind.speed``) has the value that the drive has, as in
     /// :func:`longdrive.parameters`; it is not among the :meth:`keys`, which make the setup.
-    fn __getitem__<'py>(&self, py: Python<'py>, name: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn __getitem__<'py>(
+        &self,
+        py: Python<'py>,
+        name: &Bound<'_, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
         answer(|| match name.cast::<PyString>() {
             Ok(name) => self.item(py, &name.to_string_lossy()),
-            Err(_) => {
-                Err(Failure::Key(format!("{} is no name of a setup; expected one like 'club.loft'", shown(name))))
-            }
+            Err(_) => Err(Failure::Key(format!(
+                "{} is no name of a setup; expected one like 'club.loft'",
+                shown(name)
+            ))),
         })
     }
 
     /// Whether it has a value under a name.
     fn __contains__(&self, name: &Bound<'_, PyAny>) -> bool {
-        let Ok(name) = name.cast::<PyString>() else { return false };
+        let Ok(name) = name.cast::<PyString>() else {
+            return false;
+        };
         let name = name.to_string_lossy();
-        [LAW, METHOD, GOLFER, SPEED_OF, PRESET, TABLE].contains(&&*name) || self.setup.parameter(&name).is_ok()
+        [LAW, METHOD, GOLFER, SPEED_OF, PRESET, TABLE].contains(&&*name)
+            || self.setup.parameter(&name).is_ok()
     }
 
-    /// The names of its choices and parameters: those that make the setup. What follows from others of them is left out.
+    /// The names of its choices and parameters: those that make the setup. What follows from others
+    /// of them is left out.
     fn keys(&self) -> Vec<&'static str> {
         self.names()
     }
@@ -319,11 +398,17 @@ impl PySetup {
         self.preset.name
     }
 
-    /// The setup as the program is asked about it: the name of its preset, where it is that, or else the text of a setup file; and whether
-    /// that is a text. Method and step stand in it where someone has said how to integrate.
+    /// The setup as the program is asked about it: the name of its preset, where it is that, or
+    /// else the text of a setup file; and whether that is a text. Method and step stand in it where
+    /// someone has said how to integrate.
     fn _asked(&self) -> PyResult<(String, bool)> {
         answer(|| {
-            let is_chosen_anew = self.gives_step && !self.preset.entries.iter().any(|entry| is_of_step(entry.name));
+            let is_chosen_anew = self.gives_step
+                && !self
+                    .preset
+                    .entries
+                    .iter()
+                    .any(|entry| is_of_step(entry.name));
             if self.setup == longdrive::Setup::preset(self.preset.name)? && !is_chosen_anew {
                 return Ok((self.preset.name.to_owned(), false));
             }
@@ -335,13 +420,15 @@ impl PySetup {
         })
     }
 
-    /// The setup as the text of a setup file, every number with its source; it reads back as the same setup to the last bit.
+    /// The setup as the text of a setup file, every number with its source; it reads back as the
+    /// same setup to the last bit.
     #[expect(clippy::wrong_self_convention, reason = "an object of Python is lent")]
     fn to_toml(&self) -> PyResult<String> {
         answer(|| self.toml())
     }
 
-    /// The setup as a dict of dotted names: numbers in SI, None for what is unset, choices as texts. ``Setup(setup.to_dict())`` is the same setup.
+    /// The setup as a dict of dotted names: numbers in SI, None for what is unset, choices as
+    /// texts. ``Setup(setup.to_dict())`` is the same setup.
     #[expect(clippy::wrong_self_convention, reason = "an object of Python is lent")]
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         answer(|| {
@@ -353,17 +440,28 @@ impl PySetup {
         })
     }
 
-    /// What a user should know about the setup, although it is flown as it stands: a list of sentences.
+    /// What a user should know about the setup, although it is flown as it stands: a list of
+    /// sentences.
     fn warnings(&self) -> PyResult<Vec<String>> {
         answer(|| {
-            let mut told: Vec<_> =
-                self.setup.warnings().iter().map(|message| message.in_units(System::default())).collect();
+            let mut told: Vec<_> = self
+                .setup
+                .warnings()
+                .iter()
+                .map(|message| message.in_units(System::default()))
+                .collect();
             if self.setup.launch.is_given() {
                 let changed = self.changes()?;
-                let of_club = changed.iter().filter_map(|change| change.parameter).filter(|row| row.is_of_strike());
+                let of_club = changed
+                    .iter()
+                    .filter_map(|change| change.parameter)
+                    .filter(|row| row.is_of_strike());
                 let names: Vec<_> = of_club.map(|row| row.name).collect();
                 if !names.is_empty() {
-                    told.push(format!("not used, since the drive is given by its launch: {}", names.join(", ")));
+                    told.push(format!(
+                        "not used, since the drive is given by its launch: {}",
+                        names.join(", ")
+                    ));
                 }
             }
             Ok(told)
@@ -373,12 +471,19 @@ impl PySetup {
     fn __repr__(&self) -> PyResult<String> {
         answer(|| {
             let changes = self.changes()?;
-            let shown = changes.iter().take(SHOWN).map(|change| format!("{} {}", change.name, change.to));
+            let shown = changes
+                .iter()
+                .take(SHOWN)
+                .map(|change| format!("{} {}", change.name, change.to));
             let mut shown: Vec<_> = shown.collect();
             if changes.len() > SHOWN {
                 shown.push(format!("{} more changes", changes.len() - SHOWN));
             }
-            let with = if shown.is_empty() { String::new() } else { format!(" with {}", shown.join(", ")) };
+            let with = if shown.is_empty() {
+                String::new()
+            } else {
+                format!(" with {}", shown.join(", "))
+            };
             Ok(format!("<longdrive.Setup {}{with}>", self.preset.name))
         })
     }
@@ -389,12 +494,15 @@ impl PySetup {
             let changes = self.changes()?;
             let caption = format!("<caption>setup: preset {}</caption>", self.preset.name);
             let row = |change: &Change| {
-                let cells = [&change.name, &change.to, &change.from].map(|text| format!("<td>{}</td>", escaped(text)));
+                let cells = [&change.name, &change.to, &change.from]
+                    .map(|text| format!("<td>{}</td>", escaped(text)));
                 format!("<tr>{}</tr>", cells.concat())
             };
             let head = "<thead><tr><th>parameter</th><th>value</th><th>preset</th></tr></thead>";
             let rows: String = changes.iter().map(row).collect();
-            Ok(format!("<table>{caption}{head}<tbody>{rows}</tbody></table>"))
+            Ok(format!(
+                "<table>{caption}{head}<tbody>{rows}</tbody></table>"
+            ))
         })
     }
 

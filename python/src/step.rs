@@ -26,16 +26,25 @@ pub enum Asked {
 impl Asked {
     /// What the arguments `tolerance` and `own_step` ask for.
     pub fn of(tolerance: Option<&Bound<'_, PyAny>>, own_step: bool) -> Answer<Self> {
-        let Some(given) = tolerance else { return Ok(if own_step { Self::Own } else { Self::Usual }) };
+        let Some(given) = tolerance else {
+            return Ok(if own_step { Self::Own } else { Self::Usual });
+        };
         if own_step {
-            return Err(Failure::Input("tolerance and own_step are both given; keep one of the two".into()));
+            return Err(Failure::Input(
+                "tolerance and own_step are both given; keep one of the two".into(),
+            ));
         }
         if let Ok(text) = given.cast::<PyString>() {
             let read = Quantity::LENGTH.read(text_of("tolerance", text)?);
-            return read.map(Self::Within).map_err(|error| Failure::Input(format!("tolerance: {error}")));
+            return read
+                .map(Self::Within)
+                .map_err(|error| Failure::Input(format!("tolerance: {error}")));
         }
-        let refuse =
-            |_| Failure::Input(format!("tolerance = {given}; expected a length, in m or as a text like \"1 um\""));
+        let refuse = |_| {
+            Failure::Input(format!(
+                "tolerance = {given}; expected a length, in m or as a text like \"1 um\""
+            ))
+        };
         given.extract().map(Self::Within).map_err(refuse)
     }
 
@@ -44,7 +53,8 @@ impl Asked {
         matches!(self, Self::Own) || (matches!(self, Self::Usual) && setup.gives_step)
     }
 
-    /// The step for a setup whose parameters lie in these ranges, and a warning where there is one; nothing where the setup's own is kept.
+    /// The step for a setup whose parameters lie in these ranges, and a warning where there is one;
+    /// nothing where the setup's own is kept.
     pub fn found(
         self,
         setup: &PySetup,
@@ -64,7 +74,8 @@ impl Asked {
             Err(Error::Tolerance { reason, .. }) if !is_asked => Ok((
                 None,
                 Some(format!(
-                    "flown with flight.method = {} and flight.step = {} s of the setup, since no step is within 1 um: {reason}",
+                    "flown with flight.method = {} and flight.step = {} s of the setup, since no \
+                     step is within 1 um: {reason}",
                     setup.setup.method.name(),
                     setup.setup.flight.step
                 )),

@@ -3,21 +3,29 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, inlined};
 use crate::parameters::Ferguson;
 
-/// The spin ratios of the measured shots. Below, the lift is replaced: the formula would leave lift without spin, in no direction.
+/// The spin ratios of the measured shots. Below, the lift is replaced: the formula would leave lift
+/// without spin, in no direction.
 const MEASURED: [f64; 2] = [0.02, 0.75];
-/// Above, the spin ratio is held over this width: the parabolas would fall below no lift at s = 1.09, and below no drag at s = 1.25.
+/// Above, the spin ratio is held over this width: the parabolas would fall below no lift at s =
+/// 1.09, and below no drag at s = 1.25.
 const HELD_OVER: f64 = 0.2;
 
-/// C_D = cd0 + cd1 s + cd2 s², C_L = cl0 + cl1 s + cl2 s²: Ferguson, McNally & McPhee (2022), fitted to 1040
-/// radar flights with 0.02 < s < 0.75.
+/// C_D = cd0 + cd1 s + cd2 s², C_L = cl0 + cl1 s + cl2 s²: Ferguson, McNally & McPhee (2022),
+/// fitted to 1040 radar flights with 0.02 < s < 0.75.
 impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         T::outlined(inlined!(move || {
             let [low, high] = MEASURED;
             let s = held_above(stream.spin_ratio(), high, HELD_OVER);
-            let (drag, lift) = ([self.cd0, self.cd1, self.cd2], [self.cl0, self.cl1, self.cl2]);
-            Coefficients { drag: horner(drag, s), lift: polynomial(lift, low, s) }
+            let (drag, lift) = (
+                [self.cd0, self.cd1, self.cd2],
+                [self.cl0, self.cl1, self.cl2],
+            );
+            Coefficients {
+                drag: horner(drag, s),
+                lift: polynomial(lift, low, s),
+            }
         }))
     }
 

@@ -4,15 +4,24 @@ use super::{Coefficients, Stream};
 use crate::number::{Numbers, held_above, held_below, inlined};
 use crate::parameters::{Along, Axis, Grid};
 
-/// C_D and C_L of a grid at its place for this stream, times their factors. Beyond its edges speed and spin are held; with less spin than its
-/// least, the lift is that at its edge times 1 − (1 − ω/ω_least)³.
+/// C_D and C_L of a grid at its place for this stream, times their factors. Beyond its edges speed
+/// and spin are held; with less spin than its least, the lift is that at its edge times 1 − (1 −
+/// ω/ω_least)³.
 #[inline(always)]
-pub(super) fn gridded<T: Numbers>(grid: &'static Grid, factors: [T; 2], stream: Stream<T>) -> Coefficients<T> {
+pub(super) fn gridded<T: Numbers>(
+    grid: &'static Grid,
+    factors: [T; 2],
+    stream: Stream<T>,
+) -> Coefficients<T> {
     T::outlined(inlined!(move || in_grid(grid, factors, stream)))
 }
 
 #[inline(always)]
-fn in_grid<T: Numbers>(grid: &'static Grid, [cd_factor, cl_factor]: [T; 2], stream: Stream<T>) -> Coefficients<T> {
+fn in_grid<T: Numbers>(
+    grid: &'static Grid,
+    [cd_factor, cl_factor]: [T; 2],
+    stream: Stream<T>,
+) -> Coefficients<T> {
     let (speed, spin) = (held(&grid.speed, &stream), held(&grid.spin, &stream));
     let c = speed.looked_up(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
     let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
@@ -32,7 +41,10 @@ fn in_grid<T: Numbers>(grid: &'static Grid, [cd_factor, cl_factor]: [T; 2], stre
         let short = T::constant(1.0) - part.blend(T::constant(1.0), part.below(1.0));
         lift = lift * (T::constant(1.0) - short * short * short);
     }
-    Coefficients { drag: cd_factor * drag, lift }
+    Coefficients {
+        drag: cd_factor * drag,
+        lift,
+    }
 }
 
 /// What a table goes along, in this stream.
@@ -49,6 +61,13 @@ fn value<T: Numbers>(along: Along, stream: &Stream<T>) -> T {
 /// The place along an axis, held beyond its ends.
 #[inline(always)]
 fn held<T: Numbers>(axis: &Option<Axis>, stream: &Stream<T>) -> T {
-    let Some(Axis { along, ends: [first, last], over: [under, over] }) = *axis else { return T::zero() };
+    let Some(Axis {
+        along,
+        ends: [first, last],
+        over: [under, over],
+    }) = *axis
+    else {
+        return T::zero();
+    };
     held_above(held_below(value(along, stream), first, under), last, over)
 }

@@ -15,7 +15,10 @@ impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
         let base = self.cd_re.mul_add(stream.reynolds() * 1e-5 - 1.5, self.cd0);
         let drag = square.mul_add(capped, linear).mul_add(capped, base);
         let hill = self.cl_rate * s;
-        Coefficients { drag, lift: self.cl_max * hill / (hill + 1.0) }
+        Coefficients {
+            drag,
+            lift: self.cl_max * hill / (hill + 1.0),
+        }
     }
 
     fn fitted(&self) -> Fitted {

@@ -6,7 +6,10 @@ use crate::parameters::Linear;
 impl<T: Numbers> AerodynamicLaw<T> for Linear<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        Coefficients { drag: self.cd, lift: self.cl_slope * stream.spin_ratio() }
+        Coefficients {
+            drag: self.cd,
+            lift: self.cl_slope * stream.spin_ratio(),
+        }
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {

@@ -3,17 +3,26 @@ use super::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::MacdonaldHanzely;
 
-/// Below this spin ratio, slower spin than any drive has, the lift is replaced: the law has lift without spin, in no direction.
+/// Below this spin ratio, slower spin than any drive has, the lift is replaced: the law has lift
+/// without spin, in no direction.
 const SMOOTH_BELOW: f64 = 0.02;
 
-/// C_D = cd_speed/v, C_L = cl_speed/v: forces in proportion to the speed, whatever the spin (MacDonald & Hanzely 1991).
+/// C_D = cd_speed/v, C_L = cl_speed/v: forces in proportion to the speed, whatever the spin
+/// (MacDonald & Hanzely 1991).
 impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         T::outlined(inlined!(move || {
             let per_speed = stream.speed.recip();
-            let lift = polynomial([self.cl_speed * per_speed], SMOOTH_BELOW, stream.spin_ratio());
-            Coefficients { drag: self.cd_speed * per_speed, lift }
+            let lift = polynomial(
+                [self.cl_speed * per_speed],
+                SMOOTH_BELOW,
+                stream.spin_ratio(),
+            );
+            Coefficients {
+                drag: self.cd_speed * per_speed,
+                lift,
+            }
         }))
     }
 
@@ -30,7 +39,8 @@ impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
             authors: "MacDonald & Hanzely",
             year: Some(1991),
             ball: None,
-            source: "The physics of the drive in golf, Am. J. Phys. 59; as golfmodel (golf_ballstics.py) quotes it",
+            source: "The physics of the drive in golf, Am. J. Phys. 59; as golfmodel \
+                     (golf_ballstics.py) quotes it",
         }
     }
 }

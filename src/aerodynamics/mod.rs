@@ -1,5 +1,6 @@
-//! Drag and lift of a spinning ball: a law per file. The coefficients of each law, with their names, ranges
-//! and sources, are declared in the parameter table; the laws say what C_D and C_L are.
+//! Drag and lift of a spinning ball: a law per file. The coefficients of each law, with their
+//! names, ranges and sources, are declared in the parameter table; the laws say what C_D and C_L
+//! are.
 //!
 //! Forces are in the ½ convention: F_D = ½ρA C_D |v|², F_L = ½ρA C_L |v|².
 
@@ -51,7 +52,13 @@ impl<T: Numbers> Stream<T> {
     /// assert!((stream.spin_ratio() - 0.1_f64).abs() < 1e-15 && stream.reynolds() == 180_000.0);
     /// ```
     pub fn new(spin: T, speed: T, radius: T, reynolds_per_speed: T) -> Self {
-        Self { spin, speed, square: speed * speed, radius, reynolds_per_speed }
+        Self {
+            spin,
+            speed,
+            square: speed * speed,
+            radius,
+            reynolds_per_speed,
+        }
     }
 
     /// s = R |ω|/|v|.
@@ -81,8 +88,9 @@ pub struct Coefficients<T> {
 pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this stream. C_L must vanish with the spin: the lift's direction does.
     ///
-    /// All laws stand in one function, the equation of motion. What is long goes through [`Numbers::outlined`] with a closure that takes the stream with
-    /// it (`move`): called, it costs the others nothing, and for them the stream need not stand in memory.
+    /// All laws stand in one function, the equation of motion. What is long goes through
+    /// [`Numbers::outlined`] with a closure that takes the stream with it (`move`): called, it
+    /// costs the others nothing, and for them the stream need not stand in memory.
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 
     /// Whether C_D grows with |ω| from zero spin on, so that outcomes have a corner there.
@@ -90,8 +98,8 @@ pub trait AerodynamicLaw<T: Numbers> {
         true
     }
 
-    /// Number of continuous derivatives of C_D and C_L where pieces of the law join; `None` for a law without joins. A step across a join limits the
-    /// order of the integration.
+    /// Number of continuous derivatives of C_D and C_L where pieces of the law join; `None` for a
+    /// law without joins. A step across a join limits the order of the integration.
     fn continuous_derivatives(&self) -> Option<u32> {
         None
     }
@@ -145,13 +153,22 @@ mod tests {
         Stream::new(spin_ratio * speed / radius, speed, radius, 3000.0)
     }
 
-    /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to one in the last digit.
+    /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to one in the
+    /// last digit.
     #[test]
     fn paper_values_of_launch_monitor_and_ferguson() {
         let spin_ratios = [0.08, 0.10, 0.15, 0.20, 0.25, 0.30];
         for (name, drag, lift) in [
-            ("launch-monitor", [0.211, 0.226, 0.262, 0.295, 0.327, 0.355], [0.150, 0.175, 0.228, 0.267, 0.299, 0.324]),
-            ("ferguson", [0.199, 0.215, 0.251, 0.283, 0.311, 0.335], [0.139, 0.159, 0.205, 0.245, 0.279, 0.308]),
+            (
+                "launch-monitor",
+                [0.211, 0.226, 0.262, 0.295, 0.327, 0.355],
+                [0.150, 0.175, 0.228, 0.267, 0.299, 0.324],
+            ),
+            (
+                "ferguson",
+                [0.199, 0.215, 0.251, 0.283, 0.311, 0.335],
+                [0.139, 0.159, 0.205, 0.245, 0.279, 0.308],
+            ),
         ] {
             let law = Law::named(name).unwrap();
             for ((s, drag), lift) in spin_ratios.into_iter().zip(drag).zip(lift) {
@@ -163,8 +180,8 @@ mod tests {
         }
     }
 
-    /// What the law recovered from Winfield & Tan must be where their flights pass: positive drag, and lift that begins at 0
-    /// and rises with spin.
+    /// What the law recovered from Winfield & Tan must be where their flights pass: positive drag,
+    /// and lift that begins at 0 and rises with spin.
     #[test]
     fn exact_signs_of_the_recovered_law() {
         let law = Law::named("winfield-tan").unwrap();
@@ -176,18 +193,28 @@ mod tests {
             assert_eq!(at(0.0).lift, 0.0);
             for k in 0..40 {
                 let (here, next) = (at(f64::from(k) * 0.01), at(f64::from(k + 1) * 0.01));
-                assert!(here.drag > 0.15 && next.drag > here.drag && next.drag < 1.5, "C_D at {speed}: {next:?}");
-                assert!(next.lift > here.lift && next.lift < 0.6, "C_L at {speed}: {next:?}");
+                assert!(
+                    here.drag > 0.15 && next.drag > here.drag && next.drag < 1.5,
+                    "C_D at {speed}: {next:?}"
+                );
+                assert!(
+                    next.lift > here.lift && next.lift < 0.6,
+                    "C_L at {speed}: {next:?}"
+                );
             }
         }
     }
 
-    /// Value, slope and curvature of C_L, in the spin ratio, on both sides of where a law is smoothed.
+    /// Value, slope and curvature of C_L, in the spin ratio, on both sides of where a law is
+    /// smoothed.
     #[test]
     fn exact_c2_join_where_a_law_is_smoothed_and_no_lift_without_spin() {
         for (name, join) in [("smits-smith", 0.001), ("ferguson", 0.02)] {
             let law = Law::named(name).unwrap();
-            let setup = crate::Setup { law, ..crate::Setup::default() };
+            let setup = crate::Setup {
+                law,
+                ..crate::Setup::default()
+            };
             let lift = |s: f64| {
                 let law = setup.map(|_, value| Dual2_64::from(value)).law;
                 let s = Dual2_64::from(s).derivative();
@@ -197,8 +224,18 @@ mod tests {
             };
             let (below, above) = (lift(join * (1.0 - 1e-13)), lift(join * (1.0 + 1e-13)));
             assert!((below.re - above.re).abs() < 1e-12 * above.re.abs());
-            assert!((below.v1 - above.v1).abs() < 1e-11 * above.v1.abs(), "{name}: {} {}", below.v1, above.v1);
-            assert!((below.v2 - above.v2).abs() < 1e-9 * above.v2.abs(), "{name}: {} {}", below.v2, above.v2);
+            assert!(
+                (below.v1 - above.v1).abs() < 1e-11 * above.v1.abs(),
+                "{name}: {} {}",
+                below.v1,
+                above.v1
+            );
+            assert!(
+                (below.v2 - above.v2).abs() < 1e-9 * above.v2.abs(),
+                "{name}: {} {}",
+                below.v2,
+                above.v2
+            );
             let none = lift(0.0);
             assert!(none.re == 0.0 && none.v1.is_finite() && none.v1 > 0.0 && none.v2.is_finite());
         }

@@ -3,13 +3,14 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, inlined};
 use crate::parameters::NaruoMizota;
 
-/// The spin ratios of the measurements. Below, the lift is replaced: the formula would leave lift without spin, in no direction.
+/// The spin ratios of the measurements. Below, the lift is replaced: the formula would leave lift
+/// without spin, in no direction.
 const MEASURED: [f64; 2] = [0.03, 1.13];
 /// Above, the spin ratio is held over this width: the fourth powers would grow without end.
 const HELD_OVER: f64 = 0.2;
 
-/// C_D = cd0 + cd1 s + … + cd4 s⁴, C_L = cl0 + cl1 s + … + cl4 s⁴: Naruo, Mizota & Shimozono (2004), in a wind tunnel for
-/// 0.03 < s < 1.13 and Re > 7.1e4.
+/// C_D = cd0 + cd1 s + … + cd4 s⁴, C_L = cl0 + cl1 s + … + cl4 s⁴: Naruo, Mizota & Shimozono
+/// (2004), in a wind tunnel for 0.03 < s < 1.13 and Re > 7.1e4.
 impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
@@ -18,7 +19,10 @@ impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
             let s = held_above(stream.spin_ratio(), high, HELD_OVER);
             let drag = [self.cd0, self.cd1, self.cd2, self.cd3, self.cd4];
             let lift = [self.cl0, self.cl1, self.cl2, self.cl3, self.cl4];
-            Coefficients { drag: horner(drag, s), lift: polynomial(lift, low, s) }
+            Coefficients {
+                drag: horner(drag, s),
+                lift: polynomial(lift, low, s),
+            }
         }))
     }
 

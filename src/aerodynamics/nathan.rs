@@ -8,19 +8,27 @@ const FALLS: [f64; 2] = [0.5, 1.0];
 /// Re/10⁵: over this width about both ends the corner is rounded.
 const ROUNDED: f64 = 0.05;
 
-/// With r = Re/10⁵, C_D = cd_s s + cd_low for r < 0.5, cd_high for r > 1 and on a line between, with its corners rounded over 0.05 in r; C_L =
-/// cl_amp s^cl_exp. Nathan's calculator of golf trajectories, fitted to the averages of seven clubs.
+/// With r = Re/10⁵, C_D = cd_s s + cd_low for r < 0.5, cd_high for r > 1 and on a line between,
+/// with its corners rounded over 0.05 in r; C_L = cl_amp s^cl_exp. Nathan's calculator of golf
+/// trajectories, fitted to the averages of seven clubs.
 impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         T::outlined(inlined!(move || {
             let [low, high] = FALLS;
             let half = 0.5 * ROUNDED;
-            let r = held_above(held_below(stream.reynolds() * 1e-5, low + half, ROUNDED), high - half, ROUNDED);
+            let r = held_above(
+                held_below(stream.reynolds() * 1e-5, low + half, ROUNDED),
+                high - half,
+                ROUNDED,
+            );
             let fallen = (r - low) * (1.0 / (high - low));
             let without_spin = fallen.mul_add(self.cd_high - self.cd_low, self.cd_low);
             let s = stream.spin_ratio();
-            Coefficients { drag: self.cd_s.mul_add(s, without_spin), lift: power(self.cl_amp, self.cl_exp, s) }
+            Coefficients {
+                drag: self.cd_s.mul_add(s, without_spin),
+                lift: power(self.cl_amp, self.cl_exp, s),
+            }
         }))
     }
 
@@ -30,7 +38,11 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
 
     fn fitted(&self) -> Fitted {
         // from a driver to a 5-iron as they leave
-        Fitted { spin_ratio: Some([0.07, 0.2]), to: "the averages of seven clubs, driver to 5-iron", ..Fitted::UNKNOWN }
+        Fitted {
+            spin_ratio: Some([0.07, 0.2]),
+            to: "the averages of seven clubs, driver to 5-iron",
+            ..Fitted::UNKNOWN
+        }
     }
 
     fn published(&self) -> Published {
@@ -38,7 +50,8 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
             authors: "Nathan",
             year: Some(2023),
             ball: Some("an average of several"),
-            source: "TrajectoryCalculatorGolf-v2, a worksheet; as others transcribe it, docs/sources.md",
+            source: "TrajectoryCalculatorGolf-v2, a worksheet; as others transcribe it, \
+                     docs/sources.md",
         }
     }
 }

@@ -1,8 +1,9 @@
 use crate::number::{Numbers, inlined};
 
 /// A lift coefficient that is replaced near zero spin, where its formula has no lift-free limit or
-/// an infinite slope: for s < s₀ it is the cubic C_L = a u + b u² + c u³ in u = s/s₀ that joins the formula at s₀
-/// with the same value, slope and curvature. Lift then vanishes with the spin, and C_L is C² throughout.
+/// an infinite slope: for s < s₀ it is the cubic C_L = a u + b u² + c u³ in u = s/s₀ that joins the
+/// formula at s₀ with the same value, slope and curvature. Lift then vanishes with the spin, and
+/// C_L is C² throughout.
 struct CubicOrigin<T> {
     /// s₀: where the formula takes over.
     join: f64,
@@ -36,17 +37,32 @@ pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
     let smooth = inlined!(|| {
         let value = factor * (exponent * SMOOTH_BELOW.ln()).exp();
         let slope = value * exponent;
-        let origin = CubicOrigin { join: SMOOTH_BELOW, value, slope, curvature: slope * (exponent - 1.0) };
+        let origin = CubicOrigin {
+            join: SMOOTH_BELOW,
+            value,
+            slope,
+            curvature: slope * (exponent - 1.0),
+        };
         origin.lift(s)
     });
-    T::choose(s.below(SMOOTH_BELOW), smooth, inlined!(|| factor * (exponent * s.ln()).exp()))
+    T::choose(
+        s.below(SMOOTH_BELOW),
+        smooth,
+        inlined!(|| factor * (exponent * s.ln()).exp()),
+    )
 }
 
-/// C_L = c₀ + c₁ s + c₂ s² …, replaced by the cubic for s < join: the formula leaves lift without spin, in no direction.
+/// C_L = c₀ + c₁ s + c₂ s² …, replaced by the cubic for s < join: the formula leaves lift without
+/// spin, in no direction.
 #[inline(always)]
 pub(super) fn polynomial<T: Numbers, const N: usize>(c: [T; N], join: f64, s: T) -> T {
     let smooth = inlined!(|| {
-        let mut origin = CubicOrigin { join, value: c[0], slope: T::zero(), curvature: T::zero() };
+        let mut origin = CubicOrigin {
+            join,
+            value: c[0],
+            slope: T::zero(),
+            curvature: T::zero(),
+        };
         let (mut k, mut power) = (1, join);
         while k < N {
             let (term, of) = (c[k] * power, k as f64);

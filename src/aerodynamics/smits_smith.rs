@@ -4,15 +4,18 @@ use crate::number::Numbers;
 use crate::parameters::SmitsSmith;
 use std::f64::consts::PI;
 
-/// C_D = cd1 + cd2 s + cd3 sin(π (Re − re1)/re2), C_L = cl1 s^cl_exp: Smits & Smith (1994), fitted for
-/// 7e4 < Re < 2.1e5 and 0.08 < s < 0.2.
+/// C_D = cd1 + cd2 s + cd3 sin(π (Re − re1)/re2), C_L = cl1 s^cl_exp: Smits & Smith (1994), fitted
+/// for 7e4 < Re < 2.1e5 and 0.08 < s < 0.2.
 impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         let s = stream.spin_ratio();
         let phase = (stream.reynolds() - self.re1) * PI / self.re2;
         let drag = self.cd1 + self.cd2 * s + self.cd3 * phase.sin();
-        Coefficients { drag, lift: power(self.cl1, self.cl_exp, s) }
+        Coefficients {
+            drag,
+            lift: power(self.cl1, self.cl_exp, s),
+        }
     }
 
     fn continuous_derivatives(&self) -> Option<u32> {
@@ -29,6 +32,11 @@ impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
     }
 
     fn published(&self) -> Published {
-        Published { authors: "Smits & Smith", year: Some(1994), ball: None, source: "wind tunnel; docs/sources.md" }
+        Published {
+            authors: "Smits & Smith",
+            year: Some(1994),
+            ball: None,
+            source: "wind tunnel; docs/sources.md",
+        }
     }
 }

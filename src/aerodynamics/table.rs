@@ -7,7 +7,11 @@ use crate::parameters::{Along, Table};
 impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        gridded(self.table.grid(), [self.factors.cd_factor, self.factors.cl_factor], stream)
+        gridded(
+            self.table.grid(),
+            [self.factors.cd_factor, self.factors.cl_factor],
+            stream,
+        )
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {
@@ -21,7 +25,11 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
 
     fn fitted(&self) -> Fitted {
         let grid = self.table.grid();
-        let range = |along| grid.axes().find(|axis| axis.along == along).map(|axis| axis.ends);
+        let range = |along| {
+            grid.axes()
+                .find(|axis| axis.along == along)
+                .map(|axis| axis.ends)
+        };
         Fitted {
             spin_ratio: range(Along::SpinRatio),
             spin: range(Along::Spin),
@@ -33,6 +41,11 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     }
 
     fn published(&self) -> Published {
-        Published { authors: "your own table", year: None, ball: None, source: self.table.file() }
+        Published {
+            authors: "your own table",
+            year: None,
+            ball: None,
+            source: self.table.file(),
+        }
     }
 }

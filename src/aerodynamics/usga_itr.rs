@@ -3,27 +3,36 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, held_below, inlined};
 use crate::parameters::UsgaItr;
 
-/// Below this spin ratio, the lowest of the measured shots, the lift is replaced: the formula would leave lift without spin, in no
-/// direction.
+/// Below this spin ratio, the lowest of the measured shots, the lift is replaced: the formula would
+/// leave lift without spin, in no direction.
 const SMOOTH_BELOW: f64 = 0.042;
-/// The formula is for s < 0.3. Above, the spin ratio is held over a width: the square in the drag would grow without end.
+/// The formula is for s < 0.3. Above, the spin ratio is held over a width: the square in the drag
+/// would grow without end.
 const LARGEST: f64 = 0.3;
 const HELD_OVER: f64 = 0.1;
-/// Re/10⁵ is held below: 1/r² would take all lift away, and more. (Shots were measured from 0.8 on.)
+/// Re/10⁵ is held below: 1/r² would take all lift away, and more. (Shots were measured from 0.8
+/// on.)
 const SMALLEST: f64 = 0.6;
 const HELD_UNDER: f64 = 0.2;
 
-/// With r = Re/10⁵: C_D = cd0 + cd1 s + cd2 s² + cd_re r, C_L = cl0 + cl1 s + cl2 s² + cl_re/r²: the form that the USGA fits to shots of a ball
-/// in its Indoor Test Range (US patent 6186002, the test ball).
+/// With r = Re/10⁵: C_D = cd0 + cd1 s + cd2 s² + cd_re r, C_L = cl0 + cl1 s + cl2 s² + cl_re/r²:
+/// the form that the USGA fits to shots of a ball in its Indoor Test Range (US patent 6186002, the
+/// test ball).
 impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         T::outlined(inlined!(move || {
             let s = held_above(stream.spin_ratio(), LARGEST, HELD_OVER);
             let r = held_below(stream.reynolds() * 1e-5, SMALLEST, HELD_UNDER);
-            let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd_re.mul_add(r, self.cd0));
+            let drag = self
+                .cd2
+                .mul_add(s, self.cd1)
+                .mul_add(s, self.cd_re.mul_add(r, self.cd0));
             let without_spin = self.cl_re.mul_add((r * r).recip(), self.cl0);
-            Coefficients { drag, lift: polynomial([without_spin, self.cl1, self.cl2], SMOOTH_BELOW, s) }
+            Coefficients {
+                drag,
+                lift: polynomial([without_spin, self.cl1, self.cl2], SMOOTH_BELOW, s),
+            }
         }))
     }
 

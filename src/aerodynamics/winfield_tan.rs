@@ -7,20 +7,31 @@ const MIDDLE: f64 = 50.0;
 /// m/s: about half their spread.
 const SPREAD: f64 = 20.0;
 
-/// With x = s √(v/v₀) and u = (v − v₀)/20 m/s: C_D = (cd0 + cd1 x + cd2 x² + cd3 x³)(1 + cd_v1 u + cd_v2 u²),
-/// C_L = (cl_hill x/(x + cl_half) + cl_slope x)/(1 + ((v − cl_speed)/cl_width)²). Winfield & Tan (1994) fly curves over spin
-/// and speed (Aoyama 1990) that they do not print; this is what their tables say of them, for 25 < v < 68 m/s and
-/// 0.02 < s < 0.35. Smooth everywhere, no lift without spin, C_L rising with it.
+/// With x = s √(v/v₀) and u = (v − v₀)/20 m/s: C_D = (cd0 + cd1 x + cd2 x² + cd3 x³)(1 + cd_v1 u +
+/// cd_v2 u²), C_L = (cl_hill x/(x + cl_half) + cl_slope x)/(1 + ((v − cl_speed)/cl_width)²).
+/// Winfield & Tan (1994) fly curves over spin and speed (Aoyama 1990) that they do not print; this
+/// is what their tables say of them, for 25 < v < 68 m/s and 0.02 < s < 0.35. Smooth everywhere, no
+/// lift without spin, C_L rising with it.
 impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         let x = stream.spin_ratio() * (stream.speed * (1.0 / MIDDLE)).sqrt();
         let u = (stream.speed - MIDDLE) * (1.0 / SPREAD);
-        let by_spin = self.cd3.mul_add(x, self.cd2).mul_add(x, self.cd1).mul_add(x, self.cd0);
-        let by_speed = self.cd_v2.mul_add(u, self.cd_v1).mul_add(u, T::constant(1.0));
+        let by_spin = self
+            .cd3
+            .mul_add(x, self.cd2)
+            .mul_add(x, self.cd1)
+            .mul_add(x, self.cd0);
+        let by_speed = self
+            .cd_v2
+            .mul_add(u, self.cd_v1)
+            .mul_add(u, T::constant(1.0));
         let off = (stream.speed - self.cl_speed) / self.cl_width;
         let rise = self.cl_hill / (x + self.cl_half) + self.cl_slope;
-        Coefficients { drag: by_spin * by_speed, lift: x * rise / off.mul_add(off, T::constant(1.0)) }
+        Coefficients {
+            drag: by_spin * by_speed,
+            lift: x * rise / off.mul_add(off, T::constant(1.0)),
+        }
     }
 
     fn fitted(&self) -> Fitted {

@@ -4,7 +4,8 @@ use crate::parameters::Air;
 /// 0 °C, K.
 const ICE: f64 = 273.15;
 
-/// K: the temperature where other weather is given and it is not, that of TrackMan's normalised air (25 °C).
+/// K: the temperature where other weather is given and it is not, that of TrackMan's normalised air
+/// (25 °C).
 const USUAL: f64 = ICE + 25.0;
 
 /// Density and viscosity of the air (docs/model.md, eqs. 12a–12d).
@@ -29,7 +30,10 @@ impl<T: Numbers> AirState<T> {
     #[inline(always)]
     pub fn of(air: &Air<T>) -> Self {
         if !air.has_weather() {
-            return Self { density: air.density, viscosity: air.viscosity };
+            return Self {
+                density: air.density,
+                viscosity: air.viscosity,
+            };
         }
         T::outlined(inlined!(|| Self::of_weather(air)))
     }
@@ -49,14 +53,18 @@ impl<T: Numbers> AirState<T> {
             Some(humidity) => humidity * saturation(temperature, pressure),
             None => T::zero(),
         };
-        Self { density: density(temperature, pressure, vapour), viscosity: viscosity(temperature) }
+        Self {
+            density: density(temperature, pressure, vapour),
+            viscosity: viscosity(temperature),
+        }
     }
 }
 
 /// The pressure of the standard atmosphere at sea level, Pa.
 const SEA_LEVEL: f64 = 101_325.0;
 
-/// The pressure at an altitude in the standard atmosphere, whose temperature falls by L for each metre (ISO 2533:1975).
+/// The pressure at an altitude in the standard atmosphere, whose temperature falls by L for each
+/// metre (ISO 2533:1975).
 #[inline(always)]
 fn standard_pressure<T: Numbers>(altitude: T) -> T {
     /// K, K/m, m/s², J/(kg K).
@@ -77,7 +85,8 @@ fn saturation<T: Numbers>(temperature: T, pressure: T) -> T {
     enhancement * exponent.exp() / pressure
 }
 
-/// The density of moist air with 400 ppm of carbon dioxide and this mole fraction of water vapour (CIPM-2007, eqs. 1 and A1.4).
+/// The density of moist air with 400 ppm of carbon dioxide and this mole fraction of water vapour
+/// (CIPM-2007, eqs. 1 and A1.4).
 #[inline(always)]
 fn density<T: Numbers>(temperature: T, pressure: T, vapour: T) -> T {
     let celsius = temperature - ICE;
@@ -87,7 +96,8 @@ fn density<T: Numbers>(temperature: T, pressure: T, vapour: T) -> T {
     let wet = celsius * -2.376e-6 + 1.9898e-4;
     let square = vapour * vapour;
     let second = square * -0.765e-8 + 1.83e-11;
-    let compressibility = ratio * ratio * second - ratio * (dry + mixed * vapour + wet * square) + 1.0;
+    let compressibility =
+        ratio * ratio * second - ratio * (dry + mixed * vapour + wet * square) + 1.0;
     ratio / compressibility * (vapour * -0.3780 + 1.0) * 3.483_740e-3
 }
 

@@ -1,9 +1,10 @@
 use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
-/// ℓ, m: the height over which the logarithmic profile is rounded towards the ground. A fixed step of 0.01 s
-/// resolves it (carry within some micrometres: docs/model.md, eq. 16); the pure logarithm, whose scale is the roughness of some millimetres, it
-/// does not (errors of millimetres).
+/// ℓ, m: the height over which the logarithmic profile is rounded towards the ground. A fixed step
+/// of 0.01 s resolves it (carry within some micrometres: docs/model.md, eq. 16); the pure
+/// logarithm, whose scale is the roughness of some millimetres, it does not (errors of
+/// millimetres).
 const ROUNDING: f64 = 0.5;
 
 /// The air's velocity over the ground, uniform or a function of height (docs/model.md, eq. 15).
@@ -29,12 +30,22 @@ impl<T: Numbers> WindField<T> {
     #[inline(always)]
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
         let profile = wind.roughness.map(|roughness| {
-            let unscaled =
-                Profile { roughness, ln_roughness: roughness.ln(), ground: ground.height, scale: T::constant(1.0) };
-            Profile { scale: unscaled.logarithm(wind.reference_height).recip(), ..unscaled }
+            let unscaled = Profile {
+                roughness,
+                ln_roughness: roughness.ln(),
+                ground: ground.height,
+                scale: T::constant(1.0),
+            };
+            Profile {
+                scale: unscaled.logarithm(wind.reference_height).recip(),
+                ..unscaled
+            }
         });
         let [right, downrange] = along_the_ground(wind);
-        Self { reference: Vector::new(wind.up, right, downrange), profile }
+        Self {
+            reference: Vector::new(wind.up, right, downrange),
+            profile,
+        }
     }
 
     /// Whether it is a profile, and not the same everywhere.
@@ -48,15 +59,20 @@ impl<T: Numbers> WindField<T> {
     pub fn at(&self, height: T) -> Vector<T> {
         match &self.profile {
             None => self.reference,
-            Some(profile) => self.reference * (profile.logarithm(height - profile.ground) * profile.scale),
+            Some(profile) => {
+                self.reference * (profile.logarithm(height - profile.ground) * profile.scale)
+            }
         }
     }
 }
 
-/// The wind's components to the right and downrange, given as such or by its speed and where it comes from.
+/// The wind's components to the right and downrange, given as such or by its speed and where it
+/// comes from.
 #[inline(always)]
 pub(super) fn along_the_ground<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
-    let Some(speed) = wind.speed else { return [wind.right, wind.downrange] };
+    let Some(speed) = wind.speed else {
+        return [wind.right, wind.downrange];
+    };
     let from = match wind.from {
         Some(from) => from,
         None => T::zero(),
@@ -68,8 +84,8 @@ pub(super) fn along_the_ground<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
 }
 
 impl<T: Numbers> Profile<T> {
-    /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2, z above the ground: the logarithmic profile for z ≫ ℓ, smooth through the
-    /// ground and below it (the last step of a flight ends there).
+    /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2, z above the ground: the logarithmic profile
+    /// for z ≫ ℓ, smooth through the ground and below it (the last step of a flight ends there).
     #[inline(always)]
     fn logarithm(&self, height: T) -> T {
         let rounded = (height + (height * height + ROUNDING * ROUNDING).sqrt()) * 0.5;

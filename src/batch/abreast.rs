@@ -39,12 +39,15 @@ impl Task for Abreast<'_> {
 }
 
 impl Abreast<'_> {
-    /// The rows that fly, each with its upward speed at launch, and those that have to be looked at alone. Those whose ball
-    /// is launched into the ground get their status here.
+    /// The rows that fly, each with its upward speed at launch, and those that have to be looked at
+    /// alone. Those whose ball is launched into the ground get their status here.
     #[inline(always)]
     fn line_up<V: Lanes<Lane = f64>>(&mut self) -> (Vec<(f64, usize)>, Vec<usize>) {
         let batch = self.batch;
-        let shows_launch = batch.of.iter().any(|outcome| outcome.part() != Part::Flight);
+        let shows_launch = batch
+            .of
+            .iter()
+            .any(|outcome| outcome.part() != Part::Flight);
         let mut setup = batch.setup.constant::<V>();
         let (mut flying, mut alone) = (vec![], vec![]);
         let is_in_range = |&row: &usize| {
@@ -59,10 +62,15 @@ impl Abreast<'_> {
             // the last group is filled up with copies of its last row
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
             let block = &*self.block;
-            setup.put(&batch.parameters, |k| V::with_values(|lane| block.point(row_of(lane))[k]));
+            setup.put(&batch.parameters, |k| {
+                V::with_values(|lane| block.point(row_of(lane))[k])
+            });
             let struck = Struck::new(&setup);
             for (lane, &row) in rows.iter().enumerate() {
-                let (up, ground) = (struck.launch.velocity.x.lane(lane), setup.ground.height.lane(lane));
+                let (up, ground) = (
+                    struck.launch.velocity.x.lane(lane),
+                    setup.ground.height.lane(lane),
+                );
                 if !struck.is_sound.holds(lane) {
                     alone.push(row);
                 } else if up > 0.0 || ground < 0.0 {
@@ -86,7 +94,8 @@ impl Abreast<'_> {
         let has_run = any(|outcome| outcome.is_of_the_run());
         let has_head = any(|outcome| outcome.part() == Part::Head);
         let fitted = batch.setup.law.fitted();
-        // the setup with what is the same in every row: the swept parameters are put in for each group
+        // the setup with what is the same in every row: the swept parameters are put in for each
+        // group
         let mut setup = batch.setup.constant::<J>();
         setup.put(
             self.wrt,
@@ -95,38 +104,62 @@ impl Abreast<'_> {
                 changing(J::constant(value), Some(k))
             }),
         );
-        let directions: Vec<Option<usize>> =
-            batch.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
+        let directions: Vec<Option<usize>> = batch
+            .parameters
+            .iter()
+            .map(|parameter| self.wrt.iter().position(|row| row == parameter))
+            .collect();
         for group in rows.chunks(J::WIDTH) {
             // the last group is filled up with copies of its last row
             let row_of = |lane: usize| group[lane.min(group.len() - 1)].1;
             let block = &*self.block;
             setup.put(
                 &batch.parameters,
-                inlined!(|k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k])),
+                inlined!(|k| changing(
+                    J::with_values(|lane| block.point(row_of(lane))[k]),
+                    directions[k]
+                )),
             );
             let struck = Struck::new(&setup);
             let inputs = Inputs::new(&setup, &struck.launch, has_run);
             let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
             let (toe, high) = (setup.strike.toe, setup.strike.high);
             let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
-            let head = (has_head && struck.club_speed.is_some()).then(|| J::outlined(|| Head::new(&setup.club)));
-            let ended = inputs.follow(J::Mask::first(group.len()), Asked { apex, defect: true }, None);
+            let head = (has_head && struck.club_speed.is_some())
+                .then(|| J::outlined(|| Head::new(&setup.club)));
+            let ended = inputs.follow(
+                J::Mask::first(group.len()),
+                Asked { apex, defect: true },
+                None,
+            );
             for (lane, &(_, row)) in group.iter().enumerate() {
                 if !ended.has_landed.holds(lane) {
                     alone.push(row);
                     continue;
                 }
                 let read = in_lane(lane);
-                let (landed, launch, club_speed) = (&ended.landed, &struck.launch, struck.club_speed);
-                let shown = Shown { launch, club_speed, landed: Some(landed), head: head.as_ref(), read };
+                let (landed, launch, club_speed) =
+                    (&ended.landed, &struck.launch, struck.club_speed);
+                let shown = Shown {
+                    launch,
+                    club_speed,
+                    landed: Some(landed),
+                    head: head.as_ref(),
+                    read,
+                };
                 let value = inlined!(|number: J| number.lane(lane).re());
                 self.block.status[row] = Status::Landed;
                 self.block.defect[row] = landed.defect.map_or(0.0, value);
                 self.block.beyond[row] = Beyond {
-                    law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
+                    law: !fitted.holds([
+                        value(spin_ratio),
+                        value(spin),
+                        value(reynolds),
+                        value(air_speed),
+                    ]),
                     face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
-                    flat: has_run && flat([value(slope), value(side_slope)], &landed.map(value)).is_some(),
+                    flat: has_run
+                        && flat([value(slope), value(side_slope)], &landed.map(value)).is_some(),
                 };
                 for (i, outcome) in batch.of.iter().enumerate() {
                     self.write(row, i, outcome.shown(&shown));
@@ -149,6 +182,10 @@ impl Abreast<'_> {
 /// Numbers that change in a direction, in each lane.
 #[inline(always)]
 fn changing<J: Lanes>(values: J, direction: Option<usize>) -> J {
-    let changes_in = inlined!(|k: usize| if direction == Some(k) { J::Mask::first(J::WIDTH) } else { J::Mask::none() });
+    let changes_in = inlined!(|k: usize| if direction == Some(k) {
+        J::Mask::first(J::WIDTH)
+    } else {
+        J::Mask::none()
+    });
     values.seeded(&changes_in, 0)
 }

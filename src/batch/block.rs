@@ -9,24 +9,32 @@ use std::fmt;
 pub enum Status {
     /// On the ground: it has every outcome.
     Landed,
-    /// It left the face and did not fly: launched down, or below the ground all the way. Outcomes of the launch only.
+    /// It left the face and did not fly: launched down, or below the ground all the way. Outcomes
+    /// of the launch only.
     NoFlight,
     /// Still in the air at `flight.time_limit`. Outcomes of the launch only.
     Aloft,
-    /// `flight.step` is too coarse: drag and lift change the airspeed too much within a step, numbers overflow, or the defect stays above the largest
-    /// one also in the shortest step. No outcomes.
+    /// `flight.step` is too coarse: drag and lift change the airspeed too much within a step,
+    /// numbers overflow, or the defect stays above the largest one also in the shortest step. No
+    /// outcomes.
     Diverged,
     /// The club does not strike the ball: off the face, moving away, or jammed. No outcomes.
     NoStrike,
-    /// A value of the point is outside its parameter's range, or the inertia tensor is one that no body can have. No
-    /// outcomes.
+    /// A value of the point is outside its parameter's range, or the inertia tensor is one that no
+    /// body can have. No outcomes.
     OutOfRange,
 }
 
 impl Status {
     /// Every status.
-    pub const ALL: [Self; 6] =
-        [Self::Landed, Self::NoFlight, Self::Aloft, Self::Diverged, Self::NoStrike, Self::OutOfRange];
+    pub const ALL: [Self; 6] = [
+        Self::Landed,
+        Self::NoFlight,
+        Self::Aloft,
+        Self::Diverged,
+        Self::NoStrike,
+        Self::OutOfRange,
+    ];
 
     /// Its name in files: `landed`.
     pub fn name(self) -> &'static str {
@@ -47,7 +55,8 @@ impl fmt::Display for Status {
     }
 }
 
-/// How many drives ended in which way, and how many of those that landed are outside of what the model is made for.
+/// How many drives ended in which way, and how many of those that landed are outside of what the
+/// model is made for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     statuses: [u64; Status::ALL.len()],
@@ -75,7 +84,10 @@ impl Tally {
 
     /// The tally of these counts, and of the landed drives outside of what the model is made for.
     pub fn of(counts: &BTreeMap<Status, u64>, beyond: BeyondCount) -> Self {
-        Self { statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()), beyond }
+        Self {
+            statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()),
+            beyond,
+        }
     }
 
     /// How many of the landed drives are outside of what the model is made for.
@@ -83,7 +95,8 @@ impl Tally {
         self.beyond
     }
 
-    /// Whether any drive has one of these outcomes, or there are no drives: those of the launch are there also where the ball does not land.
+    /// Whether any drive has one of these outcomes, or there are no drives: those of the launch are
+    /// there also where the ball does not land.
     pub fn has_any(&self, of: &[Outcome]) -> bool {
         let is_of_the_launch = of.iter().any(|outcome| outcome.part() != Part::Flight);
         let has = |status| match status {
@@ -92,17 +105,22 @@ impl Tally {
             _ => false,
         };
         let all: u64 = self.statuses.iter().sum();
-        all == 0 || self.counts().any(|(status, count)| count > 0 && has(status))
+        all == 0
+            || self
+                .counts()
+                .any(|(status, count)| count > 0 && has(status))
     }
 
     /// Each status with its number of drives.
     pub fn counts(&self) -> impl Iterator<Item = (Status, u64)> {
-        Status::ALL.into_iter().map(|status| (status, self.statuses[status as usize]))
+        Status::ALL
+            .into_iter()
+            .map(|status| (status, self.statuses[status as usize]))
     }
 }
 
-/// Drives of consecutive points. A value that does not exist is `None`, and never a NaN. To ask for a row, or an outcome, that the block does
-/// not have is a panic.
+/// Drives of consecutive points. A value that does not exist is `None`, and never a NaN. To ask for
+/// a row, or an outcome, that the block does not have is a panic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     pub(super) first_row: u64,
@@ -114,9 +132,11 @@ pub struct Block {
     pub(super) beyond: Vec<Beyond>,
     /// What tells of the error of the integration, of each drive that landed.
     pub(super) defect: Vec<f64>,
-    /// A column for each outcome; a number that is not finite stands for a value that does not exist.
+    /// A column for each outcome; a number that is not finite stands for a value that does not
+    /// exist.
     pub(super) outcomes: Vec<Vec<f64>>,
-    /// A column for each outcome and parameter, the parameters of the first outcome first; likewise.
+    /// A column for each outcome and parameter, the parameters of the first outcome first;
+    /// likewise.
     pub(super) derivatives: Vec<Vec<f64>>,
 }
 
@@ -153,7 +173,11 @@ impl Block {
 
     /// What tells of the error of the integration, of each drive that landed: its defect, m.
     pub(crate) fn defects(&self) -> impl Iterator<Item = f64> {
-        self.status.iter().zip(&self.defect).filter(|(status, _)| **status == Status::Landed).map(|(_, defect)| *defect)
+        self.status
+            .iter()
+            .zip(&self.defect)
+            .filter(|(status, _)| **status == Status::Landed)
+            .map(|(_, defect)| *defect)
     }
 
     /// The outcome of this number, SI.
@@ -161,9 +185,12 @@ impl Block {
         Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
     }
 
-    /// The derivatives of all outcomes by all parameters, SI, the parameters of the first outcome first.
+    /// The derivatives of all outcomes by all parameters, SI, the parameters of the first outcome
+    /// first.
     pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
-        self.derivatives.iter().map(move |column| Some(column[row]).filter(|value| value.is_finite()))
+        self.derivatives
+            .iter()
+            .map(move |column| Some(column[row]).filter(|value| value.is_finite()))
     }
 
     /// The outcomes, SI.
@@ -171,9 +198,13 @@ impl Block {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
     }
 
-    /// A column of results: the outcomes, then the derivatives. Empty where there is no such column.
+    /// A column of results: the outcomes, then the derivatives. Empty where there is no such
+    /// column.
     pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> + Clone {
         let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
-        column.into_iter().flatten().map(|value| Some(*value).filter(|value| value.is_finite()))
+        column
+            .into_iter()
+            .flatten()
+            .map(|value| Some(*value).filter(|value| value.is_finite()))
     }
 }

@@ -21,7 +21,8 @@ impl Batch {
         let (values, parameters) = (points.len(), self.parameters.len());
         assert!(
             values.is_multiple_of(parameters),
-            "points of {parameters} parameters need a multiple of {parameters} values; there are {values}"
+            "points of {parameters} parameters need a multiple of {parameters} values; there are \
+             {values}"
         );
         let rows = values / parameters;
         let empty = |columns: usize| vec![vec![f64::NAN; rows]; columns];
@@ -39,7 +40,11 @@ impl Batch {
         alone.extend((0..rows).filter(|&row| block.defect[row] > self.largest_defect));
         for row in alone {
             // what was found of it side by side
-            block.outcomes.iter_mut().chain(&mut block.derivatives).for_each(|column| column[row] = f64::NAN);
+            block
+                .outcomes
+                .iter_mut()
+                .chain(&mut block.derivatives)
+                .for_each(|column| column[row] = f64::NAN);
             if let Ok(setup) = self.moved(block.point(row)) {
                 self.drive(setup, row, &mut block);
             }
@@ -47,17 +52,28 @@ impl Batch {
         block
     }
 
-    /// Computes the drives of a block side by side; left over are the rows that have to be looked at one by one. Those are all where the inertia
-    /// tensor is swept, which must be checked in each row, and by so many parameters that the derivatives of one drive fill the lanes.
+    /// Computes the drives of a block side by side; left over are the rows that have to be looked
+    /// at one by one. Those are all where the inertia tensor is swept, which must be checked in
+    /// each row, and by so many parameters that the derivatives of one drive fill the lanes.
     fn abreast(&self, block: &mut Block) -> Vec<usize> {
-        if self.wrt.len() > 4 * MOST_PER_LANE || self.parameters.iter().any(|parameter| parameter.is_of_inertia()) {
+        if self.wrt.len() > 4 * MOST_PER_LANE
+            || self
+                .parameters
+                .iter()
+                .any(|parameter| parameter.is_of_inertia())
+        {
             return (0..block.rows()).collect();
         }
         let mut alone = vec![];
         // without derivatives there is one pass all the same
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
-            alone.extend(self.level.run(Abreast { batch: self, block, wrt, first }));
+            alone.extend(self.level.run(Abreast {
+                batch: self,
+                block,
+                wrt,
+                first,
+            }));
         }
         alone.sort_unstable();
         alone.dedup();
@@ -73,12 +89,21 @@ impl Batch {
         Ok(setup)
     }
 
-    /// A drive by itself, with the longest of some steps, each half of the one before, that follows it closely enough.
+    /// A drive by itself, with the longest of some steps, each half of the one before, that follows
+    /// it closely enough.
     fn drive(&self, mut setup: Setup<f64>, row: usize, block: &mut Block) {
-        let mut halvings = if self.largest_defect.is_finite() { HALVINGS } else { 0 };
+        let mut halvings = if self.largest_defect.is_finite() {
+            HALVINGS
+        } else {
+            0
+        };
         let drive = loop {
             match Drive::in_any_steps(&setup) {
-                Ok(drive) if !drive.landed().is_ok_and(|landed| landed.defect > Some(self.largest_defect)) => {
+                Ok(drive)
+                    if !drive
+                        .landed()
+                        .is_ok_and(|landed| landed.defect > Some(self.largest_defect)) =>
+                {
                     break drive;
                 }
                 Ok(_) | Err(Error::Diverged { .. }) if halvings > 0 => {
@@ -110,14 +135,20 @@ impl Batch {
     /// The derivatives that exist: all at once, or where one is missing each by itself.
     fn differentiate(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
         let gradients = |of: &[Outcome], wrt: &[&'static Parameter]| {
-            let evaluator = Evaluator::new(setup, of, wrt, Order::First).ok()?.at_level(self.level);
+            let evaluator = Evaluator::new(setup, of, wrt, Order::First)
+                .ok()?
+                .at_level(self.level);
             evaluator.at_setup(&mut |_, _| ()).ok()
         };
         let all = gradients(&self.of, &self.wrt);
         for (column, values) in block.derivatives.iter_mut().enumerate() {
             let (i, k) = (column / self.wrt.len(), column % self.wrt.len());
             let exists = block.outcomes[i][row].is_finite();
-            let by_itself = || exists.then(|| gradients(&self.of[i..=i], &self.wrt[k..=k])).flatten();
+            let by_itself = || {
+                exists
+                    .then(|| gradients(&self.of[i..=i], &self.wrt[k..=k]))
+                    .flatten()
+            };
             values[row] = match &all {
                 Some(taylors) => taylors[i].gradient[k],
                 None => by_itself().map_or(f64::NAN, |taylors| taylors[0].gradient[0]),

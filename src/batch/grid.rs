@@ -23,19 +23,30 @@ impl Axis {
     /// # Errors
     /// [`Error::SearchRange`] for a count that is missing or 0; as [`Vary::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
+        let refuse = |reason: String| Error::SearchRange {
+            name: text.trim().into(),
+            reason,
+        };
         let Some((range, count)) = text.rsplit_once(':') else {
             // a range that is none is the greater mistake
             Vary::read_column(setup, text)?;
-            return Err(refuse(format!("the number of values is missing; write for example {}:101", text.trim())));
+            return Err(refuse(format!(
+                "the number of values is missing; write for example {}:101",
+                text.trim()
+            )));
         };
         let over = Vary::read_column(setup, range)?;
         match count.trim().parse() {
             Ok(0) => Err(refuse(
-                "the number of values must be at least 1; write for example :101, or :1 for the lower end alone".into(),
+                "the number of values must be at least 1; write for example :101, or :1 for the \
+                 lower end alone"
+                    .into(),
             )),
             Ok(count) => Ok(Self { over, count }),
-            Err(_) => Err(refuse(format!("'{count}' is not a number of values; write for example {range}:101"))),
+            Err(_) => Err(refuse(format!(
+                "'{count}' is not a number of values; write for example \
+                                          {range}:101"
+            ))),
         }
     }
 
@@ -51,8 +62,8 @@ impl Axis {
     }
 }
 
-/// Every combination of the values of some parameters; the first axis is outermost, the last one changes from row to
-/// row.
+/// Every combination of the values of some parameters; the first axis is outermost, the last one
+/// changes from row to row.
 #[derive(Clone, Debug)]
 pub struct Grid {
     axes: Vec<Axis>,
@@ -65,16 +76,21 @@ impl Grid {
     /// The grid of these axes.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] for more rows than can be counted; [`Error::SearchRange`] for an axis without values or a
-    /// parameter given twice; [`Error::Nothing`] without axes.
+    /// [`Error::TooLarge`] for more rows than can be counted; [`Error::SearchRange`] for an axis
+    /// without values or a parameter given twice; [`Error::Nothing`] without axes.
     pub fn new(axes: Vec<Axis>) -> Result<Self> {
         let parameters: Vec<_> = axes.iter().map(|axis| axis.over.parameter).collect();
         refuse_repeated(&parameters)?;
         if let Some(axis) = axes.iter().find(|axis| axis.count == 0) {
             let reason = "the number of values must be at least 1".into();
-            return Err(Error::SearchRange { name: axis.over.parameter.name.into(), reason });
+            return Err(Error::SearchRange {
+                name: axis.over.parameter.name.into(),
+                reason,
+            });
         }
-        let rows = axes.iter().try_fold(1_u64, |rows, axis| rows.checked_mul(axis.count));
+        let rows = axes
+            .iter()
+            .try_fold(1_u64, |rows, axis| rows.checked_mul(axis.count));
         let rows = rows.ok_or_else(|| {
             let rows: f64 = axes.iter().map(|axis| axis.count as f64).product();
             Error::TooLarge {
@@ -84,7 +100,12 @@ impl Grid {
                 advice: "take fewer values, or --sample points of the same ranges".into(),
             }
         })?;
-        Ok(Self { axes, parameters, rows, next: 0 })
+        Ok(Self {
+            axes,
+            parameters,
+            rows,
+            next: 0,
+        })
     }
 }
 
@@ -122,7 +143,10 @@ impl Points for Grid {
 
     fn identity(&self) -> String {
         let axis = |axis: &Axis| {
-            format!("{}={:?}..{:?}:{}", axis.over.parameter.name, axis.over.low, axis.over.high, axis.count)
+            format!(
+                "{}={:?}..{:?}:{}",
+                axis.over.parameter.name, axis.over.low, axis.over.high, axis.count
+            )
         };
         self.axes.iter().map(axis).collect::<Vec<_>>().join(" ")
     }

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 
-/// Chunks under way at a time, for each thread: enough that none waits for the order to be restored.
+/// Chunks under way at a time, for each thread: enough that none waits for the order to be
+/// restored.
 const UNDER_WAY: u64 = 4;
 
 /// More threads than this take longer to start than they save.
@@ -14,8 +15,10 @@ const MOST_THREADS: usize = 256;
 /// WebAssembly has none unless it is compiled with atomics.
 const HAS_THREADS: bool = cfg!(any(not(target_family = "wasm"), target_feature = "atomics"));
 
-/// Works on each chunk that `next` gives, until there is none, and hands the results to `sink` in the order of the chunks. A bounded number of
-/// chunks is under way at a time. Threads: 0 for as many as there are processors, at most 256. Where the system has no threads, one chunk after the other.
+/// Works on each chunk that `next` gives, until there is none, and hands the results to `sink` in
+/// the order of the chunks. A bounded number of chunks is under way at a time. Threads: 0 for as
+/// many as there are processors, at most 256. Where the system has no threads, one chunk after the
+/// other.
 ///
 /// # Errors
 /// What `next` and `sink` return; what comes before an error of `next` is handed on first.
@@ -31,7 +34,9 @@ pub(crate) fn in_order<T: Send, R: Send>(
         }
         return Ok(());
     }
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.min(MOST_THREADS)).build();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.min(MOST_THREADS))
+        .build();
     let pool = pool.map_err(|error| Error::Output(std::io::Error::other(error)))?;
     let most = UNDER_WAY * pool.current_num_threads() as u64;
     pool.in_place_scope(|scope| {
@@ -48,7 +53,8 @@ pub(crate) fn in_order<T: Send, R: Send>(
                         let (finished, work) = (finished.clone(), &work);
                         scope.spawn(move |_| {
                             // nobody listens once the sink has refused
-                            let _ = finished.send((begun, catch_unwind(AssertUnwindSafe(|| work(chunk)))));
+                            let _ = finished
+                                .send((begun, catch_unwind(AssertUnwindSafe(|| work(chunk)))));
                         });
                         begun += 1;
                     }
@@ -57,7 +63,9 @@ pub(crate) fn in_order<T: Send, R: Send>(
             if due == begun {
                 return end.unwrap_or(Ok(()));
             }
-            let Ok((chunk, result)) = results.recv() else { return Ok(()) };
+            let Ok((chunk, result)) = results.recv() else {
+                return Ok(());
+            };
             waiting.insert(chunk, result.unwrap_or_else(|panic| resume_unwind(panic)));
             while let Some(result) = waiting.remove(&due) {
                 sink(result)?;

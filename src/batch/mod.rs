@@ -1,13 +1,13 @@
-//! Drives by the million: the outcomes, and their exact derivatives, at every point of a grid, a quasi-random sequence
-//! or a table of points ([`table`](crate::table)).
+//! Drives by the million: the outcomes, and their exact derivatives, at every point of a grid, a
+//! quasi-random sequence or a table of points ([`table`](crate::table)).
 //!
 //! ```text
 //!   points ──chunks──▶ drives, side by side ──in order──▶ whoever takes the rows
 //! ```
 //!
-//! Points are read in chunks of [`CHUNK`] rows, a bounded number of chunks is under way at a time, and finished ones
-//! are handed on in the order of the points: memory does not grow with the batch, and what is handed on does not
-//! depend on the number of threads.
+//! Points are read in chunks of [`CHUNK`] rows, a bounded number of chunks is under way at a time,
+//! and finished ones are handed on in the order of the points: memory does not grow with the batch,
+//! and what is handed on does not depend on the number of threads.
 //!
 //! ```
 //! use longdrive::batch::{Axis, Grid, Run, simulate_batch};

@@ -2,13 +2,14 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Vary};
 use crate::units::Message;
 
-/// Where the points of a batch come from: the values of some parameters, a row for each drive, in an order that is the
-/// same every time.
+/// Where the points of a batch come from: the values of some parameters, a row for each drive, in
+/// an order that is the same every time.
 pub trait Points {
     /// The parameters that have a value in each row.
     fn parameters(&self) -> &[&'static Parameter];
 
-    /// The ranges that the values lie in. Values that no drive can have do not count; a parameter that has no others is left out.
+    /// The ranges that the values lie in. Values that no drive can have do not count; a parameter
+    /// that has no others is left out.
     fn ranges(&self) -> Vec<Vary>;
 
     /// How many rows there are.
@@ -20,8 +21,9 @@ pub trait Points {
     /// What keeps the rows before it from being read.
     fn seek(&mut self, row: u64) -> Result<()>;
 
-    /// Appends the next rows to `values`, SI, one row after the other with a value for each parameter, at most `most` of them; how many
-    /// there were, 0 at the end only. Who reads them refuses other numbers of values.
+    /// Appends the next rows to `values`, SI, one row after the other with a value for each
+    /// parameter, at most `most` of them; how many there were, 0 at the end only. Who reads them
+    /// refuses other numbers of values.
     ///
     /// # Errors
     /// [`Error::Table`] for what cannot be read.
@@ -41,11 +43,17 @@ pub(crate) fn refuse_repeated(parameters: &[&'static Parameter]) -> Result<()> {
     for (at, parameter) in parameters.iter().enumerate() {
         if parameters[..at].contains(parameter) {
             let reason = "it is given twice; keep one".into();
-            return Err(Error::SearchRange { name: parameter.name.into(), reason });
+            return Err(Error::SearchRange {
+                name: parameter.name.into(),
+                reason,
+            });
         }
     }
     if parameters.is_empty() {
-        return Err(Error::Nothing { doing: "sweep", what: "parameter" });
+        return Err(Error::Nothing {
+            doing: "sweep",
+            what: "parameter",
+        });
     }
     Ok(())
 }

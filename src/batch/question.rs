@@ -13,19 +13,22 @@ pub struct Batch {
     pub(super) of: Vec<Outcome>,
     /// What the outcomes are differentiated by; nothing for values alone.
     pub(super) wrt: Vec<&'static Parameter>,
-    /// Drives with a larger defect are flown again, in shorter steps; infinite where the setup's own step is kept.
+    /// Drives with a larger defect are flown again, in shorter steps; infinite where the setup's
+    /// own step is kept.
     pub(super) largest_defect: f64,
     /// The most that is used of what the processor can do.
     pub(super) level: Level,
 }
 
 impl Batch {
-    /// Outcomes of the setup at the points of some parameters, with their derivatives by `wrt`, if any.
+    /// Outcomes of the setup at the points of some parameters, with their derivatives by `wrt`, if
+    /// any.
     ///
     /// # Errors
     /// What [`Setup::validate`] refuses; [`Error::Nothing`] without outcomes or swept parameters;
-    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] as [`Setup::variable`], also for a coefficient of another law of the
-    /// same name; [`Error::SearchRange`] and [`Error::Together`] for a parameter given twice.
+    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] as [`Setup::variable`],
+    /// also for a coefficient of another law of the same name; [`Error::SearchRange`] and
+    /// [`Error::Together`] for a parameter given twice.
     pub fn new(
         setup: &Setup<f64>,
         parameters: &[&'static Parameter],
@@ -34,36 +37,62 @@ impl Batch {
     ) -> Result<Self> {
         setup.validate_but_launch()?;
         if of.is_empty() {
-            return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
+            return Err(Error::Nothing {
+                doing: "evaluate",
+                what: "outcome",
+            });
         }
         refuse_repeated(parameters)?;
         for parameter in parameters {
             setup.check_column(parameter)?;
         }
-        for parameter in wrt.iter().filter(|parameter| !parameters.contains(parameter)) {
+        for parameter in wrt
+            .iter()
+            .filter(|parameter| !parameters.contains(parameter))
+        {
             setup.check_variable(parameter)?;
         }
         refuse_twice(wrt)?;
         let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
         setup.check_launch(&names)?;
         setup.check_air(&names)?;
-        let is_launched = setup.launch.is_given() || parameters.iter().any(|parameter| parameter.is_of_launch());
-        if let Some(of_club) = parameters.iter().chain(wrt).find(|parameter| is_launched && parameter.is_of_strike()) {
-            return Err(Error::NotVariable { name: of_club.name.into(), reason: NO_CLUB.into() });
+        let is_launched =
+            setup.launch.is_given() || parameters.iter().any(|parameter| parameter.is_of_launch());
+        if let Some(of_club) = parameters
+            .iter()
+            .chain(wrt)
+            .find(|parameter| is_launched && parameter.is_of_strike())
+        {
+            return Err(Error::NotVariable {
+                name: of_club.name.into(),
+                reason: NO_CLUB.into(),
+            });
         }
         let (parameters, of, wrt) = (parameters.to_vec(), of.to_vec(), wrt.to_vec());
-        Ok(Self { setup: *setup, parameters, of, wrt, largest_defect: f64::INFINITY, level: Level::here() })
+        Ok(Self {
+            setup: *setup,
+            parameters,
+            of,
+            wrt,
+            largest_defect: f64::INFINITY,
+            level: Level::here(),
+        })
     }
 
-    /// The same with another step for each drive that the setup's own step does not follow closely enough: one whose steps have
-    /// a larger defect than this, m (docs/model.md, eq. 16a), is flown again in steps half as long, and again. One that stays above it
-    /// in the shortest has the status `diverged`. Infinity keeps the setup's own step, as does a batch that has not been given any.
+    /// The same with another step for each drive that the setup's own step does not follow closely
+    /// enough: one whose steps have a larger defect than this, m (docs/model.md, eq. 16a), is flown
+    /// again in steps half as long, and again. One that stays above it in the shortest has the
+    /// status `diverged`. Infinity keeps the setup's own step, as does a batch that has not been
+    /// given any.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for NaN, 0 and below, which no drive meets.
     pub fn with_largest_defect(self, defect: f64) -> Result<Self> {
         if defect > 0.0 {
-            return Ok(Self { largest_defect: defect, ..self });
+            return Ok(Self {
+                largest_defect: defect,
+                ..self
+            });
         }
         Err(Error::OutOfRange {
             name: "the largest defect of a drive".into(),
@@ -81,9 +110,13 @@ impl Batch {
         let most = Level::here();
         if !level.is_here() {
             let reason = format!(
-                "this processor does not have them; the most it has is {most}. Take --instructions {most} on every machine, or a machine that has {level}"
+                "this processor does not have them; the most it has is {most}. Take --instructions \
+                 {most} on every machine, or a machine that has {level}"
             );
-            return Err(Error::Together { given: format!("the instructions {level}"), reason });
+            return Err(Error::Together {
+                given: format!("the instructions {level}"),
+                reason,
+            });
         }
         Ok(Self { level, ..self })
     }
@@ -118,10 +151,20 @@ impl Batch {
         &self.wrt
     }
 
-    /// The names of the columns of results, as in files: the outcomes, then their derivatives, as in `d_carry/d_club.loft`.
+    /// The names of the columns of results, as in files: the outcomes, then their derivatives, as
+    /// in `d_carry/d_club.loft`.
     pub fn columns(&self) -> Vec<String> {
-        let derivative = |of: &Outcome| self.wrt().iter().map(|by| format!("d_{}/d_{}", of.name(), by.name)).collect();
+        let derivative = |of: &Outcome| {
+            self.wrt()
+                .iter()
+                .map(|by| format!("d_{}/d_{}", of.name(), by.name))
+                .collect()
+        };
         let derivatives = self.outcomes().iter().flat_map::<Vec<_>, _>(derivative);
-        self.outcomes().iter().map(|of| of.name().to_owned()).chain(derivatives).collect()
+        self.outcomes()
+            .iter()
+            .map(|of| of.name().to_owned())
+            .chain(derivatives)
+            .collect()
     }
 }

@@ -13,25 +13,29 @@ pub const CHUNK: usize = 1024;
 /// How a batch is run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Run<'a> {
-    /// The first row to compute (0): a multiple of [`CHUNK`] where the blocks are to be those of an uninterrupted run.
+    /// The first row to compute (0): a multiple of [`CHUNK`] where the blocks are to be those of an
+    /// uninterrupted run.
     pub first_row: u64,
     /// The row to end before (`None`: after the last point).
     pub end_row: Option<u64>,
-    /// Threads, and no more than there are chunks to compute, nor than 256 (0: one for a single chunk, as many as there are processors for more).
+    /// Threads, and no more than there are chunks to compute, nor than 256 (0: one for a single
+    /// chunk, as many as there are processors for more).
     pub threads: usize,
     /// Ends the batch, after the chunks under way, once it is true.
     pub stop: Option<&'a AtomicBool>,
 }
 
 impl Batch {
-    /// Computes the drives of all points. Each block goes through `work` on the thread that computed it, and what that
-    /// makes of it to `sink`, in the order of the points. Returns the row after the last one handed on: the number of
-    /// points or the end that was asked for, unless it was stopped; `run.first_row` where none was, as there is no point from there on.
+    /// Computes the drives of all points. Each block goes through `work` on the thread that
+    /// computed it, and what that makes of it to `sink`, in the order of the points. Returns the
+    /// row after the last one handed on: the number of points or the end that was asked for, unless
+    /// it was stopped; `run.first_row` where none was, as there is no point from there on.
     ///
     /// # Errors
-    /// [`Error::Together`] for points of other parameters than those of the batch, or in another order, and for points whose
-    /// [`read`](Points::read) does not append as many values as the rows it tells of have, or more rows than it was asked for; what `points`
-    /// and `sink` return. Rows before an unreadable point are handed on first.
+    /// [`Error::Together`] for points of other parameters than those of the batch, or in another
+    /// order, and for points whose [`read`](Points::read) does not append as many values as the
+    /// rows it tells of have, or more rows than it was asked for; what `points` and `sink` return.
+    /// Rows before an unreadable point are handed on first.
     pub fn run<R: Send>(
         &self,
         points: &mut dyn Points,
@@ -42,7 +46,10 @@ impl Batch {
         self.check_parameters(points.parameters())?;
         points.seek(run.first_row)?;
         let end = run.end_row.unwrap_or(u64::MAX).min(points.rows());
-        let chunks = end.saturating_sub(run.first_row).div_ceil(CHUNK as u64).max(1);
+        let chunks = end
+            .saturating_sub(run.first_row)
+            .div_ceil(CHUNK as u64)
+            .max(1);
         let threads = match run.threads {
             0 if chunks == 1 => 1,
             threads => threads.min(usize::try_from(chunks).unwrap_or(usize::MAX)),
@@ -52,7 +59,11 @@ impl Batch {
         let next = || {
             let mut values = Vec::with_capacity(CHUNK * self.parameters.len());
             let most = end.saturating_sub(row).min(CHUNK as u64) as usize;
-            let rows = if is_stopped() || most == 0 { 0 } else { points.read(most, &mut values)? };
+            let rows = if is_stopped() || most == 0 {
+                0
+            } else {
+                points.read(most, &mut values)?
+            };
             self.check_chunk(rows, most, values.len())?;
             let (first_row, rows) = (row, rows as u64);
             row += rows;
@@ -76,9 +87,17 @@ impl Batch {
         if of_points == self.parameters() {
             return Ok(());
         }
-        let named = |all: &[&'static Parameter]| all.iter().map(|one| one.name).collect::<Vec<_>>().join(", ");
+        let named = |all: &[&'static Parameter]| {
+            all.iter()
+                .map(|one| one.name)
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
         let given = format!("points of {}", named(of_points));
-        let reason = format!("the batch is of {}; give points of these, in this order", named(self.parameters()));
+        let reason = format!(
+            "the batch is of {}; give points of these, in this order",
+            named(self.parameters())
+        );
         Err(Error::Together { given, reason })
     }
 
@@ -88,18 +107,25 @@ impl Batch {
         if rows <= most && Some(values) == rows.checked_mul(parameters) {
             return Ok(());
         }
-        let given = format!("Points::read, asked for at most {most} rows, tells of {rows} and appends {values} values");
-        let reason = format!("it must append {parameters} values for each row, and no more rows than asked for");
+        let given = format!(
+            "Points::read, asked for at most {most} rows, tells of {rows} and appends {values} \
+             values"
+        );
+        let reason = format!(
+            "it must append {parameters} values for each row, and no more rows than asked for"
+        );
         Err(Error::Together { given, reason })
     }
 }
 
-/// Outcomes of the drives at all points, handed to `sink` in order, a block of at most [`CHUNK`] rows at a time.
-/// Returns the row after the last one handed on, or `run.first_row` where there was none. The drives are integrated as the setup says:
-/// [`accuracy`](crate::study::accuracy()) finds method and step for a stated error.
+/// Outcomes of the drives at all points, handed to `sink` in order, a block of at most [`CHUNK`]
+/// rows at a time. Returns the row after the last one handed on, or `run.first_row` where there was
+/// none. The drives are integrated as the setup says: [`accuracy`](crate::study::accuracy()) finds
+/// method and step for a stated error.
 ///
 /// # Errors
-/// As [`Batch::new`] and [`Batch::run`]. A drive that does not fly is no error but has its [`Status`](super::Status).
+/// As [`Batch::new`] and [`Batch::run`]. A drive that does not fly is no error but has its
+/// [`Status`](super::Status).
 pub fn simulate_batch(
     setup: &Setup<f64>,
     points: &mut dyn Points,
@@ -107,7 +133,12 @@ pub fn simulate_batch(
     run: &Run<'_>,
     mut sink: impl FnMut(&Block) -> Result<()>,
 ) -> Result<u64> {
-    of_batch(&Batch::new(setup, points.parameters(), of, &[])?, points, run, &mut sink)
+    of_batch(
+        &Batch::new(setup, points.parameters(), of, &[])?,
+        points,
+        run,
+        &mut sink,
+    )
 }
 
 /// As [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
@@ -123,9 +154,17 @@ pub fn gradient_batch(
     mut sink: impl FnMut(&Block) -> Result<()>,
 ) -> Result<u64> {
     if wrt.is_empty() {
-        return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
+        return Err(Error::Nothing {
+            doing: "differentiate by",
+            what: "parameter",
+        });
     }
-    of_batch(&Batch::new(setup, points.parameters(), of, wrt)?, points, run, &mut sink)
+    of_batch(
+        &Batch::new(setup, points.parameters(), of, wrt)?,
+        points,
+        run,
+        &mut sink,
+    )
 }
 
 /// Compiled once, whatever becomes of the blocks.

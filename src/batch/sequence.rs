@@ -3,8 +3,8 @@ use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::{Parameter, Vary};
 
-/// Points spread evenly over ranges of some parameters, however many are taken: Sobol's sequence, scrambled (Owen 1995;
-/// Burley 2020). After 65 536 points it goes on with another scrambling.
+/// Points spread evenly over ranges of some parameters, however many are taken: Sobol's sequence,
+/// scrambled (Owen 1995; Burley 2020). After 65 536 points it goes on with another scrambling.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     over: Vec<Vary>,
@@ -23,10 +23,22 @@ impl Sequence {
         let parameters: Vec<_> = over.iter().map(|vary| vary.parameter).collect();
         refuse_repeated(&parameters)?;
         if over.len() > sobol::MOST_VARIABLES {
-            let reason = format!("a sample can have at most {}; take out some --over", sobol::MOST_VARIABLES);
-            return Err(Error::SearchRange { name: format!("of {} parameters", over.len()), reason });
+            let reason = format!(
+                "a sample can have at most {}; take out some --over",
+                sobol::MOST_VARIABLES
+            );
+            return Err(Error::SearchRange {
+                name: format!("of {} parameters", over.len()),
+                reason,
+            });
         }
-        Ok(Self { over, parameters, rows, seed, next: 0 })
+        Ok(Self {
+            over,
+            parameters,
+            rows,
+            seed,
+            next: 0,
+        })
     }
 }
 
@@ -51,8 +63,9 @@ impl Points for Sequence {
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
         let rows = self.rows.saturating_sub(self.next).min(most as u64);
         for row in self.next..self.next + rows {
-            let value =
-                |(i, vary): (usize, &Vary)| vary.low + sobol::coordinate(row, i, self.seed) * (vary.high - vary.low);
+            let value = |(i, vary): (usize, &Vary)| {
+                vary.low + sobol::coordinate(row, i, self.seed) * (vary.high - vary.low)
+            };
             values.extend(self.over.iter().enumerate().map(value));
         }
         self.next += rows;
@@ -60,8 +73,14 @@ impl Points for Sequence {
     }
 
     fn identity(&self) -> String {
-        let range = |vary: &Vary| format!("{}={:?}..{:?}", vary.parameter.name, vary.low, vary.high);
+        let range =
+            |vary: &Vary| format!("{}={:?}..{:?}", vary.parameter.name, vary.low, vary.high);
         let ranges: Vec<_> = self.over.iter().map(range).collect();
-        format!("{} points, seed {}, of {}", self.rows, self.seed, ranges.join(" "))
+        format!(
+            "{} points, seed {}, of {}",
+            self.rows,
+            self.seed,
+            ranges.join(" ")
+        )
     }
 }

@@ -19,17 +19,33 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 pub fn run(args: &Calibrate) -> Result<Answer> {
     let setup = args.question.setup()?;
-    let rule = Rule::new(args.question.inputs().chain([args.data.clone()]), args.overwrite);
-    let folder = args.plot.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
+    let rule = Rule::new(
+        args.question.inputs().chain([args.data.clone()]),
+        args.overwrite,
+    );
+    let folder = args
+        .plot
+        .as_ref()
+        .map(|folder| rule.folder(folder, &DOCUMENT))
+        .transpose()?;
     let rule = rule.and_not(args.plot.as_deref());
-    let output = args.output.as_ref().map(|file| rule.setup_file(file)).transpose()?;
+    let output = args
+        .output
+        .as_ref()
+        .map(|file| rule.setup_file(file))
+        .transpose()?;
     if setup.launch.is_given() {
         let source = format!(
-            "calibrate reads the launch of each ball from columns of the table; leave this out, and add the columns to {} if it has none: \
-             ball_speed, launch_angle, and backspin or spin, with their units, as in \"ball_speed [mph]\"",
+            "calibrate reads the launch of each ball from columns of the table; leave this out, \
+             and add the columns to {} if it has none: \
+             ball_speed, launch_angle, and backspin or spin, with their units, as in \"ball_speed \
+             [mph]\"",
             args.data.display()
         );
-        return Err(Error::Unreadable { name: args.question.launch_from(), source: source.into() });
+        return Err(Error::Unreadable {
+            name: args.question.launch_from(),
+            source: source.into(),
+        });
     }
     let mut warnings = setup.warnings();
     warn(&warnings);
@@ -41,10 +57,19 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         table.in_given_air();
     }
     if table.is_launched {
-        args.question.refuse_club(&setup, &format!("the rows of {file} are launches"))?;
+        args.question
+            .refuse_club(&setup, &format!("the rows of {file} are launches"))?;
     }
-    let given: Vec<_> = setup.parameters().into_iter().filter(|parameter| table.gives(parameter)).collect();
-    args.question.refuse_twice(&setup, &given, &format!("every row of {file} has a value of its own"))?;
+    let given: Vec<_> = setup
+        .parameters()
+        .into_iter()
+        .filter(|parameter| table.gives(parameter))
+        .collect();
+    args.question.refuse_twice(
+        &setup,
+        &given,
+        &format!("every row of {file} has a value of its own"),
+    )?;
     args.question.refuse_replaced(&setup, &given)?;
     let mut plan = Plan::read(&setup, &args.fit)?;
     let setup = args.question.for_many(setup, &ranges(&table, &plan.fit))?;
@@ -53,31 +78,49 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     if args.huber {
         plan.options.loss = Loss::HUBER;
     }
-    let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
-    let compared = args.compare.iter().map(|law| Compared::new(&setup, law, &plan)).collect::<Result<Vec<_>>>()?;
+    let folds = if args.folds > 0 {
+        args.folds as usize
+    } else {
+        5.min(table.shots.len())
+    };
+    let compared = args
+        .compare
+        .iter()
+        .map(|law| Compared::new(&setup, law, &plan))
+        .collect::<Result<Vec<_>>>()?;
     let is_cross_validated = args.folds > 0 || !args.compare.is_empty();
     if is_cross_validated {
         check_folds(&table, &plan, folds)?;
     }
     for Compared { law, plan, .. } in &compared {
-        check_folds(&table, plan, folds)
-            .map_err(|error| Error::Unreadable { name: format!("--compare {law}"), source: error.into() })?;
+        check_folds(&table, plan, folds).map_err(|error| Error::Unreadable {
+            name: format!("--compare {law}"),
+            source: error.into(),
+        })?;
     }
     let one_drive: Vec<_> = table.one_drive(&setup, &plan.fit).into_iter().collect();
     warn(&one_drive);
     warnings.extend(one_drive);
-    let follow = Follow { iteration: Some(Arc::new(shown(args.starts > 1))), interrupt: interrupt::stops(BEST_SO_FAR) };
+    let follow = Follow {
+        iteration: Some(Arc::new(shown(args.starts > 1))),
+        interrupt: interrupt::stops(BEST_SO_FAR),
+    };
     let found = calibrate(&setup, &table, &plan, &follow)?;
     let shots = beyond(&found.setup, &table.shots, &follow.interrupt);
     let shots = [shots, found.warnings(&table)].concat();
     warn(&shots);
     warnings.extend(shots);
 
-    let quiet = Follow { iteration: None, ..follow };
+    let quiet = Follow {
+        iteration: None,
+        ..follow
+    };
     let mut held = vec![];
     if is_cross_validated {
         if !quiet.is_interrupted() {
-            tell(&format!("cross-validation: fitting {folds} times, each time without a part of the rows"));
+            tell(&format!(
+                "cross-validation: fitting {folds} times, each time without a part of the rows"
+            ));
         }
         let name = format!("{}, fitted as above", setup.law.name());
         held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
@@ -85,14 +128,34 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
             let unfitted = HeldOut::as_it_stands(&setup, &table, &quiet)?;
             held.push((format!("{}, {AS_SET_UP}", setup.law.name()), unfitted));
         }
-        for Compared { law, as_it_stands, setup, plan } in &compared {
-            held.push((format!("{law}, {as_it_stands}"), HeldOut::as_it_stands(setup, &table, &quiet)?));
-            held.push((format!("{law}, all coefficients fitted"), held_out(setup, &table, plan, folds, &quiet)?));
+        for Compared {
+            law,
+            as_it_stands,
+            setup,
+            plan,
+        } in &compared
+        {
+            held.push((
+                format!("{law}, {as_it_stands}"),
+                HeldOut::as_it_stands(setup, &table, &quiet)?,
+            ));
+            held.push((
+                format!("{law}, all coefficients fitted"),
+                held_out(setup, &table, plan, folds, &quiet)?,
+            ));
         }
     }
-    let report = CalibrationReport { table: &table, found: &found, held_out: &held };
+    let report = CalibrationReport {
+        table: &table,
+        found: &found,
+        held_out: &held,
+    };
     if !report.is_found() {
-        let without_minimum = [Message::from(format!("the fit ended as '{}': {}", report.status(), report.message()))];
+        let without_minimum = [Message::from(format!(
+            "the fit ended as '{}': {}",
+            report.status(),
+            report.message()
+        ))];
         warn(&without_minimum);
         warnings.extend(without_minimum);
     }
@@ -100,22 +163,37 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         let is_fitted = is_fitted(&found);
         if !is_fitted {
             let why = "the fit ended before it came to a minimum";
-            let unwritten = [Message::from(format!("{} is not written: {why}", output.path().display()))];
+            let unwritten = [Message::from(format!(
+                "{} is not written: {why}",
+                output.path().display()
+            ))];
             warn(&unwritten);
             warnings.extend(unwritten);
         }
         is_fitted
     });
     if let Some(output) = &output {
-        output.write(args.question.as_stated(calibration_toml(&found, args.question.preset()?, &file)?)?.as_bytes())?;
-        tell(&format!("wrote the fitted setup into {}", output.path().display()));
+        output.write(
+            args.question
+                .as_stated(calibration_toml(&found, args.question.preset()?, &file)?)?
+                .as_bytes(),
+        )?;
+        tell(&format!(
+            "wrote the fitted setup into {}",
+            output.path().display()
+        ));
     }
     if let Some(folder) = &folder {
-        write(folder, &System::ALL.map(|system| calibration_document(&report, system)), system())?;
+        write(
+            folder,
+            &System::ALL.map(|system| calibration_document(&report, system)),
+            system(),
+        )?;
     }
     let answer = if args.question.json {
         let mut reply = calibration_reply(&report, warnings);
-        let named = |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));
+        let named =
+            |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));
         reply.body["file"] = named(&args.output.clone().filter(|_| output.is_some()));
         reply.body["folder"] = named(&args.plot);
         Answer::json(&reply)
@@ -125,19 +203,31 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     Ok(answer.found(report.is_found()))
 }
 
-/// Whether the values are those of a fit: one that was stopped on its way has those that it had come to.
+/// Whether the values are those of a fit: one that was stopped on its way has those that it had
+/// come to.
 fn is_fitted(found: &Calibration) -> bool {
-    found.is_minimum || !matches!(found.fit.status, Status::Interrupted | Status::IterationLimit)
+    found.is_minimum
+        || !matches!(
+            found.fit.status,
+            Status::Interrupted | Status::IterationLimit
+        )
 }
 
-/// Shows each iteration, and where there are several searches the number of the search: each begins with iteration 0.
+/// Shows each iteration, and where there are several searches the number of the search: each begins
+/// with iteration 0.
 fn shown(is_numbered: bool) -> impl Fn(u64, f64) {
     let (running, begun) = (running(), AtomicU64::new(0));
     move |iteration, sum| {
         let begins = u64::from(iteration == 0);
         let search = begun.fetch_add(begins, Relaxed) + begins;
-        let search = if is_numbered { format!("search {search}  ") } else { String::new() };
-        running.tell(&format!("{search}iteration {iteration:3}  half the sum of squares {sum:.6e}"));
+        let search = if is_numbered {
+            format!("search {search}  ")
+        } else {
+            String::new()
+        };
+        running.tell(&format!(
+            "{search}iteration {iteration:3}  half the sum of squares {sum:.6e}"
+        ));
     }
 }
 
@@ -156,11 +246,31 @@ impl<'a> Compared<'a> {
     fn new(setup: &Setup<f64>, law: &'a str, plan: &Plan) -> Result<Self> {
         let mut other = *setup;
         other.set_law(law)?;
-        let as_it_stands = if law == setup.law.name() { AS_SET_UP } else { "as published" };
+        let as_it_stands = if law == setup.law.name() {
+            AS_SET_UP
+        } else {
+            "as published"
+        };
         let own = Law::all_rows().filter(|row| row.law == Some(other.law.name()));
-        let coefficients = own.map(|row| Vary { parameter: row, low: row.range.low, high: row.range.high });
-        let kept = plan.fit.iter().filter(|vary| vary.parameter.law.is_none()).copied();
-        let plan = Plan { fit: kept.chain(coefficients).collect(), ..plan.clone() };
-        Ok(Self { law, as_it_stands, setup: other, plan })
+        let coefficients = own.map(|row| Vary {
+            parameter: row,
+            low: row.range.low,
+            high: row.range.high,
+        });
+        let kept = plan
+            .fit
+            .iter()
+            .filter(|vary| vary.parameter.law.is_none())
+            .copied();
+        let plan = Plan {
+            fit: kept.chain(coefficients).collect(),
+            ..plan.clone()
+        };
+        Ok(Self {
+            law,
+            as_it_stands,
+            setup: other,
+            plan,
+        })
     }
 }

@@ -2,7 +2,9 @@ use crate::command::args::ChartArgs;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, spinner, system, tell, tell_error, warn};
 use crate::optimize::Iteration;
-use crate::report::{ChartReport, chart_csv, chart_text, iteration_line, outcome_text, parameter_text};
+use crate::report::{
+    ChartReport, chart_csv, chart_text, iteration_line, outcome_text, parameter_text,
+};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
 use crate::{Error, Result, Setup};
 use indicatif::ProgressBar;
@@ -14,9 +16,14 @@ use std::time::{Duration, Instant};
 pub fn run(args: &ChartArgs) -> Result<Answer> {
     let setup = args.question.setup_varied(&args.search.vary)?;
     let (along, at) = args.places(&setup)?;
-    let setup = args.question.begun(setup, [(along.parameter, 0.5 * (along.low + along.high))], "begins at")?;
+    let setup = args.question.begun(
+        setup,
+        [(along.parameter, 0.5 * (along.low + along.high))],
+        "begins at",
+    )?;
     let search = args.search.search(&setup)?;
-    args.question.refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
+    args.question
+        .refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.for_many(setup, &ranges)?;
     let mut warnings = setup.warnings();
@@ -31,7 +38,12 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
             let place = parameter_text(along.parameter, at, system());
             // where the chart ends is searched for in ever smaller steps, which read alike
             if last.replace(place.clone()) != place {
-                spinner.suspend(|| tell(&format!("searching for an optimum at {} {place}", along.parameter.name)));
+                spinner.suspend(|| {
+                    tell(&format!(
+                        "searching for an optimum at {} {place}",
+                        along.parameter.name
+                    ))
+                });
             }
         }
     };
@@ -45,9 +57,18 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     };
     let chart = chart_at(&setup, &search, along, &at, &observer, &mut |point| {
         if at.is_empty() || at.contains(&point.at) {
-            let value = point.best.value().map_or("–".into(), |value| outcome_text(of, value, system()));
+            let value = point
+                .best
+                .value()
+                .map_or("–".into(), |value| outcome_text(of, value, system()));
             let place = parameter_text(along.parameter, point.at, system());
-            spinner.suspend(|| tell(&format!("{} {place}: {} {value}", along.parameter.name, of.name())));
+            spinner.suspend(|| {
+                tell(&format!(
+                    "{} {place}: {} {value}",
+                    along.parameter.name,
+                    of.name()
+                ))
+            });
         }
         true
     });
@@ -57,7 +78,13 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
             let interrupted = stop.load(Ordering::Relaxed);
-            let none = Chart { along, points: vec![], begun: None, ended: Some(error.message()), interrupted };
+            let none = Chart {
+                along,
+                points: vec![],
+                begun: None,
+                ended: Some(error.message()),
+                interrupted,
+            };
             let answer = if args.question.json {
                 Answer::json(&ChartReport::reply(&none, &search, warnings))
             } else {
@@ -83,7 +110,8 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }
 
-/// Tells of an iteration where nothing was told for a second: most searches of a chart are done before.
+/// Tells of an iteration where nothing was told for a second: most searches of a chart are done
+/// before.
 fn progress(search: &Search, spinner: &ProgressBar) -> impl Fn(&Iteration) + use<> {
     const SILENCE: Duration = Duration::from_secs(1);
     let (search, spinner, told) = (search.clone(), spinner.clone(), Cell::new(Instant::now()));
@@ -100,19 +128,31 @@ impl ChartArgs {
     fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
         if !self.along.contains('=') && self.at.is_empty() {
             let reason =
-                "write NAME=LOW..HIGH, for example swing.speed=80mph..130mph, or give the places with --at".into();
-            return Err(Error::SearchRange { name: self.along.clone(), reason });
+                "write NAME=LOW..HIGH, for example swing.speed=80mph..130mph, or give the places \
+                 with --at"
+                    .into();
+            return Err(Error::SearchRange {
+                name: self.along.clone(),
+                reason,
+            });
         }
         if self.along.contains('=') {
             let along = Vary::read_column(setup, &self.along)?;
-            let read = |text: &String| along.parameter.read(text, false).map(Option::unwrap_or_default);
+            let read = |text: &String| {
+                along
+                    .parameter
+                    .read(text, false)
+                    .map(Option::unwrap_or_default)
+            };
             return Ok((along, self.at.iter().map(read).collect::<Result<_>>()?));
         }
         let parameter = setup.column(self.along.trim())?;
         let read = |text: &String| parameter.read(text, false).map(Option::unwrap_or_default);
         let at = self.at.iter().map(read).collect::<Result<Vec<_>>>()?;
-        let (low, high) =
-            (at.iter().copied().fold(f64::INFINITY, f64::min), at.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+        let (low, high) = (
+            at.iter().copied().fold(f64::INFINITY, f64::min),
+            at.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        );
         Ok((Vary::new(parameter, low, high)?, at))
     }
 }

@@ -30,10 +30,17 @@ pub fn run(args: &Compare) -> Result<Answer> {
     let answer = if args.pair.question.json {
         Answer::json(&ComparisonReport::reply(&comparison, &each, warnings))
     } else {
-        let differences = each.iter().filter_map(|(_, difference)| difference.as_ref().ok());
+        let differences = each
+            .iter()
+            .filter_map(|(_, difference)| difference.as_ref().ok());
         let texts = differences.map(|difference| difference_text(difference, system()));
         let heads = std::iter::once(comparison_text(&comparison, args.pair.titles(), system()));
-        Answer::text(heads.chain(texts.filter(|_| comparison.differs())).collect::<Vec<_>>().join("\n"))
+        Answer::text(
+            heads
+                .chain(texts.filter(|_| comparison.differs()))
+                .collect::<Vec<_>>()
+                .join("\n"),
+        )
     };
     Ok(answer.found(is_complete))
 }
@@ -41,7 +48,8 @@ pub fn run(args: &Compare) -> Result<Answer> {
 /// What the reader should know about each of the two drives.
 pub fn warnings(comparison: &Comparison) -> Vec<Message> {
     let of = |(name, side): (&str, usize)| {
-        let warnings = comparison.drives[side].warnings_about(&comparison.setups[side], Outcome::ALL);
+        let warnings =
+            comparison.drives[side].warnings_about(&comparison.setups[side], Outcome::ALL);
         warnings
             .into_iter()
             .map(|warning| Message::from(format!("drive {name}: ")).message(warning))
@@ -55,19 +63,28 @@ impl Pair {
     pub fn comparison(&self) -> Result<Comparison> {
         let own = [&self.set_a, &self.set_b, &self.launch_a, &self.launch_b];
         if self.other.is_none() && own.iter().all(|options| options.is_empty()) {
-            let source = "there is one drive; name a second setup, or say in what drive b differs, for example --set-b \
+            let source = "there is one drive; name a second setup, or say in what drive b differs, \
+                          for example --set-b \
                           club.loft=10.5deg";
-            return Err(Error::Unreadable { name: "compare".into(), source: source.into() });
+            return Err(Error::Unreadable {
+                name: "compare".into(),
+                source: source.into(),
+            });
         }
         // told by their own names: the question about each drive has them among those of both
         for (option, own) in [("--set-a", &self.set_a), ("--set-b", &self.set_b)] {
             given_once(&[("--set", &self.question.set), (option, own)])?;
         }
-        for (option, own) in [("--launch-a", &self.launch_a), ("--launch-b", &self.launch_b)] {
+        for (option, own) in [
+            ("--launch-a", &self.launch_a),
+            ("--launch-b", &self.launch_b),
+        ] {
             given_once(&[("--launch", &self.question.launch), (option, own)])?;
         }
         let setup = |(question, drive): (Question, &'static str)| {
-            let setup = question.setup().and_then(|setup| question.within_tolerance(setup));
+            let setup = question
+                .setup()
+                .and_then(|setup| question.within_tolerance(setup));
             setup.map_err(|error| error.of_drive(drive))
         };
         let [a, b] = self.questions();
@@ -75,7 +92,8 @@ impl Pair {
         if comparison.is_refined {
             let setup = &comparison.setups[0];
             tell(&format!(
-                "note: both drives are flown with flight.method = {} and flight.step = {} s: the higher order and the shorter step \
+                "note: both drives are flown with flight.method = {} and flight.step = {} s: the \
+                 higher order and the shorter step \
                  of the two setups",
                 setup.method.name(),
                 setup.flight.step
@@ -86,7 +104,14 @@ impl Pair {
 
     /// The question about each drive alone.
     pub fn questions(&self) -> [Question; 2] {
-        let Question { setup, set, launch, tolerance, own_step, json } = &self.question;
+        let Question {
+            setup,
+            set,
+            launch,
+            tolerance,
+            own_step,
+            json,
+        } = &self.question;
         let one = |setup: &String, own: &[String], own_launch: &[String]| Question {
             setup: setup.clone(),
             set: [set, own].concat(),
@@ -97,14 +122,25 @@ impl Pair {
         };
         [
             one(setup, &self.set_a, &self.launch_a),
-            one(self.other.as_ref().unwrap_or(setup), &self.set_b, &self.launch_b),
+            one(
+                self.other.as_ref().unwrap_or(setup),
+                &self.set_b,
+                &self.launch_b,
+            ),
         ]
     }
 
     /// What each drive is, as it was asked for: "modern-driver, club.loft=11deg".
     pub fn titles(&self) -> [String; 2] {
         let b = self.other.as_ref().unwrap_or(&self.question.setup);
-        [(&self.question.setup, &self.set_a, &self.launch_a), (b, &self.set_b, &self.launch_b)]
-            .map(|(setup, set, launch)| [std::slice::from_ref(setup), set, launch].concat().join(", "))
+        [
+            (&self.question.setup, &self.set_a, &self.launch_a),
+            (b, &self.set_b, &self.launch_b),
+        ]
+        .map(|(setup, set, launch)| {
+            [std::slice::from_ref(setup), set, launch]
+                .concat()
+                .join(", ")
+        })
     }
 }

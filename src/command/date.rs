@@ -3,7 +3,8 @@
 use crate::{Error, Result};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Names the time, in seconds since 1970, that stands for now: <https://reproducible-builds.org/specs/source-date-epoch>.
+/// Names the time, in seconds since 1970, that stands for now:
+/// <https://reproducible-builds.org/specs/source-date-epoch>.
 const EPOCH: &str = "SOURCE_DATE_EPOCH";
 
 /// Today in UTC, as 2026-11-22; that of `SOURCE_DATE_EPOCH` where it is set.
@@ -14,15 +15,20 @@ pub fn today() -> Result<String> {
     let seconds = match std::env::var(EPOCH) {
         Ok(text) => text.trim().parse().map_err(|_| Error::Unreadable {
             name: EPOCH.into(),
-            source: format!("'{text}' is no whole number of seconds since 1970; correct it, or unset it").into(),
+            source: format!(
+                "'{text}' is no whole number of seconds since 1970; correct it, or unset it"
+            )
+            .into(),
         })?,
-        Err(_) => SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs()),
+        Err(_) => SystemTime::now()
+            .duration_since(UNIX_EPOCH)
+            .map_or(0, |since| since.as_secs()),
     };
     Ok(date(seconds))
 }
 
-/// The date of a time in seconds since 1970: days counted from 1 March of the year 0, so that leap days come last (Hinnant,
-/// "chrono-compatible low-level date algorithms").
+/// The date of a time in seconds since 1970: days counted from 1 March of the year 0, so that leap
+/// days come last (Hinnant, "chrono-compatible low-level date algorithms").
 fn date(seconds: u64) -> String {
     let days = seconds / 86_400 + 719_468;
     let (era, of_era) = (days / 146_097, days % 146_097);
@@ -30,6 +36,10 @@ fn date(seconds: u64) -> String {
     let of_year = of_era - (365 * year + year / 4 - year / 100);
     let month = (5 * of_year + 2) / 153;
     let day = of_year - (153 * month + 2) / 5 + 1;
-    let (month, next) = if month < 10 { (month + 3, 0) } else { (month - 9, 1) };
+    let (month, next) = if month < 10 {
+        (month + 3, 0)
+    } else {
+        (month - 9, 1)
+    };
     format!("{:04}-{month:02}-{day:02}", era * 400 + year + next)
 }

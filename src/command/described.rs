@@ -5,7 +5,8 @@ use serde_json::{Value, json};
 /// Commands about the program itself.
 const OF_THE_PROGRAM: [&str; 3] = ["completions", "man", "help"];
 
-/// Every command with its options, as JSON: what a program in another language makes its functions of.
+/// Every command with its options, as JSON: what a program in another language makes its functions
+/// of.
 ///
 /// ```
 /// let commands = longdrive::command::described();
@@ -16,14 +17,23 @@ const OF_THE_PROGRAM: [&str; 3] = ["completions", "man", "help"];
 pub fn described() -> Value {
     let mut program = Args::command().disable_help_subcommand(true);
     program.build();
-    program.get_subcommands().filter(|command| !OF_THE_PROGRAM.contains(&command.get_name())).map(of_command).collect()
+    program
+        .get_subcommands()
+        .filter(|command| !OF_THE_PROGRAM.contains(&command.get_name()))
+        .map(of_command)
+        .collect()
 }
 
 /// A command: its name, what it does, its options, and the commands below it.
 fn of_command(command: &Command) -> Value {
-    let about = command.get_long_about().or(command.get_about()).map(ToString::to_string);
+    let about = command
+        .get_long_about()
+        .or(command.get_about())
+        .map(ToString::to_string);
     let is_own = |arg: &&Arg| !arg.is_global_set() && !arg.is_hide_set() && arg.get_id() != "help";
-    let below = command.get_subcommands().filter(|below| below.get_name() != "help");
+    let below = command
+        .get_subcommands()
+        .filter(|below| below.get_name() != "help");
     json!({
         "name": command.get_name(),
         "about": about,
@@ -40,9 +50,16 @@ fn of_option(arg: &Arg) -> Value {
         _ => "one",
     };
     let text = |values: &[clap::builder::OsStr]| -> Vec<String> {
-        values.iter().map(|value| value.to_string_lossy().into_owned()).collect()
+        values
+            .iter()
+            .map(|value| value.to_string_lossy().into_owned())
+            .collect()
     };
-    let choices: Vec<_> = arg.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
+    let choices: Vec<_> = arg
+        .get_possible_values()
+        .iter()
+        .map(|value| value.get_name().to_owned())
+        .collect();
     json!({
         "name": arg.get_long().unwrap_or(arg.get_id().as_str()),
         "positional": arg.is_positional(),

@@ -18,16 +18,34 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     let search = &args.optimize;
     let (setup, mut notes) = (search.question.setup()?, vec![]);
     if setup.launch.is_given() {
-        let source = "it gives the ball as it leaves, which no club strikes: there is nothing to design; leave it out, or give the swing";
-        return Err(Error::Unreadable { name: search.question.launch_from(), source: source.into() });
+        let source = "it gives the ball as it leaves, which no club strikes: there is nothing to \
+                      design; leave it out, or give the swing";
+        return Err(Error::Unreadable {
+            name: search.question.launch_from(),
+            source: source.into(),
+        });
     }
     if !search.swings.is_given() {
         search.swings.refuse_correlation()?;
-        notes.push(format!("the swings vary as those of {GOLFER}, about what is set up; yours: --swings FILE"));
+        notes.push(format!(
+            "the swings vary as those of {GOLFER}, about what is set up; yours: --swings FILE"
+        ));
     }
-    let swings = if search.swings.is_given() { search.swings.read(&setup)? } else { golfer(&setup)? };
-    search.question.refuse_twice(&setup, &distributed(args, &swings), "the swings have values of it")?;
-    let setup = search.question.begun(setup, swings.parameters().into_iter().zip(swings.means()), "varies about")?;
+    let swings = if search.swings.is_given() {
+        search.swings.read(&setup)?
+    } else {
+        golfer(&setup)?
+    };
+    search.question.refuse_twice(
+        &setup,
+        &distributed(args, &swings),
+        "the swings have values of it",
+    )?;
+    let setup = search.question.begun(
+        setup,
+        swings.parameters().into_iter().zip(swings.means()),
+        "varies about",
+    )?;
     let asked = sought(
         &search.search,
         &search.swings,
@@ -38,19 +56,42 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     search.question.tell_of_the_start(&setup, &asked.vary);
     if search.search.maximize.is_none() && search.search.minimize.is_none() {
         notes.push(format!(
-            "nothing was asked for: the design with the largest {GOAL} is sought; another: --maximize GOAL"
+            "nothing was asked for: the design with the largest {GOAL} is sought; another: \
+             --maximize GOAL"
         ));
     }
     if search.search.vary.is_empty() {
-        notes.push("nothing was asked to vary: bulge, roll and loft are varied; others: --vary NAME=LOW..HIGH".into());
+        notes.push(
+            "nothing was asked to vary: bulge, roll and loft are varied; others: --vary \
+                    NAME=LOW..HIGH"
+                .into(),
+        );
     }
     let scenarios = Scenarios::new(&swings, search.swings.rule(&swings, true)?)?;
     let design = Design::new(&setup, &scenarios, asked, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
-    let found = found(search, Asked { setup, swings, scenarios, search: design.search.clone() })?;
-    let parts = if found.best.value().is_some() { parts(&found.setup, &found.best, &found.stop)? } else { vec![] };
+    let found = found(
+        search,
+        Asked {
+            setup,
+            swings,
+            scenarios,
+            search: design.search.clone(),
+        },
+    )?;
+    let parts = if found.best.value().is_some() {
+        parts(&found.setup, &found.best, &found.stop)?
+    } else {
+        vec![]
+    };
     interrupt::ends();
-    let designed = Designed { design: &design, setup: &found.setup, best: &found.best, parts: &parts, notes: &notes };
+    let designed = Designed {
+        design: &design,
+        setup: &found.setup,
+        best: &found.best,
+        parts: &parts,
+        notes: &notes,
+    };
     let answer = if search.question.json {
         Answer::json(&designed.reply(found.reply()))
     } else {
@@ -61,5 +102,9 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
 
 /// The parameters that the swings were given with: those of the golfer taken by default may be set.
 fn distributed(args: &DesignArgs, swings: &Swings) -> Vec<&'static Parameter> {
-    if args.optimize.swings.is_given() { swings.parameters() } else { vec![] }
+    if args.optimize.swings.is_given() {
+        swings.parameters()
+    } else {
+        vec![]
+    }
 }

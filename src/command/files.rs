@@ -1,6 +1,7 @@
-//! Every file that the program writes, under one rule: nothing that exists is replaced unless `--overwrite` says so, no
-//! output is an input of the same command, and a file is written beside its place and put there when it is whole. All of
-//! this is checked before the work begins, and again for what was made since then.
+//! Every file that the program writes, under one rule: nothing that exists is replaced unless
+//! `--overwrite` says so, no output is an input of the same command, and a file is written beside
+//! its place and put there when it is whole. All of this is checked before the work begins, and
+//! again for what was made since then.
 
 use crate::beside::{beside, folder_of, put};
 use crate::command::interrupt;
@@ -20,7 +21,13 @@ pub struct Rule {
 impl Rule {
     /// The rule of a command that reads these files, or keeps its work in them.
     pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
-        Self { inputs: inputs.into_iter().filter_map(|path| located(&path)).collect(), overwrite }
+        Self {
+            inputs: inputs
+                .into_iter()
+                .filter_map(|path| located(&path))
+                .collect(),
+            overwrite,
+        }
     }
 
     /// The same rule, with another output of the command to keep clear of.
@@ -33,7 +40,8 @@ impl Rule {
     /// A file to be written, if it may be.
     ///
     /// # Errors
-    /// [`Error::Results`] for a folder, an input, a file that exists, and a place that cannot be written to.
+    /// [`Error::Results`] for a folder, an input, a file that exists, and a place that cannot be
+    /// written to.
     pub fn file(&self, path: &Path) -> Result<Destination> {
         refuse_standard_output(path, "file, as in -o mine.toml")?;
         let destination = self.place(path)?;
@@ -44,7 +52,8 @@ impl Rule {
         Ok(destination)
     }
 
-    /// A setup file to be written, if it may be. It is TOML, and its name must not say that it is something else.
+    /// A setup file to be written, if it may be. It is TOML, and its name must not say that it is
+    /// something else.
     ///
     /// # Errors
     /// As [`file`](Self::file); for the ending of another kind of file.
@@ -53,7 +62,8 @@ impl Rule {
         match ending_of_a_file(path).filter(|ending| ending != "toml") {
             Some(ending) => {
                 let reason = format!(
-                    "a setup file is written in TOML, and .{ending} is the ending of another kind of file; use .toml"
+                    "a setup file is written in TOML, and .{ending} is the ending of another kind \
+                     of file; use .toml"
                 );
                 Err(refused(path, &reason))
             }
@@ -72,12 +82,20 @@ impl Rule {
             Err(error) => return Err(unwritable(path, &error)),
         };
         if found.is_none() && path.is_symlink() {
-            return Err(refused(path, "it is a link to a file that does not exist; name that file itself"));
+            return Err(refused(
+                path,
+                "it is a link to a file that does not exist; name that file itself",
+            ));
         }
         let Some(found) = found else {
             in_a_folder(path)?;
             self.refuse_input(path, &located(path).unwrap_or_else(|| path.into()))?;
-            return Ok(Destination { shown: path.into(), at: path.into(), is_file: true, may_replace: self.overwrite });
+            return Ok(Destination {
+                shown: path.into(),
+                at: path.into(),
+                is_file: true,
+                may_replace: self.overwrite,
+            });
         };
         if found.is_dir() {
             return Err(refused(path, "it is a folder; name a file"));
@@ -85,43 +103,68 @@ impl Rule {
         // through links, so that the file itself is compared and replaced, and not a link to it
         let at = fs::canonicalize(path).map_err(|error| match found.is_file() {
             true => unwritable(path, &error),
-            false => refused(path, "it cannot be written: it is a pipe without a name in any folder; name a file"),
+            false => refused(
+                path,
+                "it cannot be written: it is a pipe without a name in any folder; name a file",
+            ),
         })?;
         self.refuse_input(path, &at)?;
         if found.is_file() && !self.overwrite {
             return Err(exists(path));
         }
-        Ok(Destination { shown: path.into(), at, is_file: found.is_file(), may_replace: self.overwrite })
+        Ok(Destination {
+            shown: path.into(),
+            at,
+            is_file: found.is_file(),
+            may_replace: self.overwrite,
+        })
     }
 
     fn refuse_input(&self, path: &Path, at: &Path) -> Result<()> {
         // a folder stands for all that will be in it
-        if self.inputs.iter().any(|input| at == input || input.is_dir() && at.starts_with(input)) {
-            return Err(refused(path, "it is also an input or another output of this command; name another file"));
+        if self
+            .inputs
+            .iter()
+            .any(|input| at == input || input.is_dir() && at.starts_with(input))
+        {
+            return Err(refused(
+                path,
+                "it is also an input or another output of this command; name another file",
+            ));
         }
         Ok(())
     }
 
-    /// A folder to write several files into, some of whose names are known already. Where it does not exist it is made with the files, but
-    /// not the folder that it is in: a misspelt path is told, as for a file.
+    /// A folder to write several files into, some of whose names are known already. Where it does
+    /// not exist it is made with the files, but not the folder that it is in: a misspelt path is
+    /// told, as for a file.
     ///
     /// # Errors
-    /// [`Error::Results`] for a file, a folder that cannot be made or written to, and a file in it that may not be replaced.
+    /// [`Error::Results`] for a file, a folder that cannot be made or written to, and a file in it
+    /// that may not be replaced.
     pub fn folder(&self, path: &Path, names: &[&str]) -> Result<Folder> {
         refuse_standard_output(path, "folder")?;
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
-            return Err(refused(path, "it cannot be written to: it is a file; name a folder"));
+            return Err(refused(
+                path,
+                "it cannot be written to: it is a file; name a folder",
+            ));
         }
         let is_new = !path.exists();
         if !path.is_dir() {
             in_a_folder(path)?;
             if let Some(ending) = ending_of_a_file(path) {
-                let reason = format!("this is to be a folder, and .{ending} is the ending of a file; name a folder");
+                let reason = format!(
+                    "this is to be a folder, and .{ending} is the ending of a file; name a folder"
+                );
                 return Err(refused(path, &reason));
             }
             fs::create_dir(path).map_err(|error| unwritable(path, &error))?;
         }
-        let folder = Folder { path: path.into(), rule: self.clone() };
+        let folder = Folder {
+            path: path.into(),
+            rule: self.clone(),
+        };
         for name in names {
             self.place(&path.join(name))?;
         }
@@ -137,7 +180,9 @@ impl Rule {
 /// The ending of a name by which files are known that this program writes.
 fn ending_of_a_file(path: &Path) -> Option<String> {
     let ending = path.extension()?.to_str()?.to_lowercase();
-    let files = ["csv", "html", "json", "jsonl", "md", "parquet", "pdf", "png", "svg", "toml", "txt"];
+    let files = [
+        "csv", "html", "json", "jsonl", "md", "parquet", "pdf", "png", "svg", "toml", "txt",
+    ];
     files.contains(&ending.as_str()).then_some(ending)
 }
 
@@ -184,15 +229,24 @@ impl Destination {
     pub fn begin(&self) -> Result<Pieces> {
         let to = match self.is_file {
             true => beside(&self.at).map(To::Beside),
-            false => fs::OpenOptions::new().write(true).open(&self.at).map(To::Device),
+            false => fs::OpenOptions::new()
+                .write(true)
+                .open(&self.at)
+                .map(To::Device),
         };
-        Ok(Pieces { to: to.map_err(|error| unwritable(&self.shown, &error))?, destination: self.clone() })
+        Ok(Pieces {
+            to: to.map_err(|error| unwritable(&self.shown, &error))?,
+            destination: self.clone(),
+        })
     }
 
     fn put(&self, bytes: &[u8]) -> Result<()> {
         let written = || -> io::Result<()> {
             if !self.is_file {
-                return fs::OpenOptions::new().write(true).open(&self.at)?.write_all(bytes);
+                return fs::OpenOptions::new()
+                    .write(true)
+                    .open(&self.at)?
+                    .write_all(bytes);
             }
             let mut file = beside(&self.at)?;
             file.write_all(bytes)?;
@@ -211,7 +265,8 @@ impl Destination {
         match error.kind() {
             ErrorKind::AlreadyExists => refused(
                 &self.shown,
-                "it was made by another program while this command ran; use --overwrite to replace it",
+                "it was made by another program while this command ran; use --overwrite to replace \
+                 it",
             ),
             _ => unwritable(&self.shown, error),
         }
@@ -248,9 +303,17 @@ impl Pieces {
     /// # Errors
     /// [`Error::Results`]; what stood there before then still does.
     pub fn finish(self) -> Result<()> {
-        let Self { to: To::Beside(file), destination } = self else { return Ok(()) };
+        let Self {
+            to: To::Beside(file),
+            destination,
+        } = self
+        else {
+            return Ok(());
+        };
         interrupt::undisturbed(&[&destination.shown], || {
-            destination.end(file).map_err(|error| destination.failed(&error))
+            destination
+                .end(file)
+                .map_err(|error| destination.failed(&error))
         })
     }
 }
@@ -288,7 +351,10 @@ impl Folder {
 /// What is written into files that need names.
 fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
     match path == Path::new("-") {
-        true => Err(refused(path, format!("this command does not write to standard output; name a {what}"))),
+        true => Err(refused(
+            path,
+            format!("this command does not write to standard output; name a {what}"),
+        )),
         false => Ok(()),
     }
 }
@@ -298,17 +364,32 @@ fn in_a_folder(path: &Path) -> Result<()> {
     let folder = folder_of(path);
     match folder.is_dir() {
         true => Ok(()),
-        false => Err(refused(path, format!("it cannot be written: there is no folder '{}'", folder.display()))),
+        false => Err(refused(
+            path,
+            format!(
+                "it cannot be written: there is no folder '{}'",
+                folder.display()
+            ),
+        )),
     }
 }
 
 /// Where a file is or will be, through links.
 fn located(path: &Path) -> Option<PathBuf> {
-    fs::canonicalize(path).ok().or_else(|| Some(fs::canonicalize(folder_of(path)).ok()?.join(path.file_name()?)))
+    fs::canonicalize(path).ok().or_else(|| {
+        Some(
+            fs::canonicalize(folder_of(path))
+                .ok()?
+                .join(path.file_name()?),
+        )
+    })
 }
 
 pub fn refused(path: &Path, reason: impl Into<String>) -> Error {
-    Error::Results { file: path.display().to_string(), reason: reason.into() }
+    Error::Results {
+        file: path.display().to_string(),
+        reason: reason.into(),
+    }
 }
 
 pub fn exists(path: &Path) -> Error {
@@ -316,5 +397,11 @@ pub fn exists(path: &Path) -> Error {
 }
 
 pub fn unwritable(path: &Path, error: &io::Error) -> Error {
-    refused(path, format!("it cannot be written ({}); name another place", Error::why_unwritten(error)))
+    refused(
+        path,
+        format!(
+            "it cannot be written ({}); name another place",
+            Error::why_unwritten(error)
+        ),
+    )
 }

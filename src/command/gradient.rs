@@ -8,18 +8,30 @@ use crate::{Drive, Error, Result};
 pub fn run(args: &Gradient) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = outcomes(&args.of)?;
-    let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt, &of)? };
+    let wrt = if args.wrt.is_empty() {
+        usual(&setup)?
+    } else {
+        variables(&setup, &args.wrt, &of)?
+    };
     let drive = Drive::new(&setup)?;
     let warnings = drive.warnings_about(&setup, &of);
     warn(&warnings);
 
-    let order = if args.hessian { Order::Second } else { Order::First };
+    let order = if args.hessian {
+        Order::Second
+    } else {
+        Order::First
+    };
     let bar = bar("passes");
-    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| show(&bar, done, passes));
+    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| {
+        show(&bar, done, passes)
+    });
     bar.finish_and_clear();
     let each: Vec<Result<Taylor>> = match evaluated {
         // what one outcome lacks (a landing, a direction) is no reason to keep back the others
-        Err(error) if error.is_an_outcome() => of.iter().map(|of| one(&setup, *of, &wrt, order)).collect(),
+        Err(error) if error.is_an_outcome() => {
+            of.iter().map(|of| one(&setup, *of, &wrt, order)).collect()
+        }
         evaluated => evaluated?.into_iter().map(Ok).collect(),
     };
     let mut is_complete = true;
@@ -32,8 +44,9 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     let answer = if args.question.json {
         Answer::json(&GradientReport::reply(&found, &wrt, warnings))
     } else {
-        let text =
-            |(of, taylor): &(_, crate::Result<_>)| Some(gradient_text(*of, &wrt, taylor.as_ref().ok()?, system()));
+        let text = |(of, taylor): &(_, crate::Result<_>)| {
+            Some(gradient_text(*of, &wrt, taylor.as_ref().ok()?, system()))
+        };
         let texts = found.iter().filter_map(text);
         Answer::text(texts.collect::<Vec<_>>().join("\n"))
     };
@@ -47,5 +60,8 @@ fn one(
     order: Order,
 ) -> Result<Taylor> {
     let taylors = evaluate_with(setup, &[of], wrt, order, |_, _| ())?;
-    taylors.into_iter().next().ok_or(Error::Nothing { doing: "evaluate", what: "outcome" })
+    taylors.into_iter().next().ok_or(Error::Nothing {
+        doing: "evaluate",
+        what: "outcome",
+    })
 }

@@ -19,8 +19,8 @@ pub enum Kind {
     Help,
 }
 
-/// Whom a command is run for: a terminal, or a program that has loaded the library. A command calls it from the thread that runs it, and with
-/// progress from others.
+/// Whom a command is run for: a terminal, or a program that has loaded the library. A command calls
+/// it from the thread that runs it, and with progress from others.
 pub trait Host: Send + Sync {
     /// Takes the answer.
     ///
@@ -42,18 +42,21 @@ pub trait Host: Send + Sync {
         Err(io::Error::other("no text was given"))
     }
 
-    /// Work begins that ends, with what is done so far, once `stop` is true; `stopping` says what it does then.
+    /// Work begins that ends, with what is done so far, once `stop` is true; `stopping` says what
+    /// it does then.
     fn can_stop(&self, _stopping: &'static str, _stop: &Arc<AtomicBool>) {}
 
     /// What follows cannot be stopped half-way.
     fn cannot_stop(&self) {}
 
-    /// Files that belong together are written while this is held: whoever can end the process waits until then.
+    /// Files that belong together are written while this is held: whoever can end the process waits
+    /// until then.
     fn hold(&self) -> Box<dyn Hold + '_> {
         Box::new(())
     }
 
-    /// Shows a bar, or how long work without parts takes, to whoever waits; `bar` is drawn on standard error where that is a terminal.
+    /// Shows a bar, or how long work without parts takes, to whoever waits; `bar` is drawn on
+    /// standard error where that is a terminal.
     fn shows(&self, bar: ProgressBar) -> ProgressBar {
         bar
     }

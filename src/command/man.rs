@@ -7,7 +7,8 @@ use clap::{Command, CommandFactory};
 
 pub fn run(args: &Man) -> Result<Answer> {
     let mut program = Args::command().disable_help_subcommand(true);
-    // names of subcommands are complete, and options of every command stand in each, once it is built
+    // names of subcommands are complete, and options of every command stand in each, once it is
+    // built
     program.build();
     let Some(folder) = &args.output else {
         return Ok(Answer::text(page(found(&program, &args.command)?)?));
@@ -16,8 +17,16 @@ pub fn run(args: &Man) -> Result<Answer> {
     all(&program, &mut pages)?;
     let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
     let folder = Rule::new([], args.overwrite).folder(folder, &names)?;
-    let written = folder.write(pages.iter().map(|(name, page)| (name.as_str(), page.as_bytes())))?;
-    tell(&format!("wrote {} into {}", counted(written as u64, "page"), folder.path().display()));
+    let written = folder.write(
+        pages
+            .iter()
+            .map(|(name, page)| (name.as_str(), page.as_bytes())),
+    )?;
+    tell(&format!(
+        "wrote {} into {}",
+        counted(written as u64, "page"),
+        folder.path().display()
+    ));
     Ok(Answer::text(String::new()))
 }
 
@@ -29,7 +38,9 @@ fn found<'a>(program: &'a Command, words: &[String]) -> Result<&'a Command> {
         let names = || command.get_subcommands().map(Command::get_name);
         command = command.find_subcommand(word).ok_or_else(|| {
             let advice = match names().collect::<Vec<_>>().join(", ") {
-                none if none.is_empty() => format!("{} has no commands of its own", command.get_name()),
+                none if none.is_empty() => {
+                    format!("{} has no commands of its own", command.get_name())
+                }
                 all => format!("the commands are {all}"),
             };
             Error::unknown("command", word, names(), advice)
@@ -42,13 +53,21 @@ fn page(command: &Command) -> Result<String> {
     let mut page = vec![];
     // only the program has a version of its own
     let source = concat!("longdrive ", env!("CARGO_PKG_VERSION"));
-    clap_mangen::Man::new(command.clone()).source(source).render(&mut page).map_err(Error::Output)?;
+    clap_mangen::Man::new(command.clone())
+        .source(source)
+        .render(&mut page)
+        .map_err(Error::Output)?;
     Ok(String::from_utf8_lossy(&page).into_owned())
 }
 
 /// The pages of a command and of all below it, each with the name of its file.
 fn all(command: &Command, pages: &mut Vec<(String, String)>) -> Result<()> {
-    let name = command.get_display_name().unwrap_or_else(|| command.get_name());
+    let name = command
+        .get_display_name()
+        .unwrap_or_else(|| command.get_name());
     pages.push((format!("{name}.1"), page(command)?));
-    command.get_subcommands().filter(|below| !below.is_hide_set()).try_for_each(|below| all(below, pages))
+    command
+        .get_subcommands()
+        .filter(|below| !below.is_hide_set())
+        .try_for_each(|below| all(below, pages))
 }

@@ -1,8 +1,8 @@
 //! The commands of the program, asked in the words of its command line.
 //!
-//! Each command reads its question, asks the library, and answers as text or as one JSON object. The program runs them for a terminal
-//! ([`main`]); a program in another language runs them for itself ([`run`]), as a [`Host`] of its own, and has the same options, messages and
-//! answers.
+//! Each command reads its question, asks the library, and answers as text or as one JSON object.
+//! The program runs them for a terminal ([`main`]); a program in another language runs them for
+//! itself ([`run`]), as a [`Host`] of its own, and has the same options, messages and answers.
 //!
 //! ```
 //! use longdrive::command::{Host, Kind, run};
@@ -94,24 +94,29 @@ pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
     run(words, Arc::new(Terminal::default()))
 }
 
-/// Runs the command that these words ask for, the name of the program first, for a host. The exit status: 0 done, 1 the question has no
-/// answer, 2 bad input; the message is said to the host, and with `--json` stands in the answer.
+/// Runs the command that these words ask for, the name of the program first, for a host. The exit
+/// status: 0 done, 1 the question has no answer, 2 bad input; the message is said to the host, and
+/// with `--json` stands in the answer.
 pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     let args = match Args::try_parse_from(&words) {
         Ok(args) => args,
         Err(error) => {
             let command = Command::named_in(words.get(1..).unwrap_or_default());
             let is_json = words.iter().any(|word| word == "--json");
-            return running::within(host, None, &words, || output::explain(error, command, is_json));
+            return running::within(host, None, &words, || {
+                output::explain(error, command, is_json)
+            });
         }
     };
     let (name, is_json) = (args.command.name(), args.command.is_json());
     host.begin(name, is_json);
-    running::within(host, Some(args.shown.clone()), &words, || match answer(&args.command).and_then(Answer::print) {
-        Ok(status) => status,
-        // a reader that has gone away, as `head` does, is no failure of ours
-        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
-        Err(error) => output::complain(&wording::in_words_of_the_program(error), name, is_json),
+    running::within(host, Some(args.shown.clone()), &words, || {
+        match answer(&args.command).and_then(Answer::print) {
+            Ok(status) => status,
+            // a reader that has gone away, as `head` does, is no failure of ours
+            Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
+            Err(error) => output::complain(&wording::in_words_of_the_program(error), name, is_json),
+        }
     })
 }
 

@@ -6,14 +6,21 @@ use crate::report::known_within;
 use crate::{Outcome, Result, Setup};
 
 fn given(names: &[String]) -> impl Iterator<Item = &str> {
-    names.iter().map(|name| name.trim()).filter(|name| !name.is_empty())
+    names
+        .iter()
+        .map(|name| name.trim())
+        .filter(|name| !name.is_empty())
 }
 
 /// The outcomes named; "all" for every one.
 pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
     let mut of = Vec::new();
     for name in given(names) {
-        let named = if name == "all" { Outcome::ALL.to_vec() } else { vec![Outcome::named(name)?] };
+        let named = if name == "all" {
+            Outcome::ALL.to_vec()
+        } else {
+            vec![Outcome::named(name)?]
+        };
         of.extend(named);
     }
     let of = once(of);
@@ -31,7 +38,11 @@ pub fn tell_of_the_run(of: &[Outcome]) {
 /// The parameters named, to differentiate by; "all" for every one that has a number here.
 ///
 /// Of all, those that only the run depends on are left out where no outcome is of it.
-pub fn variables(setup: &Setup<f64>, names: &[String], of: &[Outcome]) -> Result<Vec<&'static Parameter>> {
+pub fn variables(
+    setup: &Setup<f64>,
+    names: &[String],
+    of: &[Outcome],
+) -> Result<Vec<&'static Parameter>> {
     let runs = of.iter().any(|of| of.is_of_the_run());
     let mut rows = Vec::new();
     for name in given(names) {
@@ -40,25 +51,40 @@ pub fn variables(setup: &Setup<f64>, names: &[String], of: &[Outcome]) -> Result
             continue;
         }
         let all = setup.variables();
-        let left_out = setup.parameters().into_iter().filter(|row| !all.contains(row));
+        let left_out = setup
+            .parameters()
+            .into_iter()
+            .filter(|row| !all.contains(row));
         let left_out: Vec<_> = left_out.map(|row| row.name).collect();
-        tell(&format!("left out, without a value to differentiate by in this setup: {}", left_out.join(", ")));
-        let (idle, all): (Vec<_>, Vec<_>) = all.into_iter().partition(|row| !runs && row.is_of_the_run());
+        tell(&format!(
+            "left out, without a value to differentiate by in this setup: {}",
+            left_out.join(", ")
+        ));
+        let (idle, all): (Vec<_>, Vec<_>) = all
+            .into_iter()
+            .partition(|row| !runs && row.is_of_the_run());
         if !idle.is_empty() {
             let idle: Vec<_> = idle.iter().map(|row| row.name).collect();
-            tell(&format!("left out, without effect on what is asked for: {}", idle.join(", ")));
+            tell(&format!(
+                "left out, without effect on what is asked for: {}",
+                idle.join(", ")
+            ));
         }
         rows.extend(all);
     }
     Ok(once(rows))
 }
 
-/// What derivatives are taken by where nothing is named: loft and attack angle, or the launch conditions where these are given.
+/// What derivatives are taken by where nothing is named: loft and attack angle, or the launch
+/// conditions where these are given.
 pub fn usual(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
     if setup.launch.is_given() {
         return Ok(setup.given_launch_conditions());
     }
-    ["club.loft", "swing.attack_angle"].into_iter().map(|name| setup.variable(name)).collect()
+    ["club.loft", "swing.attack_angle"]
+        .into_iter()
+        .map(|name| setup.variable(name))
+        .collect()
 }
 
 fn once<T: PartialEq + Copy>(all: Vec<T>) -> Vec<T> {

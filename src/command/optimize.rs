@@ -21,16 +21,26 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
-    let written = output.as_ref().map(|output| args.write(output, &optima)).transpose()?.flatten();
+    let written = output
+        .as_ref()
+        .map(|output| args.write(output, &optima))
+        .transpose()?
+        .flatten();
     let answer = if args.question.json {
         let mut reply = OptimumReport::reply(&optima, warnings)?;
         reply.body.file = written;
         Answer::json(&reply)
     } else {
-        let listed = if args.work.starts > 1 { optima_text(&optima, system()) } else { String::new() };
+        let listed = if args.work.starts > 1 {
+            optima_text(&optima, system())
+        } else {
+            String::new()
+        };
         // of one search alone the text below says so
         let stopped = optima.interrupted().filter(|_| optima.starts > 1);
-        let stopped = stopped.map_or(String::new(), |stopped| format!("interrupted: {stopped}; the best so far:\n"));
+        let stopped = stopped.map_or(String::new(), |stopped| {
+            format!("interrupted: {stopped}; the best so far:\n")
+        });
         Answer::text(stopped + &optimum_text(best, system()) + &listed)
     };
     Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
@@ -41,7 +51,10 @@ impl Optimize {
     pub fn destination(&self) -> Result<Option<Destination>> {
         let inputs = self.question.inputs().chain(self.work.checkpoint.clone());
         let rule = Rule::new(inputs, self.overwrite);
-        self.output.as_ref().map(|file| rule.setup_file(file)).transpose()
+        self.output
+            .as_ref()
+            .map(|file| rule.setup_file(file))
+            .transpose()
     }
 
     /// Writes the setup at the optimum, into the file returned; where there is no optimum, nothing.
@@ -49,10 +62,16 @@ impl Optimize {
         let file = output.path().display();
         let best = optima.best()?;
         if best.solution.status != Status::Converged {
-            warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
+            warn(&[Message::from(format!(
+                "{file} is not written: there is no optimum"
+            ))]);
             return Ok(None);
         }
-        output.write(self.question.as_stated(optimum_toml(optima, self.question.preset()?)?)?.as_bytes())?;
+        output.write(
+            self.question
+                .as_stated(optimum_toml(optima, self.question.preset()?)?)?
+                .as_bytes(),
+        )?;
         tell(&format!("wrote the setup at the optimum into {file}"));
         Ok(Some(file.to_string()))
     }
@@ -63,7 +82,8 @@ pub fn remarks(setup: &Setup<f64>, best: &Optimum) -> Vec<Message> {
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
-    best.drive
-        .as_ref()
-        .map_or_else(|| setup.warnings(), |drive| drive.warnings_about(&best.setup, &best.search.outcomes()))
+    best.drive.as_ref().map_or_else(
+        || setup.warnings(),
+        |drive| drive.warnings_about(&best.setup, &best.search.outcomes()),
+    )
 }

@@ -5,35 +5,58 @@ use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_erro
 use crate::parameters::Parameter;
 use crate::report::{Analysis, SensitivityReport, optimum_text, sensitivity_text};
 use crate::study::{
-    Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities, short_drive,
-    usual_loss,
+    Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied,
+    sensitivities, short_drive, usual_loss,
 };
 use crate::{Error, Outcome, Result, Setup};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
-    let Optimize { question, search, swings, work, .. } = &args.optimize;
+    let Optimize {
+        question,
+        search,
+        swings,
+        work,
+        ..
+    } = &args.optimize;
     swings.refuse_stray()?;
     if swings.is_given() {
-        let source = "the sensitivity of an optimum is that of one drive; leave it out, or use \"optimize\"";
-        return Err(Error::Unreadable { name: "--swings or --distribution".into(), source: source.into() });
+        let source =
+            "the sensitivity of an optimum is that of one drive; leave it out, or use \"optimize\"";
+        return Err(Error::Unreadable {
+            name: "--swings or --distribution".into(),
+            source: source.into(),
+        });
     }
     let setup = question.setup_varied(&search.vary)?;
     let search = search.search(&setup)?;
     let asked = setup;
     let setup = question.for_many(asked, &search.vary)?;
     let wrt = variables(&setup, &args.wrt, &search.outcomes())?;
-    let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
-    let is_named = |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);
+    let changes = args
+        .change
+        .iter()
+        .map(|text| Change::read(&setup, text))
+        .collect::<Result<Vec<_>>>()?;
+    let is_named =
+        |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);
     let named = wrt.iter().copied().filter(|parameter| is_named(parameter));
     for parameter in named.chain(changes.iter().map(|change| change.parameter)) {
         refuse_varied(&search, parameter)?;
     }
-    let loss = args.loss.as_deref().map(|text| loss(search.of, text)).transpose()?;
+    let loss = args
+        .loss
+        .as_deref()
+        .map(|text| loss(search.of, text))
+        .transpose()?;
 
     let output = args.optimize.destination()?;
     let optima = work.run(&setup, &search)?;
     let best = optima.best()?;
-    let written = output.as_ref().map(|output| args.optimize.write(output, &optima)).transpose()?.flatten();
+    let written = output
+        .as_ref()
+        .map(|output| args.optimize.write(output, &optima))
+        .transpose()?
+        .flatten();
     let warnings = remarks(&setup, best);
     warn(&warnings);
     if optima.stopped() > 0 {
@@ -66,8 +89,16 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         found => found?,
     };
     // where nothing that was asked for exists, there is no answer
-    let is_answered = sensitivities.is_empty() || sensitivities.iter().any(|(_, sensitivity)| sensitivity.is_ok());
-    let analysis = Analysis { best, sensitivities: &sensitivities, flatness: &flatness, changes: &changes };
+    let is_answered = sensitivities.is_empty()
+        || sensitivities
+            .iter()
+            .any(|(_, sensitivity)| sensitivity.is_ok());
+    let analysis = Analysis {
+        best,
+        sensitivities: &sensitivities,
+        flatness: &flatness,
+        changes: &changes,
+    };
     let answer = if question.json {
         let mut reply = SensitivityReport::reply(&optima, &analysis, warnings);
         reply.body.optimum.file = written;
@@ -79,7 +110,11 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
 }
 
 /// Sensitivities, flatness, and the effects of stated changes.
-type Found = (Vec<(&'static Parameter, Result<Sensitivity>)>, Flatness, Vec<Changed>);
+type Found = (
+    Vec<(&'static Parameter, Result<Sensitivity>)>,
+    Flatness,
+    Vec<Changed>,
+);
 
 fn analysed(
     best: &Optimum,
@@ -87,8 +122,11 @@ fn analysed(
     changes: &dyn Fn() -> Result<Vec<Changed>>,
     loss: Option<f64>,
 ) -> Result<Found> {
-    let wrt: Vec<_> =
-        wrt.iter().copied().filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p)).collect();
+    let wrt: Vec<_> = wrt
+        .iter()
+        .copied()
+        .filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p))
+        .collect();
     let bar = bar("parameters");
     let sensitivities = sensitivities(best, &wrt, &mut |done, of| show(&bar, done, of));
     bar.finish_and_clear();
@@ -104,10 +142,15 @@ fn analysed(
 }
 
 fn loss(of: Outcome, text: &str) -> Result<f64> {
-    let refuse = |source| Error::Unreadable { name: format!("--loss {text}"), source };
+    let refuse = |source| Error::Unreadable {
+        name: format!("--loss {text}"),
+        source,
+    };
     match of.quantity().read(text) {
         Ok(loss) if loss > 0.0 && loss.is_finite() => Ok(loss),
-        Ok(_) => Err(refuse("it must be above 0 and finite, for example 1yd".into())),
+        Ok(_) => Err(refuse(
+            "it must be above 0 and finite, for example 1yd".into(),
+        )),
         Err(error) => Err(refuse(Box::new(error))),
     }
 }

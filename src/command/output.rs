@@ -42,7 +42,13 @@ impl Answer {
         // names are strings and numbers finite: nothing of ours fails to serialise
         let mut value = serde_json::to_value(value).unwrap_or_default();
         if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
-            warnings.splice(0..0, running().kept().iter().map(|warning| warning.to_string().into()));
+            warnings.splice(
+                0..0,
+                running()
+                    .kept()
+                    .iter()
+                    .map(|warning| warning.to_string().into()),
+            );
         }
         Self::text(serde_json::to_string_pretty(&value).unwrap_or_default() + "\n")
     }
@@ -69,8 +75,13 @@ pub fn command_line(arguments: &[OsString]) -> String {
         true => argument,
         false => format!("'{}'", argument.replace('\'', "'\\''")),
     };
-    let arguments = arguments.iter().map(|argument| quoted(argument.to_string_lossy().into_owned()));
-    std::iter::once("longdrive".to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+    let arguments = arguments
+        .iter()
+        .map(|argument| quoted(argument.to_string_lossy().into_owned()));
+    std::iter::once("longdrive".to_owned())
+        .chain(arguments)
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 /// A remark or progress, unless --quiet is given.
@@ -81,7 +92,9 @@ pub fn tell(text: &str) {
 pub fn warn(warnings: &[Message]) {
     let running = running();
     for warning in warnings {
-        running.host.say(Kind::Warning, &warning.in_units(running.system()));
+        running
+            .host
+            .say(Kind::Warning, &warning.in_units(running.system()));
     }
 }
 
@@ -95,8 +108,8 @@ pub fn say_error(message: &str) {
     running().host.say(Kind::Error, message);
 }
 
-/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input. Where JSON is asked for, standard
-/// output says it too.
+/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input. Where
+/// JSON is asked for, standard output says it too.
 pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
     tell_error(error);
     // what could not be written once cannot be written now
@@ -110,24 +123,35 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
 pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: bool) -> u8 {
     in_own_words(&mut error);
     let rendered = error.render();
-    let kind = if error.use_stderr() { Kind::Usage } else { Kind::Help };
+    let kind = if error.use_stderr() {
+        Kind::Usage
+    } else {
+        Kind::Help
+    };
     running().host.say(kind, &rendered.ansi().to_string());
     if error.use_stderr() && is_json {
         let text = rendered.to_string();
         let text = text.split("\n\nUsage:").next().unwrap_or_default();
-        let text = text.split("\n\nFor more information").next().unwrap_or_default();
+        let text = text
+            .split("\n\nFor more information")
+            .next()
+            .unwrap_or_default();
         let message = text.trim().trim_start_matches("error:").trim().to_owned();
         say(&Reply::refused(command, "error", message));
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
-/// Says what to do about an argument that is left over. One that begins with a hyphen and is no option the reader of arguments takes for the name of a
-/// setup that is to stand after `--`.
+/// Says what to do about an argument that is left over. One that begins with a hyphen and is no
+/// option the reader of arguments takes for the name of a setup that is to stand after `--`.
 fn in_own_words(error: &mut clap::Error) {
-    let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return };
+    let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else {
+        return;
+    };
     let is_taken_for_a_setup = match error.get(ContextKind::Suggested) {
-        Some(ContextValue::StyledStrs(tips)) => tips.len() == 1 && tips[0].to_string().contains("use '-- "),
+        Some(ContextValue::StyledStrs(tips)) => {
+            tips.len() == 1 && tips[0].to_string().contains("use '-- ")
+        }
         _ => false,
     };
     let tip = if !argument.starts_with('-') {
@@ -135,12 +159,20 @@ fn in_own_words(error: &mut clap::Error) {
     } else if !is_taken_for_a_setup {
         None
     } else if argument.starts_with("--") {
-        Some(format!("this command has no option '{argument}'; --help lists those that it has"))
+        Some(format!(
+            "this command has no option '{argument}'; --help lists those that it has"
+        ))
     } else {
-        Some(format!("a value that begins with a hyphen is joined to its option by '=', as in --set=NAME={argument}"))
+        Some(format!(
+            "a value that begins with a hyphen is joined to its option by '=', as in \
+             --set=NAME={argument}"
+        ))
     };
     if let Some(tip) = tip {
-        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+        error.insert(
+            ContextKind::Suggested,
+            ContextValue::StyledStrs(vec![tip.into()]),
+        );
     }
 }
 
@@ -160,8 +192,11 @@ pub fn bar_of(parts: u64, template: &str) -> ProgressBar {
     if running.is_quiet() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    running.host.shows(ProgressBar::new(parts).with_style(style))
+    let style =
+        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    running
+        .host
+        .shows(ProgressBar::new(parts).with_style(style))
 }
 
 /// Shows how many of how many are done.
@@ -176,7 +211,9 @@ pub fn spinner(doing: &'static str) -> ProgressBar {
     if running.is_quiet() {
         return ProgressBar::hidden();
     }
-    let spinner = running.host.shows(ProgressBar::new_spinner().with_message(doing));
+    let spinner = running
+        .host
+        .shows(ProgressBar::new_spinner().with_message(doing));
     spinner.enable_steady_tick(std::time::Duration::from_millis(200));
     spinner
 }

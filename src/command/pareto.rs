@@ -22,7 +22,10 @@ use std::time::{Duration, Instant};
 
 pub fn run(args: &ParetoArgs) -> Result<Answer> {
     let output = Output::new(args)?;
-    let Followed { found, mut warnings } = followed(&args.question, &args.asked)?;
+    let Followed {
+        found,
+        mut warnings,
+    } = followed(&args.question, &args.asked)?;
     let written = match &output {
         Some(output) => output.write(&found, args, &mut warnings)?,
         None => None,
@@ -44,9 +47,17 @@ pub fn draw(args: &PlotPareto) -> Result<Answer> {
     let Followed { found, warnings } = followed(&args.question, &args.asked)?;
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
-        return Err(Error::NotConverged { status: "interrupted", message });
+        return Err(Error::NotConverged {
+            status: "interrupted",
+            message,
+        });
     }
-    target.put(args.question.json, &args.drawing, &pareto_figure(&found, system()), warnings)
+    target.put(
+        args.question.json,
+        &args.drawing,
+        &pareto_figure(&found, system()),
+        warnings,
+    )
 }
 
 /// The front, and what deserves a word about the setup and its drives.
@@ -57,9 +68,16 @@ struct Followed {
 
 fn followed(question: &Question, asked: &ParetoAsked) -> Result<Followed> {
     asked.swings.refuse_stray()?;
-    let (setup, search, scenarios) =
-        if asked.swings.is_given() { over_swings(question, asked)? } else { of_one_drive(question, asked)? };
-    let outcomes: Vec<Outcome> = search.goals.iter().flat_map(|(goal, _)| goal.outcomes()).collect();
+    let (setup, search, scenarios) = if asked.swings.is_given() {
+        over_swings(question, asked)?
+    } else {
+        of_one_drive(question, asked)?
+    };
+    let outcomes: Vec<Outcome> = search
+        .goals
+        .iter()
+        .flat_map(|(goal, _)| goal.outcomes())
+        .collect();
     tell_of_the_run(&outcomes);
     question.tell_of_the_start(&setup, &search.vary);
     let setup = question.for_many(setup, &ranges(&search.vary, &scenarios))?;
@@ -72,76 +90,150 @@ fn followed(question: &Question, asked: &ParetoAsked) -> Result<Followed> {
         let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
         if told.elapsed() >= SILENCE {
             *told = Instant::now();
-            shown.suspend(|| running.tell(&format!("following the front: {} searches so far", number + 1)));
+            shown.suspend(|| {
+                running.tell(&format!(
+                    "following the front: {} searches so far",
+                    number + 1
+                ))
+            });
         }
     });
     let interrupt = interrupt::stops("stopping with the points so far");
-    let follow = Follow { iteration: Some(iteration), interrupt: interrupt.clone(), ..Follow::default() };
+    let follow = Follow {
+        iteration: Some(iteration),
+        interrupt: interrupt.clone(),
+        ..Follow::default()
+    };
     let found = pareto(&setup, search, scenarios, &follow);
     spinner.finish_and_clear();
     let found = found?;
-    let warnings = setup.warnings().into_iter().chain(found.warnings(&interrupt)).collect();
+    let warnings = setup
+        .warnings()
+        .into_iter()
+        .chain(found.warnings(&interrupt))
+        .collect();
     interrupt::ends();
     Ok(Followed { found, warnings })
 }
 
 /// Goals over many swings.
-fn over_swings(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
+fn over_swings(
+    question: &Question,
+    asked: &ParetoAsked,
+) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
     let (set_up, _, scenarios) = asked.swings.taken(question, false)?;
     let setup = question.varied(set_up, &asked.vary)?;
     let strokes = asked.swings.strokes()?;
     let strokes = strokes.as_ref();
     let goals = asked.goals(|option, text| goal(option, text, strokes))?;
     let read = |text: &String| limit(&setup, text, strokes);
-    let subject_to = asked.subject_to.iter().map(read).collect::<Result<Vec<_>>>()?;
-    let all = goals.iter().map(|(goal, _)| goal).chain(subject_to.iter().map(|limit| &limit.goal));
+    let subject_to = asked
+        .subject_to
+        .iter()
+        .map(read)
+        .collect::<Result<Vec<_>>>()?;
+    let all = goals
+        .iter()
+        .map(|(goal, _)| goal)
+        .chain(subject_to.iter().map(|limit| &limit.goal));
     refuse_idle_strokes(strokes, all)?;
     let vary = match asked.vary.as_slice() {
         // the attack angle is the golfer's, and varies from swing to swing
         [] => vec![Search::longest_drive(&setup)?.vary[0]],
-        given => given.iter().map(|text| Vary::read(&setup, text)).collect::<Result<_>>()?,
+        given => given
+            .iter()
+            .map(|text| Vary::read(&setup, text))
+            .collect::<Result<_>>()?,
     };
-    let search = ParetoSearch { goals, vary, subject_to, points: asked.points, options: asked.options() };
+    let search = ParetoSearch {
+        goals,
+        vary,
+        subject_to,
+        points: asked.points,
+        options: asked.options(),
+    };
     Ok((set_up, search, scenarios))
 }
 
 /// Outcomes of the drive as set up.
-fn of_one_drive(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
+fn of_one_drive(
+    question: &Question,
+    asked: &ParetoAsked,
+) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
     let setup = question.setup_varied(&asked.vary)?;
     let goals = asked.goals(|option, text| Ok(Goal::outcome(of_a_drive(option, text)?)))?;
     let (vary, subject_to) = (asked.vary.clone(), asked.subject_to.clone());
-    let one = SearchArgs { maximize: None, minimize: None, vary, subject_to, max_iterations: asked.max_iterations };
-    let Search { vary, subject_to, options, .. } = one.search(&setup)?;
+    let one = SearchArgs {
+        maximize: None,
+        minimize: None,
+        vary,
+        subject_to,
+        max_iterations: asked.max_iterations,
+    };
+    let Search {
+        vary,
+        subject_to,
+        options,
+        ..
+    } = one.search(&setup)?;
     let subject_to = subject_to.iter().map(GoalLimit::of_drive).collect();
-    Ok((setup, ParetoSearch { goals, vary, subject_to, points: asked.points, options }, Scenarios::one_drive()))
+    Ok((
+        setup,
+        ParetoSearch {
+            goals,
+            vary,
+            subject_to,
+            points: asked.points,
+            options,
+        },
+        Scenarios::one_drive(),
+    ))
 }
 
 impl ParetoAsked {
     /// The two goals, as `read` reads them.
-    fn goals(&self, read: impl Fn(&'static str, &str) -> Result<Goal>) -> Result<[(Goal, Sense); 2]> {
-        let given = [("--maximize", &self.maximize, Sense::Maximize), ("--minimize", &self.minimize, Sense::Minimize)];
-        let goals =
-            given.into_iter().flat_map(|(option, texts, sense)| texts.iter().map(move |text| (option, text, sense)));
-        let goals = goals.map(|(option, text, sense)| Ok((read(option, text)?, sense))).collect::<Result<Vec<_>>>()?;
-        let goals: [(Goal, Sense); 2] = goals.try_into().map_err(|all: Vec<_>| Error::Unreadable {
+    fn goals(
+        &self,
+        read: impl Fn(&'static str, &str) -> Result<Goal>,
+    ) -> Result<[(Goal, Sense); 2]> {
+        let given = [
+            ("--maximize", &self.maximize, Sense::Maximize),
+            ("--minimize", &self.minimize, Sense::Minimize),
+        ];
+        let goals = given
+            .into_iter()
+            .flat_map(|(option, texts, sense)| texts.iter().map(move |text| (option, text, sense)));
+        let goals = goals
+            .map(|(option, text, sense)| Ok((read(option, text)?, sense)))
+            .collect::<Result<Vec<_>>>()?;
+        let goals: [(Goal, Sense); 2] = goals.try_into().map_err(|all: Vec<_>| {
+            Error::Unreadable {
             name: "the goals".into(),
             source: format!(
-                "{} given, and a front is between two; give two with --maximize and --minimize, for example --maximize carry --minimize \
+                "{} given, and a front is between two; give two with --maximize and --minimize, \
+                 for example --maximize carry --minimize \
                  apex_height",
                 if all.len() == 1 { "one is".into() } else { format!("{} are", all.len()) }
             )
             .into(),
+        }
         })?;
         if goals[0].0.terms == goals[1].0.terms {
             let source = "both are the same; give another one".into();
-            return Err(Error::Unreadable { name: "the goals".into(), source });
+            return Err(Error::Unreadable {
+                name: "the goals".into(),
+                source,
+            });
         }
         Ok(goals)
     }
 
     fn options(&self) -> Options {
         let options = Options::default();
-        Options { max_iterations: self.max_iterations.unwrap_or(options.max_iterations), ..options }
+        Options {
+            max_iterations: self.max_iterations.unwrap_or(options.max_iterations),
+            ..options
+        }
     }
 }
 
@@ -156,41 +248,67 @@ struct Output {
 
 impl Output {
     fn new(args: &ParetoArgs) -> Result<Option<Self>> {
-        let Some(path) = &args.output else { return Ok(None) };
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let Some(path) = &args.output else {
+            return Ok(None);
+        };
+        let ending = path
+            .extension()
+            .map(|ending| ending.to_string_lossy().to_lowercase());
         let is_setup = match ending.as_deref() {
             Some("toml") => true,
             Some("csv") => false,
             _ => {
                 return Err(refused(
                     path,
-                    "its ending does not say what to write; use .csv for all points or .toml for the setup at one",
+                    "its ending does not say what to write; use .csv for all points or .toml for \
+                     the setup at one",
                 ));
             }
         };
-        let refuse = |source: &str| Error::Unreadable { name: "--at".into(), source: source.into() };
+        let refuse = |source: &str| Error::Unreadable {
+            name: "--at".into(),
+            source: source.into(),
+        };
         let at = match args.at.as_deref().map(str::trim) {
             Some(_) if !is_setup => {
                 return Err(refuse(
-                    "it chooses the point of a setup file; write one, as in -o best.toml, or leave it out",
+                    "it chooses the point of a setup file; write one, as in -o best.toml, or leave \
+                     it out",
                 ));
             }
             None | Some("knee") => None,
             Some(number) => {
                 let number = number.parse::<usize>().ok().filter(|number| *number > 0);
-                Some(number.ok_or_else(|| refuse("it is \"knee\" or the number of a point in the table, from 1"))?)
+                Some(number.ok_or_else(|| {
+                    refuse("it is \"knee\" or the number of a point in the table, from 1")
+                })?)
             }
         };
-        let rule = Rule::new(args.question.inputs().chain(args.asked.swings.inputs()), args.overwrite);
-        Ok(Some(Self { destination: rule.file(path)?, is_setup, at }))
+        let rule = Rule::new(
+            args.question.inputs().chain(args.asked.swings.inputs()),
+            args.overwrite,
+        );
+        Ok(Some(Self {
+            destination: rule.file(path)?,
+            is_setup,
+            at,
+        }))
     }
 
     /// Writes the file, and says what it is; where there is no such point, nothing.
-    fn write(&self, found: &Pareto, args: &ParetoArgs, warnings: &mut Vec<Message>) -> Result<Option<String>> {
+    fn write(
+        &self,
+        found: &Pareto,
+        args: &ParetoArgs,
+        warnings: &mut Vec<Message>,
+    ) -> Result<Option<String>> {
         let file = self.destination.path().display().to_string();
         if !self.is_setup {
             self.destination.write(pareto_csv(found)?.as_bytes())?;
-            tell(&format!("wrote {} into {file}", counted(found.points.len() as u64, "point")));
+            tell(&format!(
+                "wrote {} into {file}",
+                counted(found.points.len() as u64, "point")
+            ));
             return Ok(Some(file));
         }
         let place = match self.at {
@@ -200,16 +318,25 @@ impl Output {
         let Some(place) = place else {
             let why = match self.at {
                 Some(number) => {
-                    format!("there is no point {number}; choose one with --at, from 1 to {}", found.points.len())
+                    format!(
+                        "there is no point {number}; choose one with --at, from 1 to {}",
+                        found.points.len()
+                    )
                 }
                 None => "there is no knee; choose a point by its number with --at".into(),
             };
             warnings.push(format!("{file} is not written: {why}").into());
             return Ok(None);
         };
-        self.destination
-            .write(args.question.as_stated(pareto_toml(found, place, args.question.preset()?)?)?.as_bytes())?;
-        tell(&format!("wrote the setup of point {} into {file}", place + 1));
+        self.destination.write(
+            args.question
+                .as_stated(pareto_toml(found, place, args.question.preset()?)?)?
+                .as_bytes(),
+        )?;
+        tell(&format!(
+            "wrote the setup of point {} into {file}",
+            place + 1
+        ));
         Ok(Some(file))
     }
 }

@@ -27,17 +27,23 @@ enum Format {
 impl Format {
     /// What a file's name asks for.
     fn of(file: &Path) -> Result<Self> {
-        let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let ending = file
+            .extension()
+            .map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
             Some("svg") => Ok(Self::Svg),
             #[cfg(feature = "png")]
             Some("png") => Ok(Self::Png),
             #[cfg(not(feature = "png"))]
-            Some("png") => Err(Error::Plot { name: file.display().to_string(), reason: how_to_get("png") }),
+            Some("png") => Err(Error::Plot {
+                name: file.display().to_string(),
+                reason: how_to_get("png"),
+            }),
             Some("csv") => Ok(Self::Csv),
             _ => Err(Error::Plot {
                 name: file.display().to_string(),
-                reason: "its ending does not name a format; use .svg or .png for a picture, or .csv for its data"
+                reason: "its ending does not name a format; use .svg or .png for a picture, or \
+                         .csv for its data"
                     .into(),
             }),
         }
@@ -60,15 +66,22 @@ impl Target {
     pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
-            let source =
-                "it is about pictures, and a .csv file has only the data; leave it out, or write a .svg or .png file";
-            return Err(Error::Unreadable { name: (*option).into(), source: source.into() });
+            let source = "it is about pictures, and a .csv file has only the data; leave it out, \
+                          or write a .svg or .png file";
+            return Err(Error::Unreadable {
+                name: (*option).into(),
+                source: source.into(),
+            });
         }
         let rule = Rule::new(inputs, drawing.overwrite);
-        Ok(Self { format, destination: rule.file(&drawing.output)? })
+        Ok(Self {
+            format,
+            destination: rule.file(&drawing.output)?,
+        })
     }
 
-    /// Writes the plot; `of_optima` is what deserves a word about the optima in it, beside the setup's own drive.
+    /// Writes the plot; `of_optima` is what deserves a word about the optima in it, beside the
+    /// setup's own drive.
     pub fn written(
         &self,
         question: &Question,
@@ -77,16 +90,31 @@ impl Target {
         figure: &Figure,
         of_optima: Vec<Message>,
     ) -> Result<Answer> {
-        let mut warnings = Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
+        let mut warnings =
+            Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
         warnings.extend(of_optima);
         self.put(question.json, drawing, figure, warnings)
     }
 
     /// Writes the plot, with what is to be said about its drives.
-    pub fn put(&self, is_json: bool, drawing: &Drawing, figure: &Figure, warnings: Vec<Message>) -> Result<Answer> {
+    pub fn put(
+        &self,
+        is_json: bool,
+        drawing: &Drawing,
+        figure: &Figure,
+        warnings: Vec<Message>,
+    ) -> Result<Answer> {
         warn(&warnings);
-        let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
-        let look = Look { system: system(), shades, width: drawing.width.unwrap_or(WIDTH) };
+        let shades = if drawing.dark {
+            Shades::Dark
+        } else {
+            Shades::Light
+        };
+        let look = Look {
+            system: system(),
+            shades,
+            width: drawing.width.unwrap_or(WIDTH),
+        };
         let bytes = match self.format {
             Format::Svg => figure_svg(figure, &look)?.into_bytes(),
             #[cfg(feature = "png")]

@@ -1,7 +1,7 @@
 use crate::atmosphere::AirState;
 use crate::command::args::{
-    Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado, PlotTrajectory,
-    PlotVcurve, Seen,
+    Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws,
+    PlotTornado, PlotTrajectory, PlotVcurve, Seen,
 };
 use crate::command::compare::warnings;
 use crate::command::names::{outcomes, usual, variables};
@@ -12,14 +12,14 @@ use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Law;
 use crate::report::figures::{
-    At, Causes, Coefficient, Flown, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure,
-    tornado_figure, trajectory_figure, vcurve_figure,
+    At, Causes, Coefficient, Flown, OnMap, Over, View, chart_figures, difference_figure,
+    laws_figure, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    Constraint, Fineness, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, map, optimum, short_drive,
-    usual_loss, with_defaults,
+    Constraint, Fineness, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, map, optimum,
+    short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
@@ -53,7 +53,10 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let figure = trajectory_figure(&[flown], view, system()).map_err(|error| match error {
         Error::Plot { reason, .. } if view == View::Top => {
             let name = args.drawing.output.display().to_string();
-            Error::Plot { name, reason: format!("{reason}; take --view side") }
+            Error::Plot {
+                name,
+                reason: format!("{reason}; take --view side"),
+            }
         }
         error => error,
     })?;
@@ -69,7 +72,10 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let (best, map) = mapped(&setup, &search)?;
     if let Some(flat) = map.flat() {
         let (name, what) = (args.drawing.output.display().to_string(), flat.to_string());
-        return Err(Error::Plot { name, reason: format!("{what}; vary what it depends on") });
+        return Err(Error::Plot {
+            name,
+            reason: format!("{what}; vary what it depends on"),
+        });
     }
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
@@ -77,54 +83,99 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     if let Some((_, said)) = best.and_then(short_drive) {
         tell(said);
     }
-    let region = best.map(|best| Region::around(best, map.across, map.up, usual_loss(best))).transpose()?.flatten();
+    let region = best
+        .map(|best| Region::around(best, map.across, map.up, usual_loss(best)))
+        .transpose()?
+        .flatten();
     spinner.finish_and_clear();
     if best.is_some() && region.is_none() {
         tell(
-            "no region around the optimum is drawn: no other drive of the map loses little and meets every constraint",
+            "no region around the optimum is drawn: no other drive of the map loses little and \
+             meets every constraint",
         );
     }
-    let on = OnMap { setup: &setup, limits: &limits, best, region: region.as_ref() };
-    target.written(&args.question, &setup, &args.drawing, &map_figure(&map, &on, system()), of_best)
+    let on = OnMap {
+        setup: &setup,
+        limits: &limits,
+        best,
+        region: region.as_ref(),
+    };
+    target.written(
+        &args.question,
+        &setup,
+        &args.drawing,
+        &map_figure(&map, &on, system()),
+        of_best,
+    )
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
 fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
     let [across, up, ..] = search.vary[..] else {
-        let (name, reason) = ("--vary".into(), "a map needs two parameters; give --vary twice".into());
+        let (name, reason) = (
+            "--vary".into(),
+            "a map needs two parameters; give --vary twice".into(),
+        );
         return Err(Error::SearchRange { name, reason });
     };
     let best = optimum(setup, search.clone(), Observer::default())?;
     let is_found = best.solution.status == Status::Converged;
     if !is_found {
-        tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message().in_units(system())));
+        tell(&format!(
+            "no optimum is drawn: {}: {}",
+            best.status(),
+            best.message().in_units(system())
+        ));
     }
     let around = if is_found { &best.setup } else { setup };
     let map = map(around, search.of, across, up, Fineness::default())?;
     Ok((is_found.then_some(best), map))
 }
 
-/// The constraints of a search with the map of each one's outcome, over the first two parameters varied.
+/// The constraints of a search with the map of each one's outcome, over the first two parameters
+/// varied.
 pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, Map)>> {
-    let [across, up, ..] = search.vary[..] else { return Ok(vec![]) };
-    let values = Fineness { slopes: 0, ..Fineness::default() };
-    let limit =
-        |constraint: &Constraint| Ok((constraint.clone(), map(around, constraint.outcome, across, up, values)?));
+    let [across, up, ..] = search.vary[..] else {
+        return Ok(vec![]);
+    };
+    let values = Fineness {
+        slopes: 0,
+        ..Fineness::default()
+    };
+    let limit = |constraint: &Constraint| {
+        Ok((
+            constraint.clone(),
+            map(around, constraint.outcome, across, up, values)?,
+        ))
+    };
     search.subject_to.iter().map(limit).collect()
 }
 
 fn along(args: &PlotChart) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.setup_varied(args.search.vary.iter().chain([&args.along]))?;
+    let setup = args
+        .question
+        .setup_varied(args.search.vary.iter().chain([&args.along]))?;
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
-    args.question.refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
+    args.question
+        .refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
     let shown = match &args.show {
         Some(name) if name != search.of.name() => {
-            let names = || search.vary.iter().map(|vary| vary.parameter.name).chain([search.of.name()]);
+            let names = || {
+                search
+                    .vary
+                    .iter()
+                    .map(|vary| vary.parameter.name)
+                    .chain([search.of.name()])
+            };
             let advice = || format!("a chart shows {}", names().collect::<Vec<_>>().join(", "));
             let shown = search.vary.iter().find(|vary| vary.parameter.name == name);
-            Some(shown.ok_or_else(|| Error::unknown("curve", name, names(), advice()))?.parameter)
+            Some(
+                shown
+                    .ok_or_else(|| Error::unknown("curve", name, names(), advice()))?
+                    .parameter,
+            )
         }
         _ => None,
     };
@@ -143,16 +194,41 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let own = optimum(&setup, search.clone(), Observer::default())?;
     let own = Some(&own).filter(|own| own.solution.status == Status::Converged);
     let figures = chart_figures(&chart, own, system());
-    if let Some((_, why)) = figures.held.iter().find(|(vary, _)| Some(vary.parameter) == shown) {
+    if let Some((_, why)) = figures
+        .held
+        .iter()
+        .find(|(vary, _)| Some(vary.parameter) == shown)
+    {
         let reason = format!("nothing of it moves: {why}");
-        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+        return Err(Error::Plot {
+            name: args.drawing.output.display().to_string(),
+            reason,
+        });
     }
     // the plots of what moves stand in the order of the search
-    let moves = |vary: &&Vary| figures.held.iter().all(|(held, _)| held.parameter != vary.parameter);
-    let place = search.vary.iter().filter(moves).position(|vary| Some(vary.parameter) == shown);
+    let moves = |vary: &&Vary| {
+        figures
+            .held
+            .iter()
+            .all(|(held, _)| held.parameter != vary.parameter)
+    };
+    let place = search
+        .vary
+        .iter()
+        .filter(moves)
+        .position(|vary| Some(vary.parameter) == shown);
     match figures.drawn.get(place.map_or(0, |place| 1 + place)) {
-        Some(figure) => target.written(&args.question, &setup, &args.drawing, figure, chart.warnings()),
-        None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
+        Some(figure) => target.written(
+            &args.question,
+            &setup,
+            &args.drawing,
+            figure,
+            chart.warnings(),
+        ),
+        None => Err(Error::Nothing {
+            doing: "draw",
+            what: "optimum",
+        }),
     }
 }
 
@@ -160,9 +236,18 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = Outcome::named(&args.of)?;
-    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let given = args
+        .sigma
+        .iter()
+        .map(|text| Sigma::read(&setup, text))
+        .collect::<Result<Vec<_>>>()?;
     let bar = bar("uncertainties");
-    let found = effects(&setup, &[of], &with_defaults(&setup, &given, &[of])?, &mut |done, all| show(&bar, done, all));
+    let found = effects(
+        &setup,
+        &[of],
+        &with_defaults(&setup, &given, &[of])?,
+        &mut |done, all| show(&bar, done, all),
+    );
     bar.finish_and_clear();
     let found = found?;
     let causes = match args.show {
@@ -170,13 +255,19 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
         Moved::Model => Causes::Model,
         Moved::All => Causes::All,
     };
-    let figure = found.first().and_then(|effects| tornado_figure(effects, causes, At::SetUp, system()));
+    let figure = found
+        .first()
+        .and_then(|effects| tornado_figure(effects, causes, At::SetUp, system()));
     let Some(figure) = figure else {
         let reason = format!(
-            "no uncertainty of this kind has an effect on {} here; take another --show (control, model, all), or give --sigma",
+            "no uncertainty of this kind has an effect on {} here; take another --show (control, \
+             model, all), or give --sigma",
             of.name()
         );
-        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+        return Err(Error::Plot {
+            name: args.drawing.output.display().to_string(),
+            reason,
+        });
     };
     target.written(&args.question, &setup, &args.drawing, &figure, vec![])
 }
@@ -187,8 +278,12 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison()?;
     if !comparison.differs() {
-        let reason = "nothing differs between drives a and b, so that there is nothing to draw".into();
-        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+        let reason =
+            "nothing differs between drives a and b, so that there is nothing to draw".into();
+        return Err(Error::Plot {
+            name: args.drawing.output.display().to_string(),
+            reason,
+        });
     }
     let warnings = warnings(&comparison);
     let figure = difference_figure(&comparison.of(of)?, system());
@@ -199,7 +294,11 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = outcomes(&args.of)?;
-    let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt, &of)? };
+    let wrt = if args.wrt.is_empty() {
+        usual(&setup)?
+    } else {
+        variables(&setup, &args.wrt, &of)?
+    };
     let bar = bar("parameters");
     let certificate = certify(&setup, &of, &wrt, &|done, all| {
         show(&bar, done, all);
@@ -209,13 +308,24 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let certificate = certificate?;
     tell_left_out(&certificate);
     // in the order asked for, without what is looked at beside
-    let asked = of.iter().flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
-    let row = |(of, parameter)| certificate.rows.iter().find(|row| row.of == of && row.parameter == parameter);
+    let asked = of
+        .iter()
+        .flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
+    let row = |(of, parameter)| {
+        certificate
+            .rows
+            .iter()
+            .find(|row| row.of == of && row.parameter == parameter)
+    };
     target.written(
         &args.question,
         &setup,
         &args.drawing,
-        &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows), At::SetUp),
+        &vcurve_figure(
+            asked.filter_map(row),
+            &while_loop(&setup, &certificate.rows),
+            At::SetUp,
+        ),
         vec![],
     )
 }
@@ -226,7 +336,10 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     let over = args.over()?;
     if AirState::of(&setup.air).density == 0.0 {
         let reason = "there is no air, and so no drag and no lift; set air.density above 0".into();
-        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+        return Err(Error::Plot {
+            name: args.drawing.output.display().to_string(),
+            reason,
+        });
     }
     let own = setup.law.table().map(|_| setup.law.name());
     let all = || Law::NAMES.iter().copied().chain(own);
@@ -236,9 +349,16 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         other.set_law(name).map(|()| other.law)
     };
     let asked: Vec<&str> = args.laws.iter().map(|name| name.trim()).collect();
-    if let Some((i, name)) = asked.iter().enumerate().find(|(i, name)| asked[..*i].contains(name)) {
+    if let Some((i, name)) = asked
+        .iter()
+        .enumerate()
+        .find(|(i, name)| asked[..*i].contains(name))
+    {
         let source = format!("'{name}' is named twice, as number {} too; keep one", i + 1).into();
-        return Err(Error::Unreadable { name: "--laws".into(), source });
+        return Err(Error::Unreadable {
+            name: "--laws".into(),
+            source,
+        });
     }
     let laws = if asked.is_empty() {
         all().map(named).collect::<Result<Vec<_>>>()
@@ -249,7 +369,12 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         Drawn::Cd => Coefficient::Drag,
         Drawn::Cl => Coefficient::Lift,
     };
-    target.put(args.question.json, &args.drawing, &laws_figure(&laws, &setup, over, of), vec![])
+    target.put(
+        args.question.json,
+        &args.drawing,
+        &laws_figure(&laws, &setup, over, of),
+        vec![],
+    )
 }
 
 impl PlotLaws {
@@ -257,15 +382,33 @@ impl PlotLaws {
     fn over(&self) -> Result<Over> {
         let unused = |name: &str, over: &str| {
             let source = format!(
-                "the laws are drawn over the {over} itself, so this is not used; leave it out, or take another --over"
+                "the laws are drawn over the {over} itself, so this is not used; leave it out, or \
+                 take another --over"
             );
-            Err(Error::Unreadable { name: name.into(), source: source.into() })
+            Err(Error::Unreadable {
+                name: name.into(),
+                source: source.into(),
+            })
         };
         match self.over {
-            LawsOver::SpinRatio if self.spin_ratio.is_some() => unused("--spin-ratio", "spin ratio"),
-            LawsOver::Reynolds if self.reynolds.is_some() => unused("--reynolds", "Reynolds number"),
-            LawsOver::SpinRatio => Ok(Over::SpinRatio(held("--reynolds", &self.reynolds, 1.5e5, [1.0, 1e7])?)),
-            LawsOver::Reynolds => Ok(Over::Reynolds(held("--spin-ratio", &self.spin_ratio, 0.1, [0.0, 10.0])?)),
+            LawsOver::SpinRatio if self.spin_ratio.is_some() => {
+                unused("--spin-ratio", "spin ratio")
+            }
+            LawsOver::Reynolds if self.reynolds.is_some() => {
+                unused("--reynolds", "Reynolds number")
+            }
+            LawsOver::SpinRatio => Ok(Over::SpinRatio(held(
+                "--reynolds",
+                &self.reynolds,
+                1.5e5,
+                [1.0, 1e7],
+            )?)),
+            LawsOver::Reynolds => Ok(Over::Reynolds(held(
+                "--spin-ratio",
+                &self.spin_ratio,
+                0.1,
+                [0.0, 10.0],
+            )?)),
         }
     }
 }
@@ -273,11 +416,19 @@ impl PlotLaws {
 /// A plain number of an option, within a range.
 fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
     let Some(text) = text else { return Ok(default) };
-    let unreadable = |e| Error::Unreadable { name: name.into(), source: Box::new(e) };
+    let unreadable = |e| Error::Unreadable {
+        name: name.into(),
+        source: Box::new(e),
+    };
     let value = Quantity::NUMBER.read(text).map_err(unreadable)?;
     if (least..=most).contains(&value) {
         return Ok(value);
     }
     let advice = format!("it must be from {least} to {most}");
-    Err(Error::OutOfRange { name: name.into(), value: value.to_string(), range: format!("{least} .. {most}"), advice })
+    Err(Error::OutOfRange {
+        name: name.into(),
+        value: value.to_string(),
+        range: format!("{least} .. {most}"),
+        advice,
+    })
 }

@@ -1,37 +1,68 @@
-//! Pictures of a drive beside the best one: where they land, how they leave, and where the face is struck.
+//! Pictures of a drive beside the best one: where they land, how they leave, and where the face is
+//! struck.
 
-use crate::command::args::{Drawing, PlotFace, PlotFairway, PlotLaunch, PlotStrike, Question, SearchArgs};
+use crate::command::args::{
+    Drawing, PlotFace, PlotFairway, PlotLaunch, PlotStrike, Question, SearchArgs,
+};
 use crate::command::output::{Answer, spinner, system, tell};
 use crate::command::picture::Target;
 use crate::optimize::{Observer, Status};
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
-use crate::study::{Cause, Face, Landing, Launches, Optimum, Sigma, causes, optimum, with_defaults};
+use crate::study::{
+    Cause, Face, Landing, Launches, Optimum, Sigma, causes, optimum, with_defaults,
+};
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
 
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let (setup, best) = searched(&args.question, &args.search)?;
-    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let given = args
+        .sigma
+        .iter()
+        .map(|text| Sigma::read(&setup, text))
+        .collect::<Result<Vec<_>>>()?;
     let of = [Outcome::Carry, Outcome::Lateral];
-    let mut landings = vec![Landing::of("as set up", &setup, &with_defaults(&setup, &given, &of)?)?];
+    let mut landings = vec![Landing::of(
+        "as set up",
+        &setup,
+        &with_defaults(&setup, &given, &of)?,
+    )?];
     if let Some(best) = &best {
-        landings.push(Landing::of("optimum", &best.setup, &with_defaults(&best.setup, &given, &of)?)?);
+        landings.push(Landing::of(
+            "optimum",
+            &best.setup,
+            &with_defaults(&best.setup, &given, &of)?,
+        )?);
     }
     let figure = fairway_figure(&landings, system());
-    target.written(&args.question, &setup, &args.drawing, &figure, best.as_ref().map_or(vec![], at_optimum))
+    target.written(
+        &args.question,
+        &setup,
+        &args.drawing,
+        &figure,
+        best.as_ref().map_or(vec![], at_optimum),
+    )
 }
 
 pub fn launches(args: &PlotLaunch) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let (setup, best) = searched(&args.question, &args.search)?;
     let optimum = best.iter().map(|best| ("optimum", &best.setup));
-    let drives: Vec<_> = std::iter::once(("as set up", &setup)).chain(optimum).collect();
+    let drives: Vec<_> = std::iter::once(("as set up", &setup))
+        .chain(optimum)
+        .collect();
     let spinner = spinner("computing the map");
     let map = Launches::around(&drives)?;
     spinner.finish_and_clear();
     let figure = launches_figure(&map, system());
-    target.written(&args.question, &setup, &args.drawing, &figure, best.as_ref().map_or(vec![], at_optimum))
+    target.written(
+        &args.question,
+        &setup,
+        &args.drawing,
+        &figure,
+        best.as_ref().map_or(vec![], at_optimum),
+    )
 }
 
 pub fn face(args: &PlotFace) -> Result<Answer> {
@@ -41,7 +72,13 @@ pub fn face(args: &PlotFace) -> Result<Answer> {
     let spinner = spinner("computing strikes");
     let face = Face::of(&setup)?;
     spinner.finish_and_clear();
-    target.written(&args.question, &setup, &args.drawing, &face_figure(&face, system()), vec![])
+    target.written(
+        &args.question,
+        &setup,
+        &args.drawing,
+        &face_figure(&face, system()),
+        vec![],
+    )
 }
 
 pub fn strikes(args: &PlotStrike) -> Result<Answer> {
@@ -51,12 +88,19 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         launch: vec![],
         ..args.question.clone()
     });
-    let inputs = args.question.inputs().chain(after.iter().flat_map(Question::inputs));
+    let inputs = args
+        .question
+        .inputs()
+        .chain(after.iter().flat_map(Question::inputs));
     let target = Target::beside(inputs, &args.drawing)?;
     let given = args.search.given();
     if let (Some(_), [option, ..]) = (&after, given.as_slice()) {
-        let source = "--after gives the other design, so that none is looked for; leave one of the two out";
-        return Err(Error::Unreadable { name: (*option).into(), source: source.into() });
+        let source =
+            "--after gives the other design, so that none is looked for; leave one of the two out";
+        return Err(Error::Unreadable {
+            name: (*option).into(),
+            source: source.into(),
+        });
     }
     refuse_launch(&args.question.setup()?, &args.drawing)?;
     let (setup, other, of_other) = match &after {
@@ -71,16 +115,27 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         None => {
             let (setup, best) = searched(&args.question, &args.search)?;
             let warnings = best.as_ref().map_or(vec![], at_optimum);
-            (setup, best.map(|best| (["as set up", "optimum"], best.setup)), warnings)
+            (
+                setup,
+                best.map(|best| (["as set up", "optimum"], best.setup)),
+                warnings,
+            )
         }
     };
-    let names = other.as_ref().map_or(["as set up", ""], |(names, _)| *names);
+    let names = other
+        .as_ref()
+        .map_or(["as set up", ""], |(names, _)| *names);
     let spinner = spinner("computing strikes");
-    let faces = std::iter::once(&setup).chain(other.iter().map(|(_, other)| other)).map(Face::of);
+    let faces = std::iter::once(&setup)
+        .chain(other.iter().map(|(_, other)| other))
+        .map(Face::of);
     let faces = faces.collect::<Result<Vec<_>>>()?;
     spinner.finish_and_clear();
     let designs: Vec<_> = names.into_iter().zip(&faces).collect();
-    let figure = strikes_figure(&designs, system()).ok_or(Error::Nothing { doing: "draw", what: "design" })?;
+    let figure = strikes_figure(&designs, system()).ok_or(Error::Nothing {
+        doing: "draw",
+        what: "design",
+    })?;
     target.written(&args.question, &setup, &args.drawing, &figure, of_other)
 }
 
@@ -90,8 +145,12 @@ fn refuse_launch(setup: &Setup<f64>, drawing: &Drawing) -> Result<()> {
         return Ok(());
     }
     let name = drawing.output.display().to_string();
-    let reason = "the drive is given by its launch: no club strikes the ball, so that there is no face to draw; give a swing and a club instead";
-    Err(Error::Plot { name, reason: reason.into() })
+    let reason = "the drive is given by its launch: no club strikes the ball, so that there is no \
+                  face to draw; give a swing and a club instead";
+    Err(Error::Plot {
+        name,
+        reason: reason.into(),
+    })
 }
 
 /// The toe of the two would be on opposite sides.
@@ -100,24 +159,32 @@ fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, drawing: &Drawing)
         return Ok(());
     }
     let reason = format!(
-        "the golfer is {} before and {} after, so that the toe is on opposite sides; give both setups the same golfer (--set changes only the \
+        "the golfer is {} before and {} after, so that the toe is on opposite sides; give both \
+         setups the same golfer (--set changes only the \
          one before, a setup file of --after has a line of its own: golfer = \"{}\")",
         before.golfer.name(),
         after.golfer.name(),
         before.golfer.name()
     );
-    Err(Error::Plot { name: drawing.output.display().to_string(), reason })
+    Err(Error::Plot {
+        name: drawing.output.display().to_string(),
+        reason,
+    })
 }
 
 /// That more than the club differs between two designs.
 fn beside_the_club(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
-    let names = causes(before, after).into_iter().map(Cause::name).filter(|name| !name.starts_with("club."));
+    let names = causes(before, after)
+        .into_iter()
+        .map(Cause::name)
+        .filter(|name| !name.starts_with("club."));
     let names: Vec<_> = names.collect();
     if names.is_empty() {
         return vec![];
     }
     let message = format!(
-        "before and after differ in more than the club: {}; to see the effect of the club alone, give the setup that the design was made for \
+        "before and after differ in more than the club: {}; to see the effect of the club alone, \
+         give the setup that the design was made for \
          (plot strike SETUP --after FILE)",
         names.join(", ")
     );
@@ -126,18 +193,23 @@ fn beside_the_club(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
 
 /// What deserves a word about the drive of an optimum.
 pub fn at_optimum(best: &Optimum) -> Vec<Message> {
-    let warnings =
-        best.drive.as_ref().map_or_else(Vec::new, |drive| drive.warnings_about(&best.setup, &best.search.outcomes()));
-    warnings.into_iter().map(|warning| Message::from("at the optimum: ").message(warning)).collect()
+    let warnings = best.drive.as_ref().map_or_else(Vec::new, |drive| {
+        drive.warnings_about(&best.setup, &best.search.outcomes())
+    });
+    warnings
+        .into_iter()
+        .map(|warning| Message::from("at the optimum: ").message(warning))
+        .collect()
 }
 
-/// The setup and its optimum. Where a launch is given of which nothing is varied, or no optimum is found, the drive is drawn alone, and
-/// that is said.
+/// The setup and its optimum. Where a launch is given of which nothing is varied, or no optimum is
+/// found, the drive is drawn alone, and that is said.
 fn searched(question: &Question, search: &SearchArgs) -> Result<(Setup<f64>, Option<Optimum>)> {
     let setup = question.setup()?;
     if setup.launch.is_given() && search.given().is_empty() {
         tell(
-            "no optimum is drawn: the drive is given by its launch; give what to vary of it, for example --vary launch.launch_angle=5deg..20deg",
+            "no optimum is drawn: the drive is given by its launch; give what to vary of it, for \
+             example --vary launch.launch_angle=5deg..20deg",
         );
         return Ok((question.for_many(setup, &[])?, None));
     }
@@ -149,6 +221,10 @@ fn searched(question: &Question, search: &SearchArgs) -> Result<(Setup<f64>, Opt
     if best.solution.status == Status::Converged {
         return Ok((setup, Some(best)));
     }
-    tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message().in_units(system())));
+    tell(&format!(
+        "no optimum is drawn: {}: {}",
+        best.status(),
+        best.message().in_units(system())
+    ));
     Ok((setup, None))
 }

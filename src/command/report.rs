@@ -13,8 +13,8 @@ use crate::report::page::{Document, Findings, SETUP_FILE, report_documents};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Row, certify};
 use crate::study::{
-    Chart, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, flatness, map,
-    optimum, short_drive, usual_loss, with_defaults,
+    Chart, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart,
+    effects, flatness, map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -28,15 +28,22 @@ pub fn run(args: &Report) -> Result<Answer> {
     let stated = args.question.setup()?;
     let of = args.search.sought()?.0;
     let sought = args.sought(&stated)?;
-    let ranges: Vec<_> =
-        sought.iter().flat_map(|(search, along)| search.vary.iter().copied().chain([*along])).collect();
+    let ranges: Vec<_> = sought
+        .iter()
+        .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
+        .collect();
     let setup = args.question.for_many(stated, &ranges)?;
     let date = today()?;
     let preset = args.question.preset()?;
-    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let given = args
+        .sigma
+        .iter()
+        .map(|text| Sigma::read(&setup, text))
+        .collect::<Result<Vec<_>>>()?;
     let sigmas = with_defaults(&setup, &given, &[of])?;
     // before the work, not after it
-    let folder = Rule::new(args.question.inputs(), args.overwrite).folder(&args.output, &["index.html", SETUP_FILE])?;
+    let folder = Rule::new(args.question.inputs(), args.overwrite)
+        .folder(&args.output, &["index.html", SETUP_FILE])?;
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
@@ -44,13 +51,18 @@ pub fn run(args: &Report) -> Result<Answer> {
     let mut remarks = flown[0].drive.warnings_about(&setup, Outcome::ALL);
     bar.inc(1);
 
-    let found = sought.as_ref().map(|(search, _)| optimum(&setup, search.clone(), Observer::default())).transpose()?;
-    let best = found.as_ref().filter(|found| found.solution.status == Status::Converged);
+    let found = sought
+        .as_ref()
+        .map(|(search, _)| optimum(&setup, search.clone(), Observer::default()))
+        .transpose()?;
+    let best = found
+        .as_ref()
+        .filter(|found| found.solution.status == Status::Converged);
     let why_none = match (&found, best) {
         (None, _) => Some(Message::from(NO_SEARCH)),
-        (Some(found), None) => {
-            Some(Message::from(format!("no optimum: {}: ", found.status())).message(found.message()))
-        }
+        (Some(found), None) => Some(
+            Message::from(format!("no optimum: {}: ", found.status())).message(found.message()),
+        ),
         _ => None,
     };
     if let Some(best) = best {
@@ -60,32 +72,50 @@ pub fn run(args: &Report) -> Result<Answer> {
             .warnings_about(&best.setup, Outcome::ALL)
             .into_iter()
             .filter(|warning| !remarks.contains(warning));
-        let of_drive: Vec<_> = of_drive.map(|warning| Message::from("at the optimum: ").message(warning)).collect();
+        let of_drive: Vec<_> = of_drive
+            .map(|warning| Message::from("at the optimum: ").message(warning))
+            .collect();
         remarks.extend(of_drive);
         flown.push(longest);
     }
     let pictures = Pictures::of(&setup, best, &flown, &given, &mut remarks)?;
-    remarks.extend(best.and_then(short_drive).map(|(_, said)| Message::from(said)));
-    let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
+    remarks.extend(
+        best.and_then(short_drive)
+            .map(|(_, said)| Message::from(said)),
+    );
+    let flatness = best
+        .map(|best| flatness(best, usual_loss(best)))
+        .transpose()?;
     bar.inc(1);
 
     let around = best.map_or(&setup, |best| &best.setup);
     let search = sought.as_ref().map(|(search, _)| search);
     let map = match search.map(|search| &search.vary[..]) {
-        Some([across, up, ..]) => said(map(around, of, *across, *up, Fineness::default()), &mut remarks)?,
+        Some([across, up, ..]) => said(
+            map(around, of, *across, *up, Fineness::default()),
+            &mut remarks,
+        )?,
         _ => None,
     };
     let flat = map.as_ref().and_then(Map::flat);
     let map = map.filter(|_| flat.is_none());
     remarks.extend(flat);
-    let limits = search.map(|search| said(limits(around, search), &mut remarks)).transpose()?.flatten();
+    let limits = search
+        .map(|search| said(limits(around, search), &mut remarks))
+        .transpose()?
+        .flatten();
     let limits = limits.unwrap_or_default();
     let region = match (best, &map) {
         (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
         _ => None,
     };
     bar.inc(1);
-    let is_fixed = |(search, along): &&(Search, Vary)| search.vary.iter().all(|vary| vary.parameter != along.parameter);
+    let is_fixed = |(search, along): &&(Search, Vary)| {
+        search
+            .vary
+            .iter()
+            .all(|vary| vary.parameter != along.parameter)
+    };
     let chart = match sought.as_ref().filter(is_fixed) {
         Some((search, along)) if best.is_some() => {
             let mut on_point = |_: &_| {
@@ -99,18 +129,27 @@ pub fn run(args: &Report) -> Result<Answer> {
 
     remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
 
-    let shown = if of == Outcome::Lateral { vec![Outcome::Carry] } else { vec![of, Outcome::Lateral] };
+    let shown = if of == Outcome::Lateral {
+        vec![Outcome::Carry]
+    } else {
+        vec![of, Outcome::Lateral]
+    };
     let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, &sigmas, &mut |_, _| ());
     let effects = said(moved(&setup, &shown), &mut remarks)?.unwrap_or_default();
     bar.inc(1);
-    let at_best = best.map(|best| said(moved(&best.setup, &[of]), &mut remarks)).transpose()?;
+    let at_best = best
+        .map(|best| said(moved(&best.setup, &[of]), &mut remarks))
+        .transpose()?;
     let at_best = at_best.flatten().and_then(|mut effects| effects.pop());
     let rows = said(rows(&setup, of, search), &mut remarks)?.unwrap_or_default();
     bar.inc(1);
 
     // of a file its name, wherever it is
     let name = Path::new(args.question.name()).file_name();
-    let name = name.map_or_else(|| args.question.setup.clone(), |name| name.to_string_lossy().into_owned());
+    let name = name.map_or_else(
+        || args.question.setup.clone(),
+        |name| name.to_string_lossy().into_owned(),
+    );
     let findings = Findings {
         name: &name,
         stated: &stated,
@@ -140,13 +179,24 @@ pub fn run(args: &Report) -> Result<Answer> {
         date: &date,
     };
     let documents = report_documents(&findings)?;
-    folder.write(documents.iter().map(|Document { name, text }| (name.as_str(), text.as_bytes())))?;
+    folder.write(
+        documents
+            .iter()
+            .map(|Document { name, text }| (name.as_str(), text.as_bytes())),
+    )?;
     bar.finish_and_clear();
     remarks.extend(why_none);
     warn(&remarks);
     let index = args.output.join("index.html");
-    tell(&format!("{} ({})", index.display(), counted(documents.len() as u64, "file")));
-    let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
+    tell(&format!(
+        "{} ({})",
+        index.display(),
+        counted(documents.len() as u64, "file")
+    ));
+    let names: Vec<&str> = documents
+        .iter()
+        .map(|document| document.name.as_str())
+        .collect();
     let missing = found.as_ref().filter(|_| best.is_none());
     let answer = if args.question.json {
         let (status, message) = match (&flown[0].drive.flight, missing) {
@@ -163,11 +213,14 @@ pub fn run(args: &Report) -> Result<Answer> {
 }
 
 /// What the report of a launch says where nothing is to be varied.
-const NO_SEARCH: &str = "the drive is given by its launch, so there is no loft and no attack angle to vary: the optimum, its map and its chart \
-                         are left out; to look for the best launch, give --vary, for example launch.launch_angle=5deg..20deg";
+const NO_SEARCH: &str = "the drive is given by its launch, so there is no loft and no attack angle \
+                         to vary: the optimum, its map and its chart \
+                         are left out; to look for the best launch, give --vary, for example \
+                         launch.launch_angle=5deg..20deg";
 
 impl Report {
-    /// What is looked for, and the parameter that the optimum is followed along; nothing for a launch of which nothing is varied.
+    /// What is looked for, and the parameter that the optimum is followed along; nothing for a
+    /// launch of which nothing is varied.
     fn sought(&self, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
         let is_launched = setup.launch.is_given();
         if !is_launched || !self.search.vary.is_empty() {
@@ -177,22 +230,37 @@ impl Report {
             };
             return Ok(Some((self.search.search(setup)?, along)));
         }
-        let of_search = self.search.given().into_iter().chain(self.along.as_ref().map(|_| "--along"));
-        match of_search.into_iter().find(|option| !["--maximize", "--minimize"].contains(option)) {
+        let of_search = self
+            .search
+            .given()
+            .into_iter()
+            .chain(self.along.as_ref().map(|_| "--along"));
+        match of_search
+            .into_iter()
+            .find(|option| !["--maximize", "--minimize"].contains(option))
+        {
             Some(option) => {
-                let source = "it is about the search for an optimum; give --vary too, for example launch.launch_angle=5deg..20deg, or leave \
+                let source = "it is about the search for an optimum; give --vary too, for example \
+                              launch.launch_angle=5deg..20deg, or leave \
                               it out";
-                Err(Error::Unreadable { name: option.into(), source: source.into() })
+                Err(Error::Unreadable {
+                    name: option.into(),
+                    source: source.into(),
+                })
             }
             None => Ok(None),
         }
     }
 }
 
-/// The speeds that the optimum is followed along where no range is given: the usual ones, or where the drive's own speed is none of them, as many
-/// around it, down to half of it.
+/// The speeds that the optimum is followed along where no range is given: the usual ones, or where
+/// the drive's own speed is none of them, as many around it, down to half of it.
 fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
-    let usual = if setup.launch.is_given() { "launch.ball_speed=120mph..190mph" } else { "swing.speed=80mph..130mph" };
+    let usual = if setup.launch.is_given() {
+        "launch.ball_speed=120mph..190mph"
+    } else {
+        "swing.speed=80mph..130mph"
+    };
     let usual = Vary::read(setup, usual)?;
     let half = 0.5 * (usual.high - usual.low);
     match setup.value(usual.parameter) {
@@ -213,7 +281,8 @@ struct Pictures {
 }
 
 impl Pictures {
-    /// Of the drive as set up and of the best one, as far as they fly; `flown` are both, `given` the uncertainties that were stated.
+    /// Of the drive as set up and of the best one, as far as they fly; `flown` are both, `given`
+    /// the uncertainties that were stated.
     fn of(
         setup: &Setup<f64>,
         best: Option<&Optimum>,
@@ -222,15 +291,32 @@ impl Pictures {
         remarks: &mut Vec<Message>,
     ) -> Result<Self> {
         let setups = std::iter::once(setup).chain(best.map(|best| &best.setup));
-        let flying = flown.iter().zip(setups).filter(|(flown, _)| flown.drive.landed().is_ok());
-        let drives: Vec<_> = flying.map(|(flown, setup)| (flown.name.as_str(), setup)).collect();
+        let flying = flown
+            .iter()
+            .zip(setups)
+            .filter(|(flown, _)| flown.drive.landed().is_ok());
+        let drives: Vec<_> = flying
+            .map(|(flown, setup)| (flown.name.as_str(), setup))
+            .collect();
         let landing = |(name, setup): &(&str, &Setup<f64>)| {
-            Landing::of(*name, setup, &with_defaults(setup, given, &[Outcome::Carry, Outcome::Lateral])?)
+            Landing::of(
+                *name,
+                setup,
+                &with_defaults(setup, given, &[Outcome::Carry, Outcome::Lateral])?,
+            )
         };
-        let is_struck = !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
-        let launches = (!drives.is_empty()).then(|| said(Launches::around(&drives), remarks)).transpose()?;
-        let face = is_struck.then(|| said(Face::of(setup), remarks)).transpose()?;
-        let best_face = best.filter(|_| is_struck).map(|best| said(Face::of(&best.setup), remarks)).transpose()?;
+        let is_struck =
+            !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
+        let launches = (!drives.is_empty())
+            .then(|| said(Launches::around(&drives), remarks))
+            .transpose()?;
+        let face = is_struck
+            .then(|| said(Face::of(setup), remarks))
+            .transpose()?;
+        let best_face = best
+            .filter(|_| is_struck)
+            .map(|best| said(Face::of(&best.setup), remarks))
+            .transpose()?;
         Ok(Self {
             landings: drives.iter().map(landing).collect::<Result<_>>()?,
             launches: launches.flatten(),
@@ -240,13 +326,18 @@ impl Pictures {
     }
 }
 
-/// The derivatives of the outcome by what is varied, or by what is usual, and by the speed of swing or ball, beside differences.
+/// The derivatives of the outcome by what is varied, or by what is usual, and by the speed of swing
+/// or ball, beside differences.
 fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<Row>> {
     let mut wrt = match search {
         Some(search) => search.vary.iter().map(|vary| vary.parameter).collect(),
         None => usual(setup)?,
     };
-    let speed = setup.variable(if setup.launch.is_given() { "launch.ball_speed" } else { "swing.speed" })?;
+    let speed = setup.variable(if setup.launch.is_given() {
+        "launch.ball_speed"
+    } else {
+        "swing.speed"
+    })?;
     if !wrt.contains(&speed) {
         wrt.push(speed);
     }

@@ -18,22 +18,41 @@ const YARD: f64 = 0.9144;
 
 pub fn run(args: &RobustArgs) -> Result<Answer> {
     args.swings.refuse_stray()?;
-    let rule = Rule::new(args.question.inputs().chain(args.swings.inputs()), args.overwrite);
-    let output = args.output.as_ref().map(|file| rule.setup_file(file)).transpose()?;
+    let rule = Rule::new(
+        args.question.inputs().chain(args.swings.inputs()),
+        args.overwrite,
+    );
+    let output = args
+        .output
+        .as_ref()
+        .map(|file| rule.setup_file(file))
+        .transpose()?;
     let (setup, search, scenarios) = args.asked()?;
     let within = args.within(&search.of)?;
     args.question.tell_of_the_start(&setup, &search.vary);
     let ranges = ranges(&search.vary, &scenarios);
     let models = args.models(&setup, &search, &scenarios)?;
-    let flown = |model: Model| Ok(Model { setup: args.question.for_many(model.setup, &ranges)?, ..model });
+    let flown = |model: Model| {
+        Ok(Model {
+            setup: args.question.for_many(model.setup, &ranges)?,
+            ..model
+        })
+    };
     let models = models.into_iter().map(flown).collect::<Result<Vec<_>>>()?;
     for (k, model) in models.iter().enumerate() {
-        let reason = if model.reason.is_empty() { String::new() } else { format!(" ({})", model.reason) };
+        let reason = if model.reason.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", model.reason)
+        };
         tell(&format!("model {}: {}{reason}", k + 1, model.name));
     }
     let spinner = spinner("searching for one design for all models");
     let interrupt = interrupt::stops("stopping with the best design so far");
-    let follow = Follow { interrupt: interrupt.clone(), ..Follow::default() };
+    let follow = Follow {
+        interrupt: interrupt.clone(),
+        ..Follow::default()
+    };
     let found = robust(models, search, &scenarios, args.starts as usize, &follow);
     spinner.finish_and_clear();
     let found = found?;
@@ -44,11 +63,19 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     if let Some(output) = &output {
         let file = output.path().display().to_string();
         if is_found {
-            output.write(args.question.as_stated(robust_toml(&found, within, args.question.preset()?)?)?.as_bytes())?;
-            tell(&format!("wrote the setup with the robust design into {file}"));
+            output.write(
+                args.question
+                    .as_stated(robust_toml(&found, within, args.question.preset()?)?)?
+                    .as_bytes(),
+            )?;
+            tell(&format!(
+                "wrote the setup with the robust design into {file}"
+            ));
             written = Some(file);
         } else {
-            warnings.push(Message::from(format!("{file} is not written: there is no robust design")));
+            warnings.push(Message::from(format!(
+                "{file} is not written: there is no robust design"
+            )));
         }
     }
     warn(&warnings);
@@ -71,31 +98,60 @@ impl RobustArgs {
             return Ok((set_up, search, scenarios));
         }
         let setup = self.question.setup_varied(&self.search.vary)?;
-        let Search { of, sense, vary, subject_to, options } = self.search.search(&setup)?;
+        let Search {
+            of,
+            sense,
+            vary,
+            subject_to,
+            options,
+        } = self.search.search(&setup)?;
         let subject_to = subject_to.iter().map(GoalLimit::of_drive).collect();
-        let search = SwingsSearch { of: Goal::outcome(of), sense, vary, subject_to, options };
+        let search = SwingsSearch {
+            of: Goal::outcome(of),
+            sense,
+            vary,
+            subject_to,
+            options,
+        };
         Ok((setup, search, Scenarios::one_drive()))
     }
 
     /// The setup as it is, and the models beside it.
-    fn models(&self, setup: &Setup<f64>, search: &SwingsSearch, scenarios: &Scenarios) -> Result<Vec<Model>> {
+    fn models(
+        &self,
+        setup: &Setup<f64>,
+        search: &SwingsSearch,
+        scenarios: &Scenarios,
+    ) -> Result<Vec<Model>> {
         if self.model.is_empty() {
             return Model::usual(setup);
         }
         let mut all = vec![Model::as_set_up(setup)];
         for text in &self.model {
             let model = Model::read(setup, text)?;
-            let refuse =
-                |source: String| Error::Unreadable { name: format!("--model {}", model.name), source: source.into() };
+            let refuse = |source: String| Error::Unreadable {
+                name: format!("--model {}", model.name),
+                source: source.into(),
+            };
             if let Some(same) = all.iter().find(|other| other.setup == model.setup) {
-                return Err(refuse(format!("it is the same as '{}'; leave it out", same.name)));
+                return Err(refuse(format!(
+                    "it is the same as '{}'; leave it out",
+                    same.name
+                )));
             }
-            let mut taken = search.vary.iter().map(|vary| vary.parameter).chain(scenarios.parameters.iter().copied());
-            let is_changed =
-                |name: &str| text.split(',').any(|part| part.split('=').next().map(str::trim) == Some(name));
+            let mut taken = search
+                .vary
+                .iter()
+                .map(|vary| vary.parameter)
+                .chain(scenarios.parameters.iter().copied());
+            let is_changed = |name: &str| {
+                text.split(',')
+                    .any(|part| part.split('=').next().map(str::trim) == Some(name))
+            };
             if let Some(parameter) = taken.find(|parameter| is_changed(parameter.name)) {
                 return Err(refuse(format!(
-                    "{} is varied, by the search or by the swings, so that this value would not be used; leave it out",
+                    "{} is varied, by the search or by the swings, so that this value would not be \
+                     used; leave it out",
                     parameter.name
                 )));
             }
@@ -106,10 +162,17 @@ impl RobustArgs {
 
     /// The loss that is allowed: what was given, else a yard of a distance.
     fn within(&self, of: &Goal) -> Result<Option<f64>> {
-        let Some(text) = &self.within else { return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD)) };
-        let refuse =
-            |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable { name: "--within".into(), source };
-        let within = of.quantity.read_difference(text).map_err(|error| refuse(Box::new(error)))?;
+        let Some(text) = &self.within else {
+            return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD));
+        };
+        let refuse = |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable {
+            name: "--within".into(),
+            source,
+        };
+        let within = of
+            .quantity
+            .read_difference(text)
+            .map_err(|error| refuse(Box::new(error)))?;
         if within.is_finite() && within >= 0.0 {
             return Ok(Some(within));
         }

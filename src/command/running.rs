@@ -21,7 +21,8 @@ pub struct Running {
 }
 
 thread_local! {
-    /// The commands that are run on this thread: one that waits for other threads' work may have another run meanwhile.
+    /// The commands that are run on this thread: one that waits for other threads' work may have
+    /// another run meanwhile.
     static RUNNING: RefCell<Vec<Arc<Running>>> = const { RefCell::new(vec![]) };
 }
 
@@ -35,15 +36,20 @@ impl Drop for Ended {
 }
 
 /// Does the work of a command.
-pub fn within<T>(host: Arc<dyn Host>, shown: Option<Shown>, words: &[OsString], work: impl FnOnce() -> T) -> T {
+pub fn within<T>(
+    host: Arc<dyn Host>,
+    shown: Option<Shown>,
+    words: &[OsString],
+    work: impl FnOnce() -> T,
+) -> T {
     let words = words.get(1..).unwrap_or_default().to_vec();
     RUNNING.with_borrow_mut(|all| all.push(Arc::new(Running::of(host, shown, words))));
     let _ended = Ended;
     work()
 }
 
-/// The command on this thread; a thread that runs none speaks to the terminal. What runs on threads that the work of a command makes takes it
-/// along.
+/// The command on this thread; a thread that runs none speaks to the terminal. What runs on threads
+/// that the work of a command makes takes it along.
 pub fn running() -> Arc<Running> {
     RUNNING
         .with_borrow(|all| all.last().cloned())
@@ -52,12 +58,21 @@ pub fn running() -> Arc<Running> {
 
 impl Running {
     fn of(host: Arc<dyn Host>, shown: Option<Shown>, words: Vec<OsString>) -> Self {
-        Self { host, shown, words, early: Mutex::default(), input: Mutex::default() }
+        Self {
+            host,
+            shown,
+            words,
+            early: Mutex::default(),
+            input: Mutex::default(),
+        }
     }
 
     /// The units that were asked for, if any.
     pub fn stated_system(&self) -> Option<System> {
-        self.shown.as_ref().and_then(|shown| shown.units).map(System::from)
+        self.shown
+            .as_ref()
+            .and_then(|shown| shown.units)
+            .map(System::from)
     }
 
     /// The units that results are shown in.
@@ -83,12 +98,18 @@ impl Running {
 
     /// Keeps a warning for the answer, which has it before its own.
     pub fn keep(&self, warning: Message) {
-        self.early.lock().unwrap_or_else(PoisonError::into_inner).push(warning);
+        self.early
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .push(warning);
     }
 
     /// What was kept.
     pub fn kept(&self) -> Vec<Message> {
-        self.early.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        self.early
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone()
     }
 
     /// The text of the setup that is named `-`, read once.

@@ -17,12 +17,19 @@ impl SearchArgs {
     pub fn search(&self, setup: &Setup<f64>) -> Result<Search> {
         let vary = match self.vary.as_slice() {
             [] if setup.launch.is_given() => {
-                let source = "the drive is given by its launch, so there is no loft and no attack angle to vary; give what to vary of the \
+                let source = "the drive is given by its launch, so there is no loft and no attack \
+                              angle to vary; give what to vary of the \
                               launch, for example --vary launch.launch_angle=5deg..20deg";
-                return Err(Error::Unreadable { name: "--vary".into(), source: source.into() });
+                return Err(Error::Unreadable {
+                    name: "--vary".into(),
+                    source: source.into(),
+                });
             }
             [] => Search::longest_drive(setup)?.vary,
-            given => given.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?,
+            given => given
+                .iter()
+                .map(|text| Vary::read(setup, text))
+                .collect::<Result<_>>()?,
         };
         let (of, sense) = self.sought()?;
         let options = Options::default();
@@ -30,8 +37,15 @@ impl SearchArgs {
             of,
             sense,
             vary,
-            subject_to: self.subject_to.iter().map(|text| Constraint::read(text)).collect::<Result<_>>()?,
-            options: Options { max_iterations: self.max_iterations.unwrap_or(options.max_iterations), ..options },
+            subject_to: self
+                .subject_to
+                .iter()
+                .map(|text| Constraint::read(text))
+                .collect::<Result<_>>()?,
+            options: Options {
+                max_iterations: self.max_iterations.unwrap_or(options.max_iterations),
+                ..options
+            },
         };
         tell_of_the_run(&search.outcomes());
         Ok(search)
@@ -55,7 +69,11 @@ impl SearchArgs {
             ("--subject-to", !self.subject_to.is_empty()),
             ("--max-iterations", self.max_iterations.is_some()),
         ];
-        given.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect()
+        given
+            .into_iter()
+            .filter(|(_, is_given)| *is_given)
+            .map(|(name, _)| name)
+            .collect()
     }
 }
 
@@ -63,14 +81,23 @@ impl WorkArgs {
     /// Searches, with its progress on standard error.
     pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
         let checkpoint = match &self.checkpoint {
-            Some(path) => Some(Arc::new(Checkpoint::open(path, &question(setup, search, self.starts))?)),
+            Some(path) => Some(Arc::new(Checkpoint::open(
+                path,
+                &question(setup, search, self.starts),
+            )?)),
             None => None,
         };
-        let mut follow = Follow { interrupt: interrupt::stops(BEST_SO_FAR), checkpoint, ..Follow::default() };
+        let mut follow = Follow {
+            interrupt: interrupt::stops(BEST_SO_FAR),
+            checkpoint,
+            ..Follow::default()
+        };
         let (of, sense, system) = (search.of, search.sense, system());
         let bar = match self.starts {
             1 => one(search, &mut follow),
-            _ => self.many(&mut follow, move |value| outcome_text(of, sense.sign() * value, system)),
+            _ => self.many(&mut follow, move |value| {
+                outcome_text(of, sense.sign() * value, system)
+            }),
         };
         let found = optima(setup, search, self.starts as usize, &follow);
         bar.finish_and_clear();
@@ -83,15 +110,26 @@ impl WorkArgs {
         found
     }
 
-    /// A bar of the searches that have ended, with the best value so far as `show` has what is minimized.
-    pub fn many(&self, follow: &mut Follow, show: impl Fn(f64) -> String + Send + Sync + 'static) -> ProgressBar {
-        let bar = bar_of(u64::from(self.starts), "{bar:40} {pos}/{len} searches, {eta} left, best {msg}");
+    /// A bar of the searches that have ended, with the best value so far as `show` has what is
+    /// minimized.
+    pub fn many(
+        &self,
+        follow: &mut Follow,
+        show: impl Fn(f64) -> String + Send + Sync + 'static,
+    ) -> ProgressBar {
+        let bar = bar_of(
+            u64::from(self.starts),
+            "{bar:40} {pos}/{len} searches, {eta} left, best {msg}",
+        );
         let best: Mutex<Option<f64>> = Mutex::new(None);
         let shown = bar.clone();
         follow.end = Some(Arc::new(move |_, solution| {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;
-            *best = [*best, solution.value.filter(|_| is_feasible)].into_iter().flatten().reduce(f64::min);
+            *best = [*best, solution.value.filter(|_| is_feasible)]
+                .into_iter()
+                .flatten()
+                .reduce(f64::min);
             shown.set_message(best.map_or("–".into(), &show));
             shown.inc(1);
         }));
@@ -103,26 +141,39 @@ impl WorkArgs {
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {
-            let source =
-                format!("{text} is of many swings; give these too, with --swings FILE or --distribution NAME=KIND(…)");
-            Error::Unreadable { name: option.into(), source: source.into() }
+            let source = format!(
+                "{text} is of many swings; give these too, with --swings FILE or \
+                         --distribution NAME=KIND(…)"
+            );
+            Error::Unreadable {
+                name: option.into(),
+                source: source.into(),
+            }
         }
         false => error,
     })
 }
 
-/// The question in words that tell it from any other: every number of the setup and the search is in their debug form,
-/// to the last digit. More iterations make no other question.
+/// The question in words that tell it from any other: every number of the setup and the search is
+/// in their debug form, to the last digit. More iterations make no other question.
 fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
-    let options = Options { max_iterations: 0, ..search.options.clone() };
-    let search = Search { options, ..search.clone() };
+    let options = Options {
+        max_iterations: 0,
+        ..search.options.clone()
+    };
+    let search = Search {
+        options,
+        ..search.clone()
+    };
     format!("{setup:?} {search:?} {starts}")
 }
 
 /// Every iteration as a line.
 fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
     let (shown, running) = (search.clone(), running());
-    let line = move |_, iteration: &Iteration| running.tell(&iteration_line(&shown, iteration, running.system()));
+    let line = move |_, iteration: &Iteration| {
+        running.tell(&iteration_line(&shown, iteration, running.system()))
+    };
     follow.iteration = Some(Arc::new(line));
     ProgressBar::hidden()
 }

@@ -7,8 +7,10 @@ use crate::{Drive, Outcome, Result};
 pub fn run(args: &Simulate) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let drive = Drive::new(&setup);
-    let mut warnings =
-        drive.as_ref().map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, Outcome::ALL));
+    let mut warnings = drive.as_ref().map_or_else(
+        |_| setup.warnings(),
+        |drive| drive.warnings_about(&setup, Outcome::ALL),
+    );
     warnings.extend(setup.wind_profile_warning());
     warn(&warnings);
     let drive = drive?;

@@ -10,8 +10,8 @@ use crate::optimize::{Checkpoint, Follow, Options, Status};
 use crate::parameters::Vary;
 use crate::report::{OptimumReport, Reply, swings_reply, swings_text, swings_toml, value_text};
 use crate::study::swings::{
-    Correlation, Goal, GoalLimit, Price, Resampled, Rule, Scenarios, Strokes, Swings, SwingsOptimum, SwingsSearch,
-    price_until, resampled, swings_optima,
+    Correlation, Goal, GoalLimit, Price, Resampled, Rule, Scenarios, Strokes, Swings,
+    SwingsOptimum, SwingsSearch, price_until, resampled, swings_optima,
 };
 use crate::study::uncertainty::Uncertain;
 use crate::study::{Search, Sense};
@@ -39,7 +39,10 @@ impl SwingsArgs {
             ("--seed", self.seed.is_some()),
             ("--strokes", self.strokes.is_some()),
         ];
-        given.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
+        given
+            .into_iter()
+            .find(|(_, is_given)| *is_given)
+            .map(|(name, _)| name)
     }
 
     /// # Errors
@@ -47,9 +50,12 @@ impl SwingsArgs {
     pub fn refuse_stray(&self) -> Result<()> {
         match self.stray().filter(|_| !self.is_given()) {
             Some(option) => {
-                let source =
-                    "it is about many swings; give these too, with --swings FILE or --distribution NAME=KIND(…)";
-                Err(Error::Unreadable { name: option.into(), source: source.into() })
+                let source = "it is about many swings; give these too, with --swings FILE or \
+                              --distribution NAME=KIND(…)";
+                Err(Error::Unreadable {
+                    name: option.into(),
+                    source: source.into(),
+                })
             }
             None => Ok(()),
         }
@@ -58,10 +64,15 @@ impl SwingsArgs {
     /// # Errors
     /// [`Error::Unreadable`] for correlations where no distributions are given.
     pub fn refuse_correlation(&self) -> Result<()> {
-        if self.correlation.is_empty() { Ok(()) } else { self.refuse_stray() }
+        if self.correlation.is_empty() {
+            Ok(())
+        } else {
+            self.refuse_stray()
+        }
     }
 
-    /// How the swings that stand for all are taken. The seed is also that of the resamples of recorded swings, where there are any.
+    /// How the swings that stand for all are taken. The seed is also that of the resamples of
+    /// recorded swings, where there are any.
     pub fn rule(&self, swings: &Swings, is_resampled: bool) -> Result<Rule> {
         let rule = Rule::of(swings, self.scenarios, self.seed.unwrap_or(0))?;
         if !(is_resampled && rule == Rule::Recorded) {
@@ -70,19 +81,31 @@ impl SwingsArgs {
         Ok(rule)
     }
 
-    /// The swings and those of them that stand for all, with the setup, in which what varies from swing to swing has a value.
-    pub fn taken(&self, question: &Question, is_resampled: bool) -> Result<(Setup<f64>, Swings, Scenarios)> {
+    /// The swings and those of them that stand for all, with the setup, in which what varies from
+    /// swing to swing has a value.
+    pub fn taken(
+        &self,
+        question: &Question,
+        is_resampled: bool,
+    ) -> Result<(Setup<f64>, Swings, Scenarios)> {
         let setup = question.setup()?;
         let swings = self.read(&setup)?;
         question.refuse_twice(&setup, &swings.parameters(), "the swings have values of it")?;
-        let setup = question.begun(setup, swings.parameters().into_iter().zip(swings.means()), "varies about")?;
+        let setup = question.begun(
+            setup,
+            swings.parameters().into_iter().zip(swings.means()),
+            "varies about",
+        )?;
         let scenarios = Scenarios::new(&swings, self.rule(&swings, is_resampled)?)?;
         Ok((setup, swings, scenarios))
     }
 
     /// The table of expected strokes, where one is given.
     pub fn strokes(&self) -> Result<Option<Strokes>> {
-        self.strokes.as_ref().map(|file| Strokes::open(file, false)).transpose()
+        self.strokes
+            .as_ref()
+            .map(|file| Strokes::open(file, false))
+            .transpose()
     }
 
     /// The files that it reads.
@@ -99,15 +122,27 @@ impl SwingsArgs {
                 .map(|_| "--distribution")
                 .or(self.correlation.first().map(|_| "--correlation"))
             {
-                let source =
-                    format!("{} gives the swings; write it into that file, or leave --swings out", file.display());
-                return Err(Error::Unreadable { name: option.into(), source: source.into() });
+                let source = format!(
+                    "{} gives the swings; write it into that file, or leave --swings out",
+                    file.display()
+                );
+                return Err(Error::Unreadable {
+                    name: option.into(),
+                    source: source.into(),
+                });
             }
             return Swings::open(setup, file);
         }
-        let inputs = self.distribution.iter().map(|text| Uncertain::read(setup, text)).collect::<Result<Vec<_>>>()?;
-        let correlations =
-            self.correlation.iter().map(|text| Correlation::read(setup, text)).collect::<Result<Vec<_>>>()?;
+        let inputs = self
+            .distribution
+            .iter()
+            .map(|text| Uncertain::read(setup, text))
+            .collect::<Result<Vec<_>>>()?;
+        let correlations = self
+            .correlation
+            .iter()
+            .map(|text| Correlation::read(setup, text))
+            .collect::<Result<Vec<_>>>()?;
         Swings::distributed(inputs, &correlations)
     }
 }
@@ -142,13 +177,26 @@ impl Found {
     /// The answer as text.
     pub fn text(&self) -> String {
         let stopped = self.best.interrupted().filter(|_| self.best.starts() > 1);
-        let stopped = stopped.map_or(String::new(), |stopped| format!("interrupted: {stopped}; the best so far:\n"));
-        stopped + &swings_text(&self.best, self.price.as_ref(), self.resampled.as_ref(), system())
+        let stopped = stopped.map_or(String::new(), |stopped| {
+            format!("interrupted: {stopped}; the best so far:\n")
+        });
+        stopped
+            + &swings_text(
+                &self.best,
+                self.price.as_ref(),
+                self.resampled.as_ref(),
+                system(),
+            )
     }
 
     /// The answer in JSON.
     pub fn reply(&self) -> Reply<OptimumReport> {
-        let mut reply = swings_reply(&self.best, self.price.as_ref(), self.resampled.as_ref(), self.warnings.clone());
+        let mut reply = swings_reply(
+            &self.best,
+            self.price.as_ref(),
+            self.resampled.as_ref(),
+            self.warnings.clone(),
+        );
         reply.body.file.clone_from(&self.file);
         reply
     }
@@ -158,21 +206,54 @@ impl Found {
 pub fn run(args: &Optimize) -> Result<Answer> {
     let asked = &args.swings;
     let (setup, swings, scenarios) = asked.taken(&args.question, true)?;
-    let search = searched(&args.search, asked, &args.question.varied(setup, &args.search.vary)?)?;
+    let search = searched(
+        &args.search,
+        asked,
+        &args.question.varied(setup, &args.search.vary)?,
+    )?;
     args.question.tell_of_the_start(&setup, &search.vary);
-    let found = found(args, Asked { setup, swings, scenarios, search })?;
+    let found = found(
+        args,
+        Asked {
+            setup,
+            swings,
+            scenarios,
+            search,
+        },
+    )?;
     interrupt::ends();
-    let answer = if args.question.json { Answer::json(&found.reply()) } else { Answer::text(found.text()) };
+    let answer = if args.question.json {
+        Answer::json(&found.reply())
+    } else {
+        Answer::text(found.text())
+    };
     Ok(answer.found(found.is_found()))
 }
 
-/// Searches, and writes what is found where that is asked for. It can be stopped until its caller says that it cannot.
-pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked) -> Result<Found> {
+/// Searches, and writes what is found where that is asked for. It can be stopped until its caller
+/// says that it cannot.
+pub fn found(
+    args: &Optimize,
+    Asked {
+        setup,
+        swings,
+        scenarios,
+        search,
+    }: Asked,
+) -> Result<Found> {
     tell_of_the_run(&search.of.outcomes());
-    let setup = args.question.for_many(setup, &ranges(&search.vary, &scenarios))?;
+    let setup = args
+        .question
+        .for_many(setup, &ranges(&search.vary, &scenarios))?;
     let output = args.destination()?;
     let (follow, bar) = follow(args, &setup, &search, &scenarios)?;
-    let best = swings_optima(&setup, search, scenarios, args.work.starts as usize, &follow);
+    let best = swings_optima(
+        &setup,
+        search,
+        scenarios,
+        args.work.starts as usize,
+        &follow,
+    );
     bar.finish_and_clear();
     let best = best?;
     if let Some(interrupted) = best.interrupted().filter(|_| best.starts() > 1) {
@@ -180,21 +261,42 @@ pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked)
     }
     let is_found = best.solution.status == Status::Converged;
     // what the mean swing promises is told of an optimum only
-    let price = if is_found { price_until(&setup, &swings, &best, &follow.interrupt)? } else { None };
+    let price = if is_found {
+        price_until(&setup, &swings, &best, &follow.interrupt)?
+    } else {
+        None
+    };
     let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found;
     let seed = u64::from(args.swings.seed.unwrap_or(0));
     let stop = follow.interrupt;
-    let resampled = if is_recorded { resampled(&setup, &best, RESAMPLES, seed, &stop)? } else { None };
+    let resampled = if is_recorded {
+        resampled(&setup, &best, RESAMPLES, seed, &stop)?
+    } else {
+        None
+    };
     let mut warnings = best.warnings(&stop);
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
         let percent = (100.0 * share).max(0.1);
         warnings.push(Message::from(format!(
-            "the balls of {percent:.1} % of the swings end where the table of strokes does not reach; it is continued straight there"
+            "the balls of {percent:.1} % of the swings end where the table of strokes does not \
+             reach; it is continued straight there"
         )));
     }
     warn(&warnings);
-    let file = output.as_ref().map(|output| write(output, &best, &swings, args)).transpose()?.flatten();
-    Ok(Found { setup, best, price, resampled, stop, warnings, file })
+    let file = output
+        .as_ref()
+        .map(|output| write(output, &best, &swings, args))
+        .transpose()?
+        .flatten();
+    Ok(Found {
+        setup,
+        best,
+        price,
+        resampled,
+        stop,
+        warnings,
+        file,
+    })
 }
 
 /// What is looked for where nothing is asked.
@@ -202,10 +304,21 @@ type Usual<'a> = &'a dyn Fn() -> Result<(Goal, Sense)>;
 /// What is varied where nothing is asked.
 type UsualVary<'a> = &'a dyn Fn(&Setup<f64>) -> Result<Vec<Vary>>;
 
-/// The largest mean carry by the loft, unless something else is asked: the attack angle is the golfer's, and varies from swing to swing.
-pub fn searched(search: &SearchArgs, swings: &SwingsArgs, setup: &Setup<f64>) -> Result<SwingsSearch> {
+/// The largest mean carry by the loft, unless something else is asked: the attack angle is the
+/// golfer's, and varies from swing to swing.
+pub fn searched(
+    search: &SearchArgs,
+    swings: &SwingsArgs,
+    setup: &Setup<f64>,
+) -> Result<SwingsSearch> {
     let loft = |setup: &Setup<f64>| Ok(vec![Search::longest_drive(setup)?.vary[0]]);
-    sought(search, swings, setup, &|| Ok((Goal::mean(Outcome::Carry), Sense::Maximize)), &loft)
+    sought(
+        search,
+        swings,
+        setup,
+        &|| Ok((Goal::mean(Outcome::Carry), Sense::Maximize)),
+        &loft,
+    )
 }
 
 /// What is looked for.
@@ -225,35 +338,72 @@ pub fn sought(
     };
     let vary = match search.vary.as_slice() {
         [] => usual_vary(setup)?,
-        given => given.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?,
+        given => given
+            .iter()
+            .map(|text| Vary::read(setup, text))
+            .collect::<Result<_>>()?,
     };
-    let subject_to = search.subject_to.iter().map(|text| limit(setup, text, strokes)).collect::<Result<Vec<_>>>()?;
-    refuse_idle_strokes(strokes, std::iter::once(&of).chain(subject_to.iter().map(|limit: &GoalLimit| &limit.goal)))?;
+    let subject_to = search
+        .subject_to
+        .iter()
+        .map(|text| limit(setup, text, strokes))
+        .collect::<Result<Vec<_>>>()?;
+    refuse_idle_strokes(
+        strokes,
+        std::iter::once(&of).chain(subject_to.iter().map(|limit: &GoalLimit| &limit.goal)),
+    )?;
     let options = Options::default();
-    let options = Options { max_iterations: search.max_iterations.unwrap_or(options.max_iterations), ..options };
-    Ok(SwingsSearch { of, sense, vary, subject_to, options })
+    let options = Options {
+        max_iterations: search.max_iterations.unwrap_or(options.max_iterations),
+        ..options
+    };
+    Ok(SwingsSearch {
+        of,
+        sense,
+        vary,
+        subject_to,
+        options,
+    })
 }
 
 /// A table of strokes that no goal asks for is refused.
-pub fn refuse_idle_strokes<'a>(strokes: Option<&Strokes>, mut goals: impl Iterator<Item = &'a Goal>) -> Result<()> {
+pub fn refuse_idle_strokes<'a>(
+    strokes: Option<&Strokes>,
+    mut goals: impl Iterator<Item = &'a Goal>,
+) -> Result<()> {
     if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
-        let source = "no goal asks for strokes; write for example --minimize \"strokes(400yd)\", or leave it out";
-        return Err(Error::Unreadable { name: "--strokes".into(), source: source.into() });
+        let source = "no goal asks for strokes; write for example --minimize \"strokes(400yd)\", \
+                      or leave it out";
+        return Err(Error::Unreadable {
+            name: "--strokes".into(),
+            source: source.into(),
+        });
     }
     Ok(())
 }
 
 /// A limit of a goal, or of a relation of parameters.
 pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Result<GoalLimit> {
-    if GoalLimit::is_relation(text) { GoalLimit::read_relation(setup, text) } else { GoalLimit::read(text, strokes) }
+    if GoalLimit::is_relation(text) {
+        GoalLimit::read_relation(setup, text)
+    } else {
+        GoalLimit::read(text, strokes)
+    }
 }
 
 /// What an option says is looked for; what is wrong with it is pointed at.
 pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
     Goal::read(text, strokes).map_err(|error| match error {
-        Error::Constraint { expression, column, reason } => {
+        Error::Constraint {
+            expression,
+            column,
+            reason,
+        } => {
             let source = format!("{reason}\n  {expression}\n  {}^", " ".repeat(column));
-            Error::Unreadable { name: option.into(), source: source.into() }
+            Error::Unreadable {
+                name: option.into(),
+                source: source.into(),
+            }
         }
         error => error,
     })
@@ -261,15 +411,26 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
 
 /// The ranges that drives are flown in: of the design, and of the swings.
 pub fn ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
-    let swung = scenarios.parameters.iter().enumerate().map(|(i, parameter)| {
-        let values = scenarios.points.iter().map(|point| point[i]);
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-        Vary { parameter, low, high }
-    });
+    let swung = scenarios
+        .parameters
+        .iter()
+        .enumerate()
+        .map(|(i, parameter)| {
+            let values = scenarios.points.iter().map(|point| point[i]);
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+                (low.min(x), high.max(x))
+            });
+            Vary {
+                parameter,
+                low,
+                high,
+            }
+        });
     vary.iter().copied().chain(swung).collect()
 }
 
-/// Every iteration as a line, or of several searches a bar; a checkpoint if one is asked for, and an end on Ctrl-C.
+/// Every iteration as a line, or of several searches a bar; a checkpoint if one is asked for, and
+/// an end on Ctrl-C.
 fn follow(
     args: &Optimize,
     setup: &Setup<f64>,
@@ -278,18 +439,32 @@ fn follow(
 ) -> Result<(Follow, ProgressBar)> {
     let checkpoint = match &args.work.checkpoint {
         Some(path) => {
-            let search =
-                SwingsSearch { options: Options { max_iterations: 0, ..search.options.clone() }, ..search.clone() };
+            let search = SwingsSearch {
+                options: Options {
+                    max_iterations: 0,
+                    ..search.options.clone()
+                },
+                ..search.clone()
+            };
             let starts = args.work.starts;
-            Some(Arc::new(Checkpoint::open(path, &format!("{setup:?} {search:?} {scenarios:?} {starts}"))?))
+            Some(Arc::new(Checkpoint::open(
+                path,
+                &format!("{setup:?} {search:?} {scenarios:?} {starts}"),
+            )?))
         }
         None => None,
     };
-    let mut follow = Follow { interrupt: interrupt::stops(BEST_SO_FAR), checkpoint, ..Follow::default() };
+    let mut follow = Follow {
+        interrupt: interrupt::stops(BEST_SO_FAR),
+        checkpoint,
+        ..Follow::default()
+    };
     let (goal, sign) = (search.of.clone(), search.sense.sign());
     if args.work.starts > 1 {
         let system = system();
-        let bar = args.work.many(&mut follow, move |value| value_text(&goal, sign * value, system));
+        let bar = args.work.many(&mut follow, move |value| {
+            value_text(&goal, sign * value, system)
+        });
         return Ok((follow, bar));
     }
     let shown = search.vary.clone();
@@ -313,13 +488,24 @@ fn follow(
 }
 
 /// Writes the setup with the best design, into the file returned; where there is none, nothing.
-fn write(output: &Destination, best: &SwingsOptimum, swings: &Swings, args: &Optimize) -> Result<Option<String>> {
+fn write(
+    output: &Destination,
+    best: &SwingsOptimum,
+    swings: &Swings,
+    args: &Optimize,
+) -> Result<Option<String>> {
     let file = output.path().display().to_string();
     if best.solution.status != Status::Converged {
-        warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
+        warn(&[Message::from(format!(
+            "{file} is not written: there is no optimum"
+        ))]);
         return Ok(None);
     }
-    output.write(args.question.as_stated(swings_toml(best, swings, args.question.preset()?)?)?.as_bytes())?;
+    output.write(
+        args.question
+            .as_stated(swings_toml(best, swings, args.question.preset()?)?)?
+            .as_bytes(),
+    )?;
     tell(&format!("wrote the setup with the best design into {file}"));
     Ok(Some(file))
 }

@@ -1,5 +1,6 @@
-//! The program in a terminal, and what Ctrl-C does there, under one rule for every command. Work that can answer with what is done so far stops
-//! and does so. Any other work ends with status 1: nothing is printed, and no file is begun. A file is whole or not there, and files that were
+//! The program in a terminal, and what Ctrl-C does there, under one rule for every command. Work
+//! that can answer with what is done so far stops and does so. Any other work ends with status 1:
+//! nothing is printed, and no file is begun. A file is whole or not there, and files that were
 //! written before are named. A second Ctrl-C ends the program at once.
 
 use super::colour;
@@ -11,7 +12,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Signals within this time are one: a program around this one (`timeout`) may send its own beside the terminal's.
+/// Signals within this time are one: a program around this one (`timeout`) may send its own beside
+/// the terminal's.
 const ONE_PRESS: Duration = Duration::from_millis(300);
 
 /// The exit status of a program that Ctrl-C ends at once.
@@ -57,18 +59,28 @@ impl Terminal {
         }
         match &mut now.work {
             None => {
-                let (command, is_json, written) = (now.command, now.is_json, now.written.join(", "));
+                let (command, is_json, written) =
+                    (now.command, now.is_json, now.written.join(", "));
                 self.end(command, is_json, &written);
             }
-            Some(Work { told: Some(told), .. }) => {
+            Some(Work {
+                told: Some(told), ..
+            }) => {
                 if told.elapsed() > ONE_PRESS {
                     std::process::exit(AT_ONCE);
                 }
             }
-            Some(Work { stop, stopping, told }) => {
+            Some(Work {
+                stop,
+                stopping,
+                told,
+            }) => {
                 stop.store(true, Ordering::Relaxed);
                 *told = Some(Instant::now());
-                self.say(Kind::Note, &format!("{stopping}; press Ctrl-C again to end at once"));
+                self.say(
+                    Kind::Note,
+                    &format!("{stopping}; press Ctrl-C again to end at once"),
+                );
             }
         }
     }
@@ -82,7 +94,8 @@ impl Terminal {
         self.say(Kind::Error, &message);
         if is_json {
             let reply = Reply::refused(Some(command), "interrupted", message);
-            let _ = colour::print(&(serde_json::to_string_pretty(&reply).unwrap_or_default() + "\n"));
+            let _ =
+                colour::print(&(serde_json::to_string_pretty(&reply).unwrap_or_default() + "\n"));
         }
         std::process::exit(1)
     }
@@ -127,7 +140,11 @@ impl Host for Terminal {
     }
 
     fn can_stop(&self, stopping: &'static str, stop: &Arc<AtomicBool>) {
-        self.now().work = Some(Work { stop: stop.clone(), stopping, told: None });
+        self.now().work = Some(Work {
+            stop: stop.clone(),
+            stopping,
+            told: None,
+        });
     }
 
     fn cannot_stop(&self) {
@@ -141,6 +158,7 @@ impl Host for Terminal {
 
 impl Hold for MutexGuard<'_, Now> {
     fn written(&mut self, files: &[&Path]) {
-        self.written.extend(files.iter().map(|file| file.display().to_string()));
+        self.written
+            .extend(files.iter().map(|file| file.display().to_string()));
     }
 }

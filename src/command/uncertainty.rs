@@ -10,20 +10,36 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let setup = args.question.setup()?;
     let of = outcomes(&args.of)?;
     let inputs = inputs(&setup, args, &of)?;
-    let means = inputs.iter().map(|input| (input.parameter, input.distribution.mean()));
+    let means = inputs
+        .iter()
+        .map(|input| (input.parameter, input.distribution.mean()));
     let setup = args.question.begun(setup, means, "varies about")?;
-    let setup = args.question.for_many(setup, &inputs.iter().map(Uncertain::range).collect::<Vec<_>>())?;
-    let mut warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
+    let setup = args.question.for_many(
+        setup,
+        &inputs.iter().map(Uncertain::range).collect::<Vec<_>>(),
+    )?;
+    let mut warnings = Drive::new(&setup).map_or_else(
+        |_| setup.warnings(),
+        |drive| drive.warnings_about(&setup, &of),
+    );
     warn(&warnings);
-    let plan = Plan { samples: args.samples as usize, seed: args.seed };
+    let plan = Plan {
+        samples: args.samples as usize,
+        seed: args.seed,
+    };
     let bar = bar("drives");
-    let found = uncertainty(&setup, &of, &inputs, plan, &|done, all| show(&bar, done, all));
+    let found = uncertainty(&setup, &of, &inputs, plan, &|done, all| {
+        show(&bar, done, all)
+    });
     bar.finish_and_clear();
     let found = found?;
     let of_sample = found.warnings();
     warn(&of_sample);
     warnings.extend(of_sample);
-    let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());
+    let is_found = found
+        .outcomes
+        .iter()
+        .all(|outcome| outcome.sampled.is_some());
     let answer = if args.question.json {
         Answer::json(&UncertaintyReport::reply(&found, warnings))
     } else {
@@ -34,13 +50,25 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
 
 /// What is said to be uncertain; where nothing is, what is by default.
 fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs, of: &[Outcome]) -> Result<Vec<Uncertain>> {
-    let sigmas = args.sigma.iter().map(|text| Sigma::read(setup, text)).collect::<Result<Vec<_>>>()?;
-    let distributions =
-        args.distribution.iter().map(|text| Uncertain::read(setup, text)).collect::<Result<Vec<_>>>()?;
+    let sigmas = args
+        .sigma
+        .iter()
+        .map(|text| Sigma::read(setup, text))
+        .collect::<Result<Vec<_>>>()?;
+    let distributions = args
+        .distribution
+        .iter()
+        .map(|text| Uncertain::read(setup, text))
+        .collect::<Result<Vec<_>>>()?;
     let distributed: Vec<_> = distributions.iter().map(|input| input.parameter).collect();
-    args.question.refuse_unused(setup, &distributed, "--distribution gives its values")?;
+    args.question
+        .refuse_unused(setup, &distributed, "--distribution gives its values")?;
     let is_given = !(sigmas.is_empty() && distributions.is_empty());
-    let sigmas = if is_given { sigmas } else { with_defaults(setup, &[], of)? };
+    let sigmas = if is_given {
+        sigmas
+    } else {
+        with_defaults(setup, &[], of)?
+    };
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
             let shown = parameter_text(sigma.parameter, sigma.value, system());
@@ -50,9 +78,16 @@ fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs, of: &[Outcome]) -> Result<
             ));
         }
     }
-    let inputs: Vec<_> = sigmas.iter().map(|sigma| Uncertain::normal(setup, sigma)).chain(distributions).collect();
+    let inputs: Vec<_> = sigmas
+        .iter()
+        .map(|sigma| Uncertain::normal(setup, sigma))
+        .chain(distributions)
+        .collect();
     for (i, input) in inputs.iter().enumerate() {
-        if inputs[..i].iter().any(|other| other.parameter == input.parameter) {
+        if inputs[..i]
+            .iter()
+            .any(|other| other.parameter == input.parameter)
+        {
             return Err(given_twice(input.parameter));
         }
     }

@@ -10,10 +10,19 @@ use crate::units::System;
 pub fn run(args: &Validate) -> Result<Answer> {
     let rule = Rule::new([], args.overwrite);
     let own = args.own.law()?;
-    let is_csv = |path: &std::path::Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    let is_csv = |path: &std::path::Path| {
+        path.extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+    };
     let output = args.output.as_deref();
-    let file = output.filter(|path| is_csv(path)).map(|path| rule.file(path)).transpose()?;
-    let folder = output.filter(|path| !is_csv(path)).map(|path| rule.folder(path, &DOCUMENT)).transpose()?;
+    let file = output
+        .filter(|path| is_csv(path))
+        .map(|path| rule.file(path))
+        .transpose()?;
+    let folder = output
+        .filter(|path| !is_csv(path))
+        .map(|path| rule.folder(path, &DOCUMENT))
+        .transpose()?;
     let found = validation(own)?;
     let documents = System::ALL.map(|system| validation_document(&found, system));
     if let Some(folder) = &folder {

@@ -10,7 +10,10 @@ use std::sync::atomic::Ordering;
 
 /// Says which outcomes were left out, and why.
 pub fn tell_left_out(certificate: &Certificate) {
-    let missing = certificate.missing.iter().map(|(of, why)| (of.name(), why.in_units(system())));
+    let missing = certificate
+        .missing
+        .iter()
+        .map(|(of, why)| (of.name(), why.in_units(system())));
     for line in by_reason(missing) {
         tell(&format!("left out: {line}"));
     }
@@ -28,13 +31,24 @@ pub fn run(args: &Verify) -> Result<Answer> {
     });
     bar.finish_and_clear();
     let certificate = certificate?;
-    let of_step = certificate.step.iter().filter_map(StepError::warning).collect();
-    let of_drive = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
+    let of_step = certificate
+        .step
+        .iter()
+        .filter_map(StepError::warning)
+        .collect();
+    let of_drive = Drive::new(&setup).map_or_else(
+        |_| setup.warnings(),
+        |drive| drive.warnings_about(&setup, &of),
+    );
     let warnings = [of_drive, of_step].concat();
     warn(&warnings);
     tell_left_out(&certificate);
     // what was stopped is not gone on with
-    let loops = if certificate.stopped.is_none() { while_loop(&setup, &certificate.rows) } else { vec![] };
+    let loops = if certificate.stopped.is_none() {
+        while_loop(&setup, &certificate.rows)
+    } else {
+        vec![]
+    };
     // until here an interruption is too late to stop anything, and the answer is given
     interrupt::ends();
     let answer = if args.question.json {

@@ -3,7 +3,8 @@ use crate::number::{Lanes, Level, Mask, inlined};
 /// The most directions in a lane: in sweeps too, so that both have the same flights.
 pub(crate) const MOST_PER_LANE: usize = 3;
 
-/// The variables, by their indices, that are differentiated by: the lanes all hold the same drive, each with directions of its own.
+/// The variables, by their indices, that are differentiated by: the lanes all hold the same drive,
+/// each with directions of its own.
 #[derive(Clone, Copy)]
 pub(super) struct Directions<'a> {
     /// One after the other, as many in each lane as its number has directions.
@@ -14,7 +15,11 @@ pub(super) struct Directions<'a> {
 
 /// The entries of a Hessian by some variables, as pairs of them, from this row on to its diagonal.
 pub(super) fn pairs(variables: &[usize], first_row: usize) -> Vec<usize> {
-    let row = |i: usize| variables[..=i].iter().flat_map(move |&other| [variables[i], other]);
+    let row = |i: usize| {
+        variables[..=i]
+            .iter()
+            .flat_map(move |&other| [variables[i], other])
+    };
     (first_row..variables.len()).flat_map(row).collect()
 }
 
@@ -24,22 +29,32 @@ impl Directions<'_> {
         let per_lane = if self.are_pairs { 2 } else { MOST_PER_LANE };
         let most = per_lane * self.level(level).width();
         let end = self.variables.len();
-        (0..end.div_ceil(most).max(1))
-            .map(move |k| Self { variables: &self.variables[k * most..end.min((k + 1) * most)], ..self })
+        (0..end.div_ceil(most).max(1)).map(move |k| Self {
+            variables: &self.variables[k * most..end.min((k + 1) * most)],
+            ..self
+        })
     }
 
-    /// This level, or AVX2 where its lanes hold as many with the same number: they are quicker there.
+    /// This level, or AVX2 where its lanes hold as many with the same number: they are quicker
+    /// there.
     pub fn level(&self, level: Level) -> Level {
         let count = self.variables.len() / if self.are_pairs { 2 } else { 1 };
         let lanes = Level::Avx2.width();
         let fills_them = !self.are_pairs && count > level.width() && count <= MOST_PER_LANE * lanes;
-        if count <= lanes || fills_them { level.min(Level::Avx2) } else { level }
+        if count <= lanes || fills_them {
+            level.min(Level::Avx2)
+        } else {
+            level
+        }
     }
 
     /// The variables in a lane.
     #[inline(always)]
     pub fn in_lane(&self, lane: usize, per_lane: usize) -> &[usize] {
-        self.variables.chunks(per_lane).nth(lane).unwrap_or_default()
+        self.variables
+            .chunks(per_lane)
+            .nth(lane)
+            .unwrap_or_default()
     }
 
     /// How many lanes have any, and at least one.
@@ -47,21 +62,34 @@ impl Directions<'_> {
         self.variables.len().div_ceil(per_lane).max(1)
     }
 
-    /// Passes each variable to `put` as a number, seeded in the lanes and directions that differentiate by it; of pairs, once for each.
+    /// Passes each variable to `put` as a number, seeded in the lanes and directions that
+    /// differentiate by it; of pairs, once for each.
     #[inline(always)]
-    pub fn seeded<J: Lanes>(&self, per_lane: usize, value: impl Fn(usize) -> f64, mut put: impl FnMut(usize, J)) {
+    pub fn seeded<J: Lanes>(
+        &self,
+        per_lane: usize,
+        value: impl Fn(usize) -> f64,
+        mut put: impl FnMut(usize, J),
+    ) {
         for (at, &variable) in self.variables.iter().enumerate() {
             let own = at / per_lane;
             let changes_in = inlined!(|direction: usize| {
                 let mut lanes = J::Mask::none();
-                for lane in if self.are_pairs { 0..self.lanes(per_lane) } else { own..own + 1 } {
+                for lane in if self.are_pairs {
+                    0..self.lanes(per_lane)
+                } else {
+                    own..own + 1
+                } {
                     if self.variables.get(lane * per_lane + direction) == Some(&variable) {
                         lanes = lanes | J::Mask::only(lane);
                     }
                 }
                 lanes
             });
-            put(variable, J::constant(value(variable)).seeded(&changes_in, 0));
+            put(
+                variable,
+                J::constant(value(variable)).seeded(&changes_in, 0),
+            );
         }
     }
 }

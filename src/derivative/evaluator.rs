@@ -18,8 +18,8 @@ pub enum Order {
     Second,
 }
 
-/// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at changing values of these
-/// parameters. What can be checked once is checked when it is made.
+/// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at
+/// changing values of these parameters. What can be checked once is checked when it is made.
 ///
 /// ```
 /// use longdrive::derivative::{Evaluator, Order};
@@ -45,29 +45,55 @@ pub struct Evaluator {
 
 impl Evaluator {
     /// # Errors
-    /// What [`Setup::validate`] and [`Setup::variable`] refuse, for values alone [`Setup::column`]; [`Error::OtherLaw`] for a coefficient of
-    /// another law; [`Error::Together`] for a parameter given twice; [`Error::Nothing`] without outcomes or, beyond values, without
-    /// parameters.
-    pub fn new(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter], order: Order) -> Result<Self> {
+    /// What [`Setup::validate`] and [`Setup::variable`] refuse, for values alone [`Setup::column`];
+    /// [`Error::OtherLaw`] for a coefficient of another law; [`Error::Together`] for a parameter
+    /// given twice; [`Error::Nothing`] without outcomes or, beyond values, without parameters.
+    pub fn new(
+        setup: &Setup<f64>,
+        of: &[Outcome],
+        wrt: &[&'static Parameter],
+        order: Order,
+    ) -> Result<Self> {
         setup.validate()?;
         if of.is_empty() {
-            return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
+            return Err(Error::Nothing {
+                doing: "evaluate",
+                what: "outcome",
+            });
         }
         if order > Order::Value && wrt.is_empty() {
-            return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
+            return Err(Error::Nothing {
+                doing: "differentiate by",
+                what: "parameter",
+            });
         }
         for parameter in wrt {
-            if order > Order::Value { setup.check_variable(parameter) } else { setup.check_column(parameter) }?;
+            if order > Order::Value {
+                setup.check_variable(parameter)
+            } else {
+                setup.check_column(parameter)
+            }?;
         }
         refuse_twice(wrt)?;
         let split = Split::of(wrt, of.iter().any(|outcome| outcome.is_of_the_run()));
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
-        Ok(Self { setup: *setup, of, wrt, order, split, first_row: 0, level: Level::here() })
+        Ok(Self {
+            setup: *setup,
+            of,
+            wrt,
+            order,
+            split,
+            first_row: 0,
+            level: Level::here(),
+        })
     }
 
     /// The same with those second derivatives alone that the last parameter takes part in.
     pub(super) fn towards_last(self) -> Self {
-        Self { first_row: self.wrt.len().saturating_sub(1), ..self }
+        Self {
+            first_row: self.wrt.len().saturating_sub(1),
+            ..self
+        }
     }
 
     /// The same with no more of what the processor can do than this level has.
@@ -83,9 +109,9 @@ impl Evaluator {
     /// The outcomes where the parameters have these values, SI.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] and [`Error::Inertia`] for values no drive can have; what [`Drive::new`](crate::Drive::new)
-    /// refuses; [`Error::NoFlight`] for an outcome of a ball that does not fly; [`Error::Undefined`] where a value or
-    /// derivative does not exist.
+    /// [`Error::OutOfRange`] and [`Error::Inertia`] for values no drive can have; what
+    /// [`Drive::new`](crate::Drive::new) refuses; [`Error::NoFlight`] for an outcome of a ball that
+    /// does not fly; [`Error::Undefined`] where a value or derivative does not exist.
     ///
     /// # Panics
     /// Where there are not as many values as parameters.
@@ -109,7 +135,11 @@ impl Evaluator {
 
     /// The outcomes of the setup itself, telling `progress` how many passes of how many are done.
     pub(crate) fn at_setup(&self, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-        let values: Vec<f64> = self.wrt.iter().map(|row| self.setup.value(row).unwrap_or(f64::NAN)).collect();
+        let values: Vec<f64> = self
+            .wrt
+            .iter()
+            .map(|row| self.setup.value(row).unwrap_or(f64::NAN))
+            .collect();
         self.unchecked(&self.setup, &values, self.order, progress)
     }
 
@@ -134,7 +164,9 @@ impl Evaluator {
             has_run: any(|outcome| outcome.is_of_the_run()),
             level: self.level,
         };
-        let is_chained = order > Order::Value && self.first_row == 0 && self.split.pays(x.len(), is_second, self.level);
+        let is_chained = order > Order::Value
+            && self.first_row == 0
+            && self.split.pays(x.len(), is_second, self.level);
         let taylors = chain::derivatives(&point, is_chained.then_some(&self.split), progress)?;
         for (outcome, taylor) in self.of.iter().zip(&taylors) {
             check(taylor, *outcome, &self.wrt)?;
@@ -145,17 +177,34 @@ impl Evaluator {
 
 /// No NaN leaves: a value or derivative that is not finite does not exist.
 fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Result<()> {
-    let undefined = |what: String, reason: &str| Err(Error::Undefined { what, reason: reason.into() });
+    let undefined = |what: String, reason: &str| {
+        Err(Error::Undefined {
+            what,
+            reason: reason.into(),
+        })
+    };
     if !taylor.value.is_finite() {
         return undefined(outcome.name().into(), outcome.why_undefined());
     }
-    let edge = "the drive lies on the edge of where this outcome is smooth (a vertical launch, no spin, a landing at the apex)";
+    let edge = "the drive lies on the edge of where this outcome is smooth (a vertical launch, no \
+                spin, a landing at the apex)";
     for (i, parameter) in wrt.iter().enumerate() {
         if taylor.gradient.get(i).is_some_and(|d| !d.is_finite()) {
             return undefined(format!("d {}/d {}", outcome.name(), parameter.name), edge);
         }
-        if taylor.hessian.get(i).is_some_and(|row| row.iter().any(|d| !d.is_finite())) {
-            return undefined(format!("the second derivative of {} by {}", outcome.name(), parameter.name), edge);
+        if taylor
+            .hessian
+            .get(i)
+            .is_some_and(|row| row.iter().any(|d| !d.is_finite()))
+        {
+            return undefined(
+                format!(
+                    "the second derivative of {} by {}",
+                    outcome.name(),
+                    parameter.name
+                ),
+                edge,
+            );
         }
     }
     Ok(())

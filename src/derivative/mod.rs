@@ -47,16 +47,26 @@ pub fn hessian(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> R
 ///
 /// # Errors
 /// As [`evaluate`].
-pub fn jacobian(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Taylor>> {
+pub fn jacobian(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+) -> Result<Vec<Taylor>> {
     evaluate(setup, of, wrt, Order::First)
 }
 
 /// Outcomes of a drive with their derivatives up to `order`.
 ///
 /// # Errors
-/// What [`Evaluator::new`] and [`Drive::new`](crate::Drive::new) refuse; [`Error::NoFlight`](crate::Error::NoFlight) for an outcome of a
-/// ball that does not fly; [`Error::Undefined`](crate::Error::Undefined) where a value or derivative does not exist.
-pub fn evaluate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter], order: Order) -> Result<Vec<Taylor>> {
+/// What [`Evaluator::new`] and [`Drive::new`](crate::Drive::new) refuse;
+/// [`Error::NoFlight`](crate::Error::NoFlight) for an outcome of a ball that does not fly;
+/// [`Error::Undefined`](crate::Error::Undefined) where a value or derivative does not exist.
+pub fn evaluate(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    order: Order,
+) -> Result<Vec<Taylor>> {
     evaluate_with(setup, of, wrt, order, |_, _| ())
 }
 
@@ -74,11 +84,18 @@ pub fn evaluate_with(
     Evaluator::new(setup, of, wrt, order)?.at_setup(&mut progress)
 }
 
-/// As [`evaluate`] to second order, with those second derivatives alone that the last parameter takes part in: what the
-/// sensitivity of an optimum to it asks for. The other entries of the Hessians are 0.
+/// As [`evaluate`] to second order, with those second derivatives alone that the last parameter
+/// takes part in: what the sensitivity of an optimum to it asks for. The other entries of the
+/// Hessians are 0.
 ///
 /// # Errors
 /// As [`evaluate`].
-pub(crate) fn towards_last(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Taylor>> {
-    Evaluator::new(setup, of, wrt, Order::Second)?.towards_last().at_setup(&mut |_, _| ())
+pub(crate) fn towards_last(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+) -> Result<Vec<Taylor>> {
+    Evaluator::new(setup, of, wrt, Order::Second)?
+        .towards_last()
+        .at_setup(&mut |_, _| ())
 }

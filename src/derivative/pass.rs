@@ -5,13 +5,16 @@ use crate::error::{Error, Result};
 use crate::flight::{Asked, Inputs};
 use crate::impact::{Head, strike};
 use crate::launch::Launch;
-use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, in_lane, inlined};
+use crate::number::{
+    Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, in_lane, inlined,
+};
 use crate::parameters::{Parameter, Setup};
 
 /// Components of a launch: of its velocity, then of its spin.
 pub(super) const COMPONENTS: usize = 6;
 
-/// A point at which outcomes and their derivatives are taken. Variables are numbered: first the parameters, then the components of the launch.
+/// A point at which outcomes and their derivatives are taken. Variables are numbered: first the
+/// parameters, then the components of the launch.
 pub(super) struct Point<'a> {
     /// The setup at this point.
     pub setup: &'a Setup<f64>,
@@ -23,7 +26,8 @@ pub(super) struct Point<'a> {
     pub columns: usize,
     /// The first row of the Hessians that is computed, with its column, where they are asked for.
     pub first_row: Option<usize>,
-    /// Whether an outcome is of the flight, whether one is of its apex, and whether one is of the run after it.
+    /// Whether an outcome is of the flight, whether one is of its apex, and whether one is of the
+    /// run after it.
     pub flies: bool,
     pub has_apex: bool,
     pub has_run: bool,
@@ -53,7 +57,8 @@ impl Leg<'_> {
 }
 
 impl Point<'_> {
-    /// Fills in the derivatives by some variables, telling `progress` how many passes of how many are done.
+    /// Fills in the derivatives by some variables, telling `progress` how many passes of how many
+    /// are done.
     pub fn differentiate(
         &self,
         leg: Leg<'_>,
@@ -62,11 +67,19 @@ impl Point<'_> {
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<()> {
         let pairs = self.first_row.map(|row| pairs(variables, row));
-        let directions = Directions { variables: pairs.as_deref().unwrap_or(variables), are_pairs: pairs.is_some() };
+        let directions = Directions {
+            variables: pairs.as_deref().unwrap_or(variables),
+            are_pairs: pairs.is_some(),
+        };
         let passes = directions.passes(self.level);
         let all = passes.len();
         for (done, directions) in passes.enumerate() {
-            directions.level(self.level).run(Pass { point: self, leg, directions, taylors })?;
+            directions.level(self.level).run(Pass {
+                point: self,
+                leg,
+                directions,
+                taylors,
+            })?;
             progress(done + 1, all);
         }
         Ok(())
@@ -74,10 +87,12 @@ impl Point<'_> {
 
     /// Why there is no drive, where a pass has found none.
     fn refusal(&self) -> Error {
-        strike(self.setup).err().unwrap_or_else(|| Error::Undefined {
-            what: "the impact".into(),
-            reason: "it lies on the edge of where the club strikes the ball".into(),
-        })
+        strike(self.setup)
+            .err()
+            .unwrap_or_else(|| Error::Undefined {
+                what: "the impact".into(),
+                reason: "it lies on the edge of where the club strikes the ball".into(),
+            })
     }
 }
 
@@ -106,53 +121,109 @@ impl Task for Pass<'_> {
 impl Pass<'_> {
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Result<()> {
-        let Self { point, leg, directions, .. } = *self;
+        let Self {
+            point,
+            leg,
+            directions,
+            ..
+        } = *self;
         let taylors = &mut *self.taylors;
         let (parameters, lanes) = (point.wrt.len(), directions.lanes(per_lane));
-        let given = if let Leg::Flight(launch) = leg { launch } else { &[] };
+        let given = if let Leg::Flight(launch) = leg {
+            launch
+        } else {
+            &[]
+        };
         let mut setup = point.setup.constant::<J>();
-        let mut components: [J; COMPONENTS] =
-            std::array::from_fn(|i| given.get(i).map_or(J::zero(), |component| J::constant(component.value)));
+        let mut components: [J; COMPONENTS] = std::array::from_fn(|i| {
+            given
+                .get(i)
+                .map_or(J::zero(), |component| J::constant(component.value))
+        });
         directions.seeded(
             per_lane,
-            |variable| if variable < parameters { point.x[variable] } else { given[variable - parameters].value },
-            inlined!(|variable, number| match point.wrt.get(variable..=variable) {
-                Some(parameter) => setup.put(parameter, |_| number),
-                None => components[variable - parameters] = number,
-            }),
+            |variable| {
+                if variable < parameters {
+                    point.x[variable]
+                } else {
+                    given[variable - parameters].value
+                }
+            },
+            inlined!(
+                |variable, number| match point.wrt.get(variable..=variable) {
+                    Some(parameter) => setup.put(parameter, |_| number),
+                    None => components[variable - parameters] = number,
+                }
+            ),
         );
         let struck = if let Leg::Flight(_) = leg {
             let [up, right, downrange, spin @ ..] = components;
-            let launch = Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) };
-            Struck { launch, club_speed: None, is_sound: J::Mask::first(lanes) }
+            let launch = Launch {
+                velocity: Vector::new(up, right, downrange),
+                spin: Vector::from_array(spin),
+            };
+            Struck {
+                launch,
+                club_speed: None,
+                is_sound: J::Mask::first(lanes),
+            }
         } else {
             Struck::new(&setup)
         };
         if !struck.is_sound.holds(0) {
             return Err(point.refusal());
         }
-        let has_head = struck.club_speed.is_some() && point.of.iter().any(|outcome| outcome.part() == Part::Head);
+        let has_head = struck.club_speed.is_some()
+            && point.of.iter().any(|outcome| outcome.part() == Part::Head);
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
         let mut ended = None;
         if point.flies && !matches!(leg, Leg::Impact) {
             let inputs = Inputs::new(&setup, &struck.launch, point.has_run);
-            let found =
-                ended.insert(inputs.follow(J::Mask::first(lanes), Asked { apex: point.has_apex, defect: false }, None));
+            let found = ended.insert(inputs.follow(
+                J::Mask::first(lanes),
+                Asked {
+                    apex: point.has_apex,
+                    defect: false,
+                },
+                None,
+            ));
             // the drive is the same in all lanes
             if let Some(why) = found.missing(&inputs, |number| number.lane(0).re())? {
-                return Err(Error::NoFlight { reason: why.message() });
+                return Err(Error::NoFlight {
+                    reason: why.message(),
+                });
             }
         }
         for lane in 0..lanes {
             let read = in_lane(lane);
-            let Struck { launch, club_speed, .. } = &struck;
+            let Struck {
+                launch, club_speed, ..
+            } = &struck;
             let landed = ended.as_ref().map(|ended| &ended.landed);
-            let shown = Shown { launch, club_speed: *club_speed, landed, head: head.as_ref(), read };
+            let shown = Shown {
+                launch,
+                club_speed: *club_speed,
+                landed,
+                head: head.as_ref(),
+                read,
+            };
             let variables = directions.in_lane(lane, per_lane);
-            for (outcome, taylor) in point.of.iter().zip(&mut *taylors).filter(|(outcome, _)| leg.shows(**outcome)) {
-                put(taylor, variables, &outcome.shown(&shown).ok_or_else(|| outcome.missing())?);
+            for (outcome, taylor) in point
+                .of
+                .iter()
+                .zip(&mut *taylors)
+                .filter(|(outcome, _)| leg.shows(**outcome))
+            {
+                put(
+                    taylor,
+                    variables,
+                    &outcome.shown(&shown).ok_or_else(|| outcome.missing())?,
+                );
             }
-            let Launch { velocity: v, spin: s } = launch;
+            let Launch {
+                velocity: v,
+                spin: s,
+            } = launch;
             let components = [&v.x, &v.y, &v.z, &s.x, &s.y, &s.z];
             for (taylor, number) in taylors[point.of.len()..].iter_mut().zip(components) {
                 put(taylor, variables, &read(*number));

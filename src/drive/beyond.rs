@@ -1,4 +1,5 @@
-//! Drives outside of what the model is made for: of what their law was fitted to, of any face, of the landings that were measured.
+//! Drives outside of what the model is made for: of what their law was fitted to, of any face, of
+//! the landings that were measured.
 
 use super::flat::{assumed, flat};
 use super::{Drive, Outcome};
@@ -7,7 +8,8 @@ use crate::flight::Inputs;
 use crate::parameters::{Law, Setup};
 use crate::units::{Message, Quantity, counted_of};
 
-/// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and USGA, Equipment Rules, part 2, 4b). No face is larger.
+/// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and
+/// USGA, Equipment Rules, part 2, 4b). No face is larger.
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
 
 /// Whether a strike, m from the middle of the face, lies beside the face of any head that conforms.
@@ -20,18 +22,21 @@ pub(crate) fn is_beside_any_face(toe: f64, high: f64) -> bool {
 pub(crate) fn any_face() -> String {
     let [wide, tall] = LARGEST_HEAD.map(|size| Quantity::LENGTH.show(size, "mm"));
     format!(
-        "the face of any head that conforms to the Rules of Golf (at most {wide} from heel to toe and {tall} from sole to crown)"
+        "the face of any head that conforms to the Rules of Golf (at most {wide} from heel to toe \
+         and {tall} from sole to crown)"
     )
 }
 
 /// In what a drive is outside of what the model is made for, by its launch or by its whole flight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Beyond {
-    /// The ball has a spin ratio, a Reynolds number or a speed through the air that its law was not fitted to.
+    /// The ball has a spin ratio, a Reynolds number or a speed through the air that its law was not
+    /// fitted to.
     pub law: bool,
     /// The strike lies beside the face of any head that conforms.
     pub face: bool,
-    /// The ball bounces and landed flatter than any whose bounce was measured; looked at where an outcome of the run is asked for.
+    /// The ball bounces and landed flatter than any whose bounce was measured; looked at where an
+    /// outcome of the run is asked for.
     pub flat: bool,
 }
 
@@ -45,14 +50,21 @@ pub enum Looked {
 }
 
 impl Drive<f64> {
-    /// In what the drive of a setup is outside of what the model is made for, where these outcomes are asked for.
+    /// In what the drive of a setup is outside of what the model is made for, where these outcomes
+    /// are asked for.
     pub fn beyond(&self, setup: &Setup<f64>, looked: Looked, of: &[Outcome]) -> Beyond {
         let law = match looked {
-            Looked::AtLaunch => !setup.law.fitted().holds(Inputs::new(setup, &self.launch, false).stream()),
+            Looked::AtLaunch => !setup
+                .law
+                .fitted()
+                .holds(Inputs::new(setup, &self.launch, false).stream()),
             Looked::AtFlight => !self.outside_of_the_law(setup).is_empty(),
         };
         let slopes = [setup.ground.slope, setup.ground.side_slope];
-        let is_flat = || self.landed().is_ok_and(|landed| flat(slopes, landed).is_some());
+        let is_flat = || {
+            self.landed()
+                .is_ok_and(|landed| flat(slopes, landed).is_some())
+        };
         Beyond {
             law,
             face: self.impact.is_some() && is_beside_any_face(setup.strike.toe, setup.strike.high),
@@ -91,10 +103,16 @@ impl BeyondCount {
         self.flat += other.flat;
     }
 
-    /// Warnings: a sentence for each kind of which there are any. `of` is what they are: "drive", "optimum".
+    /// Warnings: a sentence for each kind of which there are any. `of` is what they are: "drive",
+    /// "optimum".
     pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: Looked) -> Vec<Message> {
         let some = |count: u64| (count > 0).then(|| counted_of(count, self.all, of));
-        in_words([self.law, self.face, self.flat].map(some), self.flat == 1, law, looked)
+        in_words(
+            [self.law, self.face, self.flat].map(some),
+            self.flat == 1,
+            law,
+            looked,
+        )
     }
 }
 
@@ -110,7 +128,8 @@ pub struct BeyondShare {
 }
 
 impl BeyondShare {
-    /// Less than this share of drives that vary is not worth a word, as less than 1 % of a flight is not.
+    /// Less than this share of drives that vary is not worth a word, as less than 1 % of a flight
+    /// is not.
     const WORTH_A_WORD: f64 = 0.01;
 
     /// Adds a drive that is this share of all.
@@ -123,21 +142,36 @@ impl BeyondShare {
     /// The kinds that 1 % of the drives or more are of.
     pub fn worth_a_word(&self) -> Beyond {
         let is = |share: f64| share >= Self::WORTH_A_WORD;
-        Beyond { law: is(self.law), face: is(self.face), flat: is(self.flat) }
+        Beyond {
+            law: is(self.law),
+            face: is(self.face),
+            flat: is(self.flat),
+        }
     }
 
-    /// Warnings about drives that were looked at along their flights: a sentence for each kind that 1 % of them or more are of. `of` is
-    /// what they are: "the swings".
+    /// Warnings about drives that were looked at along their flights: a sentence for each kind that
+    /// 1 % of them or more are of. `of` is what they are: "the swings".
     pub fn warnings(&self, law: &Law<f64>, of: &str) -> Vec<Message> {
-        let Beyond { law: of_law, face, flat } = self.worth_a_word();
+        let Beyond {
+            law: of_law,
+            face,
+            flat,
+        } = self.worth_a_word();
         let shares = [(of_law, self.law), (face, self.face), (flat, self.flat)];
-        let which = shares.map(|(is_told, share)| is_told.then(|| format!("{:.0} % of {of}", 100.0 * share)));
+        let which = shares
+            .map(|(is_told, share)| is_told.then(|| format!("{:.0} % of {of}", 100.0 * share)));
         in_words(which, false, law, Looked::AtFlight)
     }
 }
 
-/// A sentence for each kind of which there are any: those beyond the law, beside any face, and landed flat.
-fn in_words(which: [Option<String>; 3], is_one_flat: bool, law: &Law<f64>, looked: Looked) -> Vec<Message> {
+/// A sentence for each kind of which there are any: those beyond the law, beside any face, and
+/// landed flat.
+fn in_words(
+    which: [Option<String>; 3],
+    is_one_flat: bool,
+    law: &Law<f64>,
+    looked: Looked,
+) -> Vec<Message> {
     let [of_law, face, flat] = which;
     let mut warnings = vec![];
     if let Some(which) = of_law {
@@ -147,16 +181,31 @@ fn in_words(which: [Option<String>; 3], is_one_flat: bool, law: &Law<f64>, looke
             Looked::AtFlight => ("in 1 % of the flight or more", ""),
         };
         let name = law.name();
-        let before = Message::from(format!("{which}: {when} outside of what the law {name} was fitted to ("));
+        let before = Message::from(format!(
+            "{which}: {when} outside of what the law {name} was fitted to ("
+        ));
         let how = fitted.beyond(fitted.left([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
-        warnings.push(fitted.in_words(before).words(format!("; {}), where it is {how}{rest}", fitted.to)));
+        warnings.push(
+            fitted
+                .in_words(before)
+                .words(format!("; {}), where it is {how}{rest}", fitted.to)),
+        );
     }
     if let Some(which) = face {
-        warnings
-            .push(format!("{which}: the strike lies outside {}: no club strikes the ball there", any_face()).into());
+        warnings.push(
+            format!(
+                "{which}: the strike lies outside {}: no club strikes the ball there",
+                any_face()
+            )
+            .into(),
+        );
     }
     if let Some(which) = flat {
-        let lands = if is_one_flat { "the ball lands" } else { "the balls land" };
+        let lands = if is_one_flat {
+            "the ball lands"
+        } else {
+            "the balls land"
+        };
         warnings.push(assumed(format!("{which}: {lands} at less than ").into()));
     }
     warnings

@@ -54,8 +54,8 @@ impl<T: Numbers, U, Read: Fn(T) -> U + Copy> Shown<'_, T, Read> {
     }
 }
 
-/// Declares each outcome once: what it is of, name, symbol, kind of quantity, unit a person reads, and how it follows
-/// from a drive.
+/// Declares each outcome once: what it is of, name, symbol, kind of quantity, unit a person reads,
+/// and how it follows from a drive.
 macro_rules! outcomes {
     ($( $(#[doc = $doc:literal])+ $Part:ident $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
         /// What one may ask of a drive.
@@ -101,8 +101,8 @@ macro_rules! outcomes {
             /// The outcome of a drive, over whatever number the drive was computed, SI.
             ///
             /// # Errors
-            /// [`Error::NoFlight`] for an outcome of the flight where there is none; [`Error::Undefined`] for one of the club where the launch
-            /// is given.
+            /// [`Error::NoFlight`] for an outcome of the flight where there is none;
+            /// [`Error::Undefined`] for one of the club where the launch is given.
             pub fn of<T: Number>(self, drive: &Drive<T>) -> Result<T> {
                 let landed = match &drive.flight {
                     Flight::Landed(landed) => Some(landed),
@@ -134,9 +134,11 @@ macro_rules! outcomes {
 }
 
 outcomes! {
-    /// Distance downrange at landing, along the target line; carry_distance counts the way to the side too.
+    /// Distance downrange at landing, along the target line; carry_distance counts the way to the
+    /// side too.
     Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed()?.carry;
-    /// Horizontal distance from the tee to the landing, in whatever direction: what launch monitors call carry.
+    /// Horizontal distance from the tee to the landing, in whatever direction: what launch monitors
+    /// call carry.
     Flight CarryDistance = "carry_distance", "√(z_L² + y_L²)", LENGTH in "yd", |drive| {
         let landed = drive.landed()?;
         (landed.carry * landed.carry + landed.lateral * landed.lateral).sqrt()
@@ -158,9 +160,11 @@ outcomes! {
     };
     /// Speed at landing.
     Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed()?.velocity.norm();
-    /// Distance downrange where the ball rests, along the target line as carry is; to 10 yd at best, by a ground that is not calibrated.
+    /// Distance downrange where the ball rests, along the target line as carry is; to 10 yd at
+    /// best, by a ground that is not calibrated.
     Flight Total = "total", "z_R", LENGTH in "yd", |drive| drive.landed()?.rest.as_ref()?.downrange;
-    /// What bounces and rolling add to carry, along the target line; to 10 yd at best, by a ground that is not calibrated.
+    /// What bounces and rolling add to carry, along the target line; to 10 yd at best, by a ground
+    /// that is not calibrated.
     Flight Run = "run", "z_R − z_L", LENGTH in "yd", |drive| {
         let landed = drive.landed()?;
         landed.rest.as_ref()?.downrange - landed.carry
@@ -185,32 +189,50 @@ outcomes! {
     Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.launch().spin_axis();
     /// Mass of the head with its movable weights.
     Head HeadMass = "head_mass", "M", MASS in "g", |drive| drive.head()?.mass;
-    /// Moment of inertia of the head with its movable weights about the vertical through its centre of mass, which the Rules of Golf limit.
+    /// Moment of inertia of the head with its movable weights about the vertical through its centre
+    /// of mass, which the Rules of Golf limit.
     Head HeadMoi = "head_moi", "I_xx", INERTIA in "g cm^2", |drive| drive.head()?.inertia[0][0];
-    /// First leading minor of the second moments of the head's mass: a rigid body has it at 0 or above.
+    /// First leading minor of the second moments of the head's mass: a rigid body has it at 0 or
+    /// above.
     Head HeadMinor1 = "head_minor_1", "S₁", INERTIA in "g cm^2", |drive| drive.head()?.minors()[0];
-    /// Second leading minor of the second moments of the head's mass, over their sum: a rigid body has it at 0 or above.
+    /// Second leading minor of the second moments of the head's mass, over their sum: a rigid body
+    /// has it at 0 or above.
     Head HeadMinor2 = "head_minor_2", "S₂", INERTIA in "g cm^2", |drive| drive.head()?.minors()[1];
-    /// Third leading minor of the second moments of the head's mass, over the square of their sum: a rigid body has it at 0 or above.
+    /// Third leading minor of the second moments of the head's mass, over the square of their sum:
+    /// a rigid body has it at 0 or above.
     Head HeadMinor3 = "head_minor_3", "S₃", INERTIA in "g cm^2", |drive| drive.head()?.minors()[2];
 }
 
 impl Outcome {
-    /// The outcomes of the head alone, which no swing changes. [`named`](Self::named) knows them too.
-    pub const OF_HEAD: &'static [Self] =
-        &[Self::HeadMass, Self::HeadMoi, Self::HeadMinor1, Self::HeadMinor2, Self::HeadMinor3];
+    /// The outcomes of the head alone, which no swing changes. [`named`](Self::named) knows them
+    /// too.
+    pub const OF_HEAD: &'static [Self] = &[
+        Self::HeadMass,
+        Self::HeadMoi,
+        Self::HeadMinor1,
+        Self::HeadMinor2,
+        Self::HeadMinor3,
+    ];
 
     /// All outcomes of drives. Those of the head alone are [`OF_HEAD`](Self::OF_HEAD).
-    pub const ALL: &'static [Self] = Self::EVERY.split_at(Self::EVERY.len() - Self::OF_HEAD.len()).0;
+    pub const ALL: &'static [Self] = Self::EVERY
+        .split_at(Self::EVERY.len() - Self::OF_HEAD.len())
+        .0;
 
     /// The outcomes of the launch, of the flight, or of the head.
     pub fn of_part(part: Part) -> impl Iterator<Item = Self> + Clone {
-        Self::EVERY.iter().copied().filter(move |outcome| outcome.part() == part)
+        Self::EVERY
+            .iter()
+            .copied()
+            .filter(move |outcome| outcome.part() == part)
     }
 
     /// Whether it is read off the apex.
     pub(crate) fn is_of_the_apex(self) -> bool {
-        matches!(self, Self::ApexHeight | Self::ApexTime | Self::ApexDownrange)
+        matches!(
+            self,
+            Self::ApexHeight | Self::ApexTime | Self::ApexDownrange
+        )
     }
 
     /// Whether it is of the run of the ball on the ground, after the flight.
@@ -221,7 +243,8 @@ impl Outcome {
     /// Why a drive that has it gives no finite value.
     pub(crate) fn why_undefined(self) -> &'static str {
         if self.is_of_the_run() {
-            "the ball does not come to rest: the landing area is too steep (ground.slope, ground.side_slope) for ground.rolling and \
+            "the ball does not come to rest: the landing area is too steep (ground.slope, \
+             ground.side_slope) for ground.rolling and \
              ground.friction, or falls away more steeply than the ball comes down"
         } else {
             "the direction it measures does not exist (vertical, or without spin)"
@@ -233,18 +256,23 @@ impl Outcome {
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
     pub fn named(name: &str) -> Result<Self> {
-        Self::EVERY.iter().copied().find(|outcome| outcome.name() == name).ok_or_else(|| {
-            let names = Self::EVERY.iter().map(|outcome| outcome.name());
-            Error::unknown(
-                "outcome",
-                name,
-                names.clone(),
-                format!("the outcomes are {}", names.collect::<Vec<_>>().join(", ")),
-            )
-        })
+        Self::EVERY
+            .iter()
+            .copied()
+            .find(|outcome| outcome.name() == name)
+            .ok_or_else(|| {
+                let names = Self::EVERY.iter().map(|outcome| outcome.name());
+                Error::unknown(
+                    "outcome",
+                    name,
+                    names.clone(),
+                    format!("the outcomes are {}", names.collect::<Vec<_>>().join(", ")),
+                )
+            })
     }
 
-    /// The value of this outcome, `None` where the drive has none: no flight, or an angle without direction.
+    /// The value of this outcome, `None` where the drive has none: no flight, or an angle without
+    /// direction.
     pub fn value(self, drive: &Drive<f64>) -> Option<f64> {
         self.of(drive).ok().filter(|value| value.is_finite())
     }
@@ -254,8 +282,9 @@ impl Outcome {
         matches!(self, Self::LaunchDirection | Self::SpinAxis)
     }
 
-    /// A value as it is compared with another, or averaged: a direction within half a turn of `reference`, so that differences and means
-    /// do not cross the jump from 180° to −180°. Every other outcome as it is.
+    /// A value as it is compared with another, or averaged: a direction within half a turn of
+    /// `reference`, so that differences and means do not cross the jump from 180° to −180°. Every
+    /// other outcome as it is.
     ///
     /// ```
     /// use longdrive::Outcome;
@@ -265,7 +294,11 @@ impl Outcome {
     /// ```
     pub fn beside(self, value: f64, reference: f64) -> f64 {
         let turns = ((reference - value) / std::f64::consts::TAU).round();
-        if self.is_a_direction() && turns.is_finite() { value + turns * std::f64::consts::TAU } else { value }
+        if self.is_a_direction() && turns.is_finite() {
+            value + turns * std::f64::consts::TAU
+        } else {
+            value
+        }
     }
 
     /// A value as a person reads it.

@@ -13,16 +13,24 @@ pub(crate) struct Struck<T: Numbers> {
 }
 
 impl<T: Numbers> Struck<T> {
-    /// The ball of a setup; where that gives the launch, no club strikes the ball. Not inlined: there is one compiled
-    /// copy for each number type.
+    /// The ball of a setup; where that gives the launch, no club strikes the ball. Not inlined:
+    /// there is one compiled copy for each number type.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         T::outlined(inlined!(|| {
             if let Some(launch) = Launch::given(setup) {
-                return Self { launch, club_speed: None, is_sound: T::Mask::first(usize::MAX) };
+                return Self {
+                    launch,
+                    club_speed: None,
+                    is_sound: T::Mask::first(usize::MAX),
+                };
             }
             let Unchecked { launch, is_sound } = Unchecked::new(setup);
-            Self { launch, club_speed: Some(setup.swing.speed), is_sound }
+            Self {
+                launch,
+                club_speed: Some(setup.swing.speed),
+                is_sound,
+            }
         }))
     }
 }

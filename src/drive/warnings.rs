@@ -9,7 +9,8 @@ use crate::flight::{Flight, fly, trajectory};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 
-/// Less than this part of the time of flight outside of what a law was fitted to is not worth a word: the laws are uncertain by more within it.
+/// Less than this part of the time of flight outside of what a law was fitted to is not worth a
+/// word: the laws are uncertain by more within it.
 const WORTH_A_WORD: f64 = 0.01;
 
 /// A landing that moves by more than this where the step is halved is worth a word, m.
@@ -25,9 +26,10 @@ pub struct Within {
 }
 
 impl Drive<f64> {
-    /// All warnings about a setup and its drive: what the setup warns of, corners of the model that the drive lies on, a strike beside
-    /// any face, drag and lift where the law was not fitted, and a step so long that the landing depends on it. It flies the drive again; a search asks
-    /// only about its result.
+    /// All warnings about a setup and its drive: what the setup warns of, corners of the model that
+    /// the drive lies on, a strike beside any face, drag and lift where the law was not fitted, and
+    /// a step so long that the landing depends on it. It flies the drive again; a search asks only
+    /// about its result.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let mut warnings = setup.warnings();
         warnings.extend(self.corners(setup).into_iter().map(Message::from));
@@ -37,17 +39,24 @@ impl Drive<f64> {
         warnings
     }
 
-    /// The [`warnings`](Self::warnings) of a drive of which these outcomes are asked for or shown: where one of them is of the run, also that the ball
-    /// lands flatter than any whose bounce was measured.
+    /// The [`warnings`](Self::warnings) of a drive of which these outcomes are asked for or shown:
+    /// where one of them is of the run, also that the ball lands flatter than any whose bounce was
+    /// measured.
     pub fn warnings_about(&self, setup: &Setup<f64>, of: &[Outcome]) -> Vec<Message> {
         let mut warnings = self.warnings(setup);
-        warnings.extend(self.lands_flat(setup).filter(|_| of.iter().any(|of| of.is_of_the_run())));
+        warnings.extend(
+            self.lands_flat(setup)
+                .filter(|_| of.iter().any(|of| of.is_of_the_run())),
+        );
         warnings
     }
 
     /// A ball that bounces, and landed flatter than any whose bounce was measured.
     fn lands_flat(&self, setup: &Setup<f64>) -> Option<Message> {
-        let angle = flat([setup.ground.slope, setup.ground.side_slope], self.landed().ok()?)?;
+        let angle = flat(
+            [setup.ground.slope, setup.ground.side_slope],
+            self.landed().ok()?,
+        )?;
         let message = Message::from("the ball lands at ");
         let message = message.quantity(Quantity::ANGLE, "deg", angle, Digits::Significant(4));
         Some(assumed(message.words(" to the ground, below ")))
@@ -58,12 +67,15 @@ impl Drive<f64> {
         let landed = self.landed().ok()?;
         let mut finer = *setup;
         finer.flight.step *= 0.5;
-        let Ok(Flight::Landed(there)) = fly(&finer, &self.launch) else { return None };
+        let Ok(Flight::Landed(there)) = fly(&finer, &self.launch) else {
+            return None;
+        };
         let shift = (there.carry - landed.carry).hypot(there.lateral - landed.lateral);
         let step = Quantity::TIME.show(setup.flight.step, "s");
         let method = setup.method.name();
         let long = format!(
-            "flight.step = {step} is long for the method {method}: in steps of half the length the ball lands "
+            "flight.step = {step} is long for the method {method}: in steps of half the length the \
+             ball lands "
         );
         (shift > LARGEST_SHIFT).then(|| {
             Message::from(long)
@@ -79,7 +91,8 @@ impl Drive<f64> {
         let strike = &setup.strike;
         is_beside_any_face(strike.toe, strike.high).then(|| {
             format!(
-                "strike.toe = {} and strike.high = {} lie outside {}: no club strikes the ball there",
+                "strike.toe = {} and strike.high = {} lie outside {}: no club strikes the ball \
+                 there",
                 show(strike.toe),
                 show(strike.high),
                 any_face()
@@ -91,22 +104,36 @@ impl Drive<f64> {
     pub(super) fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
         let fitted = setup.law.fitted();
         let told = |(k, ((name, unit, range), within)): (usize, (FittedRange, Option<Within>))| {
-            let Within { flown, outside } = within.filter(|within| within.outside >= WORTH_A_WORD)?;
+            let Within { flown, outside } =
+                within.filter(|within| within.outside >= WORTH_A_WORD)?;
             let [low, high] = range?;
             let mut left = [[false; 2]; 4];
             left[k] = [flown[0] < low, flown[1] > high];
-            let fitted_to = Message::from(format!("the law {} was fitted to a {name} of ", setup.law.name()));
+            let fitted_to = Message::from(format!(
+                "the law {} was fitted to a {name} of ",
+                setup.law.name()
+            ));
             let before = range_in_words(fitted_to, unit, [low, high])
                 .words(format!(" ({}); in this flight it goes from ", fitted.to));
             let how = fitted.beyond(left);
-            let after = format!(", {:.0} % of the time outside, where the law is {how}", 100.0 * outside);
+            let after = format!(
+                ", {:.0} % of the time outside, where the law is {how}",
+                100.0 * outside
+            );
             Some(range_in_words(before, unit, flown).words(after))
         };
-        fitted.ranges().into_iter().zip(self.within_the_law(setup)).enumerate().filter_map(told).collect()
+        fitted
+            .ranges()
+            .into_iter()
+            .zip(self.within_the_law(setup))
+            .enumerate()
+            .filter_map(told)
+            .collect()
     }
 
-    /// How far the flight goes along each of the ranges that the law was fitted to, in the order of [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges),
-    /// and which share of it is outside; `None` where no range is known, and without air or a flight.
+    /// How far the flight goes along each of the ranges that the law was fitted to, in the order of
+    /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges), and which share of it is outside;
+    /// `None` where no range is known, and without air or a flight.
     pub fn within_the_law(&self, setup: &Setup<f64>) -> [Option<Within>; 4] {
         let ranges = setup.law.fitted().ranges().map(|(.., range)| range);
         if AirState::of(&setup.air).density == 0.0 || ranges == [None; 4] {
@@ -117,17 +144,24 @@ impl Drive<f64> {
             let [low, high] = ranges[k].filter(|_| !path.is_empty())?;
             let values = path.iter().map(|(time, values)| (*time, values[k]));
             let outside = share(values.clone(), |value| !(low..=high).contains(&value));
-            let flown = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], (_, value)| {
-                [least.min(value), most.max(value)]
-            });
+            let flown = values.fold(
+                [f64::INFINITY, f64::NEG_INFINITY],
+                |[least, most], (_, value)| [least.min(value), most.max(value)],
+            );
             Some(Within { flown, outside })
         })
     }
 
-    /// Spin ratio, spin, Reynolds number and speed through the air along the flight, with their times.
+    /// Spin ratio, spin, Reynolds number and speed through the air along the flight, with their
+    /// times.
     fn stream(&self, setup: &Setup<f64>) -> Vec<(f64, [f64; 4])> {
-        let Ok(path) = trajectory(setup, &self.launch) else { return vec![] };
-        let (wind, radius) = (WindField::new(&setup.wind, &setup.ground), setup.ball.radius);
+        let Ok(path) = trajectory(setup, &self.launch) else {
+            return vec![];
+        };
+        let (wind, radius) = (
+            WindField::new(&setup.wind, &setup.ground),
+            setup.ball.radius,
+        );
         let air = AirState::of(&setup.air);
         let per_speed = air.density * 2.0 * radius / air.viscosity;
         let (mut way, mut before) = (0.0, None);
@@ -137,15 +171,22 @@ impl Drive<f64> {
                 way += 0.5 * (slower + speed) * (point.time - time);
             }
             // docs/model.md, eq. 13
-            let faded = setup.aero.spin_decay * point.time + setup.aero.spin_damping.unwrap_or_default() * way / radius;
+            let faded = setup.aero.spin_decay * point.time
+                + setup.aero.spin_damping.unwrap_or_default() * way / radius;
             let spin = self.launch.total_spin() * (-faded).exp();
-            (speed > 0.0).then(|| (point.time, [spin * radius / speed, spin, per_speed * speed, speed]))
+            (speed > 0.0).then(|| {
+                (
+                    point.time,
+                    [spin * radius / speed, spin, per_speed * speed, speed],
+                )
+            })
         };
         path.points.iter().filter_map(&mut point).collect()
     }
 }
 
-/// The part of the time in which values, with their times, are so; between two of them as at the first.
+/// The part of the time in which values, with their times, are so; between two of them as at the
+/// first.
 fn share(values: impl Iterator<Item = (f64, f64)>, is_so: impl Fn(f64) -> bool) -> f64 {
     let (mut all, mut so, mut before) = (0.0, 0.0, None);
     for (time, value) in values {

@@ -22,7 +22,8 @@ pub(crate) struct Ended<T: Numbers> {
     pub has_landed: T::Mask,
     /// Where the apex stays below the ground.
     pub stays_below: T::Mask,
-    /// Where drag and lift change the velocity too much within a step to be followed, or numbers overflow.
+    /// Where drag and lift change the velocity too much within a step to be followed, or numbers
+    /// overflow.
     pub diverges: T::Mask,
     /// Where the ball is still in the air when the time is over.
     pub is_aloft: T::Mask,
@@ -46,7 +47,11 @@ impl<T: Numbers> Ended<T> {
             lateral: zero,
             flight_time: zero,
             velocity: Vector::zero(),
-            apex: asked.apex.then_some(Apex { height: zero, time: zero, downrange: zero }),
+            apex: asked.apex.then_some(Apex {
+                height: zero,
+                time: zero,
+                downrange: zero,
+            }),
             rest: None,
             defect: asked.defect.then_some(zero),
             steps: 0,
@@ -64,29 +69,56 @@ impl<T: Numbers> Ended<T> {
         }
     }
 
-    /// Why the flight in the first lane has no landing; `None` where it has one. `value` takes the value in this lane out of a number.
+    /// Why the flight in the first lane has no landing; `None` where it has one. `value` takes the
+    /// value in this lane out of a number.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
+    /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or
+    /// numbers overflow.
     #[inline(always)]
-    pub(crate) fn missing(&self, inputs: &Inputs<T>, value: impl Fn(T) -> f64 + Copy) -> Result<Option<NoFlight>> {
+    pub(crate) fn missing(
+        &self,
+        inputs: &Inputs<T>,
+        value: impl Fn(T) -> f64 + Copy,
+    ) -> Result<Option<NoFlight>> {
         if self.has_landed.holds(0) {
             return Ok(None);
         }
         let (velocity, height) = (inputs.velocity.map(value), value(self.height));
         if self.diverges.holds(0) {
             let (step, wind) = (inputs.step, inputs.wind.at(inputs.ground).map(value));
-            let found = [velocity.norm(), value(inputs.spin), value(inputs.force_per_mass), wind.norm()];
+            let found = [
+                velocity.norm(),
+                value(inputs.spin),
+                value(inputs.force_per_mass),
+                wind.norm(),
+            ];
             let advice = advice(step, found, inputs.law.name());
-            return Err(Error::Diverged { time: self.time - step, step, advice });
+            return Err(Error::Diverged {
+                time: self.time - step,
+                step,
+                advice,
+            });
         }
         Ok(Some(if self.stays_below.holds(0) {
-            NoFlight::BelowGround { apex_height: height, ground_height: value(inputs.ground) }
+            NoFlight::BelowGround {
+                apex_height: height,
+                ground_height: value(inputs.ground),
+            }
         } else if self.is_aloft.holds(0) {
-            NoFlight::Aloft { time: inputs.time_limit, height }
+            NoFlight::Aloft {
+                time: inputs.time_limit,
+                height,
+            }
         } else {
             // the angle does not ask for the spin
-            NoFlight::LaunchedDown { launch_angle: Launch { velocity, spin: velocity }.launch_angle() }
+            NoFlight::LaunchedDown {
+                launch_angle: Launch {
+                    velocity,
+                    spin: velocity,
+                }
+                .launch_angle(),
+            }
         }))
     }
 }

@@ -27,10 +27,11 @@ pub struct Landed<T> {
     pub apex: Option<Apex<T>>,
     /// Where the ball rests; `None` where it was not asked for.
     pub rest: Option<Rest<T>>,
-    /// What tells of the error of the integration, without derivatives: the defects of the steps, over the sine of the descent angle, m; `None` where it
-    /// was not asked for.
+    /// What tells of the error of the integration, without derivatives: the defects of the steps,
+    /// over the sine of the descent angle, m; `None` where it was not asked for.
     pub(crate) defect: Option<T>,
-    /// Steps of the integration, the last one cut by the landing. Of drives side by side, those of the longest flight.
+    /// Steps of the integration, the last one cut by the landing. Of drives side by side, those of
+    /// the longest flight.
     pub steps: usize,
 }
 
@@ -101,24 +102,37 @@ impl NoFlight {
 
     /// The same in a sentence.
     pub fn message(&self) -> Message {
-        let height =
-            |message: Message, height: f64| message.quantity(Quantity::LENGTH, "m", height, Digits::Significant(5));
+        let height = |message: Message, height: f64| {
+            message.quantity(Quantity::LENGTH, "m", height, Digits::Significant(5))
+        };
         match self {
             Self::LaunchedDown { launch_angle } => {
                 let angle = Quantity::ANGLE.read_off(*launch_angle, "deg");
                 Message::from(format!(
-                    "no flight: the ball leaves at {angle}, which is not above the horizontal, and the ground is not below the ball \
-                     (a ball that only lift would raise is not followed); increase the launch angle (with a club: by more loft or attack angle), or lower ground.height"
+                    "no flight: the ball leaves at {angle}, which is not above the horizontal, and \
+                     the ground is not below the ball \
+                     (a ball that only lift would raise is not followed); increase the launch \
+                     angle (with a club: by more loft or attack angle), or lower ground.height"
                 ))
             }
-            Self::BelowGround { apex_height, ground_height } => {
-                let highest = height("no flight: the highest point of the ball is ".into(), *apex_height);
-                height(highest.words(", which is not above the ground at "), *ground_height)
-                    .words("; increase the speed or the launch angle, or lower ground.height")
+            Self::BelowGround {
+                apex_height,
+                ground_height,
+            } => {
+                let highest = height(
+                    "no flight: the highest point of the ball is ".into(),
+                    *apex_height,
+                );
+                height(
+                    highest.words(", which is not above the ground at "),
+                    *ground_height,
+                )
+                .words("; increase the speed or the launch angle, or lower ground.height")
             }
             Self::Aloft { time, height: up } => {
                 let limit = format!(
-                    "no landing: the flight was stopped at flight.time_limit = {time} s with the ball at a height of "
+                    "no landing: the flight was stopped at flight.time_limit = {time} s with the \
+                     ball at a height of "
                 );
                 height(limit.into(), *up).words("; increase flight.time_limit")
             }

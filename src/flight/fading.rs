@@ -4,11 +4,14 @@ use crate::number::{Numbers, inlined};
 
 impl<T: Numbers> Inputs<T> {
     /// |ω| between the nodes of a step, at s = (t − t₀)/h: exact where the spin fades in time alone. Where it is damped by the way through the air, the
-    /// polynomial of degree 5 with the spin of both ends and two derivatives of it: neighbouring ones join C².
+    /// polynomial of degree 5 with the spin of both ends and two derivatives of it: neighbouring
+    /// ones join C².
     #[inline(always)]
     pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T) -> T {
         let Some(damping) = self.damping else {
-            return T::outlined(inlined!(|| from.spin * (-(self.decay * s * self.step)).exp()));
+            return T::outlined(inlined!(
+                || from.spin * (-(self.decay * s * self.step)).exp()
+            ));
         };
         let mut ends = [[s; 3]; 2];
         for (end, node) in ends.iter_mut().zip([from, to]) {
@@ -31,6 +34,10 @@ impl<T: Numbers> Inputs<T> {
         let (spin, h) = (node.spin, self.step);
         let rate = damping.mul_add(node.rate.speed, self.decay);
         let damping_change = damping * self.rate_per_time(node).speed;
-        [spin, -(rate * spin) * h, spin * (rate * rate - damping_change) * (h * h)]
+        [
+            spin,
+            -(rate * spin) * h,
+            spin * (rate * rate - damping_change) * (h * h),
+        ]
     }
 }

@@ -5,8 +5,8 @@ use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Law, Method, Setup};
 use std::f64::consts::PI;
 
-/// All that a flight depends on (docs/model.md, eqs. 12–15): a few quantities, into which whatever made the launch enters
-/// only through these.
+/// All that a flight depends on (docs/model.md, eqs. 12–15): a few quantities, into which whatever
+/// made the launch enters only through these.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inputs<T> {
     /// Velocity at launch, m/s.
@@ -44,14 +44,15 @@ pub(crate) struct Inputs<T> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// What the flight of a ball depends on that leaves like this, in the air of a setup, and where it `runs` what its run does. Not
-    /// inlined: there is one compiled copy for each number type.
+    /// What the flight of a ball depends on that leaves like this, in the air of a setup, and where
+    /// it `runs` what its run does. Not inlined: there is one compiled copy for each number type.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, runs: bool) -> Self {
         T::outlined(inlined!(|| {
             let radius = setup.ball.radius;
             let AirState { density, viscosity } = AirState::of(&setup.air);
-            let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
+            let (spin, per_spin) =
+                (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
             Self {
                 velocity: launch.velocity,
                 spin,
@@ -61,7 +62,10 @@ impl<T: Numbers> Inputs<T> {
                 radius,
                 reynolds_per_speed: density * radius * 2.0 / viscosity,
                 decay: setup.aero.spin_decay,
-                damping: setup.aero.spin_damping.map(inlined!(|damping| damping / radius)),
+                damping: setup
+                    .aero
+                    .spin_damping
+                    .map(inlined!(|damping| damping / radius)),
                 wind: WindField::new(&setup.wind, &setup.ground),
                 ground: setup.ground.height,
                 law: setup.law,
@@ -77,6 +81,11 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     pub fn stream(&self) -> [T; 4] {
         let speed = (self.velocity - self.wind.at(T::zero())).norm();
-        [self.spin * self.radius / speed, self.spin, self.reynolds_per_speed * speed, speed]
+        [
+            self.spin * self.radius / speed,
+            self.spin,
+            self.reynolds_per_speed * speed,
+            speed,
+        ]
     }
 }

@@ -2,23 +2,35 @@ use super::inputs::Inputs;
 use super::step::Step;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
-/// One coordinate within a step as a polynomial of degree 7 in s = (t − t₀)/h, with the position, velocity,
-/// acceleration and jerk of both ends. Neighbouring ones join C³: velocity at landing is C² in the parameters, whatever the
-/// number of steps.
+/// One coordinate within a step as a polynomial of degree 7 in s = (t − t₀)/h, with the position,
+/// velocity, acceleration and jerk of both ends. Neighbouring ones join C³: velocity at landing is
+/// C² in the parameters, whatever the number of steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Septic<T>([T; 8]);
 
 /// k!/(k − m)!: the factor of s^(k − m) in derivative m.
-const FACTORS: [[f64; 8]; 3] =
-    [[1.0; 8], [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], [0.0, 0.0, 2.0, 6.0, 12.0, 20.0, 30.0, 42.0]];
+const FACTORS: [[f64; 8]; 3] = [
+    [1.0; 8],
+    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
+    [0.0, 0.0, 2.0, 6.0, 12.0, 20.0, 30.0, 42.0],
+];
 
 impl<T: Numbers> Septic<T> {
-    /// From the position, velocity, acceleration and jerk at both ends of a step, of which `of` takes this coordinate. Ends enter by what the step
-    /// added: differences of the sums would lose their digits.
+    /// From the position, velocity, acceleration and jerk at both ends of a step, of which `of`
+    /// takes this coordinate. Ends enter by what the step added: differences of the sums would lose
+    /// their digits.
     #[inline(always)]
-    fn new(step: &Step<'_, T>, jerks: &[Vector<T>; 2], h: f64, of: impl Fn(&Vector<T>) -> T) -> Self {
+    fn new(
+        step: &Step<'_, T>,
+        jerks: &[Vector<T>; 2],
+        h: f64,
+        of: impl Fn(&Vector<T>) -> T,
+    ) -> Self {
         let (h2, h3) = (h * h, h * h * h);
-        let [a0, a1] = [of(&step.from.rate.acceleration) * h2, of(&step.to.rate.acceleration) * h2];
+        let [a0, a1] = [
+            of(&step.from.rate.acceleration) * h2,
+            of(&step.to.rate.acceleration) * h2,
+        ];
         let [j0, j1] = [of(&jerks[0]) * h3, of(&jerks[1]) * h3];
         // what the cubic from the start leaves over at the end
         let (half, sixth) = (a0 * 0.5, j0 * (1.0 / 6.0));
@@ -26,7 +38,9 @@ impl<T: Numbers> Septic<T> {
         let v = of(&step.gained) * h - a0 - j0 * 0.5;
         let a = a1 - a0 - j0;
         let j = j1 - j0;
-        let sum = inlined!(|[wx, wv, wa, wj]: [f64; 4]| x.scale_add(wx, v.scale_add(wv, a.scale_add(wa, j * wj))));
+        let sum =
+            inlined!(|[wx, wv, wa, wj]: [f64; 4]| x
+                .scale_add(wx, v.scale_add(wv, a.scale_add(wa, j * wj))));
         Self([
             of(&step.from.position),
             of(&step.from.velocity) * h,
@@ -69,22 +83,33 @@ impl<T: Numbers> Septic<T> {
         self.derivative::<2>(s)
     }
 
-    /// Where the coordinate falls to `level`, between `from` (where it is above) and the end (where it is not), in the lanes of a mask.
+    /// Where the coordinate falls to `level`, between `from` (where it is above) and the end (where
+    /// it is not), in the lanes of a mask.
     #[inline(always)]
     pub fn falls_to(&self, level: T, from: T, lanes: T::Mask) -> T {
-        falling_root(from, lanes, inlined!(|s| (self.value(s) - level, self.slope(s))))
+        falling_root(
+            from,
+            lanes,
+            inlined!(|s| (self.value(s) - level, self.slope(s))),
+        )
     }
 
-    /// Where the coordinate, rising at the start and not at the end, is highest, in the lanes of a mask.
+    /// Where the coordinate, rising at the start and not at the end, is highest, in the lanes of a
+    /// mask.
     #[inline(always)]
     pub fn top(&self, lanes: T::Mask) -> T {
-        falling_root(T::zero(), lanes, inlined!(|s| (self.slope(s), self.bend(s))))
+        falling_root(
+            T::zero(),
+            lanes,
+            inlined!(|s| (self.slope(s), self.bend(s))),
+        )
     }
 }
 
-/// The root in [low, 1] of a function that is positive at `low` and not at 1, given with its slope: Newton's method kept inside
-/// a bracket. It goes without derivatives until the value has settled. Of the two steps that follow with them, the first makes first derivatives exact, the
-/// second also second ones (the implicit function theorem). A root that does not settle has no derivatives.
+/// The root in [low, 1] of a function that is positive at `low` and not at 1, given with its slope:
+/// Newton's method kept inside a bracket. It goes without derivatives until the value has settled.
+/// Of the two steps that follow with them, the first makes first derivatives exact, the second also
+/// second ones (the implicit function theorem). A root that does not settle has no derivatives.
 #[inline(always)]
 fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
     // bisection alone needs 53
@@ -145,14 +170,22 @@ impl<T: Numbers> Path<T> {
     /// The position at s.
     #[inline(always)]
     pub fn position(&self, s: T) -> Vector<T> {
-        Vector::new(self.up.value(s), self.right.value(s), self.downrange.value(s))
+        Vector::new(
+            self.up.value(s),
+            self.right.value(s),
+            self.downrange.value(s),
+        )
     }
 
     /// The velocity at s.
     #[inline(always)]
     pub fn velocity(&self, s: T) -> Vector<T> {
         let per_time = 1.0 / self.h;
-        Vector::new(self.up.slope(s) * per_time, self.right.slope(s) * per_time, self.downrange.slope(s) * per_time)
+        Vector::new(
+            self.up.slope(s) * per_time,
+            self.right.slope(s) * per_time,
+            self.downrange.slope(s) * per_time,
+        )
     }
 }
 
@@ -161,7 +194,8 @@ mod tests {
     use super::falling_root;
     use std::cell::Cell;
 
-    /// Newton's method from s = 1 converges quadratically for these cubics: in eight steps at most, and the two with derivatives.
+    /// Newton's method from s = 1 converges quadratically for these cubics: in eight steps at most,
+    /// and the two with derivatives.
     #[test]
     fn exact_roots_in_as_many_steps_as_newtons_method_takes() {
         for i in 1..1000 {
@@ -169,9 +203,16 @@ mod tests {
             let steps = Cell::new(0);
             let found = falling_root(0.0, true, |s| {
                 steps.set(steps.get() + 1);
-                (root - s + bend * (root.powi(3) - s.powi(3)), -1.0 - 3.0 * bend * s * s)
+                (
+                    root - s + bend * (root.powi(3) - s.powi(3)),
+                    -1.0 - 3.0 * bend * s * s,
+                )
             });
-            assert!((found - root).abs() < 1e-15 && steps.get() <= 10, "{found} in {} steps", steps.get());
+            assert!(
+                (found - root).abs() < 1e-15 && steps.get() <= 10,
+                "{found} in {} steps",
+                steps.get()
+            );
         }
     }
 }

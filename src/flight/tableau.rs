@@ -4,11 +4,21 @@ use crate::parameters::Method;
 type Weights = &'static [(usize, f64)];
 
 /// Kutta (1901): the classical method.
-const RK4_ROWS: &[Weights] =
-    &[&[], &[(0, 0.5)], &[(1, 0.5)], &[(2, 1.0)], &[(0, 1.0 / 6.0), (1, 1.0 / 3.0), (2, 1.0 / 3.0), (3, 1.0 / 6.0)]];
+const RK4_ROWS: &[Weights] = &[
+    &[],
+    &[(0, 0.5)],
+    &[(1, 0.5)],
+    &[(2, 1.0)],
+    &[
+        (0, 1.0 / 6.0),
+        (1, 1.0 / 3.0),
+        (2, 1.0 / 3.0),
+        (3, 1.0 / 6.0),
+    ],
+];
 
-/// Hairer, Nørsett & Wanner (1993), Solving Ordinary Differential Equations I, DOP853: the 12 stages of the eighth-order
-/// formula.
+/// Hairer, Nørsett & Wanner (1993), Solving Ordinary Differential Equations I, DOP853: the 12
+/// stages of the eighth-order formula.
 #[rustfmt::skip]
 const DP8_ROWS: &[Weights] = & [
     &[],
@@ -29,18 +39,20 @@ const DP8_ROWS: &[Weights] = & [
 /// The largest number of stages.
 pub(super) const MOST_STAGES: usize = 12;
 
-/// An explicit Runge–Kutta method for x″ = a(t, x, x′): the weights of its positions are worked out, for these are sums of
-/// accelerations too.
+/// An explicit Runge–Kutta method for x″ = a(t, x, x′): the weights of its positions are worked
+/// out, for these are sums of accelerations too.
 #[derive(Debug)]
 pub(super) struct Tableau {
-    /// The largest part of the airspeed that drag and lift may change within a step. Beyond it the stages no longer follow them, and not far
-    /// beyond it the method is unstable.
+    /// The largest part of the airspeed that drag and lift may change within a step. Beyond it the
+    /// stages no longer follow them, and not far beyond it the method is unstable.
     pub reach: f64,
     /// How many stages there are; the end of the step is like one more, its weights bⱼ.
     pub stages: usize,
-    /// aᵢⱼ: how much of the acceleration in stage j goes into the velocity of stage i, without zeros.
+    /// aᵢⱼ: how much of the acceleration in stage j goes into the velocity of stage i, without
+    /// zeros.
     pub velocity: [Weights; MOST_STAGES + 1],
-    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i, at place j; (0, 0) where nothing does, as from j = i − 1 on.
+    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i, at place j; (0, 0) where
+    /// nothing does, as from j = i − 1 on.
     pub position: [[(usize, f64); MOST_STAGES]; MOST_STAGES + 1],
     /// cᵢ = Σ aᵢⱼ: when stage i is.
     pub time: [f64; MOST_STAGES + 1],
@@ -81,7 +93,13 @@ impl Tableau {
             }
             i += 1;
         }
-        Self { reach, stages, velocity, position, time }
+        Self {
+            reach,
+            stages,
+            velocity,
+            position,
+            time,
+        }
     }
 }
 
@@ -89,19 +107,31 @@ impl Tableau {
 mod tests {
     use super::{DP8, RK4};
 
-    /// The conditions Σ bᵢ cᵢᵏ⁻¹ = 1/k and Σ bᵢ aᵢⱼ cⱼᵏ⁻² = 1/(k (k − 1)) of order p, for k up to p (Hairer, Nørsett & Wanner 1993).
+    /// The conditions Σ bᵢ cᵢᵏ⁻¹ = 1/k and Σ bᵢ aᵢⱼ cⱼᵏ⁻² = 1/(k (k − 1)) of order p, for k up to p
+    /// (Hairer, Nørsett & Wanner 1993).
     #[test]
     fn exact_quadrature_conditions_of_each_order() {
         for (order, tableau) in [(4, &RK4), (8, &DP8)] {
             for k in 1..=order {
                 let power = |i: usize, n: i32| if n == 0 { 1.0 } else { tableau.time[i].powi(n) };
-                let velocity: f64 =
-                    tableau.velocity[tableau.stages].iter().map(|&(i, weight)| weight * power(i, k - 1)).sum();
-                assert!((velocity - 1.0 / f64::from(k)).abs() < 1e-14, "order {k}: {velocity}");
+                let velocity: f64 = tableau.velocity[tableau.stages]
+                    .iter()
+                    .map(|&(i, weight)| weight * power(i, k - 1))
+                    .sum();
+                assert!(
+                    (velocity - 1.0 / f64::from(k)).abs() < 1e-14,
+                    "order {k}: {velocity}"
+                );
                 if k >= 2 {
                     let weights = &tableau.position[tableau.stages][..tableau.stages];
-                    let position: f64 = weights.iter().map(|&(j, weight)| weight * power(j, k - 2)).sum();
-                    assert!((position - 1.0 / f64::from(k * (k - 1))).abs() < 1e-14, "order {k}: {position}");
+                    let position: f64 = weights
+                        .iter()
+                        .map(|&(j, weight)| weight * power(j, k - 2))
+                        .sum();
+                    assert!(
+                        (position - 1.0 / f64::from(k * (k - 1))).abs() < 1e-14,
+                        "order {k}: {position}"
+                    );
                 }
             }
         }

@@ -13,13 +13,13 @@ const MOST_APART: f64 = 0.05;
 /// The path of a flight.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
-    /// Where the ball is at launch, after each step, and within long steps every 0.05 s or less; where it landed, the landing is
-    /// the last point.
+    /// Where the ball is at launch, after each step, and within long steps every 0.05 s or less;
+    /// where it landed, the landing is the last point.
     pub points: Vec<TrajectoryPoint>,
     /// How the flight ends.
     pub flight: Flight<f64>,
-    /// The way from the landing through the bounces to where the ball rests, m in the ground frame: from the last bounce it goes straight to its
-    /// rest. Empty where it embeds, or does not land.
+    /// The way from the landing through the bounces to where the ball rests, m in the ground frame:
+    /// from the last bounce it goes straight to its rest. Empty where it embeds, or does not land.
     pub run: Vec<Vector<f64>>,
 }
 
@@ -48,10 +48,17 @@ pub struct TrajectoryPoint {
 /// As [`fly`](super::fly).
 pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory> {
     setup.flight.check_steps()?;
-    let start = TrajectoryPoint { time: 0.0, position: Vector::zero(), velocity: launch.velocity };
+    let start = TrajectoryPoint {
+        time: 0.0,
+        position: Vector::zero(),
+        velocity: launch.velocity,
+    };
     let mut points = vec![start];
     let inputs = Inputs::new(setup, launch, false);
-    let (h, parts) = (setup.flight.step, (setup.flight.step / MOST_APART).ceil().max(1.0));
+    let (h, parts) = (
+        setup.flight.step,
+        (setup.flight.step / MOST_APART).ceil().max(1.0),
+    );
     let (mut last, mut run) = (None, vec![]);
     let flight = inputs.fly(Some(&mut |begin, step| {
         last = Some((begin, [*step.from, *step.to]));
@@ -65,7 +72,11 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             }));
         }
         let end = &*step.to;
-        points.push(TrajectoryPoint { time: begin + h, position: end.position, velocity: end.velocity });
+        points.push(TrajectoryPoint {
+            time: begin + h,
+            position: end.position,
+            velocity: end.velocity,
+        });
     }))?;
     if let Flight::Landed(landed) = &flight {
         points.retain(|point| point.time < landed.flight_time);
@@ -79,5 +90,9 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             run = Turf::new(setup).path(&inputs.landing(landed, spin));
         }
     }
-    Ok(Trajectory { points, flight, run })
+    Ok(Trajectory {
+        points,
+        flight,
+        run,
+    })
 }

@@ -1,7 +1,8 @@
-//! The ball on the ground: bounces, sliding and rolling until it rests (docs/model.md, eqs. 19–24), after Penner (2002).
+//! The ball on the ground: bounces, sliding and rolling until it rests (docs/model.md, eqs. 19–24),
+//! after Penner (2002).
 //!
-//! Between bounces the ball flies on parabolas, slowed along the ground by the air. Written once, over any numbers, and C² in all that it depends on, also where
-//! the number of bounces changes.
+//! Between bounces the ball flies on parabolas, slowed along the ground by the air. Written once,
+//! over any numbers, and C² in all that it depends on, also where the number of bounces changes.
 
 mod bounce;
 mod rubbing;
@@ -27,7 +28,11 @@ impl<T: Copy> Rest<T> {
     /// The same over another number.
     #[inline(always)]
     pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Rest<U> {
-        Rest { downrange: f(self.downrange), right: f(self.right), bounces: self.bounces }
+        Rest {
+            downrange: f(self.downrange),
+            right: f(self.right),
+            bounces: self.bounces,
+        }
     }
 }
 
@@ -49,8 +54,8 @@ pub(crate) struct Landing<T> {
     pub force_per_mass: T,
 }
 
-/// A ball that leaves the ground more slowly, m/s, stays on it; from twice this speed on it hops. Penner ends the bounces at a height of 5 mm,
-/// which is between the two (0.31 m/s).
+/// A ball that leaves the ground more slowly, m/s, stays on it; from twice this speed on it hops.
+/// Penner ends the bounces at a height of 5 mm, which is between the two (0.31 m/s).
 const STAYS: f64 = 0.2;
 /// m/s: keeps the speed along the ground, and its derivatives, where there is none.
 const LEAST_SPEED: f64 = 1e-6;
@@ -62,13 +67,23 @@ const MOST_BOUNCES: usize = 250;
 const HOP_PARTS: u32 = 16;
 
 impl<T: Numbers> Turf<T> {
-    /// Where balls rest, in the lanes of a mask. Not inlined: there is one compiled copy for each number type.
+    /// Where balls rest, in the lanes of a mask. Not inlined: there is one compiled copy for each
+    /// number type.
     #[inline(always)]
     pub fn rest(&self, ball: &Landing<T>, lanes: T::Mask) -> Rest<T> {
         let Some(restitution) = self.restitution else {
-            return Rest { downrange: ball.downrange, right: ball.right, bounces: 0 };
+            return Rest {
+                downrange: ball.downrange,
+                right: ball.right,
+                bounces: 0,
+            };
         };
-        T::outlined(inlined!(|| self.run(ball, restitution, lanes, &mut |_, _| ())))
+        T::outlined(inlined!(|| self.run(
+            ball,
+            restitution,
+            lanes,
+            &mut |_, _| ()
+        )))
     }
 
     /// Shows each hop, with the place that it begins at from the landing, to `seen`.
@@ -81,7 +96,10 @@ impl<T: Numbers> Turf<T> {
         seen: &mut impl FnMut(Vector<T>, &Hop<T>),
     ) -> Rest<T> {
         let slope = Slope::new(self.slope, self.side_slope, ball.gravity);
-        let mut moving = Moving { velocity: ball.velocity, spin: ball.spin };
+        let mut moving = Moving {
+            velocity: ball.velocity,
+            spin: ball.spin,
+        };
         let mut way = Vector::zero();
         let comes_down = slope.normal.dot(moving.velocity).below(0.0);
         let mut bouncing = lanes & comes_down;
@@ -100,29 +118,43 @@ impl<T: Numbers> Turf<T> {
         }
         way = way + self.way_to_rest(&moving, &slope, ball.radius);
         let or_nan = |there: T, more: T| (there + more).blend(T::constant(f64::NAN), comes_down);
-        Rest { downrange: or_nan(ball.downrange, way.z), right: or_nan(ball.right, way.y), bounces }
+        Rest {
+            downrange: or_nan(ball.downrange, way.z),
+            right: or_nan(ball.right, way.y),
+            bounces,
+        }
     }
 
-    /// The way of a ball that stays on the ground: it slides until it rolls, and rolls until it rests.
+    /// The way of a ball that stays on the ground: it slides until it rolls, and rolls until it
+    /// rests.
     #[inline(always)]
     fn way_to_rest(&self, ball: &Moving<T>, slope: &Slope<T>, radius: T) -> Vector<T> {
         let (normal, pull, stuck) = (slope.normal, slope.pull, self.stuck());
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
-        // the slip itself is rubbed away and pulled along the slope like a body of its own, and what it loses the ball loses in part
-        let (time, way) = Rubbing { deceleration: self.friction * slope.press / stuck, pull }.stop(slip);
+        // the slip itself is rubbed away and pulled along the slope like a body of its own, and
+        // what it loses the ball loses in part
+        let (time, way) = Rubbing {
+            deceleration: self.friction * slope.press / stuck,
+            pull,
+        }
+        .stop(slip);
         let pulled = pull * time;
         let half = pull * (time * 0.5);
         let slid = (velocity + half) * time - ((slip + half) * time - way) * stuck;
         let rolling = velocity + pulled - (slip + pulled) * stuck;
         let by_spin = T::constant(1.0) - stuck;
-        let (_, rolled) = Rubbing { deceleration: self.rolling * slope.press, pull: pull * by_spin }.stop(rolling);
+        let (_, rolled) = Rubbing {
+            deceleration: self.rolling * slope.press,
+            pull: pull * by_spin,
+        }
+        .stop(rolling);
         slid + rolled
     }
 }
 
-/// The angle between the ground, of these slopes down range and to the side, and the way of a ball that comes down on it, rad; below 0 where it moves
-/// away from the ground.
+/// The angle between the ground, of these slopes down range and to the side, and the way of a ball
+/// that comes down on it, rad; below 0 where it moves away from the ground.
 pub(crate) fn angle_of_impact([slope, side_slope]: [f64; 2], velocity: Vector<f64>) -> f64 {
     let Slope { normal, .. } = Slope::new(slope, side_slope, 1.0);
     (-normal.dot(velocity) / velocity.norm()).asin()
@@ -150,11 +182,16 @@ impl<T: Numbers> Slope<T> {
         let normal = normal * inverse;
         let press = normal.x * gravity;
         let pull = normal * press - Vector::new(gravity, T::zero(), T::zero());
-        Self { normal, press, pull, gravity }
+        Self {
+            normal,
+            press,
+            pull,
+            gravity,
+        }
     }
 
-    /// The hop of a ball that leaves the plane. `drag` is what the air takes from its velocity along the plane, 1/m: dv/dt = −`drag` v², so that
-    /// v/(1 + `drag` v t) is left.
+    /// The hop of a ball that leaves the plane. `drag` is what the air takes from its velocity
+    /// along the plane, 1/m: dv/dt = −`drag` v², so that v/(1 + `drag` v t) is left.
     #[inline(always)]
     fn hop(&self, velocity: Vector<T>, drag: T) -> Hop<T> {
         let rise = self.normal.dot(velocity);
@@ -162,7 +199,14 @@ impl<T: Numbers> Slope<T> {
         let along = velocity - self.normal * rise;
         let time = left * 2.0 / self.press;
         let slowed = (along.dot(along) + LEAST_SPEED * LEAST_SPEED).sqrt() * drag * time;
-        Hop { along, rising: self.normal * left, time, slowed, gravity: self.gravity, leaves: (-left).below(0.0) }
+        Hop {
+            along,
+            rising: self.normal * left,
+            time,
+            slowed,
+            gravity: self.gravity,
+            leaves: (-left).below(0.0),
+        }
     }
 }
 
@@ -201,14 +245,19 @@ impl<T: Numbers> Hop<T> {
 }
 
 impl Turf<f64> {
-    /// The way of a ball from its landing to rest: its hops, and from the last of them a straight line to where it rests; empty for one that embeds,
-    /// and the hops alone for one that does not come to rest.
+    /// The way of a ball from its landing to rest: its hops, and from the last of them a straight
+    /// line to where it rests; empty for one that embeds, and the hops alone for one that does not
+    /// come to rest.
     pub fn path(&self, ball: &Landing<f64>) -> Vec<Vector<f64>> {
-        let Some(restitution) = self.restitution else { return vec![] };
+        let Some(restitution) = self.restitution else {
+            return vec![];
+        };
         let mut points = vec![];
         let rest = self.run(ball, restitution, true, &mut |from, hop| {
             if hop.leaves {
-                points.extend((0..=HOP_PARTS).map(|k| from + hop.way(f64::from(k) / f64::from(HOP_PARTS))));
+                points.extend(
+                    (0..=HOP_PARTS).map(|k| from + hop.way(f64::from(k) / f64::from(HOP_PARTS))),
+                );
             }
         });
         let [right, downrange] = [rest.right - ball.right, rest.downrange - ball.downrange];
@@ -226,7 +275,8 @@ mod tests {
     use super::{DRAG, Slope};
     use crate::number::Vector;
 
-    /// A hop beside the same with drag along the ground in small steps, at the density of usual air.
+    /// A hop beside the same with drag along the ground in small steps, at the density of usual
+    /// air.
     #[test]
     fn differences_of_a_hop_to_one_in_small_steps_are_below_a_hundredth() {
         let (g, drag) = (9.81, 0.0184 * DRAG);
@@ -240,7 +290,8 @@ mod tests {
                 v -= drag * v * v * h;
             }
             assert!(
-                hops && (way.z / far - 1.0_f64).abs() < 0.01 && (back.z / v - 1.0_f64).abs() < 0.001,
+                hops && (way.z / far - 1.0_f64).abs() < 0.01
+                    && (back.z / v - 1.0_f64).abs() < 0.001,
                 "{way:?} {far}"
             );
             assert!((back.x + rise).abs() < 1e-12 && way.x.abs() < 1e-12);

@@ -12,9 +12,11 @@ pub(super) struct Rubbing<T> {
 const LEAST_SPEED: f64 = 1e-4;
 
 impl<T: Numbers> Rubbing<T> {
-    /// The time until it rests, and its way until then (docs/model.md, eq. 23). NaN where it does not come to rest: |G| ≥ a.
+    /// The time until it rests, and its way until then (docs/model.md, eq. 23). NaN where it does
+    /// not come to rest: |G| ≥ a.
     ///
-    /// From dv/dt = G − a v/|v| follows d(a|v| + v·G)/dt = −(a² − |G|²), and likewise the way by quadratic functions of |v| and v·G.
+    /// From dv/dt = G − a v/|v| follows d(a|v| + v·G)/dt = −(a² − |G|²), and likewise the way by
+    /// quadratic functions of |v| and v·G.
     #[inline(always)]
     pub fn stop(&self, velocity: Vector<T>) -> (T, Vector<T>) {
         T::outlined(inlined!(|| self.stopped(velocity)))
@@ -56,17 +58,36 @@ mod tests {
     #[test]
     fn exact_way_to_rest_beside_small_steps() {
         let velocity = Vector::new(0.0, 3.0, 8.0);
-        for pull in [[0.0, 0.0, 0.0], [0.0, 0.0, -1.5], [0.0, 1.2, 0.8], [0.3, -0.9, 1.1]] {
+        for pull in [
+            [0.0, 0.0, 0.0],
+            [0.0, 0.0, -1.5],
+            [0.0, 1.2, 0.8],
+            [0.3, -0.9, 1.1],
+        ] {
             let pull = Vector::from_array(pull);
-            let (time, way) = Rubbing { deceleration: 2.0, pull }.stop(velocity);
+            let (time, way) = Rubbing {
+                deceleration: 2.0,
+                pull,
+            }
+            .stop(velocity);
             let (expected, there) = stepped(2.0, pull, velocity);
-            assert!((time - expected).abs() < 1e-3 * expected, "{time} against {expected}");
-            assert!((way - there).norm() < 1e-3 * there.norm(), "{way:?} against {there:?}");
+            assert!(
+                (time - expected).abs() < 1e-3 * expected,
+                "{time} against {expected}"
+            );
+            assert!(
+                (way - there).norm() < 1e-3 * there.norm(),
+                "{way:?} against {there:?}"
+            );
         }
         // straight up and down the slope: v²/(2 (a ± G))
         for (pull, expected) in [(-1.0_f64, 100.0 / 6.0), (1.0, 100.0 / 2.0)] {
             let pull = Vector::new(0.0, 0.0, pull);
-            let (_, way) = Rubbing { deceleration: 2.0, pull }.stop(Vector::new(0.0, 0.0, 10.0));
+            let (_, way) = Rubbing {
+                deceleration: 2.0,
+                pull,
+            }
+            .stop(Vector::new(0.0, 0.0, 10.0));
             assert!((way.z / expected - 1.0).abs() < 1e-3, "{way:?}");
         }
     }
@@ -75,7 +96,11 @@ mod tests {
     fn exact_no_rest_where_the_pull_is_as_large_as_the_deceleration() {
         let velocity = Vector::new(0.0_f64, 0.0, 5.0);
         for pull in [2.0, 2.5] {
-            let (time, way) = Rubbing { deceleration: 2.0, pull: Vector::new(0.0, pull, 0.0) }.stop(velocity);
+            let (time, way) = Rubbing {
+                deceleration: 2.0,
+                pull: Vector::new(0.0, pull, 0.0),
+            }
+            .stop(velocity);
             assert!(time.is_nan() && way.z.is_nan());
         }
     }

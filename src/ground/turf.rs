@@ -39,7 +39,8 @@ impl<T: Numbers> Turf<T> {
         }
     }
 
-    /// The part of a slip that the ball's centre loses where the contact sticks: 2/7 of it for a homogeneous ball.
+    /// The part of a slip that the ball's centre loses where the contact sticks: 2/7 of it for a
+    /// homogeneous ball.
     #[inline(always)]
     pub fn stuck(&self) -> T {
         self.inertia / (self.inertia + 1.0)

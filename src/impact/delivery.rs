@@ -4,7 +4,8 @@ use crate::parameters::Swing;
 /// The club just before impact: its motion in the ground frame, and the axes of the head frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Delivery<T> {
-    /// Velocity of the head's centre of mass, or of the centre of its face, whichever the swing states, m/s.
+    /// Velocity of the head's centre of mass, or of the centre of its face, whichever the swing
+    /// states, m/s.
     pub velocity: Vector<T>,
     /// Angular velocity of the head, rad/s.
     pub closure: Vector<T>,
@@ -38,15 +39,18 @@ impl<T: Numbers> Bent<T> {
 }
 
 impl<T: Numbers> Delivery<T> {
-    /// The delivery of a swing (docs/model.md, eqs. 1–2b): the head is turned toe down by the droop, pitched by a = ε − σ and the
-    /// bend, then yawed by ψ.
+    /// The delivery of a swing (docs/model.md, eqs. 1–2b): the head is turned toe down by the
+    /// droop, pitched by a = ε − σ and the bend, then yawed by ψ.
     #[inline(always)]
     pub fn new(swing: &Swing<T>) -> Self {
         let (sin_attack, cos_attack) = swing.attack_angle.sin_cos();
         let (sin_path, cos_path) = swing.path.sin_cos();
         let bent = Bent::new(swing);
         let pitch = swing.attack_angle - swing.shaft_lean;
-        let (sin_pitch, cos_pitch) = bent.forward.map_or(pitch, inlined!(|bend| pitch + bend)).sin_cos();
+        let (sin_pitch, cos_pitch) = bent
+            .forward
+            .map_or(pitch, inlined!(|bend| pitch + bend))
+            .sin_cos();
         let (sin_yaw, cos_yaw) = swing.face_angle.sin_cos();
         let direction = Vector::new(sin_attack, cos_attack * sin_path, cos_attack * cos_path);
         let up = Vector::new(cos_pitch, -sin_pitch * sin_yaw, -sin_pitch * cos_yaw);

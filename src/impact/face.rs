@@ -13,8 +13,8 @@ pub struct FacePoint<T> {
 }
 
 impl<T: Numbers> FacePoint<T> {
-    /// The struck point of the face's ellipsoid (docs/model.md, eqs. 3–5; Winfield & Tan eqs. 11–12), in the
-    /// form that stays exact as a radius grows to infinity.
+    /// The struck point of the face's ellipsoid (docs/model.md, eqs. 3–5; Winfield & Tan eqs.
+    /// 11–12), in the form that stays exact as a radius grows to infinity.
     ///
     /// # Errors
     /// [`Error::OffFace`] where the ellipsoid has no such point.
@@ -26,7 +26,11 @@ impl<T: Numbers> FacePoint<T> {
         let (point, q) = Self::unchecked(&Head::new(club), club, strike);
         if q.re() >= 1.0 || q.re().is_nan() {
             let (high_mm, toe_mm) = (strike.high.re() * 1e3, strike.toe.re() * 1e3);
-            return Err(Error::OffFace { high_mm, toe_mm, q: q.re() });
+            return Err(Error::OffFace {
+                high_mm,
+                toe_mm,
+                q: q.re(),
+            });
         }
         Ok(point)
     }
@@ -41,7 +45,11 @@ impl<T: Numbers> FacePoint<T> {
             // √(bulge · roll): a flat direction makes it 0, where the root has no derivative
             None => {
                 let product = roll * bulge;
-                T::choose(product.below(f64::MIN_POSITIVE), T::zero, inlined!(|| product.sqrt()))
+                T::choose(
+                    product.below(f64::MIN_POSITIVE),
+                    T::zero,
+                    inlined!(|| product.sqrt()),
+                )
             }
         };
         let (high, toe) = (strike.high, strike.toe);
@@ -58,7 +66,13 @@ impl<T: Numbers> FacePoint<T> {
 
         // face frame (i', j', k') to head frame: pitched by the loft
         let turn = club.loft.sin_cos();
-        (Self { position: pitched(turn, point), normal: pitched(turn, unit) }, q)
+        (
+            Self {
+                position: pitched(turn, point),
+                normal: pitched(turn, unit),
+            },
+            q,
+        )
     }
 }
 
@@ -67,22 +81,37 @@ const SETTLED: f64 = 1e-13;
 const ROUNDS: usize = 200;
 
 impl Strike<f64> {
-    /// The strike on the sweet spot, where the normal of the face goes through the centre of mass: in a round the point that the normal of
-    /// the last one meets. `None` where the face is curved so much that there is none near the centre of mass.
+    /// The strike on the sweet spot, where the normal of the face goes through the centre of mass:
+    /// in a round the point that the normal of the last one meets. `None` where the face is curved
+    /// so much that there is none near the centre of mass.
     pub fn on_sweet_spot(club: &Club<f64>) -> Option<Self> {
         let head = Head::new(club);
-        let Some([above, beside]) = head.beside else { return Some(Self { high: 0.0, toe: 0.0 }) };
+        let Some([above, beside]) = head.beside else {
+            return Some(Self {
+                high: 0.0,
+                toe: 0.0,
+            });
+        };
         let turn = club.loft.sin_cos();
-        let [up, forward] = [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 0.0, 1.0)].map(|axis| pitched(turn, axis));
-        let mut strike = Self { high: above, toe: beside };
+        let [up, forward] = [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 0.0, 1.0)]
+            .map(|axis| pitched(turn, axis));
+        let mut strike = Self {
+            high: above,
+            toe: beside,
+        };
         for _ in 0..ROUNDS {
             let (FacePoint { position, normal }, q) = FacePoint::unchecked(&head, club, &strike);
             if q >= 1.0 || q.is_nan() {
                 return None;
             }
             let length = position.dot(forward) / normal.dot(forward);
-            let next = Self { high: above + length * normal.dot(up), toe: beside + length * normal.y };
-            let change = (next.high - strike.high).abs().max((next.toe - strike.toe).abs());
+            let next = Self {
+                high: above + length * normal.dot(up),
+                toe: beside + length * normal.y,
+            };
+            let change = (next.high - strike.high)
+                .abs()
+                .max((next.toe - strike.toe).abs());
             strike = next;
             if change < SETTLED {
                 return Some(strike);
@@ -106,7 +135,11 @@ mod tests {
         // equal radii: a sphere whose centre lies at depth d − R behind the face along k'
         let (sin, cos) = setup.club.loft.sin_cos();
         let centre = setup.club.cg_depth - setup.club.bulge_radius;
-        let from_centre = [face.position.x - centre * sin, face.position.y, face.position.z - centre * cos];
+        let from_centre = [
+            face.position.x - centre * sin,
+            face.position.y,
+            face.position.z - centre * cos,
+        ];
         for (component, expected) in from_centre.iter().zip(face.normal.to_array()) {
             assert!((component / setup.club.bulge_radius - expected).abs() < 1e-15);
         }
@@ -121,7 +154,12 @@ mod tests {
             FacePoint::new(&setup.club, &setup.strike).unwrap()
         };
         let (flat, nearly) = (at(f64::INFINITY, &mut setup), at(1e12, &mut setup));
-        for (a, b) in flat.position.to_array().iter().zip(nearly.position.to_array()) {
+        for (a, b) in flat
+            .position
+            .to_array()
+            .iter()
+            .zip(nearly.position.to_array())
+        {
             assert!((a - b).abs() < 1e-15);
         }
     }

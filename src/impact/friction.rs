@@ -24,8 +24,9 @@ pub(super) struct Limited<T: Numbers> {
     separating: T,
 }
 
-/// The impulse under Coulomb friction (docs/model.md, eq. 11): where the sticking impulse lies outside the friction cone,
-/// J = j (n + μ t̂) with t̂ the direction of the sticking J_t. It joins the sticking impulse continuously; its slope does not.
+/// The impulse under Coulomb friction (docs/model.md, eq. 11): where the sticking impulse lies
+/// outside the friction cone, J = j (n + μ t̂) with t̂ the direction of the sticking J_t. It joins
+/// the sticking impulse continuously; its slope does not.
 #[inline(always)]
 pub(super) fn limited<T: Numbers>(
     collision: &Collision<T>,
@@ -39,14 +40,26 @@ pub(super) fn limited<T: Numbers>(
     let (needed_squared, limit) = (tangential.dot(tangential), friction * push);
     let slips = (limit * limit - needed_squared).below(0.0);
     if !slips.any() {
-        return Limited { impulse: sticking, needed_squared, limit, slips, separating: T::constant(1.0) };
+        return Limited {
+            impulse: sticking,
+            needed_squared,
+            limit,
+            slips,
+            separating: T::constant(1.0),
+        };
     }
     let direction = normal + tangential * (friction / needed_squared.sqrt());
     let [x, y, z] = system.columns;
     let separating = normal.dot(x * direction.x + y * direction.y + z * direction.z);
     let size = collision.approach().dot(normal) * (collision.restitution + 1.0) / separating;
     let impulse = (direction * size).blend(sticking, slips);
-    Limited { impulse, needed_squared, limit, slips, separating }
+    Limited {
+        impulse,
+        needed_squared,
+        limit,
+        slips,
+        separating,
+    }
 }
 
 impl<T: Numbers> Limited<T> {
@@ -61,16 +74,22 @@ impl<T: Number> Limited<T> {
     /// The impulse, and where it stands against the limit.
     ///
     /// # Errors
-    /// [`Error::Jammed`](crate::error::Error::Jammed) where such an impulse cannot separate the bodies.
+    /// [`Error::Jammed`](crate::error::Error::Jammed) where such an impulse cannot separate the
+    /// bodies.
     pub fn checked(self, collision: &Collision<T>, friction: T) -> Result<(Vector<T>, Grip)> {
         let needed = self.needed_squared.re().sqrt();
-        let used = if needed == 0.0 { 0.0 } else { needed / self.limit.re() };
+        let used = if needed == 0.0 {
+            0.0
+        } else {
+            needed / self.limit.re()
+        };
         if !self.slips {
             return Ok((self.impulse, Grip::Sticks(used)));
         }
         if !self.separates() {
             return Err(jammed(&format!(
-                "with impact.friction = {} the ball slips but n·K(n + μ t) = {} /kg, which must be above 0; check \
+                "with impact.friction = {} the ball slips but n·K(n + μ t) = {} /kg, which must be \
+                 above 0; check \
                  impact.friction, strike.high, strike.toe and club.inertia",
                 friction.re(),
                 self.separating.re()

@@ -3,14 +3,17 @@
 use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Club, Weight};
 
-/// A rigid head: mass, centre of mass and inertia tensor, with its movable weights (docs/model.md, eqs. 5a–5c).
+/// A rigid head: mass, centre of mass and inertia tensor, with its movable weights (docs/model.md,
+/// eqs. 5a–5c).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Head<T> {
     /// Its mass M, kg.
     pub mass: T,
-    /// The distance d of its centre of mass behind the face, along the normal at the centre of the face, m.
+    /// The distance d of its centre of mass behind the face, along the normal at the centre of the
+    /// face, m.
     pub depth: T,
-    /// How far its centre of mass lies above the centre of the face and towards the toe, m; `None` where it lies behind it.
+    /// How far its centre of mass lies above the centre of the face and towards the toe, m; `None`
+    /// where it lies behind it.
     pub beside: Option<[T; 2]>,
     /// Its inertia tensor about the centre of mass in the head frame, kg m², row by row.
     pub inertia: [[T; 3]; 3],
@@ -24,7 +27,12 @@ impl<T: Numbers> Head<T> {
             (None, None) => None,
             (high, toe) => Some([high.unwrap_or_else(T::zero), toe.unwrap_or_else(T::zero)]),
         };
-        let body = Self { mass: club.mass, depth: club.cg_depth, beside, inertia: club.inertia() };
+        let body = Self {
+            mass: club.mass,
+            depth: club.cg_depth,
+            beside,
+            inertia: club.inertia(),
+        };
         let weights = club.weights();
         if weights.iter().all(Option::is_none) {
             return body;
@@ -38,7 +46,8 @@ impl<T: Numbers> Head<T> {
         let [high, toe] = self.beside.unwrap_or_else(|| [T::zero(); 2]);
         let own = Vector::new(high, toe, -self.depth);
         // from the centre of mass of the body
-        let placed = weights.map(|weight| weight.map(|w| (w.mass, Vector::new(w.high, w.toe, -w.depth) - own)));
+        let placed = weights
+            .map(|weight| weight.map(|w| (w.mass, Vector::new(w.high, w.toe, -w.depth) - own)));
         let (mut mass, mut moment) = (self.mass, Vector::zero());
         for (weight, place) in placed.into_iter().flatten() {
             mass = mass + weight;
@@ -51,19 +60,25 @@ impl<T: Numbers> Head<T> {
         for (weight, place) in placed.into_iter().flatten() {
             add(&mut inertia, weight, pitched(turn, place - moved));
         }
-        Self { mass, depth: self.depth - moved.z, beside: Some([high + moved.x, toe + moved.y]), inertia }
+        Self {
+            mass,
+            depth: self.depth - moved.z,
+            beside: Some([high + moved.x, toe + moved.y]),
+            inertia,
+        }
     }
 
-    /// The centre of the face from the centre of mass, in the head frame, at this loft; where the centre of mass is not placed from it, the
-    /// sweet spot.
+    /// The centre of the face from the centre of mass, in the head frame, at this loft; where the
+    /// centre of mass is not placed from it, the sweet spot.
     #[inline(always)]
     pub(super) fn face_centre(&self, loft: T) -> Vector<T> {
         let [high, toe] = self.beside.unwrap_or_else(|| [T::zero(); 2]);
         pitched(loft.sin_cos(), Vector::new(-high, -toe, self.depth))
     }
 
-    /// The leading principal minors of the second moments of the mass, S = ½ tr I − I, each over the power of tr S that makes it a moment: a
-    /// body has none below 0, and where all are above, I is positive definite and its principal moments keep the triangle inequality.
+    /// The leading principal minors of the second moments of the mass, S = ½ tr I − I, each over
+    /// the power of tr S that makes it a moment: a body has none below 0, and where all are above,
+    /// I is positive definite and its principal moments keep the triangle inequality.
     pub fn minors(&self) -> [T; 3] {
         let [[a, xy, xz], [_, b, yz], [.., c]] = self.inertia;
         let half = (a + b + c) * 0.5;
@@ -101,7 +116,8 @@ fn add<T: Numbers>(inertia: &mut [[T; 3]; 3], mass: T, place: Vector<T>) {
     }
 }
 
-/// A vector of the face frame (i′, j′, k′), in the head frame: pitched by the loft, whose sine and cosine are given.
+/// A vector of the face frame (i′, j′, k′), in the head frame: pitched by the loft, whose sine and
+/// cosine are given.
 #[inline(always)]
 pub(super) fn pitched<T: Numbers>((sin, cos): (T, T), v: Vector<T>) -> Vector<T> {
     Vector::new(v.x * cos + v.z * sin, v.y, v.z * cos - v.x * sin)

@@ -1,10 +1,14 @@
 use crate::number::{Number, Numbers, inlined};
 
-/// Solves A x = b by Gaussian elimination with partial pivoting. `None` where A is exactly singular or holds a number that is not finite.
+/// Solves A x = b by Gaussian elimination with partial pivoting. `None` where A is exactly singular
+/// or holds a number that is not finite.
 ///
-/// nalgebra's and num-dual's decompositions ask for more than [`Number`] offers; a number type of our own
-/// need not be a field in their sense.
-pub(super) fn solve<T: Number, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Option<[T; N]> {
+/// nalgebra's and num-dual's decompositions ask for more than [`Number`] offers; a number type of
+/// our own need not be a field in their sense.
+pub(super) fn solve<T: Number, const N: usize>(
+    mut a: [[T; N]; N],
+    mut b: [T; N],
+) -> Option<[T; N]> {
     for column in 0..N {
         let pivot = (column..N).max_by(|&i, &j| {
             let size = |row: usize| a[row][column].re().abs();
@@ -35,8 +39,8 @@ pub(super) fn solve<T: Number, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]
     Some(b)
 }
 
-/// A symmetric 3 × 3 matrix as L D Lᵀ, without a pivot: exact to rounding where it is positive definite, which inertia
-/// tensors and compliances are. There is no branch in it.
+/// A symmetric 3 × 3 matrix as L D Lᵀ, without a pivot: exact to rounding where it is positive
+/// definite, which inertia tensors and compliances are. There is no branch in it.
 #[derive(Clone, Copy)]
 pub(super) struct SymmetricFactors<T> {
     /// 1/D.
@@ -60,7 +64,10 @@ impl<T: Numbers> SymmetricFactors<T> {
         let left = a21 - l20 * a10;
         let l21 = left * second;
         let third = (a22 - l20 * a20 - l21 * left).recip();
-        Self { inverse_pivots: [first, second, third], below: [l10, l20, l21] }
+        Self {
+            inverse_pivots: [first, second, third],
+            below: [l10, l20, l21],
+        }
     }
 
     /// The x of A x = b.

@@ -1,4 +1,5 @@
-//! What a left-hander's impact is beside the same numbers of a right-hander: its mirror image in the vertical plane of the target line.
+//! What a left-hander's impact is beside the same numbers of a right-hander: its mirror image in
+//! the vertical plane of the target line.
 
 use super::Impact;
 use crate::launch::Launch;
@@ -19,7 +20,10 @@ fn axial<T: Numbers>(v: Vector<T>) -> Vector<T> {
 impl<T: Numbers> Launch<T> {
     #[inline(always)]
     pub(super) fn mirrored(self) -> Self {
-        Self { velocity: polar(self.velocity), spin: axial(self.spin) }
+        Self {
+            velocity: polar(self.velocity),
+            spin: axial(self.spin),
+        }
     }
 }
 

@@ -1,8 +1,8 @@
-//! The impact of clubhead and ball: rigid bodies in three dimensions, an ellipsoidal face, after Winfield &
-//! Tan (1994) eqs. 1–20.
+//! The impact of clubhead and ball: rigid bodies in three dimensions, an ellipsoidal face, after
+//! Winfield & Tan (1994) eqs. 1–20.
 //!
-//! The collision is solved in the head frame (Z forward, X up, Y towards the toe), where the inertia tensor
-//! is given, and its result is turned into the ground frame.
+//! The collision is solved in the head frame (Z forward, X up, Y towards the toe), where the
+//! inertia tensor is given, and its result is turned into the ground frame.
 
 mod delivery;
 mod face;
@@ -57,12 +57,16 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     let sticking = collision.pushing(collision.sticking(&system))?;
     let (impulse, grip) = match setup.impact.friction {
         None => (sticking, Grip::Unlimited),
-        Some(friction) => friction::limited(&collision, &system, sticking, friction).checked(&collision, friction)?,
+        Some(friction) => friction::limited(&collision, &system, sticking, friction)
+            .checked(&collision, friction)?,
     };
     let rebound = collision.after(impulse, &system);
     let ground = inlined!(|v| delivery.to_ground(v));
     let impact = Impact {
-        launch: Launch { velocity: ground(rebound.ball_velocity), spin: ground(rebound.ball_spin) },
+        launch: Launch {
+            velocity: ground(rebound.ball_velocity),
+            spin: ground(rebound.ball_spin),
+        },
         club_velocity: ground(rebound.club_velocity),
         club_spin: ground(rebound.club_spin),
         impulse: ground(rebound.impulse),
@@ -105,12 +109,17 @@ impl<T: Numbers> Unchecked<T> {
             None => sticking,
             Some(friction) => {
                 let limited = friction::limited(&collision, &system, sticking, friction);
-                is_sound = is_sound & limited.separates() & above_zero(limited.impulse.dot(collision.normal));
+                is_sound = is_sound
+                    & limited.separates()
+                    & above_zero(limited.impulse.dot(collision.normal));
                 limited.impulse
             }
         };
         let rebound = collision.after(impulse, &system);
-        let (velocity, spin) = (delivery.to_ground(rebound.ball_velocity), delivery.to_ground(rebound.ball_spin));
+        let (velocity, spin) = (
+            delivery.to_ground(rebound.ball_velocity),
+            delivery.to_ground(rebound.ball_spin),
+        );
         // NaN is below nothing: what is not a number does not hold
         let size = velocity.dot(velocity) + spin.dot(spin);
         let launch = Launch { velocity, spin };
@@ -118,6 +127,9 @@ impl<T: Numbers> Unchecked<T> {
             Golfer::Right => launch,
             Golfer::Left => launch.mirrored(),
         };
-        Self { launch, is_sound: is_sound & size.below(f64::MAX) }
+        Self {
+            launch,
+            is_sound: is_sound & size.below(f64::MAX),
+        }
     }
 }

@@ -36,8 +36,8 @@ pub struct Collision<T> {
     pub gear_scale: Option<T>,
 }
 
-/// The closing speed at which the restitution is stated where it depends on the speed: 160 ft/s, that of the USGA's test of
-/// clubs, m/s.
+/// The closing speed at which the restitution is stated where it depends on the speed: 160 ft/s,
+/// that of the USGA's test of clubs, m/s.
 const SPEED_OF_RESTITUTION: f64 = 48.768;
 
 /// The bodies after the collision.
@@ -58,7 +58,12 @@ pub struct Rebound<T> {
 impl<T: Numbers> Collision<T> {
     /// The collision of a head that strikes the ball at a point of its face.
     #[inline(always)]
-    pub(super) fn at(setup: &Setup<T>, head: &Head<T>, delivery: &Delivery<T>, face: &FacePoint<T>) -> Self {
+    pub(super) fn at(
+        setup: &Setup<T>,
+        head: &Head<T>,
+        delivery: &Delivery<T>,
+        face: &FacePoint<T>,
+    ) -> Self {
         let ball = &setup.ball;
         let mut collision = Self {
             club_mass: head.mass,
@@ -66,7 +71,9 @@ impl<T: Numbers> Collision<T> {
             club_velocity: delivery.to_head(delivery.velocity),
             club_spin: delivery.to_head(delivery.closure),
             ball_mass: ball.mass,
-            ball_inertia: ball.inertia.unwrap_or_else(inlined!(|| ball.mass * ball.radius * ball.radius * 0.4)),
+            ball_inertia: ball
+                .inertia
+                .unwrap_or_else(inlined!(|| ball.mass * ball.radius * ball.radius * 0.4)),
             ball_radius: ball.radius,
             contact: face.position,
             normal: face.normal,
@@ -76,12 +83,15 @@ impl<T: Numbers> Collision<T> {
         };
         if setup.speed_of == SpeedOf::FaceCentre {
             // what the face centre moves by beside the centre of mass (docs/model.md, eq. 1a)
-            let turning = T::outlined(inlined!(|| collision.club_spin.cross(head.face_centre(setup.club.loft))));
+            let turning = T::outlined(inlined!(|| collision
+                .club_spin
+                .cross(head.face_centre(setup.club.loft))));
             collision.club_velocity = collision.club_velocity - turning;
         }
         if let Some(slope) = setup.impact.restitution_slope {
             let closing = collision.approach().dot(collision.normal);
-            collision.restitution = collision.restitution + (closing - SPEED_OF_RESTITUTION) * slope;
+            collision.restitution =
+                collision.restitution + (closing - SPEED_OF_RESTITUTION) * slope;
         }
         collision
     }
@@ -105,23 +115,30 @@ impl<T: Numbers> Collision<T> {
         let inertia = SymmetricFactors::new([xx, xy, yy, xz, yz, zz]);
         let columns = self.columns(&inertia);
         let [x, y, z] = columns;
-        ContactSystem { inertia, columns, compliance: SymmetricFactors::new([x.x, x.y, y.y, x.z, y.z, z.z]) }
+        ContactSystem {
+            inertia,
+            columns,
+            compliance: SymmetricFactors::new([x.x, x.y, y.y, x.z, y.z, z.z]),
+        }
     }
 
-    /// The impulse on a ball that sticks to the face, which solves the 3 equations (docs/model.md, eqs. 8–10):
-    /// K J = u⁻ + e (n·u⁻) n + e_t (u⁻ − (n·u⁻) n).
+    /// The impulse on a ball that sticks to the face, which solves the 3 equations (docs/model.md,
+    /// eqs. 8–10): K J = u⁻ + e (n·u⁻) n + e_t (u⁻ − (n·u⁻) n).
     #[inline(always)]
     pub(super) fn sticking(&self, system: &ContactSystem<T>) -> Vector<T> {
         let approach = self.approach();
         let closing = self.normal * approach.dot(self.normal);
-        let wanted = approach + closing * self.restitution + (approach - closing) * self.tangential_restitution;
+        let wanted = approach
+            + closing * self.restitution
+            + (approach - closing) * self.tangential_restitution;
         Vector::from_array(system.compliance.solve(wanted.to_array()))
     }
 
     /// The bodies after the impulse J on the ball.
     #[inline(always)]
     pub(super) fn after(&self, impulse: Vector<T>, system: &ContactSystem<T>) -> Rebound<T> {
-        let turned = Vector::from_array(system.inertia.solve(self.contact.cross(impulse).to_array()));
+        let turned =
+            Vector::from_array(system.inertia.solve(self.contact.cross(impulse).to_array()));
         Rebound {
             impulse,
             ball_velocity: impulse * self.ball_mass.recip(),
@@ -131,18 +148,26 @@ impl<T: Numbers> Collision<T> {
         }
     }
 
-    /// K by columns: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e), the change of the
-    /// contact points' relative velocity that an impulse e takes away.
+    /// K by columns: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e), the change
+    /// of the contact points' relative velocity that an impulse e takes away.
     #[inline(always)]
     fn columns(&self, inertia: &SymmetricFactors<T>) -> [Vector<T>; 3] {
         let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();
         let rolling = self.ball_radius * self.ball_radius / self.ball_inertia;
         let (arm, n, zero) = (self.contact, self.normal, T::zero());
-        // of a unit vector e the product a × e has two of a's components: r_P × e and n × (n × e) = n (n·e) − (n·n) e
-        let turning = [[zero, arm.z, -arm.y], [-arm.z, zero, arm.x], [arm.y, -arm.x, zero]];
+        // of a unit vector e the product a × e has two of a's components: r_P × e and n × (n × e) =
+        // n (n·e) − (n·n) e
+        let turning = [
+            [zero, arm.z, -arm.y],
+            [-arm.z, zero, arm.x],
+            [arm.y, -arm.x, zero],
+        ];
         let mut columns = [n; 3];
         // one after the other, in one place
-        for (column, (arm_cross_e, along)) in columns.iter_mut().zip(turning.into_iter().zip(n.to_array())) {
+        for (column, (arm_cross_e, along)) in columns
+            .iter_mut()
+            .zip(turning.into_iter().zip(n.to_array()))
+        {
             let turned = Vector::from_array(inertia.solve(arm_cross_e));
             *column = turned.cross(arm) - n * (along * rolling);
         }
@@ -152,15 +177,17 @@ impl<T: Numbers> Collision<T> {
         columns[2].z = columns[2].z + squared;
         if let Some(scale) = self.gear_scale {
             let (beyond, turned) = (scale - 1.0, self.turned_along_face(&columns));
-            for ((column, along), turned_along) in columns.iter_mut().zip(n.to_array()).zip(turned.to_array()) {
+            for ((column, along), turned_along) in
+                columns.iter_mut().zip(n.to_array()).zip(turned.to_array())
+            {
                 *column = *column + (turned * along + n * turned_along) * beyond;
             }
         }
         columns
     }
 
-    /// w = K n − (n·K n) n: the velocity along the face that a push along its normal takes away by turning the head, which makes the gear
-    /// effect.
+    /// w = K n − (n·K n) n: the velocity along the face that a push along its normal takes away by
+    /// turning the head, which makes the gear effect.
     #[inline(always)]
     fn turned_along_face(&self, [x, y, z]: &[Vector<T>; 3]) -> Vector<T> {
         let n = self.normal;
@@ -183,14 +210,19 @@ impl<T: Number> Collision<T> {
     /// The collision that a setup's delivery leads to.
     ///
     /// # Errors
-    /// [`Error::OffFace`]; [`Error::Jammed`] where the restitution at this speed is not between 0 and 1.
+    /// [`Error::OffFace`]; [`Error::Jammed`] where the restitution at this speed is not between 0
+    /// and 1.
     #[inline]
     pub fn new(setup: &Setup<T>, delivery: &Delivery<T>) -> Result<Self> {
-        let (head, face) = (Head::new(&setup.club), FacePoint::new(&setup.club, &setup.strike)?);
+        let (head, face) = (
+            Head::new(&setup.club),
+            FacePoint::new(&setup.club, &setup.strike)?,
+        );
         let collision = Self::at(setup, &head, delivery, &face);
         if setup.impact.restitution_slope.is_some() && !collision.has_restitution() {
             return Err(jammed(&format!(
-                "the restitution at the closing speed of {:.3} m/s would be {:.5}, which must be between 0 and 1; check \
+                "the restitution at the closing speed of {:.3} m/s would be {:.5}, which must be \
+                 between 0 and 1; check \
                  impact.restitution, impact.restitution_slope and swing.speed",
                 collision.approach().dot(collision.normal).re(),
                 collision.restitution.re()
@@ -222,11 +254,14 @@ impl<T: Number> Collision<T> {
     pub(super) fn checked_system(&self) -> Result<ContactSystem<T>> {
         let system = self.contact_system();
         if !system.inertia.is_positive() {
-            return Err(jammed("the head's inertia tensor is not positive definite; check club.inertia"));
+            return Err(jammed(
+                "the head's inertia tensor is not positive definite; check club.inertia",
+            ));
         }
         if !system.compliance.is_positive() {
             return Err(jammed(
-                "the contact's 3 × 3 system is singular; check club.mass, club.inertia, ball.mass and ball.inertia",
+                "the contact's 3 × 3 system is singular; check club.mass, club.inertia, ball.mass \
+                 and ball.inertia",
             ));
         }
         Ok(system)
@@ -238,7 +273,8 @@ impl<T: Number> Collision<T> {
         let push = impulse.dot(self.normal).re();
         if push <= 0.0 || push.is_nan() {
             return Err(jammed(&format!(
-                "the impulse along the face normal would be {} N s, which must be above 0; check strike.high, strike.toe, \
+                "the impulse along the face normal would be {} N s, which must be above 0; check \
+                 strike.high, strike.toe, \
                  club.inertia and impact.tangential_restitution",
                 significant(push, 3)
             )));
@@ -246,9 +282,10 @@ impl<T: Number> Collision<T> {
         Ok(impulse)
     }
 
-    /// The same collision from Winfield & Tan's 15 equations in 15 unknowns: 12 generalized speeds and 3
-    /// components of the impulse R on the club; 12 equations of momentum (their eq. 15), restitution (18)
-    /// and no slip (19, 20). Slower by two orders: the oracle of [`by_impulse`](Self::by_impulse).
+    /// The same collision from Winfield & Tan's 15 equations in 15 unknowns: 12 generalized speeds
+    /// and 3 components of the impulse R on the club; 12 equations of momentum (their eq. 15),
+    /// restitution (18) and no slip (19, 20). Slower by two orders: the oracle of
+    /// [`by_impulse`](Self::by_impulse).
     ///
     /// # Errors
     /// [`Error::Jammed`] where the system is singular.
@@ -260,7 +297,9 @@ impl<T: Number> Collision<T> {
         const IMPULSE: usize = 12;
         const CONTACT: usize = 12;
         let axes: [Vector<T>; 3] = std::array::from_fn(|k| {
-            Vector::from_array(std::array::from_fn(|i| T::constant(f64::from(u8::from(i == k)))))
+            Vector::from_array(std::array::from_fn(|i| {
+                T::constant(f64::from(u8::from(i == k)))
+            }))
         });
         let to_ball_surface = -self.normal * self.ball_radius;
         let mut a = [[T::zero(); 15]; 15];
@@ -306,14 +345,20 @@ impl<T: Number> Collision<T> {
             b[CONTACT + row] = -coefficient * approach.dot(direction);
         }
 
-        // of the velocities along the face, (g − 1) of what the turning of the head gives (docs/model.md, eq. 9a)
+        // of the velocities along the face, (g − 1) of what the turning of the head gives
+        // (docs/model.md, eq. 9a)
         if let Some(scale) = self.gear_scale {
-            let rigid = Self { gear_scale: None, ..*self };
+            let rigid = Self {
+                gear_scale: None,
+                ..*self
+            };
             let turned = rigid.turned_along_face(&rigid.contact_system().columns);
             for (row, direction) in [self.normal, first, second].into_iter().enumerate() {
-                let more = self.normal * direction.dot(turned) + turned * direction.dot(self.normal);
+                let more =
+                    self.normal * direction.dot(turned) + turned * direction.dot(self.normal);
                 for (i, part) in more.to_array().into_iter().enumerate() {
-                    a[CONTACT + row][IMPULSE + i] = a[CONTACT + row][IMPULSE + i] + part * (scale - 1.0);
+                    a[CONTACT + row][IMPULSE + i] =
+                        a[CONTACT + row][IMPULSE + i] + part * (scale - 1.0);
                 }
             }
         }
@@ -333,13 +378,18 @@ impl<T: Number> Collision<T> {
     fn tangents(&self) -> [Vector<T>; 2] {
         let n = self.normal;
         // turn about whichever axis the normal is farther from
-        let across =
-            if n.y.re().abs() < 0.9 { Vector::new(n.z, T::zero(), -n.x) } else { Vector::new(T::zero(), n.z, -n.y) };
+        let across = if n.y.re().abs() < 0.9 {
+            Vector::new(n.z, T::zero(), -n.x)
+        } else {
+            Vector::new(T::zero(), n.z, -n.y)
+        };
         let first = across * across.norm().recip();
         [first, n.cross(first)]
     }
 }
 
 pub(super) fn jammed(reason: &str) -> Error {
-    Error::Jammed { reason: reason.into() }
+    Error::Jammed {
+        reason: reason.into(),
+    }
 }

@@ -1,6 +1,7 @@
 use super::{Jet, Number};
 
-/// A number whose derivatives are read by direction: those of the outer jet first, then those of the jets it is made of.
+/// A number whose derivatives are read by direction: those of the outer jet first, then those of
+/// the jets it is made of.
 pub(crate) trait Derivatives: Number {
     /// First derivative in a direction.
     fn first(&self, direction: usize) -> f64;
@@ -20,7 +21,11 @@ impl Derivatives for f64 {
 
 impl<const K: usize, B: Derivatives> Derivatives for Jet<K, B> {
     fn first(&self, direction: usize) -> f64 {
-        if direction < K { self.gradient[direction].re() } else { self.re.first(direction - K) }
+        if direction < K {
+            self.gradient[direction].re()
+        } else {
+            self.re.first(direction - K)
+        }
     }
 
     fn second(&self) -> f64 {

@@ -43,8 +43,16 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
         num_dual::DualStruct::re(&self).is_finite()
     }
     #[inline(always)]
-    fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N] {
-        place(num_dual::DualStruct::re(&self), num_dual::DualStruct::re(&other)).map(D::from)
+    fn looked_up<const N: usize>(
+        self,
+        other: Self,
+        place: impl Fn(f64, f64) -> &'static [f64; N],
+    ) -> [Self; N] {
+        place(
+            num_dual::DualStruct::re(&self),
+            num_dual::DualStruct::re(&other),
+        )
+        .map(D::from)
     }
     #[inline(always)]
     fn tanh(self) -> Self {

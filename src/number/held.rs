@@ -1,7 +1,7 @@
 use super::{Numbers, inlined};
 
-/// Beyond what a formula is good for its variable is held: `x` up to `end`, then a way with two continuous derivatives to
-/// `end + over/2`, which it reaches at `end + over` and keeps.
+/// Beyond what a formula is good for its variable is held: `x` up to `end`, then a way with two
+/// continuous derivatives to `end + over/2`, which it reaches at `end + over` and keeps.
 #[inline(always)]
 pub(crate) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
     T::choose(
@@ -11,7 +11,8 @@ pub(crate) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
             let beyond = (x - end) * (1.0 / over);
             let u = beyond.blend(T::constant(1.0), beyond.below(1.0));
             let square = u * u;
-            // its slope is (1 − u)² (1 + 2u): 1 and without bend at u = 0, 0 and without bend at u = 1
+            // its slope is (1 − u)² (1 + 2u): 1 and without bend at u = 0, 0 and without bend at u
+            // = 1
             (square * square).scale_add(0.5, u - u * square) * over + end
         }),
     )
@@ -23,7 +24,8 @@ pub(crate) fn held_below<T: Numbers>(x: T, end: f64, over: f64) -> T {
     -held_above(-x, -end, over)
 }
 
-/// 0 up to `start`, 1 from `start + over` on, and between them a way with two continuous derivatives.
+/// 0 up to `start`, 1 from `start + over` on, and between them a way with two continuous
+/// derivatives.
 #[inline(always)]
 pub(crate) fn smooth_step<T: Numbers>(x: T, start: f64, over: f64) -> T {
     let u = (x - start) * (1.0 / over);
@@ -47,19 +49,36 @@ mod tests {
             let [a, b] = [end * (1.0 - 1e-12), end * (1.0 + 1e-12)].map(f);
             (a.re - b.re).abs() < 1e-11 && (a.v1 - b.v1).abs() < 1e-10 && (a.v2 - b.v2).abs() < 1e-9
         };
-        assert!(is_smooth(&above, 0.3) && is_smooth(&above, 0.5) && is_smooth(&rise, 0.2) && is_smooth(&rise, 0.6));
+        assert!(
+            is_smooth(&above, 0.3)
+                && is_smooth(&above, 0.5)
+                && is_smooth(&rise, 0.2)
+                && is_smooth(&rise, 0.6)
+        );
         let told = |found: Dual2_64| (found.re, found.v1, found.v2);
         assert_eq!(
-            (told(above(0.25)), told(rise(-1.0)), rise(0.4).re, told(rise(7.0))),
+            (
+                told(above(0.25)),
+                told(rise(-1.0)),
+                rise(0.4).re,
+                told(rise(7.0))
+            ),
             ((0.25, 1.0, 0.0), (0.0, 0.0, 0.0), 0.5, (1.0, 0.0, 0.0))
         );
         for x in [0.5, 0.7, 1e9] {
             let there = above(x);
-            assert!((there.re - 0.4).abs() < 1e-15 && there.v1 == 0.0 && there.v2 == 0.0, "{there:?}");
+            assert!(
+                (there.re - 0.4).abs() < 1e-15 && there.v1 == 0.0 && there.v2 == 0.0,
+                "{there:?}"
+            );
         }
         for x in [0.1, 0.33, 0.42, 0.8] {
             let mirrored = below(-x);
-            assert_eq!(told(above(x)), (-mirrored.re, mirrored.v1, -mirrored.v2), "{x}");
+            assert_eq!(
+                told(above(x)),
+                (-mirrored.re, mirrored.v1, -mirrored.v2),
+                "{x}"
+            );
         }
     }
 }

@@ -1,14 +1,15 @@
 //! Dual numbers of a fixed number of directions, held in plain arrays or in vector registers.
 //!
-//! num-dual keeps its vectors of derivatives in an `Option`, which saves work where much is constant but costs
-//! a branch and a copy in every operation: through a flight, two to three times these. Its types are the
-//! oracle these are tested against.
+//! num-dual keeps its vectors of derivatives in an `Option`, which saves work where much is
+//! constant but costs a branch and a copy in every operation: through a flight, two to three times
+//! these. Its types are the oracle these are tested against.
 
 use super::{Number, Numbers, inlined};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `each!(self, i: K => expression)`: `expression` for each index `i` of the gradient of `self`. The first three are unrolled by hand: loops of one
-/// to three rounds took two thirds of the time of compiling.
+/// `each!(self, i: K => expression)`: `expression` for each index `i` of the gradient of `self`.
+/// The first three are unrolled by hand: loops of one to three rounds took two thirds of the time
+/// of compiling.
 macro_rules! each {
     ($self:ident, $i:ident : $K:expr => $value:expr) => {{
         let mut all = $self.gradient;
@@ -38,11 +39,15 @@ macro_rules! each {
 /// An array of equal numbers, without a loop up to three.
 #[inline(always)]
 fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
-    [number, number, number].first_chunk().copied().unwrap_or([number; K])
+    [number, number, number]
+        .first_chunk()
+        .copied()
+        .unwrap_or([number; K])
 }
 
-/// A value with its first derivatives in `K` directions. `Jet<2>` holds plain numbers; where `B` is lanes, as many drives, or
-/// directions of one, lie side by side. A jet over a jet holds second derivatives: [`Jet<1, Jet<1>>`](Mixed) one of them.
+/// A value with its first derivatives in `K` directions. `Jet<2>` holds plain numbers; where `B` is
+/// lanes, as many drives, or directions of one, lie side by side. A jet over a jet holds second
+/// derivatives: [`Jet<1, Jet<1>>`](Mixed) one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const K: usize, B = f64> {
     /// The value.
@@ -60,7 +65,10 @@ impl<const K: usize, B: Numbers> Jet<K, B> {
     /// # Panics
     /// Where there is no such direction.
     pub fn variable(re: B, direction: usize) -> Self {
-        let mut jet = Self { re, gradient: filled(B::zero()) };
+        let mut jet = Self {
+            re,
+            gradient: filled(B::zero()),
+        };
         jet.gradient[direction] = B::constant(1.0);
         jet
     }
@@ -68,7 +76,10 @@ impl<const K: usize, B: Numbers> Jet<K, B> {
     /// Chain rule: f(x) from f(x.re) and f′(x.re).
     #[inline(always)]
     fn chain(self, f: B, slope: B) -> Self {
-        Self { re: f, gradient: each!(self, i: K => self.gradient[i] * slope) }
+        Self {
+            re: f,
+            gradient: each!(self, i: K => self.gradient[i] * slope),
+        }
     }
 }
 
@@ -76,7 +87,10 @@ impl<const K: usize, B: Numbers> Add for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self { re: self.re + other.re, gradient: each!(self, i: K => self.gradient[i] + other.gradient[i]) }
+        Self {
+            re: self.re + other.re,
+            gradient: each!(self, i: K => self.gradient[i] + other.gradient[i]),
+        }
     }
 }
 
@@ -84,7 +98,10 @@ impl<const K: usize, B: Numbers> Sub for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self { re: self.re - other.re, gradient: each!(self, i: K => self.gradient[i] - other.gradient[i]) }
+        Self {
+            re: self.re - other.re,
+            gradient: each!(self, i: K => self.gradient[i] - other.gradient[i]),
+        }
     }
 }
 
@@ -92,8 +109,12 @@ impl<const K: usize, B: Numbers> Mul for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let product = each!(self, i: K => self.gradient[i].mul_add(other.re, other.gradient[i] * self.re));
-        Self { re: self.re * other.re, gradient: product }
+        let product =
+            each!(self, i: K => self.gradient[i].mul_add(other.re, other.gradient[i] * self.re));
+        Self {
+            re: self.re * other.re,
+            gradient: product,
+        }
     }
 }
 
@@ -103,8 +124,12 @@ impl<const K: usize, B: Numbers> Div for Jet<K, B> {
     fn div(self, other: Self) -> Self {
         let inverse = other.re.recip();
         let re = self.re * inverse;
-        let change = each!(self, i: K => other.gradient[i].mul_add(-re, self.gradient[i]) * inverse);
-        Self { re, gradient: change }
+        let change =
+            each!(self, i: K => other.gradient[i].mul_add(-re, self.gradient[i]) * inverse);
+        Self {
+            re,
+            gradient: change,
+        }
     }
 }
 
@@ -112,7 +137,10 @@ impl<const K: usize, B: Numbers> Neg for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self { re: -self.re, gradient: each!(self, i: K => -self.gradient[i]) }
+        Self {
+            re: -self.re,
+            gradient: each!(self, i: K => -self.gradient[i]),
+        }
     }
 }
 
@@ -120,7 +148,10 @@ impl<const K: usize, B: Numbers> Add<f64> for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: f64) -> Self {
-        Self { re: self.re + other, ..self }
+        Self {
+            re: self.re + other,
+            ..self
+        }
     }
 }
 
@@ -128,7 +159,10 @@ impl<const K: usize, B: Numbers> Sub<f64> for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: f64) -> Self {
-        Self { re: self.re - other, ..self }
+        Self {
+            re: self.re - other,
+            ..self
+        }
     }
 }
 
@@ -136,7 +170,10 @@ impl<const K: usize, B: Numbers> Mul<f64> for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
-        Self { re: self.re * other, gradient: each!(self, i: K => self.gradient[i] * other) }
+        Self {
+            re: self.re * other,
+            gradient: each!(self, i: K => self.gradient[i] * other),
+        }
     }
 }
 
@@ -153,7 +190,10 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
-        Self { re: B::constant(value), gradient: filled(B::zero()) }
+        Self {
+            re: B::constant(value),
+            gradient: filled(B::zero()),
+        }
     }
     #[inline(always)]
     fn recip(self) -> Self {
@@ -169,7 +209,10 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
     fn sqrt_recip(self) -> (Self, Self) {
         let (f, inverse) = self.re.sqrt_recip();
         let slope = inverse * 0.5;
-        (self.chain(f, slope), self.chain(inverse, -(slope * inverse * inverse)))
+        (
+            self.chain(f, slope),
+            self.chain(inverse, -(slope * inverse * inverse)),
+        )
     }
     #[inline(always)]
     fn exp(self) -> Self {
@@ -206,18 +249,28 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
     #[inline(always)]
     fn blend(self, other: Self, mask: Self::Mask) -> Self {
         let gradient = each!(self, i: K => self.gradient[i].blend(other.gradient[i], mask));
-        Self { re: self.re.blend(other.re, mask), gradient }
+        Self {
+            re: self.re.blend(other.re, mask),
+            gradient,
+        }
     }
     #[inline(always)]
     fn without_derivatives(self) -> Self {
-        Self { re: self.re.without_derivatives(), gradient: filled(B::zero()) }
+        Self {
+            re: self.re.without_derivatives(),
+            gradient: filled(B::zero()),
+        }
     }
     #[inline(always)]
     fn is_finite(self) -> Self::Mask {
         self.re.is_finite()
     }
     #[inline(always)]
-    fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N] {
+    fn looked_up<const N: usize>(
+        self,
+        other: Self,
+        place: impl Fn(f64, f64) -> &'static [f64; N],
+    ) -> [Self; N] {
         let found = self.re.looked_up(other.re, place);
         let mut all = [Self::zero(); N];
         let mut i = 0;

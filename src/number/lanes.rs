@@ -1,6 +1,7 @@
 use super::{Jet, Number, Numbers, inlined};
 
-/// Several numbers side by side: of drives next to each other, or of one drive, each with derivatives in directions of its own.
+/// Several numbers side by side: of drives next to each other, or of one drive, each with
+/// derivatives in directions of its own.
 pub(crate) trait Lanes: Numbers {
     /// How many.
     const WIDTH: usize;
@@ -9,14 +10,17 @@ pub(crate) trait Lanes: Numbers {
 
     /// The number in a lane.
     fn lane(self, i: usize) -> Self::Lane;
-    /// Numbers with these values in lanes 0, 1, 2 … and without derivatives; `f` is asked for each of them.
+    /// Numbers with these values in lanes 0, 1, 2 … and without derivatives; `f` is asked for each
+    /// of them.
     fn with_values(f: impl FnMut(usize) -> f64) -> Self;
-    /// These values as independent variables: the derivative in direction d is 1 in the lanes of `changes_in(d)`, else 0. The directions of an outer jet
-    /// are numbered from `first` on, those of the jets it is made of follow.
+    /// These values as independent variables: the derivative in direction d is 1 in the lanes of
+    /// `changes_in(d)`, else 0. The directions of an outer jet are numbered from `first` on, those
+    /// of the jets it is made of follow.
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
 }
 
-/// Reads the numbers in a lane. Whoever reads a drive's outcomes out of lanes reads them with this, so that they are compiled once.
+/// Reads the numbers in a lane. Whoever reads a drive's outcomes out of lanes reads them with this,
+/// so that they are compiled once.
 #[inline(always)]
 pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
     inlined!(move |number: J| number.lane(lane))
@@ -53,15 +57,24 @@ impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
             gradient[k] = self.gradient[k].lane(i);
             k += 1;
         }
-        Jet { re: self.re.lane(i), gradient }
+        Jet {
+            re: self.re.lane(i),
+            gradient,
+        }
     }
     #[inline(always)]
     fn with_values(f: impl FnMut(usize) -> f64) -> Self {
-        Self { re: B::with_values(f), gradient: [B::zero(); K] }
+        Self {
+            re: B::with_values(f),
+            gradient: [B::zero(); K],
+        }
     }
     #[inline(always)]
     fn seeded(self, changes_in: &impl Fn(usize) -> B::Mask, first: usize) -> Self {
-        let mut jet = Self { re: self.re.seeded(changes_in, first + K), gradient: self.gradient };
+        let mut jet = Self {
+            re: self.re.seeded(changes_in, first + K),
+            gradient: self.gradient,
+        };
         for (k, change) in jet.gradient.iter_mut().enumerate() {
             *change = B::constant(1.0).blend(B::zero(), changes_in(first + k));
         }

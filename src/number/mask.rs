@@ -2,7 +2,9 @@ use std::fmt::Debug;
 use std::ops::{BitAnd, BitOr, Not};
 
 /// The answers to a comparison of several numbers.
-pub trait Mask: Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+pub trait Mask:
+    Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
     /// Whether it holds for each.
     fn all(self) -> bool;
     /// Whether it holds for one at least.

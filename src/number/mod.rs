@@ -1,9 +1,10 @@
 //! The numbers the physics is written over.
 //!
-//! [`Numbers`] lists the few operations that a drive needs, [`Number`] adds that there is one value to look at.
-//! One implementation is for every [`num_dual::DualNum`] over `f64`: for `f64` itself (plain values) and for each of
-//! num-dual's dual numbers (values with exact derivatives). [`Jet`], which carries derivatives and, over itself, second
-//! derivatives, and the lanes, which hold several drives, or several directions of one, side by side, have implementations of their own.
+//! [`Numbers`] lists the few operations that a drive needs, [`Number`] adds that there is one value
+//! to look at. One implementation is for every [`num_dual::DualNum`] over `f64`: for `f64` itself
+//! (plain values) and for each of num-dual's dual numbers (values with exact derivatives). [`Jet`],
+//! which carries derivatives and, over itself, second derivatives, and the lanes, which hold
+//! several drives, or several directions of one, side by side, have implementations of their own.
 
 mod derivatives;
 mod dual;
@@ -34,18 +35,26 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The four operations with a right-hand side `R`.
 pub trait Arithmetic<R>:
-    Sized + Add<R, Output = Self> + Sub<R, Output = Self> + Mul<R, Output = Self> + Div<R, Output = Self>
+    Sized
+    + Add<R, Output = Self>
+    + Sub<R, Output = Self>
+    + Mul<R, Output = Self>
+    + Div<R, Output = Self>
 {
 }
 
-impl<T, R> Arithmetic<R> for T where T: Add<R, Output = T> + Sub<R, Output = T> + Mul<R, Output = T> + Div<R, Output = T>
-{}
+impl<T, R> Arithmetic<R> for T where
+    T: Add<R, Output = T> + Sub<R, Output = T> + Mul<R, Output = T> + Div<R, Output = T>
+{
+}
 
 /// A real number, possibly carrying derivatives, or several of them side by side.
 ///
-/// Where there may be several, there is no one value to branch on: a formula that changes its form asks
-/// [`below`](Numbers::below) and [`choose`](Numbers::choose)s.
-pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self> + Arithmetic<f64> {
+/// Where there may be several, there is no one value to branch on: a formula that changes its form
+/// asks [`below`](Numbers::below) and [`choose`](Numbers::choose)s.
+pub trait Numbers:
+    Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self> + Arithmetic<f64>
+{
     /// The answer to a comparison: `bool`, or one for each of several.
     type Mask: Mask;
 
@@ -69,12 +78,18 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn below(self, limit: f64) -> Self::Mask;
     /// `self` where the mask holds, `other` where it does not.
     fn blend(self, other: Self, mask: Self::Mask) -> Self;
-    /// The value without its derivatives: what is not to be differentiated costs no more than over plain numbers.
+    /// The value without its derivatives: what is not to be differentiated costs no more than over
+    /// plain numbers.
     fn without_derivatives(self) -> Self;
     /// Whether the value, and that of each of several, is finite.
     fn is_finite(self) -> Self::Mask;
-    /// The constants of a table at (`self`, `other`), looked up lane by lane; they have no derivatives.
-    fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N];
+    /// The constants of a table at (`self`, `other`), looked up lane by lane; they have no
+    /// derivatives.
+    fn looked_up<const N: usize>(
+        self,
+        other: Self,
+        place: impl Fn(f64, f64) -> &'static [f64; N],
+    ) -> [Self; N];
 
     /// Zero.
     #[inline(always)]
@@ -114,8 +129,9 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
         }
     }
 
-    /// Does `work` in a function of its own, compiled for the instructions of this number: for code too large to inline at each use. (`FnMut`,
-    /// since a `FnOnce` is called through a function that no attribute reaches.)
+    /// Does `work` in a function of its own, compiled for the instructions of this number: for code
+    /// too large to inline at each use. (`FnMut`, since a `FnOnce` is called through a function
+    /// that no attribute reaches.)
     #[inline(always)]
     fn outlined<R>(work: impl FnMut() -> R) -> R {
         outlined::plain::outlined(work)
@@ -165,7 +181,11 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
         }
         let is_nonzero = self.below(0.0) | (-self).below(0.0);
         // 2 f64::MAX is infinite, but 0 times each factor is 0
-        Self::choose(is_nonzero, power, inlined!(|| self.powi(a.ceil() as u32) * f64::MAX * 2.0))
+        Self::choose(
+            is_nonzero,
+            power,
+            inlined!(|| self.powi(a.ceil() as u32) * f64::MAX * 2.0),
+        )
     }
 
     /// tanh x, finite for every x (sinh/cosh overflows).
@@ -174,8 +194,8 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
 
 /// A real number, possibly carrying derivatives, with one value to look at.
 ///
-/// Branches and iterations look at [`re`](Number::re) only, so that a drive takes the same path whatever
-/// it is evaluated over.
+/// Branches and iterations look at [`re`](Number::re) only, so that a drive takes the same path
+/// whatever it is evaluated over.
 ///
 /// ```
 /// use longdrive::number::Number;
@@ -191,8 +211,9 @@ pub trait Number: Numbers<Mask = bool> {
     /// The value, without derivatives.
     fn re(self) -> f64;
 
-    /// The angle of the point (x, y), with `self` as y. The derivatives are exact in every direction, also
-    /// along the axes: the point is turned onto the positive x-axis first. At the origin there is no angle.
+    /// The angle of the point (x, y), with `self` as y. The derivatives are exact in every
+    /// direction, also along the axes: the point is turned onto the positive x-axis first. At the
+    /// origin there is no angle.
     #[inline]
     fn atan2(self, x: Self) -> Self {
         let angle = self.re().atan2(x.re());

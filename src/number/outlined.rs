@@ -1,5 +1,6 @@
-//! [`Numbers::outlined`](super::Numbers::outlined) at each level: a function that is not inlined uses only the instructions that its own
-//! `target_feature` names. There is a module for each level, so that they are compiled in parallel.
+//! [`Numbers::outlined`](super::Numbers::outlined) at each level: a function that is not inlined
+//! uses only the instructions that its own `target_feature` names. There is a module for each
+//! level, so that they are compiled in parallel.
 
 macro_rules! outlined {
     ($level:ident $(: $features:literal)?) => {

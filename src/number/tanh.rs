@@ -3,8 +3,8 @@ use super::{Numbers, inlined};
 /// x² up to which tanh x is a polynomial: beyond every spin ratio that a law of drag caps this way.
 const MOST_SQUARED: f64 = 0.5;
 
-/// tanh(x)/x − 1 over x², by powers of x²: interpolated where Chebyshev's polynomial of degree 12 is 0 over [0, ½] (computed with 60
-/// digits), within 1e-17.
+/// tanh(x)/x − 1 over x², by powers of x²: interpolated where Chebyshev's polynomial of degree 12
+/// is 0 over [0, ½] (computed with 60 digits), within 1e-17.
 const COEFFICIENTS: [f64; 12] = [
     -0.33333333333333326,
     0.13333333333329847,
@@ -20,11 +20,16 @@ const COEFFICIENTS: [f64; 12] = [
     5.1287079738925226e-06,
 ];
 
-/// tanh x: a polynomial where x is small, and what is finite for every x (sinh/cosh overflows) beyond.
+/// tanh x: a polynomial where x is small, and what is finite for every x (sinh/cosh overflows)
+/// beyond.
 #[inline(always)]
 pub(super) fn tanh<T: Numbers>(x: T) -> T {
     let square = x * x;
-    T::choose(square.below(MOST_SQUARED), inlined!(|| small(x, square)), inlined!(|| large(x)))
+    T::choose(
+        square.below(MOST_SQUARED),
+        inlined!(|| small(x, square)),
+        inlined!(|| large(x)),
+    )
 }
 
 #[inline(always)]
@@ -37,7 +42,9 @@ fn small<T: Numbers>(x: T, y: T) -> T {
     let low = pair(c2, c3).mul_add(y2, pair(c0, c1));
     let middle = pair(c6, c7).mul_add(y2, pair(c4, c5));
     let high = pair(c10, c11).mul_add(y2, pair(c8, c9));
-    high.mul_add(y4, middle).mul_add(y4, low).mul_add(x_cubed, x)
+    high.mul_add(y4, middle)
+        .mul_add(y4, low)
+        .mul_add(x_cubed, x)
 }
 
 #[inline(always)]

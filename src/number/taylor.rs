@@ -12,7 +12,11 @@ pub struct Taylor {
 impl Taylor {
     /// 0, with so many first derivatives and rows of second ones.
     pub(crate) fn zero(columns: usize, rows: usize) -> Self {
-        Self { value: 0.0, gradient: vec![0.0; columns], hessian: vec![vec![0.0; columns]; rows] }
+        Self {
+            value: 0.0,
+            gradient: vec![0.0; columns],
+            hessian: vec![vec![0.0; columns]; rows],
+        }
     }
 
     /// Whether the value and every derivative is finite.
@@ -21,23 +25,37 @@ impl Taylor {
         self.value.is_finite() && derivatives.all(|d| d.is_finite())
     }
 
-    /// Whether there are as many derivatives as there are of something else, second ones too where there are any.
+    /// Whether there are as many derivatives as there are of something else, second ones too where
+    /// there are any.
     ///
     /// # Panics
     /// Where there are not, with both numbers.
     #[track_caller]
     pub(crate) fn expect_derivatives_by(&self, count: usize, of_what: &str) {
-        let (first, rows) = (self.gradient.len(), self.hessian.iter().map(Vec::len).collect::<Vec<_>>());
-        assert!(first == count, "there are {count} {of_what}, and {first} derivatives");
+        let (first, rows) = (
+            self.gradient.len(),
+            self.hessian.iter().map(Vec::len).collect::<Vec<_>>(),
+        );
+        assert!(
+            first == count,
+            "there are {count} {of_what}, and {first} derivatives"
+        );
         let is_square = rows.is_empty() || rows == vec![count; count];
-        assert!(is_square, "there are {count} {of_what}, and second derivatives in rows of {rows:?}");
+        assert!(
+            is_square,
+            "there are {count} {of_what}, and second derivatives in rows of {rows:?}"
+        );
     }
 
     /// The function with the opposite sign.
     #[must_use]
     pub fn negated(mut self) -> Self {
         self.value = -self.value;
-        for d in self.gradient.iter_mut().chain(self.hessian.iter_mut().flatten()) {
+        for d in self
+            .gradient
+            .iter_mut()
+            .chain(self.hessian.iter_mut().flatten())
+        {
             *d = -*d;
         }
         self
@@ -50,17 +68,24 @@ impl Taylor {
     pub fn sum<'a>(terms: impl IntoIterator<Item = (&'a Self, f64)>) -> Self {
         let mut all: Option<Self> = None;
         for (term, weight) in terms {
-            let sum = all.get_or_insert_with(|| Self::zero(term.gradient.len(), term.hessian.len()));
+            let sum =
+                all.get_or_insert_with(|| Self::zero(term.gradient.len(), term.hessian.len()));
             term.expect_derivatives_by(sum.gradient.len(), "derivatives of the first term");
             let [first, this] = [sum.hessian.len(), term.hessian.len()];
             assert!(
                 first == this,
-                "there are {first} rows of second derivatives of the first term, and {this} of another"
+                "there are {first} rows of second derivatives of the first term, and {this} of \
+                 another"
             );
             sum.value += weight * term.value;
-            sum.gradient.iter_mut().zip(&term.gradient).for_each(|(sum, d)| *sum += weight * d);
+            sum.gradient
+                .iter_mut()
+                .zip(&term.gradient)
+                .for_each(|(sum, d)| *sum += weight * d);
             for (sum, row) in sum.hessian.iter_mut().zip(&term.hessian) {
-                sum.iter_mut().zip(row).for_each(|(sum, d)| *sum += weight * d);
+                sum.iter_mut()
+                    .zip(row)
+                    .for_each(|(sum, d)| *sum += weight * d);
             }
         }
         all.unwrap_or_default()

@@ -45,7 +45,8 @@ impl<T: Numbers> Vector<T> {
     /// Scalar product.
     #[inline(always)]
     pub fn dot(self, other: Self) -> T {
-        self.x.mul_add(other.x, self.y.mul_add(other.y, self.z * other.z))
+        self.x
+            .mul_add(other.x, self.y.mul_add(other.y, self.z * other.z))
     }
 
     /// Vector product.
@@ -61,13 +62,21 @@ impl<T: Numbers> Vector<T> {
     /// k v + b with a plain factor.
     #[inline(always)]
     pub(crate) fn scale_add(self, k: f64, b: Self) -> Self {
-        Self::new(self.x.scale_add(k, b.x), self.y.scale_add(k, b.y), self.z.scale_add(k, b.z))
+        Self::new(
+            self.x.scale_add(k, b.x),
+            self.y.scale_add(k, b.y),
+            self.z.scale_add(k, b.z),
+        )
     }
 
     /// `self` where the mask holds, `other` where it does not.
     #[inline(always)]
     pub(crate) fn blend(self, other: Self, mask: T::Mask) -> Self {
-        Self::new(self.x.blend(other.x, mask), self.y.blend(other.y, mask), self.z.blend(other.z, mask))
+        Self::new(
+            self.x.blend(other.x, mask),
+            self.y.blend(other.y, mask),
+            self.z.blend(other.z, mask),
+        )
     }
 
     /// Euclidean length. Its derivative does not exist at zero length.

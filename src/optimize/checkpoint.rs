@@ -21,8 +21,8 @@ pub enum Run {
     Going(Box<Snapshot>),
 }
 
-/// Searches of one question, kept in a file that is whole at every moment: each state is written beside it and put in
-/// its place at once.
+/// Searches of one question, kept in a file that is whole at every moment: each state is written
+/// beside it and put in its place at once.
 #[derive(Debug)]
 pub struct Checkpoint {
     path: PathBuf,
@@ -40,12 +40,18 @@ impl Checkpoint {
     /// The checkpoint in a file, with what it holds; a new one where there is no such file.
     ///
     /// # Errors
-    /// [`Error::Checkpoint`] for a file that cannot be read, is none of this kind, or belongs to another question.
+    /// [`Error::Checkpoint`] for a file that cannot be read, is none of this kind, or belongs to
+    /// another question.
     pub fn open(path: &Path, question: &str) -> Result<Self> {
-        let refuse = |reason: String| Error::Checkpoint { file: path.display().to_string(), reason };
+        let refuse = |reason: String| Error::Checkpoint {
+            file: path.display().to_string(),
+            reason,
+        };
         if std::fs::metadata(path).is_ok_and(|found| !found.is_file()) {
             return Err(refuse(
-                "it is not a file; name a file that does not exist yet, or the checkpoint of an earlier search".into(),
+                "it is not a file; name a file that does not exist yet, or the checkpoint of an \
+                 earlier search"
+                    .into(),
             ));
         }
         let text = match std::fs::read_to_string(path) {
@@ -55,16 +61,26 @@ impl Checkpoint {
         };
         let content = match &text {
             Some(text) => serde_json::from_str(text).map_err(|_| {
-                refuse("it is not a checkpoint of a search, or it is damaged; name another file".into())
+                refuse(
+                    "it is not a checkpoint of a search, or it is damaged; name another file"
+                        .into(),
+                )
             })?,
-            None => Content { question: question.into(), runs: BTreeMap::new() },
+            None => Content {
+                question: question.into(),
+                runs: BTreeMap::new(),
+            },
         };
         if content.question != question {
-            let reason = "it belongs to another question (setup, search or options differ); name another file, or \
+            let reason = "it belongs to another question (setup, search or options differ); name \
+                          another file, or \
                           remove it to start again";
             return Err(refuse(reason.into()));
         }
-        let checkpoint = Self { path: path.into(), content: Mutex::new(content) };
+        let checkpoint = Self {
+            path: path.into(),
+            content: Mutex::new(content),
+        };
         // what cannot be written is told now, not after hours
         checkpoint.write(&checkpoint.lock(), text.is_some())?;
         Ok(checkpoint)
@@ -77,7 +93,11 @@ impl Checkpoint {
 
     /// Searches that have ended.
     pub fn done(&self) -> usize {
-        self.lock().runs.values().filter(|run| matches!(run, Run::Done(_))).count()
+        self.lock()
+            .runs
+            .values()
+            .filter(|run| matches!(run, Run::Done(_)))
+            .count()
     }
 
     /// Keeps a search.
@@ -99,16 +119,30 @@ impl Checkpoint {
         written().map_err(|error| {
             let folder = folder_of(&self.path);
             let reason = match error.kind() {
-                ErrorKind::AlreadyExists => "another search has begun it at this moment; name another file".into(),
-                _ if !folder.is_dir() => format!("it cannot be written: there is no folder '{}'", folder.display()),
-                _ => format!("it cannot be written ({}); name another place", of_write(&error)),
+                ErrorKind::AlreadyExists => {
+                    "another search has begun it at this moment; name another file".into()
+                }
+                _ if !folder.is_dir() => format!(
+                    "it cannot be written: there is no folder '{}'",
+                    folder.display()
+                ),
+                _ => format!(
+                    "it cannot be written ({}); name another place",
+                    of_write(&error)
+                ),
             };
-            Error::Checkpoint { file: self.path.display().to_string(), reason }
+            Error::Checkpoint {
+                file: self.path.display().to_string(),
+                reason,
+            }
         })
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, Content> {
-        // a search that panicked elsewhere leaves a whole content: it is only ever replaced entry by entry
-        self.content.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+        // a search that panicked elsewhere leaves a whole content: it is only ever replaced entry
+        // by entry
+        self.content
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 }

@@ -1,6 +1,7 @@
 use crate::error::{Error, Result};
 
-/// Limits low ≤ v ≤ high of several numbers. An end may be infinite; with low = high a number is fixed.
+/// Limits low ≤ v ≤ high of several numbers. An end may be infinite; with low = high a number is
+/// fixed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bounds {
     /// Lower ends.
@@ -13,7 +14,8 @@ impl Bounds {
     /// Limits.
     ///
     /// # Errors
-    /// [`Error::Optimizer`] for ends that are NaN, reversed, infinite on the wrong side, or of different number.
+    /// [`Error::Optimizer`] for ends that are NaN, reversed, infinite on the wrong side, or of
+    /// different number.
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         let bounds = Self { low, high };
         bounds.check()?;
@@ -25,7 +27,8 @@ impl Bounds {
         let Self { low, high } = self;
         if low.len() != high.len() {
             return Err(Error::Optimizer(format!(
-                "the numbers of lower limits ({}) and of upper limits ({}) differ; give one of each for every number",
+                "the numbers of lower limits ({}) and of upper limits ({}) differ; give one of \
+                 each for every number",
                 low.len(),
                 high.len()
             )));
@@ -34,7 +37,8 @@ impl Bounds {
             let is_range = low <= high && *low < f64::INFINITY && *high > f64::NEG_INFINITY;
             if !is_range {
                 return Err(Error::Optimizer(format!(
-                    "the limits of number {i} are {low} .. {high}; the lower must not exceed the upper"
+                    "the limits of number {i} are {low} .. {high}; the lower must not exceed the \
+                     upper"
                 )));
             }
         }
@@ -51,11 +55,15 @@ impl Bounds {
     /// # Panics
     /// Where ends were made NaN or reversed.
     pub fn project(&self, x: &[f64]) -> Vec<f64> {
-        x.iter().zip(self.low.iter().zip(&self.high)).map(|(x, (low, high))| x.clamp(*low, *high)).collect()
+        x.iter()
+            .zip(self.low.iter().zip(&self.high))
+            .map(|(x, (low, high))| x.clamp(*low, *high))
+            .collect()
     }
 
-    /// What a sensible change of each number is: the width of its range, but no more than ten times its own size at `x`
-    /// or 1, whichever is larger; where the range is infinite, that size itself.
+    /// What a sensible change of each number is: the width of its range, but no more than ten times
+    /// its own size at `x` or 1, whichever is larger; where the range is infinite, that size
+    /// itself.
     ///
     /// # Panics
     /// Where `x` has fewer numbers.
@@ -101,9 +109,14 @@ impl Domain {
     /// [`Error::Optimizer`] as [`Bounds::new`], and for a box of no variables.
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         if low.is_empty() {
-            return Err(Error::Optimizer("there are no variables; give bounds of at least one".into()));
+            return Err(Error::Optimizer(
+                "there are no variables; give bounds of at least one".into(),
+            ));
         }
-        Ok(Self { variables: Bounds::new(low, high)?, constraints: Bounds::default() })
+        Ok(Self {
+            variables: Bounds::new(low, high)?,
+            constraints: Bounds::default(),
+        })
     }
 
     /// The same box with limits for the problem's constraint functions c₁ … cₘ.
@@ -111,16 +124,22 @@ impl Domain {
     /// # Errors
     /// [`Error::Optimizer`] as [`Bounds::new`].
     pub fn subject_to(self, low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
-        Ok(Self { constraints: Bounds::new(low, high)?, ..self })
+        Ok(Self {
+            constraints: Bounds::new(low, high)?,
+            ..self
+        })
     }
 
-    /// Refuses what [`new`](Self::new) and [`subject_to`](Self::subject_to) refuse, and a start of another length or that is not finite.
+    /// Refuses what [`new`](Self::new) and [`subject_to`](Self::subject_to) refuse, and a start of
+    /// another length or that is not finite.
     pub(super) fn check(&self, start: &[f64]) -> Result<()> {
         self.variables.check()?;
         self.constraints.check()?;
         let n = self.variables.dimension();
         if start.len() != n || !start.iter().all(|x| x.is_finite()) {
-            return Err(Error::Optimizer(format!("the start {start:?} must be {n} finite numbers, one per variable")));
+            return Err(Error::Optimizer(format!(
+                "the start {start:?} must be {n} finite numbers, one per variable"
+            )));
         }
         Ok(())
     }

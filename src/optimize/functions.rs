@@ -2,7 +2,8 @@ use super::problem::{Evaluation, Problem};
 use crate::number::{Derivatives, Lanes, Mixed, Number, Numbers, Taylor};
 use num_dual::Dual64;
 
-/// The functions of a problem, written once over the number: their derivatives are then exact by themselves.
+/// The functions of a problem, written once over the number: their derivatives are then exact by
+/// themselves.
 ///
 /// ```
 /// use longdrive::number::Number;
@@ -50,13 +51,20 @@ impl<F: Functions> Problem for Exact<F> {
         let n = x.len();
         let mut evaluation = None;
         for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
-            let lifted: Vec<Mixed> =
-                (0..n).map(|k| Mixed::constant(x[k]).seeded(&|direction| k == [i, j][direction], 0)).collect();
-            put(&mut evaluation, self.0.evaluate(&lifted)?, n, n, |taylor, number| {
-                (taylor.value, taylor.gradient[i]) = (number.re(), number.first(0));
-                let second = number.second();
-                (taylor.hessian[i][j], taylor.hessian[j][i]) = (second, second);
-            });
+            let lifted: Vec<Mixed> = (0..n)
+                .map(|k| Mixed::constant(x[k]).seeded(&|direction| k == [i, j][direction], 0))
+                .collect();
+            put(
+                &mut evaluation,
+                self.0.evaluate(&lifted)?,
+                n,
+                n,
+                |taylor, number| {
+                    (taylor.value, taylor.gradient[i]) = (number.re(), number.first(0));
+                    let second = number.second();
+                    (taylor.hessian[i][j], taylor.hessian[j][i]) = (second, second);
+                },
+            );
         }
         evaluation.ok_or_else(|| "there are no variables".into())
     }
@@ -73,16 +81,22 @@ impl<F: Functions> Problem for Gradients<F> {
         for i in 0..n {
             let mut lifted: Vec<_> = x.iter().map(|value| Dual64::from_re(*value)).collect();
             lifted[i] = lifted[i].derivative();
-            put(&mut evaluation, self.0.evaluate(&lifted)?, n, 0, |taylor, number| {
-                (taylor.value, taylor.gradient[i]) = (number.re, number.eps);
-            });
+            put(
+                &mut evaluation,
+                self.0.evaluate(&lifted)?,
+                n,
+                0,
+                |taylor, number| {
+                    (taylor.value, taylor.gradient[i]) = (number.re, number.eps);
+                },
+            );
         }
         evaluation.ok_or_else(|| "there are no variables".into())
     }
 }
 
-/// Writes what the numbers of one pass tell into a problem's Taylor polynomials, of so many columns and rows of second
-/// derivatives.
+/// Writes what the numbers of one pass tell into a problem's Taylor polynomials, of so many columns
+/// and rows of second derivatives.
 fn put<T>(
     evaluation: &mut Option<Evaluation>,
     values: Values<T>,
@@ -90,8 +104,15 @@ fn put<T>(
     rows: usize,
     write: impl Fn(&mut Taylor, &T),
 ) {
-    let blank = || Taylor { value: 0.0, gradient: vec![0.0; columns], hessian: vec![vec![0.0; columns]; rows] };
-    let Evaluation { objective, constraints } = evaluation.get_or_insert_with(|| Evaluation {
+    let blank = || Taylor {
+        value: 0.0,
+        gradient: vec![0.0; columns],
+        hessian: vec![vec![0.0; columns]; rows],
+    };
+    let Evaluation {
+        objective,
+        constraints,
+    } = evaluation.get_or_insert_with(|| Evaluation {
         objective: blank(),
         constraints: values.constraints.iter().map(|_| blank()).collect(),
     });

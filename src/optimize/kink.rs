@@ -16,8 +16,8 @@ pub struct Kink {
 }
 
 impl Kink {
-    /// The slope inside, where the corner lies on a bound that the objective falls towards; and whether that is the
-    /// lower one.
+    /// The slope inside, where the corner lies on a bound that the objective falls towards; and
+    /// whether that is the lower one.
     pub(super) fn slope_towards_bound(&self) -> Option<(f64, bool)> {
         match (self.slope_below, self.slope_above) {
             (None, Some(above)) if above > 0.0 => Some((above, true)),
@@ -30,8 +30,9 @@ impl Kink {
 /// Half the distance between the points compared, in units of the variables' scale.
 const REACH: f64 = 1e-6;
 
-/// Looks for a corner at a point: a variable whose slope jumps between two points 2·REACH apart by much more than
-/// the curvature on either side accounts for. `evaluate` gives `None` where the functions are not defined.
+/// Looks for a corner at a point: a variable whose slope jumps between two points 2·REACH apart by
+/// much more than the curvature on either side accounts for. `evaluate` gives `None` where the
+/// functions are not defined.
 pub(super) fn find<E>(
     scaling: &Scaling,
     at: &Point,
@@ -51,10 +52,16 @@ pub(super) fn find<E>(
                 is_inside: moved[i] == to,
             }))
         };
-        let (Some(below), Some(above)) = (side(-1.0)?, side(1.0)?) else { return Ok(None) };
+        let (Some(below), Some(above)) = (side(-1.0)?, side(1.0)?) else {
+            return Ok(None);
+        };
         if is_corner(scaling, at, i, &below, &above) {
             let slope = |side: &Side| side.is_inside.then_some(side.slope);
-            return Ok(Some(Kink { variable: i, slope_below: slope(&below), slope_above: slope(&above) }));
+            return Ok(Some(Kink {
+                variable: i,
+                slope_below: slope(&below),
+                slope_above: slope(&above),
+            }));
         }
     }
     Ok(None)
@@ -75,14 +82,17 @@ fn is_corner(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side
     }
     let (apart, jump) = (above.x - below.x, above.slope - below.slope);
     let matters = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
-    // on a bound the one side is the rounded tip of the corner itself, whose curvature may account for anything
-    let is_unexplained = |side: &Side| !side.is_inside || (side.hessian[i][i] * apart - jump).abs() > 0.5 * jump.abs();
+    // on a bound the one side is the rounded tip of the corner itself, whose curvature may account
+    // for anything
+    let is_unexplained = |side: &Side| {
+        !side.is_inside || (side.hessian[i][i] * apart - jump).abs() > 0.5 * jump.abs()
+    };
     let is_seen = below.is_inside || above.is_inside;
     apart > 0.0 && matters && is_seen && is_unexplained(below) && is_unexplained(above)
 }
 
-/// Whether a converged point may in truth be a smoothed corner: a curvature so high that the slope changes by
-/// all of φ within a thousandth of the variable's scale.
+/// Whether a converged point may in truth be a smoothed corner: a curvature so high that the slope
+/// changes by all of φ within a thousandth of the variable's scale.
 pub(super) fn is_suspected(scaling: &Scaling, at: &Point) -> bool {
     let hessian = &at.f.objective.hessian;
     let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];

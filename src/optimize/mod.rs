@@ -1,16 +1,19 @@
-//! A minimiser for smooth functions with exact Hessians, over bounds and nonlinear constraints. It knows no golf.
+//! A minimiser for smooth functions with exact Hessians, over bounds and nonlinear constraints. It
+//! knows no golf.
 //!
 //! ```text
 //!   minimise f(x)  subject to  low ≤ x ≤ high  and  least ≤ c(x) ≤ most
 //! ```
 //!
-//! by sequential quadratic programming: at each iterate the quadratic model of the Lagrangian is minimised over the
-//! bounds, the linearised constraints and a box-shaped trust region ([`qp`]: by the active set of the step before, or by
-//! Clarabel, polished so that active bounds are exact), the step is accepted if the merit falls as the model predicts, and the search ends where the KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`,
-//! run by argmin's `Executor`.
+//! by sequential quadratic programming: at each iterate the quadratic model of the Lagrangian is
+//! minimised over the bounds, the linearised constraints and a box-shaped trust region ([`qp`]: by
+//! the active set of the step before, or by Clarabel, polished so that active bounds are exact),
+//! the step is accepted if the merit falls as the model predicts, and the search ends where the KKT
+//! conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`, run by argmin's
+//! `Executor`.
 //!
-//! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by themselves, or
-//! whatever implements [`Problem`], with Hessians or gradients alone.
+//! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by
+//! themselves, or whatever implements [`Problem`], with Hessians or gradients alone.
 //!
 //! ```
 //! use longdrive::number::Number;

@@ -20,7 +20,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Local {
     /// The optimum.
     pub solution: Solution,
-    /// The starts that ended here, by number; those that were stopped before they had a value are together.
+    /// The starts that ended here, by number; those that were stopped before they had a value are
+    /// together.
     pub starts: Vec<usize>,
 }
 
@@ -43,11 +44,13 @@ pub struct Follow {
 /// Optima closer than this in every variable, in units of its scale, are one.
 const SAME: f64 = 1e-6;
 
-/// Starts spread evenly over the bounds: the one given, then points of Sobol's sequence, scrambled (Owen 1995; Burley
-/// 2020). Where a variable has no end, the spread reaches as far from the start as its scale.
+/// Starts spread evenly over the bounds: the one given, then points of Sobol's sequence, scrambled
+/// (Owen 1995; Burley 2020). Where a variable has no end, the spread reaches as far from the start
+/// as its scale.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for more starts or variables than the sequence has, and for a domain or a start that makes no sense.
+/// [`Error::Optimizer`] for more starts or variables than the sequence has, and for a domain or a
+/// start that makes no sense.
 pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
     domain.check(start)?;
     let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
@@ -61,19 +64,28 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
         )));
     }
     let coordinate = |index: usize, i: usize| {
-        let end = |bound: f64, beyond: f64| if bound.is_finite() { bound } else { start[i] + beyond };
+        let end = |bound: f64, beyond: f64| {
+            if bound.is_finite() {
+                bound
+            } else {
+                start[i] + beyond
+            }
+        };
         let (low, high) = (end(bounds.low[i], -scale[i]), end(bounds.high[i], scale[i]));
         low + sobol::coordinate(index as u64, i, 0) * (high - low)
     };
     let spread = |index: usize| (0..start.len()).map(|i| coordinate(index, i)).collect();
-    Ok(std::iter::once(bounds.project(start)).chain((0..count.saturating_sub(1)).map(spread)).collect())
+    Ok(std::iter::once(bounds.project(start))
+        .chain((0..count.saturating_sub(1)).map(spread))
+        .collect())
 }
 
-/// Searches from every start, side by side; the local optima found, best first, then what ended otherwise. The order
-/// does not depend on how many threads there are.
+/// Searches from every start, side by side; the local optima found, best first, then what ended
+/// otherwise. The order does not depend on how many threads there are.
 ///
 /// # Errors
-/// As [`minimize`](super::minimize()); [`Error::Optimizer`] without starts, and for a checkpoint of another problem.
+/// As [`minimize`](super::minimize()); [`Error::Optimizer`] without starts, and for a checkpoint of
+/// another problem.
 pub fn minimize_from(
     problem: &(dyn Problem + Sync),
     domain: &Domain,
@@ -82,13 +94,20 @@ pub fn minimize_from(
     follow: &Follow,
 ) -> Result<Vec<Local>> {
     if starts.is_empty() {
-        return Err(Error::Optimizer("there are no starts to search from".into()));
+        return Err(Error::Optimizer(
+            "there are no starts to search from".into(),
+        ));
     }
-    let search = |(number, start): (usize, &Vec<f64>)| one(problem, domain, start, options, follow, number);
+    let search =
+        |(number, start): (usize, &Vec<f64>)| one(problem, domain, start, options, follow, number);
     let solutions = match starts {
         // nothing to share: no threads are started
         [only] => vec![search((0, only))?],
-        _ => starts.par_iter().enumerate().map(search).collect::<Result<Vec<_>>>()?,
+        _ => starts
+            .par_iter()
+            .enumerate()
+            .map(search)
+            .collect::<Result<Vec<_>>>()?,
     };
     Ok(collected(domain, solutions))
 }
@@ -101,7 +120,10 @@ fn one(
     follow: &Follow,
     number: usize,
 ) -> Result<Solution> {
-    let kept = follow.checkpoint.as_ref().and_then(|checkpoint| checkpoint.run(number));
+    let kept = follow
+        .checkpoint
+        .as_ref()
+        .and_then(|checkpoint| checkpoint.run(number));
     let resume = match kept {
         Some(Run::Done(solution)) if !solution.is_of(domain) => return Err(other_problem()),
         Some(Run::Done(solution)) => {
@@ -116,16 +138,25 @@ fn one(
     if follow.interrupt.load(Ordering::Relaxed) {
         return Ok(Solution::not_begun(domain, start.to_vec()));
     }
-    let mut observer = Observer { interrupt: follow.interrupt.clone(), resume, ..Observer::default() };
+    let mut observer = Observer {
+        interrupt: follow.interrupt.clone(),
+        resume,
+        ..Observer::default()
+    };
     if let Some(show) = follow.iteration.clone() {
         observer.iteration = Box::new(move |iteration| show(number, iteration));
     }
     if let Some(checkpoint) = follow.checkpoint.clone() {
-        observer.keep = Some(Box::new(move |snapshot| checkpoint.keep(number, Run::Going(Box::new(snapshot.clone())))));
+        observer.keep = Some(Box::new(move |snapshot| {
+            checkpoint.keep(number, Run::Going(Box::new(snapshot.clone())))
+        }));
     }
     let solution = minimize_observed(problem, domain, start, options, observer)?;
     if let Some(checkpoint) = &follow.checkpoint
-        && !matches!(solution.status, Status::Interrupted | Status::IterationLimit)
+        && !matches!(
+            solution.status,
+            Status::Interrupted | Status::IterationLimit
+        )
     {
         checkpoint.keep(number, Run::Done(Box::new(solution.clone())))?;
     }
@@ -143,9 +174,16 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
         let is_same = |local: &Local| {
             // of what was stopped before it had a value nothing is known to tell it apart by
             if solution.value.is_none() && solution.status == Status::Interrupted {
-                return local.solution.value.is_none() && local.solution.status == Status::Interrupted;
+                return local.solution.value.is_none()
+                    && local.solution.status == Status::Interrupted;
             }
-            let mut apart = local.solution.x.iter().zip(&solution.x).zip(&scale).map(|((a, b), s)| ((a - b) / s).abs());
+            let mut apart = local
+                .solution
+                .x
+                .iter()
+                .zip(&solution.x)
+                .zip(&scale)
+                .map(|((a, b), s)| ((a - b) / s).abs());
             local.solution.status == solution.status && apart.all(|apart| apart <= SAME)
         };
         match locals.iter_mut().find(|local| is_same(local)) {
@@ -156,7 +194,10 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
                     local.solution = solution;
                 }
             }
-            None => locals.push(Local { solution, starts: vec![number] }),
+            None => locals.push(Local {
+                solution,
+                starts: vec![number],
+            }),
         }
     }
     let rank = |local: &Local| match local.solution.status {
@@ -175,26 +216,40 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
     };
     let order = |a: &Local, b: &Local| {
         let nearer = || missed(a).total_cmp(&missed(b));
-        rank(a).cmp(&rank(b)).then_with(nearer).then(value(a).total_cmp(&value(b)))
+        rank(a)
+            .cmp(&rank(b))
+            .then_with(nearer)
+            .then(value(a).total_cmp(&value(b)))
     };
     locals.sort_by(order);
     locals
 }
 
-/// The steepest slope of each constraint at the ends of all searches, over the scales of the variables: each search measures by the slopes at
-/// its own start, which cannot be compared. 1 where none is known.
+/// The steepest slope of each constraint at the ends of all searches, over the scales of the
+/// variables: each search measures by the slopes at its own start, which cannot be compared. 1
+/// where none is known.
 fn steepest(domain: &Domain, locals: &[Local]) -> Vec<f64> {
     let mut steepest = vec![0.0_f64; domain.constraints.dimension()];
     for Local { solution, .. } in locals {
         let scale = domain.variables.scale(&solution.x);
         for (most, row) in steepest.iter_mut().zip(&solution.jacobian) {
-            *most = row.iter().zip(&scale).fold(*most, |most, (slope, scale)| most.max((slope * scale).abs()));
+            *most = row.iter().zip(&scale).fold(*most, |most, (slope, scale)| {
+                most.max((slope * scale).abs())
+            });
         }
     }
-    steepest.iter().map(|most| if *most > 0.0 { *most } else { 1.0 }).collect()
+    steepest
+        .iter()
+        .map(|most| if *most > 0.0 { *most } else { 1.0 })
+        .collect()
 }
 
 /// How far a solution is from meeting its constraints, each over a size of its own.
 fn missed_by(solution: &Solution, sizes: &[f64]) -> f64 {
-    solution.constraints.iter().zip(sizes).map(|(constrained, size)| (constrained.violation / size).powi(2)).sum()
+    solution
+        .constraints
+        .iter()
+        .zip(sizes)
+        .map(|(constrained, size)| (constrained.violation / size).powi(2))
+        .sum()
 }

@@ -1,4 +1,5 @@
-//! What follows a search from outside: shown its iterations, able to stop it, and given its state to keep.
+//! What follows a search from outside: shown its iterations, able to stop it, and given its state
+//! to keep.
 
 use super::domain::Domain;
 use super::solution::Iteration;
@@ -12,8 +13,8 @@ use std::sync::atomic::AtomicBool;
 pub struct Observer {
     /// Is shown every iteration.
     pub iteration: Box<dyn FnMut(&Iteration)>,
-    /// Ends the search, with the best point so far, once it is true: before the next evaluation, or within one that
-    /// [looks at it](super::Problem::evaluate).
+    /// Ends the search, with the best point so far, once it is true: before the next evaluation, or
+    /// within one that [looks at it](super::Problem::evaluate).
     pub interrupt: Arc<AtomicBool>,
     /// Is given the search after every iteration, to keep it.
     pub keep: Option<Box<Keep>>,
@@ -27,17 +28,26 @@ pub type Keep = dyn FnMut(&Snapshot) -> Result<()>;
 impl Observer {
     /// Shows every iteration.
     pub fn showing(iteration: impl FnMut(&Iteration) + 'static) -> Self {
-        Self { iteration: Box::new(iteration), ..Self::default() }
+        Self {
+            iteration: Box::new(iteration),
+            ..Self::default()
+        }
     }
 }
 
 impl Default for Observer {
     fn default() -> Self {
-        Self { iteration: Box::new(|_| ()), interrupt: Arc::default(), keep: None, resume: None }
+        Self {
+            iteration: Box::new(|_| ()),
+            interrupt: Arc::default(),
+            keep: None,
+            resume: None,
+        }
     }
 }
 
-/// A search between two iterations: going on from it ends as the search itself would have, bit by bit.
+/// A search between two iterations: going on from it ends as the search itself would have, bit by
+/// bit.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Snapshot {
     pub(super) iterations: u64,

@@ -5,10 +5,11 @@ use crate::error::{Error, Result};
 pub struct Options {
     /// Most iterations (500).
     pub max_iterations: u64,
-    /// Largest KKT residual at which the search has converged, relative (1e-10): see [`status`](super::status).
+    /// Largest KKT residual at which the search has converged, relative (1e-10): see
+    /// [`status`](super::status).
     pub kkt_tolerance: f64,
-    /// First size of the trust region, in units of [`Bounds::scale`](super::Bounds::scale) (0.5): half the box to each
-    /// side.
+    /// First size of the trust region, in units of [`Bounds::scale`](super::Bounds::scale) (0.5):
+    /// half the box to each side.
     pub initial_radius: f64,
     /// Points tried for a start where f is not defined at the one given (64).
     pub start_trials: u32,
@@ -16,14 +17,21 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { max_iterations: 500, kkt_tolerance: 1e-10, initial_radius: 0.5, start_trials: 64 }
+        Self {
+            max_iterations: 500,
+            kkt_tolerance: 1e-10,
+            initial_radius: 0.5,
+            start_trials: 64,
+        }
     }
 }
 
 impl Options {
     pub(super) fn validate(&self) -> Result<()> {
         let refuse = |what: &str, value: f64, range: &str| {
-            Err(Error::Optimizer(format!("{what} = {value} is outside its range {range}")))
+            Err(Error::Optimizer(format!(
+                "{what} = {value} is outside its range {range}"
+            )))
         };
         if !(self.kkt_tolerance > 0.0 && self.kkt_tolerance < 1.0) {
             return refuse("kkt_tolerance", self.kkt_tolerance, "0 < … < 1");

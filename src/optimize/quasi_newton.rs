@@ -2,7 +2,8 @@ use super::scaling::{Point, Scaling};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// A quasi-Newton Hessian of the Lagrangian, in scaled variables, for a problem that gives gradients alone. It stays positive definite.
+/// A quasi-Newton Hessian of the Lagrangian, in scaled variables, for a problem that gives
+/// gradients alone. It stays positive definite.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct QuasiNewton {
     rows: Vec<Vec<f64>>,
@@ -13,8 +14,13 @@ impl QuasiNewton {
     /// The Hessian to begin with: f changes by its slope over the whole scale.
     pub fn initial(scaling: &Scaling, at: &Point) -> Self {
         let n = at.x.len();
-        let slope = scaling.largest(at.f.objective.gradient.iter().copied()).max(f64::MIN_POSITIVE);
-        Self { rows: rows(&(DMatrix::identity(n, n) * slope)), updates: 0 }
+        let slope = scaling
+            .largest(at.f.objective.gradient.iter().copied())
+            .max(f64::MIN_POSITIVE);
+        Self {
+            rows: rows(&(DMatrix::identity(n, n) * slope)),
+            updates: 0,
+        }
     }
 
     /// Whether it is one of `n` variables.
@@ -30,7 +36,10 @@ impl QuasiNewton {
     /// The damped BFGS update after a step (Powell 1978; Nocedal & Wright 2006, procedure 18.2).
     pub fn update(&mut self, scaling: &Scaling, from: &Point, to: &Point, multipliers: &[f64]) {
         let n = from.x.len();
-        let (start, end) = (from.lagrangian_gradient(multipliers), to.lagrangian_gradient(multipliers));
+        let (start, end) = (
+            from.lagrangian_gradient(multipliers),
+            to.lagrangian_gradient(multipliers),
+        );
         let s = DVector::from_fn(n, |i, _| (to.x[i] - from.x[i]) / scaling.scale[i]);
         let y = DVector::from_fn(n, |i, _| (end[i] - start[i]) * scaling.scale[i]);
         let is_first = self.updates == 0;
@@ -48,7 +57,11 @@ impl QuasiNewton {
         };
         let bs = &before * &s;
         let expected = s.dot(&bs);
-        let damping = if curvature >= 0.2 * expected { 1.0 } else { 0.8 * expected / (expected - curvature) };
+        let damping = if curvature >= 0.2 * expected {
+            1.0
+        } else {
+            0.8 * expected / (expected - curvature)
+        };
         let y = y * damping + &bs * (1.0 - damping);
         let after = &before - &bs * bs.transpose() / expected + &y * y.transpose() / s.dot(&y);
         let is_finite = after.iter().all(|entry| entry.is_finite());
@@ -57,5 +70,8 @@ impl QuasiNewton {
 }
 
 fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
-    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+    matrix
+        .row_iter()
+        .map(|row| row.iter().copied().collect())
+        .collect()
 }

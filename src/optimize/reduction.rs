@@ -1,6 +1,7 @@
 /// Actual and predicted reduction of the merit by a step.
 ///
-/// Both sides of each comparison carry the rounding of the functions, so that a step within rounding is accepted.
+/// Both sides of each comparison carry the rounding of the functions, so that a step within
+/// rounding is accepted.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reduction {
     /// φ(x) − φ(x + d).
@@ -15,8 +16,8 @@ pub(super) struct Reduction {
 pub(super) const NOISE: f64 = 1e-14;
 /// Reductions up to this, relative to the merit's size, are little more than rounding.
 const NEARLY_NOISE: f64 = 1e-10;
-/// Steps are accepted for at least this ratio of actual to predicted reduction (Conn, Gould & Toint 2000, §6.1: any small
-/// positive number) …
+/// Steps are accepted for at least this ratio of actual to predicted reduction (Conn, Gould & Toint
+/// 2000, §6.1: any small positive number) …
 const ACCEPT: f64 = 1e-4;
 /// … are poor below this, and good above the next.
 const POOR: f64 = 0.25;

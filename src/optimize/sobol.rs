@@ -1,4 +1,5 @@
-//! Sobol's sequence, scrambled (Owen 1995; Burley 2020): points that fill a box evenly, however many are taken.
+//! Sobol's sequence, scrambled (Owen 1995; Burley 2020): points that fill a box evenly, however
+//! many are taken.
 
 /// How many variables a point may have.
 pub(crate) const MOST_VARIABLES: usize = sobol_burley::NUM_DIMENSIONS as usize;
@@ -6,11 +7,15 @@ pub(crate) const MOST_VARIABLES: usize = sobol_burley::NUM_DIMENSIONS as usize;
 /// Points of one scrambling.
 const LENGTH: u64 = 1 << 16;
 
-/// The coordinate of a point in the unit interval. After 65 536 points the sequence goes on with another scrambling:
-/// each stretch of that many is as even as the first.
+/// The coordinate of a point in the unit interval. After 65 536 points the sequence goes on with
+/// another scrambling: each stretch of that many is as even as the first.
 pub(crate) fn coordinate(point: u64, variable: usize, seed: u32) -> f64 {
     let scrambling = seed.wrapping_add((point / LENGTH) as u32);
-    f64::from(sobol_burley::sample((point % LENGTH) as u32, variable as u32, scrambling))
+    f64::from(sobol_burley::sample(
+        (point % LENGTH) as u32,
+        variable as u32,
+        scrambling,
+    ))
 }
 
 #[cfg(test)]

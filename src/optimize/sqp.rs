@@ -8,12 +8,15 @@ use super::scaling::{Residual, Scaling};
 use super::start::first_point;
 use super::state::{Evaluate, State};
 use super::status::{Status, Verdict};
-use argmin::core::{Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus};
+use argmin::core::{
+    Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus,
+};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// argmin's state for this solver: the point, the objective, and what observers are shown of the iteration.
+/// argmin's state for this solver: the point, the objective, and what observers are shown of the
+/// iteration.
 pub type SqpState = IterState<Vec<f64>, (), (), (), IterationInfo, f64>;
 
 /// An iteration in numbers.
@@ -47,7 +50,8 @@ pub struct Sqp {
 pub(super) struct Progress {
     pub state: Option<State>,
     pub verdict: Option<Verdict>,
-    /// Whether the search was stopped within its last iteration, which then does not count: argmin counts every call.
+    /// Whether the search was stopped within its last iteration, which then does not count: argmin
+    /// counts every call.
     pub is_stopped_within: bool,
     /// Why f is undefined at the start, if so.
     pub undefined_at_start: Option<String>,
@@ -61,16 +65,19 @@ impl Progress {
     /// Whether it has the shape of a problem of `n` variables and `m` constraints.
     pub fn is_of(&self, n: usize, m: usize) -> bool {
         let has_state = self.state.as_ref().is_none_or(|state| state.is_of(n, m));
-        has_state && [0, n].contains(&self.begun_at.len()) && self.kink.is_none_or(|kink| kink.variable < n)
+        has_state
+            && [0, n].contains(&self.begun_at.len())
+            && self.kink.is_none_or(|kink| kink.variable < n)
     }
 }
 
 impl Sqp {
-    /// One iteration: Nocedal & Wright (2006), algorithm 18.4, with the merit φ = f + ν‖v‖₂ of violations v and second-order corrections; trust
-    /// region of Conn, Gould & Toint (2000), algorithm 6.1.1. Returns whether the step was accepted.
+    /// One iteration: Nocedal & Wright (2006), algorithm 18.4, with the merit φ = f + ν‖v‖₂ of
+    /// violations v and second-order corrections; trust region of Conn, Gould & Toint (2000),
+    /// algorithm 6.1.1. Returns whether the step was accepted.
     fn iterate(&mut self, state: &mut State, evaluate: &mut Evaluate<'_>) -> Result<bool, Error> {
-        // linearise the constraints, convexify the Hessian, solve the quadratic program:
-        //   minimise  ½ dᵀB d + ∇f·d  subject to  c + ∇c·d within limits,  x + d within bounds,  ‖d‖∞ ≤ Δ
+        // linearise the constraints, convexify the Hessian, solve the quadratic program: minimise ½
+        // dᵀB d + ∇f·d subject to c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
         let mut step = state.trial_step();
         // ν ≥ ‖λ‖₂, and large enough for a predicted reduction of φ (eq. 18.36)
         state.update_penalty(&step);
@@ -89,8 +96,8 @@ impl Sqp {
             // Δ from the ratio of actual to predicted reduction
             state.update_radius(&trial.step, &trial.reduction);
         }
-        // λ ← multipliers of the quadratic program, also of a rejected step: with curvature of the constraints that it ran into, the next model
-        // is nearer to the functions
+        // λ ← multipliers of the quadratic program, also of a rejected step: with curvature of the
+        // constraints that it ran into, the next model is nearer to the functions
         state.multipliers.clone_from(&trial.step.multipliers);
         // x ← x + d
         let other = match trial.point {
@@ -108,12 +115,16 @@ impl Sqp {
         self.interrupt.load(Ordering::Relaxed)
     }
 
-    /// The verdict of a search whose evaluation was stopped: the point is the last that was finished.
+    /// The verdict of a search whose evaluation was stopped: the point is the last that was
+    /// finished.
     fn stopped_by(&mut self, error: Error, state: &State, iterations: u64) -> Result<(), Error> {
         if !self.is_interrupted() {
             return Err(error);
         }
-        self.progress.verdict = Some(Verdict::interrupted(iterations, Some(state.residual.largest())));
+        self.progress.verdict = Some(Verdict::interrupted(
+            iterations,
+            Some(state.residual.largest()),
+        ));
         Ok(())
     }
 }
@@ -128,8 +139,14 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
         problem: &mut Counted<ProblemRef<'_>>,
         mut info: SqpState,
     ) -> Result<(SqpState, Option<KV>), Error> {
-        let start = self.domain.variables.project(&info.take_param().unwrap_or_default());
-        let (trials, m) = (self.options.start_trials, self.domain.constraints.dimension());
+        let start = self
+            .domain
+            .variables
+            .project(&info.take_param().unwrap_or_default());
+        let (trials, m) = (
+            self.options.start_trials,
+            self.domain.constraints.dimension(),
+        );
         let interrupt = self.interrupt.clone();
         let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
         let mut count = 0;
@@ -147,7 +164,11 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
             return Ok((info.param(start), None));
         };
         self.progress.begun_at.clone_from(&point.x);
-        let scaling = Scaling::new(self.domain.clone(), self.domain.variables.scale(&start), &point);
+        let scaling = Scaling::new(
+            self.domain.clone(),
+            self.domain.variables.scale(&start),
+            &point,
+        );
         let mut state = State::new(scaling, point, self.options.initial_radius);
         state.effort.evaluations = count;
         if let Err(error) = self.terminate_or_go_on(&mut state, None, &mut evaluate) {
@@ -163,7 +184,9 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
         problem: &mut Counted<ProblemRef<'_>>,
         info: SqpState,
     ) -> Result<(SqpState, Option<KV>), Error> {
-        let Some(mut state) = self.progress.state.take() else { return Ok((info, None)) };
+        let Some(mut state) = self.progress.state.take() else {
+            return Ok((info, None));
+        };
         let (m, interrupt) = (self.domain.constraints.dimension(), self.interrupt.clone());
         let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
         let info = match self.iterate(&mut state, &mut evaluate) {
@@ -183,7 +206,11 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
 
     fn terminate(&mut self, info: &SqpState) -> TerminationStatus {
         if self.progress.verdict.is_none() && self.is_interrupted() {
-            let residual = self.progress.state.as_ref().map(|state| state.residual.largest());
+            let residual = self
+                .progress
+                .state
+                .as_ref()
+                .map(|state| state.residual.largest());
             self.progress.verdict = Some(Verdict::interrupted(info.iter, residual));
         }
         match &self.progress.verdict {
@@ -191,7 +218,9 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
             Some(verdict) if verdict.status == Status::Converged => {
                 TerminationStatus::Terminated(TerminationReason::SolverConverged)
             }
-            Some(verdict) => TerminationStatus::Terminated(TerminationReason::SolverExit(verdict.message.clone())),
+            Some(verdict) => TerminationStatus::Terminated(TerminationReason::SolverExit(
+                verdict.message.clone(),
+            )),
         }
     }
 }
@@ -201,14 +230,25 @@ fn shown(mut info: SqpState, state: &State, accepted: bool) -> SqpState {
     // the memory of the point before is used again
     let mut x = info.take_param().unwrap_or_default();
     x.clone_from(&state.point.x);
-    let Residual { feasibility: violation, .. } = state.residual;
+    let Residual {
+        feasibility: violation,
+        ..
+    } = state.residual;
     let kkt_residual = state.residual.largest();
-    let iteration = IterationInfo { kkt_residual, violation, radius: state.radius, accepted };
-    info.param(x).cost(state.point.f.objective.value).residuals(iteration)
+    let iteration = IterationInfo {
+        kkt_residual,
+        violation,
+        radius: state.radius,
+        accepted,
+    };
+    info.param(x)
+        .cost(state.point.f.objective.value)
+        .residuals(iteration)
 }
 
-/// Evaluates the functions; values that are not finite or not of the right shape count as undefined. The outer error is argmin's: it ends the
-/// iteration once the search is interrupted. A failure may then have no other reason, and does not count as undefined.
+/// Evaluates the functions; values that are not finite or not of the right shape count as
+/// undefined. The outer error is argmin's: it ends the iteration once the search is interrupted. A
+/// failure may then have no other reason, and does not count as undefined.
 fn evaluate(
     problem: &mut Counted<ProblemRef<'_>>,
     interrupt: &AtomicBool,

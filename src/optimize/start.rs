@@ -2,12 +2,12 @@ use super::domain::Bounds;
 use super::problem::Evaluation;
 use super::scaling::Point;
 
-/// Of the points tried where f is not defined at the start, the best of this many is taken; if none is defined,
-/// the first that is.
+/// Of the points tried where f is not defined at the start, the best of this many is taken; if none
+/// is defined, the first that is.
 const CHOICE: u32 = 8;
 
-/// f at the start, or at another point of the box where it is not defined there; and why it is not. No other points are tried once an
-/// evaluation is stopped, which is then `None`.
+/// f at the start, or at another point of the box where it is not defined there; and why it is not.
+/// No other points are tried once an evaluation is stopped, which is then `None`.
 pub(super) fn first_point(
     bounds: &Bounds,
     start: &[f64],
@@ -16,7 +16,15 @@ pub(super) fn first_point(
 ) -> (Option<Point>, Option<String>) {
     let why = match evaluate(start) {
         None => return (None, None),
-        Some(Ok(f)) => return (Some(Point { x: start.to_vec(), f }), None),
+        Some(Ok(f)) => {
+            return (
+                Some(Point {
+                    x: start.to_vec(),
+                    f,
+                }),
+                None,
+            );
+        }
         Some(Err(why)) => why,
     };
     let mut best: Option<Point> = None;
@@ -27,7 +35,9 @@ pub(super) fn first_point(
         let x = spread(bounds, start, trial);
         let Some(found) = evaluate(&x) else { break };
         if let Ok(f) = found
-            && best.as_ref().is_none_or(|best| f.objective.value < best.f.objective.value)
+            && best
+                .as_ref()
+                .is_none_or(|best| f.objective.value < best.f.objective.value)
         {
             best = Some(Point { x, f });
         }
@@ -35,8 +45,8 @@ pub(super) fn first_point(
     (best, Some(why))
 }
 
-/// Point `k` of an even spread over the box: multiples of powers of the generalised golden ratio (Roberts 2018),
-/// from the middle on.
+/// Point `k` of an even spread over the box: multiples of powers of the generalised golden ratio
+/// (Roberts 2018), from the middle on.
 pub(super) fn spread(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
     let n = start.len();
     let scale = bounds.scale(start);

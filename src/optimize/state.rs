@@ -1,4 +1,5 @@
-//! The state of a search between two iterations: point, multipliers, trust region, penalty, and the steps from one to the next.
+//! The state of a search between two iterations: point, multipliers, trust region, penalty, and the
+//! steps from one to the next.
 
 use super::bundle::Bundle;
 use super::model::{Model, Workspace, write_lagrangian_hessian};
@@ -16,13 +17,15 @@ const MOST_CORRECTIONS: u32 = 3;
 const LARGEST_RADIUS: f64 = 1e16;
 /// The trust region shrinks to this part of the step after a poor reduction …
 const SHRINK: f64 = 0.25;
-/// … and grows by this factor after a good one of a step that it limited (Conn, Gould & Toint 2000, §17.1).
+/// … and grows by this factor after a good one of a step that it limited (Conn, Gould & Toint 2000,
+/// §17.1).
 const GROW: f64 = 2.0;
 /// Least part of its size to which negative curvature is reflected.
 const LEAST_REFLECTION: f64 = 1e-12;
 /// Predicted reductions below this, relative to φ, are negligible.
 const NEGLIGIBLE: f64 = 1e-13;
-/// The predicted reduction of the merit is at least this part of ν times that of the violation (Nocedal & Wright 2006, eq. 18.36: ρ).
+/// The predicted reduction of the merit is at least this part of ν times that of the violation
+/// (Nocedal & Wright 2006, eq. 18.36: ρ).
 const MERIT_SHARE: f64 = 0.1;
 /// Margin of a raised penalty, so that the next step does not raise it again.
 const PENALTY_MARGIN: f64 = 1.5;
@@ -87,10 +90,13 @@ pub(super) struct Counters {
     pub redundant_bounds: u32,
 }
 
-/// Evaluates the functions of a problem at a point; the outer error is argmin's and ends the search.
-pub(super) type Evaluate<'a> = dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
+/// Evaluates the functions of a problem at a point; the outer error is argmin's and ends the
+/// search.
+pub(super) type Evaluate<'a> =
+    dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
 
-/// A trial step with the point at its end, where the functions are defined there, and the reduction of the merit.
+/// A trial step with the point at its end, where the functions are defined there, and the reduction
+/// of the merit.
 pub(super) struct Trial {
     pub step: TrialStep,
     pub point: Option<Point>,
@@ -120,21 +126,32 @@ impl State {
 
     /// Whether all that it holds is of `n` variables and `m` constraints.
     pub fn is_of(&self, n: usize, m: usize) -> bool {
-        let Self { scaling: Scaling { scale, gamma, .. }, point, multipliers, corners, quasi_newton, solver, .. } =
-            self;
+        let Self {
+            scaling: Scaling { scale, gamma, .. },
+            point,
+            multipliers,
+            corners,
+            quasi_newton,
+            solver,
+            ..
+        } = self;
         [scale.len(), gamma.len(), multipliers.len()] == [n, m, m]
             && point.is_of(n, m)
             && corners.is_of(n, m)
             && quasi_newton.as_ref().is_none_or(|hessian| hessian.is_of(n))
-            && solver.active_set.as_ref().is_none_or(|active| active.is_of(n, m))
+            && solver
+                .active_set
+                .as_ref()
+                .is_none_or(|active| active.is_of(n, m))
     }
 
-    /// The trial step of the model. Where a point on another side of a corner, too far away, leaves nothing to gain, that side is forgotten
-    /// and met again nearer.
+    /// The trial step of the model. Where a point on another side of a corner, too far away, leaves
+    /// nothing to gain, that side is forgotten and met again nearer.
     pub fn trial_step(&mut self) -> TrialStep {
         loop {
             let step = self.solve_model(None);
-            let is_hopeless = self.predicted_reduction(&step) <= NEGLIGIBLE * self.scaling.size(&self.point);
+            let is_hopeless =
+                self.predicted_reduction(&step) <= NEGLIGIBLE * self.scaling.size(&self.point);
             if !(is_hopeless && self.corners.forget_one_too_far(&self.scaling, &self.point)) {
                 return step;
             }
@@ -170,7 +187,8 @@ impl State {
     /// Updates the penalty, so that the step lowers the model of the merit.
     pub fn update_penalty(&mut self, step: &TrialStep) {
         if !step.is_relaxed {
-            // an exact penalty is at least the multipliers' norm; one that was too large sinks towards it
+            // an exact penalty is at least the multipliers' norm; one that was too large sinks
+            // towards it
             let exact = self.multiplier_norm(&step.multipliers);
             self.penalty = exact.max(0.5 * (self.penalty + exact));
         }
@@ -183,27 +201,47 @@ impl State {
         }
     }
 
-    /// Limits the multipliers of a relaxed step to the penalty. The merit's own, ν v/‖v‖, are no larger, and those of contradicting rows
-    /// may be anything: they would rise without end, and the Hessian of the Lagrangian with them.
+    /// Limits the multipliers of a relaxed step to the penalty. The merit's own, ν v/‖v‖, are no
+    /// larger, and those of contradicting rows may be anything: they would rise without end, and
+    /// the Hessian of the Lagrangian with them.
     pub fn limit_multipliers(&self, step: &mut TrialStep) {
         if !step.is_relaxed {
             return;
         }
         let norm = self.multiplier_norm(&step.multipliers);
-        let part = if norm > self.penalty { self.penalty / norm } else { 1.0 };
-        step.multipliers.iter_mut().for_each(|multiplier| *multiplier *= part);
+        let part = if norm > self.penalty {
+            self.penalty / norm
+        } else {
+            1.0
+        };
+        step.multipliers
+            .iter_mut()
+            .for_each(|multiplier| *multiplier *= part);
     }
 
     /// ‖λ‖₂, in units of 1/γ.
     fn multiplier_norm(&self, multipliers: &[f64]) -> f64 {
-        norm(multipliers.iter().zip(&self.scaling.gamma).map(|(m, gamma)| m * gamma))
+        norm(
+            multipliers
+                .iter()
+                .zip(&self.scaling.gamma)
+                .map(|(m, gamma)| m * gamma),
+        )
     }
 
     /// Evaluates the end of a trial step.
-    pub fn tried(&mut self, mut step: TrialStep, evaluate: &mut Evaluate<'_>) -> Result<Trial, argmin::core::Error> {
+    pub fn tried(
+        &mut self,
+        mut step: TrialStep,
+        evaluate: &mut Evaluate<'_>,
+    ) -> Result<Trial, argmin::core::Error> {
         let point = self.evaluated(std::mem::take(&mut step.x), evaluate)?;
         let reduction = self.reduction(&step, point.as_ref());
-        Ok(Trial { step, point, reduction })
+        Ok(Trial {
+            step,
+            point,
+            reduction,
+        })
     }
 
     /// The point at x; where the functions are undefined there, the reason is kept.
@@ -222,13 +260,20 @@ impl State {
         }
     }
 
-    /// Second-order corrections of a step that failed, while they reduce the merit further and not yet well.
-    pub fn corrected(&mut self, mut trial: Trial, evaluate: &mut Evaluate<'_>) -> Result<Trial, argmin::core::Error> {
+    /// Second-order corrections of a step that failed, while they reduce the merit further and not
+    /// yet well.
+    pub fn corrected(
+        &mut self,
+        mut trial: Trial,
+        evaluate: &mut Evaluate<'_>,
+    ) -> Result<Trial, argmin::core::Error> {
         for _ in 0..MOST_CORRECTIONS {
             if trial.reduction.is_good() {
                 break;
             }
-            let Some(corrected) = self.second_order_correction(&trial) else { break };
+            let Some(corrected) = self.second_order_correction(&trial) else {
+                break;
+            };
             let point = self.evaluated(corrected.x, evaluate)?;
             let reduction = self.reduction(&trial.step, point.as_ref());
             if reduction.actual <= trial.reduction.actual {
@@ -240,7 +285,8 @@ impl State {
         Ok(trial)
     }
 
-    /// The second-order correction of a step, where it violates the constraints by more than their linear model.
+    /// The second-order correction of a step, where it violates the constraints by more than their
+    /// linear model.
     fn second_order_correction(&mut self, trial: &Trial) -> Option<TrialStep> {
         let tried = trial.point.as_ref()?;
         let missed = norm(self.scaling.violations(&tried.f)) - trial.step.linear_violation;
@@ -255,15 +301,23 @@ impl State {
     fn reduction(&self, step: &TrialStep, point: Option<&Point>) -> Reduction {
         let actual = point.map_or(f64::NEG_INFINITY, |point| {
             let violation = norm(self.scaling.violations(&point.f));
-            self.point.f.objective.value - point.f.objective.value + self.penalty * (self.violation() - violation)
+            self.point.f.objective.value - point.f.objective.value
+                + self.penalty * (self.violation() - violation)
         });
-        Reduction { actual, predicted: self.predicted_reduction(step), size: self.merit_size() }
+        Reduction {
+            actual,
+            predicted: self.predicted_reduction(step),
+            size: self.merit_size(),
+        }
     }
 
-    /// Whether a step that changes the merit by little more than rounding halves the KKT residual: near a solution the gradient has more
-    /// correct digits than the merit (Hager & Zhang 2005, SIAM J. Optim. 16, section 2).
+    /// Whether a step that changes the merit by little more than rounding halves the KKT residual:
+    /// near a solution the gradient has more correct digits than the merit (Hager & Zhang 2005,
+    /// SIAM J. Optim. 16, section 2).
     pub fn halves_the_residual(&self, trial: &Trial) -> bool {
-        let Some(point) = &trial.point else { return false };
+        let Some(point) = &trial.point else {
+            return false;
+        };
         let residual = self.scaling.residual(point, &trial.step.multipliers);
         trial.reduction.is_nearly_rounding() && residual.largest() <= 0.5 * self.residual.largest()
     }
@@ -275,9 +329,14 @@ impl State {
         } else if reduction.is_good() && step.is_limited_by(self.radius) {
             self.radius = (GROW * self.radius).min(LARGEST_RADIUS);
         }
-        // a reflected curvature, which is none of f's, limits steps as a trust region does, and is relaxed as one
+        // a reflected curvature, which is none of f's, limits steps as a trust region does, and is
+        // relaxed as one
         let is_exact = step.is_reflected && reduction.is_exact();
-        self.reflection = if is_exact { (SHRINK * self.reflection).max(LEAST_REFLECTION) } else { 1.0 };
+        self.reflection = if is_exact {
+            (SHRINK * self.reflection).max(LEAST_REFLECTION)
+        } else {
+            1.0
+        };
     }
 
     /// Moves to a point; returns the point before.
@@ -306,7 +365,8 @@ impl State {
         step.objective_reduction + self.penalty * (step.violation - step.linear_violation)
     }
 
-    /// The size of the merit, by which its rounding is measured: that of f, and a constraint's in units of γ.
+    /// The size of the merit, by which its rounding is measured: that of f, and a constraint's in
+    /// units of γ.
     pub fn merit_size(&self) -> f64 {
         self.scaling.size(&self.point) + self.penalty
     }
@@ -318,12 +378,18 @@ impl State {
 
     /// The Lagrangian at a point, with the multipliers of this one.
     pub fn lagrangian(&self, at: &Point) -> f64 {
-        let terms = at.f.constraints.iter().zip(&self.multipliers).map(|(constraint, m)| m * constraint.value);
+        let terms =
+            at.f.constraints
+                .iter()
+                .zip(&self.multipliers)
+                .map(|(constraint, m)| m * constraint.value);
         at.f.objective.value + terms.sum::<f64>()
     }
 
     fn quasi_newton(&self) -> QuasiNewton {
-        self.quasi_newton.clone().unwrap_or_else(|| QuasiNewton::initial(&self.scaling, &self.point))
+        self.quasi_newton
+            .clone()
+            .unwrap_or_else(|| QuasiNewton::initial(&self.scaling, &self.point))
     }
 
     fn count(&mut self, step: &TrialStep) {

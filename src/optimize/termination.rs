@@ -7,22 +7,25 @@ use super::saddle::Goal;
 use super::sqp::Sqp;
 use super::state::{Evaluate, State};
 use super::status::{
-    Status, Verdict, corner_test, gain_test, gradient_test, infeasible, infeasible_test, is_running_off, progress_test,
-    radius_test, rounding_test, unbounded_test,
+    Status, Verdict, corner_test, gain_test, gradient_test, infeasible, infeasible_test,
+    is_running_off, progress_test, radius_test, rounding_test, unbounded_test,
 };
 use super::trial_step::TrialStep;
 use argmin::core::Error;
 
 impl Sqp {
-    /// Tests whether the search ends. A converged point is examined for a saddle, for a redundant bound and for a corner; an infeasible one
-    /// for points elsewhere that meet the constraints. Where that leads on, the search goes on.
+    /// Tests whether the search ends. A converged point is examined for a saddle, for a redundant
+    /// bound and for a corner; an infeasible one for points elsewhere that meet the constraints.
+    /// Where that leads on, the search goes on.
     pub(super) fn terminate_or_go_on(
         &mut self,
         state: &mut State,
         step: Option<&TrialStep>,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<(), Error> {
-        let Some(mut verdict) = self.tested(state, step) else { return Ok(()) };
+        let Some(mut verdict) = self.tested(state, step) else {
+            return Ok(());
+        };
         match verdict.status {
             Status::Converged => {
                 if state.leave_saddle(Goal::Merit, evaluate)? {
@@ -36,8 +39,8 @@ impl Sqp {
                 }
             }
             Status::Infeasible => {
-                let goes_on =
-                    state.leave_saddle(Goal::Feasibility, evaluate)? || state.restore(&self.options, evaluate)?;
+                let goes_on = state.leave_saddle(Goal::Feasibility, evaluate)?
+                    || state.restore(&self.options, evaluate)?;
                 if goes_on {
                     return Ok(());
                 }
@@ -65,11 +68,17 @@ impl Sqp {
         let size = state.scaling.size(&state.point);
         let predicted = step.map_or(f64::INFINITY, |step| state.predicted_reduction(step) / size);
         let slopes = state.point.lagrangian_gradient(&state.multipliers);
-        let residual = state.scaling.residual_of_slopes(&state.point, &state.multipliers, &slopes);
+        let residual = state
+            .scaling
+            .residual_of_slopes(&state.point, &state.multipliers, &slopes);
         let is_idle = predicted <= NOISE && residual.largest() > 0.5 * state.residual.largest();
         let outward = state.scaling.outward(&state.point, &slopes);
         state.residual = residual;
-        state.counters.stalled = if is_idle { state.counters.stalled + 1 } else { 0 };
+        state.counters.stalled = if is_idle {
+            state.counters.stalled + 1
+        } else {
+            0
+        };
 
         let is_there = |tolerance: f64| !is_running_off(outward.as_ref(), tolerance);
         if let Some(verdict) = unbounded_test(outward.as_ref(), state) {
@@ -80,26 +89,33 @@ impl Sqp {
         {
             return Some(verdict);
         }
-        if let Some(verdict) = step.and_then(|step| infeasible_test(step, state.radius, tolerance)) {
+        if let Some(verdict) = step.and_then(|step| infeasible_test(step, state.radius, tolerance))
+        {
             return Some(verdict);
         }
         let largest = residual.largest();
-        let stalled =
-            radius_test(state.radius, largest).or_else(|| progress_test(state.counters.stalled, predicted, largest));
+        let stalled = radius_test(state.radius, largest)
+            .or_else(|| progress_test(state.counters.stalled, predicted, largest));
         if let Some(stalled) = stalled {
             // the objective and the violation balance in the merit: no step reduces either further
             if step.is_some_and(|step| step.is_relaxed) && residual.feasibility > tolerance {
                 return Some(infeasible(state.violation()));
             }
             let shrunk = state.scaling.first_size / size;
-            let rounding = rounding_test(residual, shrunk, tolerance).filter(|_| is_there(tolerance.sqrt()));
+            let rounding =
+                rounding_test(residual, shrunk, tolerance).filter(|_| is_there(tolerance.sqrt()));
             return Some(rounding.unwrap_or(stalled));
         }
         corner_test(step?.active_terms, predicted, largest)
     }
 
     /// The corner of f at a point where a search would end, if there is one.
-    fn corner(&self, state: &mut State, verdict: &Verdict, evaluate: &mut Evaluate<'_>) -> Result<Option<Kink>, Error> {
+    fn corner(
+        &self,
+        state: &mut State,
+        verdict: &Verdict,
+        evaluate: &mut Evaluate<'_>,
+    ) -> Result<Option<Kink>, Error> {
         let is_examined = match verdict.status {
             Status::Converged => kink::is_suspected(&state.scaling, &state.point),
             Status::Stalled | Status::StalledAtKink => true,
@@ -124,9 +140,10 @@ fn described(state: &State, verdict: Verdict, kink: Option<&Kink>) -> Verdict {
     }
     match (verdict.status, &state.undefined_reason) {
         (Status::Stalled, Some(why)) => verdict.with(&format!("; beyond this point, {why}")),
-        (Status::Converged, _) if state.point.f.objective.hessian.is_empty() => {
-            verdict.with("; no second derivatives were given, so that a saddle or a maximum is not told from a minimum")
-        }
+        (Status::Converged, _) if state.point.f.objective.hessian.is_empty() => verdict.with(
+            "; no second derivatives were given, so that a saddle or a maximum is not \
+                          told from a minimum",
+        ),
         _ => verdict,
     }
 }

@@ -25,8 +25,8 @@ pub(super) struct TrialStep {
     pub source: StepSource,
 }
 
-/// The part of the trust region in which contradicting constraints are met as far as they can be; the rest is left to the objective
-/// (Omojokun 1989: 0.8).
+/// The part of the trust region in which contradicting constraints are met as far as they can be;
+/// the rest is left to the objective (Omojokun 1989: 0.8).
 pub(super) const NORMAL_PART: f64 = 0.8;
 
 impl TrialStep {

@@ -1,6 +1,6 @@
-//! The machinery behind the parameter table: what a row is, and the two macros that turn rows into typed
-//! fields of a [`Setup`](super::Setup). A parameter is declared once, in `table.rs`; everything else
-//! (setup files, `--set`, `--vary`, `--wrt`, JSON keys, listings) walks the rows.
+//! The machinery behind the parameter table: what a row is, and the two macros that turn rows into
+//! typed fields of a [`Setup`](super::Setup). A parameter is declared once, in `table.rs`;
+//! everything else (setup files, `--set`, `--vary`, `--wrt`, JSON keys, listings) walks the rows.
 
 use super::Range;
 use crate::units::{Digits, Message, Quantity};
@@ -18,8 +18,9 @@ pub enum Kind {
     Setting,
 }
 
-/// One row of the table: a scalar of the model. The rows are all there are: [`Setup::parameter`](super::Setup::parameter) finds one by its
-/// name. Two laws may each have a coefficient of the same name; these are two parameters.
+/// One row of the table: a scalar of the model. The rows are all there are:
+/// [`Setup::parameter`](super::Setup::parameter) finds one by its name. Two laws may each have a
+/// coefficient of the same name; these are two parameters.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Parameter {
@@ -33,7 +34,8 @@ pub struct Parameter {
     pub unit: &'static str,
     /// The values it may have.
     pub range: Range,
-    /// Its value in the preset `modern-driver`, or for a coefficient of an aerodynamic law the published one.
+    /// Its value in the preset `modern-driver`, or for a coefficient of an aerodynamic law the
+    /// published one.
     pub default: &'static str,
     /// Where the default comes from.
     pub source: &'static str,
@@ -41,7 +43,8 @@ pub struct Parameter {
     pub doc: &'static str,
     /// Required, optional or a setting.
     pub kind: Kind,
-    /// The value, SI, that it counts as where it is unset; `None` where no number says what then holds.
+    /// The value, SI, that it counts as where it is unset; `None` where no number says what then
+    /// holds.
     pub unset: Option<f64>,
     /// The aerodynamic law it is a coefficient of, if any.
     pub law: Option<&'static str>,
@@ -64,7 +67,10 @@ impl Parameter {
 
     /// A value as a person reads it.
     pub fn show(&self, value: Option<f64>) -> String {
-        value.map_or_else(|| UNSET.into(), |value| self.quantity.show(value, self.unit))
+        value.map_or_else(
+            || UNSET.into(),
+            |value| self.quantity.show(value, self.unit),
+        )
     }
 }
 
@@ -231,8 +237,8 @@ macro_rules! parameter_groups {
     ($( $(#[doc = $doc:literal])* $group:ident : $Group:ident $rows:tt )+) => {
         $( parameter_struct! { $(#[doc = $doc])* $Group, None, $rows } )+
 
-        /// Everything a drive depends on: each parameter of `docs/model.md`, over the number `T`, and the
-        /// aerodynamic law with its coefficients.
+        /// Everything a drive depends on: each parameter of `docs/model.md`, over the number `T`,
+        /// and the aerodynamic law with its coefficients.
         ///
         /// ```
         /// use longdrive::Setup;
@@ -267,8 +273,8 @@ macro_rules! parameter_groups {
         }
 
         impl<T: Copy> Setup<T> {
-            /// The same setup over another number: `f` makes it from each parameter and its value. Settings
-            /// and unset parameters stay as they are.
+            /// The same setup over another number: `f` makes it from each parameter and its value.
+            /// Settings and unset parameters stay as they are.
             #[inline(always)]
             pub fn map<U>(&self, mut f: impl FnMut(&'static Parameter, T) -> U) -> Setup<U> {
                 let f = &mut f;
@@ -276,7 +282,8 @@ macro_rules! parameter_groups {
                 Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method, golfer, speed_of }
             }
 
-            /// The parameters that this setup has, in the table's order: all groups, then the coefficients of its law.
+            /// The parameters that this setup has, in the table's order: all groups, then the
+            /// coefficients of its law.
             pub fn parameters(&self) -> Vec<&'static Parameter> {
                 let groups = [$( $Group::rows().as_slice(), )+ self.law.rows()];
                 groups.into_iter().flatten().collect()
@@ -302,7 +309,8 @@ macro_rules! law_coefficients {
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum Law<T> {
             $( $(#[doc = $doc])* $Law($Law<T>), )+
-            /// Splines through your own table (`aero.table`): C_D = cd_factor D and C_L = cl_factor L, held beyond its edges, no lift without spin.
+            /// Splines through your own table (`aero.table`): C_D = cd_factor D and C_L = cl_factor
+            /// L, held beyond its edges, no lift without spin.
             Table(Table<T>),
         }
 

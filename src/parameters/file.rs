@@ -1,5 +1,5 @@
-//! Setup files: TOML whose keys are the parameters' dotted names. A string carries its unit, a bare number
-//! is SI; every mistake is reported with its line and column.
+//! Setup files: TOML whose keys are the parameters' dotted names. A string carries its unit, a bare
+//! number is SI; every mistake is reported with its line and column.
 
 use super::air::is_taken_back;
 use super::club_speed::SPEED_OF;
@@ -30,7 +30,9 @@ struct Item<'a> {
 impl Item<'_> {
     /// Whether it takes its parameter back, which something else gives.
     fn is_taken_back(&self) -> bool {
-        self.value.as_str().is_some_and(|text| is_taken_back(&self.key, text))
+        self.value
+            .as_str()
+            .is_some_and(|text| is_taken_back(&self.key, text))
     }
 }
 
@@ -58,11 +60,16 @@ impl SetupFile {
         let file = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Self::read(&text, &file),
-            Err(source) => Err(Error::File { file, source, presets: Preset::names() }),
+            Err(source) => Err(Error::File {
+                file,
+                source,
+                presets: Preset::names(),
+            }),
         }
     }
 
-    /// Reads the text of a setup file; `file` is what messages call it, and other files are named from where that is.
+    /// Reads the text of a setup file; `file` is what messages call it, and other files are named
+    /// from where that is.
     ///
     /// # Errors
     /// As [`Setup::from_toml`].
@@ -85,36 +92,61 @@ impl SetupFile {
         for (i, item) in items.iter().enumerate() {
             if let Some(first) = items[..i].iter().find(|first| first.key == item.key) {
                 let (line, _) = place_in(text, first.key_at);
-                return Err(in_file(text, file, item.key_at, Error::Twice { key: item.key.clone(), line }));
+                return Err(in_file(
+                    text,
+                    file,
+                    item.key_at,
+                    Error::Twice {
+                        key: item.key.clone(),
+                        line,
+                    },
+                ));
             }
         }
         let mut setup = Setup::default();
         // other files are named from where this one is
         let folder = Path::new(file).parent().unwrap_or(Path::new(""));
         for item in &items {
-            setup.apply(item, folder).map_err(|(at, source)| in_file(text, file, at, source))?;
+            setup
+                .apply(item, folder)
+                .map_err(|(at, source)| in_file(text, file, at, source))?;
         }
         if let Some(turf) = items.iter().find(|item| item.key == TURF) {
             refuse_idle_turf(|name| items.iter().any(|item| item.key == name))
                 .map_err(|source| in_file(text, file, turf.key_at, source))?;
         }
         for item in items.iter().filter(|item| !item.is_taken_back()) {
-            setup.refuse_replaced(&[&item.key]).map_err(|source| in_file(text, file, item.key_at, source))?;
+            setup
+                .refuse_replaced(&[&item.key])
+                .map_err(|source| in_file(text, file, item.key_at, source))?;
         }
-        let named = items.iter().find(|item| item.key == PRESET).and_then(|item| item.value.as_str());
+        let named = items
+            .iter()
+            .find(|item| item.key == PRESET)
+            .and_then(|item| item.value.as_str());
         let given = items
             .iter()
             .filter(|item| !item.is_taken_back())
             .filter_map(|item| setup.parameter(&item.key).ok())
             .collect();
-        let bare = items.iter().filter(|item| matches!(item.value, DeValue::Integer(_) | DeValue::Float(_)));
+        let bare = items
+            .iter()
+            .filter(|item| matches!(item.value, DeValue::Integer(_) | DeValue::Float(_)));
         let bare = bare.filter_map(|item| setup.parameter(&item.key).ok());
         let has_unit = |parameter: &&Parameter| !parameter.quantity.si.is_empty();
         let is_finite = |parameter: &&Parameter| setup.value(parameter).is_some_and(f64::is_finite);
         let without_unit = bare.filter(has_unit).filter(is_finite).collect();
         let preset = named.and_then(Preset::named).unwrap_or(&PRESETS[0]);
-        let gives_step = items.iter().any(|item| matches!(item.key.as_str(), METHOD | "flight.step"));
-        Ok(Self { setup, preset, given, gives_step, without_unit })
+        let gives_step = items
+            .iter()
+            .any(|item| matches!(item.key.as_str(), METHOD | "flight.step"));
+        Ok(Self {
+            setup,
+            preset,
+            given,
+            gives_step,
+            without_unit,
+        })
     }
 }
 
@@ -127,8 +159,8 @@ impl Setup<f64> {
         SetupFile::open(path).map(|file| file.setup)
     }
 
-    /// Reads the text of a setup file; `file` is what messages call it. What the file leaves out comes from
-    /// its `preset`, or from `modern-driver` where it names none.
+    /// Reads the text of a setup file; `file` is what messages call it. What the file leaves out
+    /// comes from its `preset`, or from `modern-driver` where it names none.
     ///
     /// ```
     /// use longdrive::Setup;
@@ -151,10 +183,13 @@ impl Setup<f64> {
             return Ok(());
         }
         if item.key == TABLE {
-            let name = item
-                .value
-                .as_str()
-                .ok_or_else(|| at_value(wrong_type(item, item.value, "the name of a file in quotes".into())))?;
+            let name = item.value.as_str().ok_or_else(|| {
+                at_value(wrong_type(
+                    item,
+                    item.value,
+                    "the name of a file in quotes".into(),
+                ))
+            })?;
             return self.set_table(&folder.join(name)).map_err(at_value);
         }
         if item.key == LAW {
@@ -165,11 +200,21 @@ impl Setup<f64> {
             return self.set_law(name).map_err(at_value);
         }
         if matches!(item.key.as_str(), TURF | METHOD | GOLFER | SPEED_OF) {
-            return self.apply_text(&item.key, string(item).map_err(at_value)?, false).map_err(at_value);
+            return self
+                .apply_text(&item.key, string(item).map_err(at_value)?, false)
+                .map_err(at_value);
         }
         let group = format!("{}.", item.key);
-        if self.parameters().iter().any(|row| row.name.starts_with(&group)) {
-            return Err(at_value(wrong_type(item, item.value, format!("a table, [{}]", item.key))));
+        if self
+            .parameters()
+            .iter()
+            .any(|row| row.name.starts_with(&group))
+        {
+            return Err(at_value(wrong_type(
+                item,
+                item.value,
+                format!("a table, [{}]", item.key),
+            )));
         }
         let parameter = self.parameter(&item.key).map_err(|e| (item.key_at, e))?;
         let value = match item.value {
@@ -177,11 +222,17 @@ impl Setup<f64> {
             DeValue::String(text) => parameter.read(text, false),
             DeValue::Integer(number) => parameter.read(&number.to_string(), true),
             DeValue::Float(number) => parameter.read(number.as_str(), true),
-            other => {
-                Err(wrong_type(item, other, format!("a number or a string like \"{}\"", example(parameter.default))))
-            }
+            other => Err(wrong_type(
+                item,
+                other,
+                format!(
+                    "a number or a string like \"{}\"",
+                    example(parameter.default)
+                ),
+            )),
         };
-        self.set_value(parameter, value.map_err(at_value)?).map_err(at_value)
+        self.set_value(parameter, value.map_err(at_value)?)
+            .map_err(at_value)
     }
 }
 
@@ -190,7 +241,9 @@ fn example(default: &'static str) -> &'static str {
 }
 
 fn string<'a>(item: &'a Item<'a>) -> Result<&'a str> {
-    item.value.as_str().ok_or_else(|| wrong_type(item, item.value, "a name in quotes".into()))
+    item.value
+        .as_str()
+        .ok_or_else(|| wrong_type(item, item.value, "a name in quotes".into()))
 }
 
 fn wrong_type(item: &Item<'_>, found: &DeValue<'_>, expected: String) -> Error {
@@ -202,7 +255,11 @@ fn wrong_type(item: &Item<'_>, found: &DeValue<'_>, expected: String) -> Error {
         DeValue::Array(_) => "an array",
         DeValue::Table(_) => "a table",
     };
-    Error::WrongType { key: item.key.clone(), found, expected }
+    Error::WrongType {
+        key: item.key.clone(),
+        found,
+        expected,
+    }
 }
 
 fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) {
@@ -210,9 +267,12 @@ fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) 
         let name = format!("{prefix}{}", key.get_ref());
         match value.get_ref() {
             DeValue::Table(inner) => flatten(inner, &format!("{name}."), items),
-            other => {
-                items.push(Item { key: name, key_at: key.span().start, value: other, value_at: value.span().start })
-            }
+            other => items.push(Item {
+                key: name,
+                key_at: key.span().start,
+                value: other,
+                value_at: value.span().start,
+            }),
         }
     }
 }
@@ -220,14 +280,22 @@ fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) 
 /// What is wrong at a place of a file.
 pub(crate) fn in_file(text: &str, file: &str, at: usize, source: Error) -> Error {
     let (line, column) = place_in(text, at);
-    Error::InFile { file: file.into(), line, column, source: Box::new(source) }
+    Error::InFile {
+        file: file.into(),
+        line,
+        column,
+        source: Box::new(source),
+    }
 }
 
 /// Line and column of a byte, from 1.
 pub(crate) fn place_in(text: &str, at: usize) -> (usize, usize) {
     let before = text.get(..at).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+    (
+        before.matches('\n').count() + 1,
+        before[line_start..].chars().count() + 1,
+    )
 }
 
 #[cfg(test)]
@@ -236,31 +304,87 @@ mod tests {
 
     #[test]
     fn nested_keys_units_and_bare_numbers() {
-        let text = "aero.law = 'linear'\n[swing]\nspeed = 50\n[club]\ninertia = { xx = '5679 g cm^2', yz = 1e-6 }\n\
+        let text = "aero.law = 'linear'\n[swing]\nspeed = 50\n[club]\ninertia = \
+                    { xx = '5679 g cm^2', yz = 1e-6 }\n\
                     bulge_radius = inf\n[impact]\nfriction = 0.4\n[aero]\ncd = 0.27";
         let error = Setup::from_toml(text, "a.toml").unwrap_err().to_string();
-        assert!(error.starts_with("a.toml: "), "a table defined twice is a TOML error: {error}");
-        let setup =
-            Setup::from_toml(&text.replace("\n[aero]\ncd", "\n[a]\n").replace("[a]\n = 0.27", ""), "a.toml").unwrap();
+        assert!(
+            error.starts_with("a.toml: "),
+            "a table defined twice is a TOML error: {error}"
+        );
+        let setup = Setup::from_toml(
+            &text
+                .replace("\n[aero]\ncd", "\n[a]\n")
+                .replace("[a]\n = 0.27", ""),
+            "a.toml",
+        )
+        .unwrap();
         assert_eq!((setup.swing.speed, setup.club.inertia_xx), (50.0, 5.679e-4));
-        assert_eq!((setup.club.bulge_radius, setup.impact.friction), (f64::INFINITY, Some(0.4)));
+        assert_eq!(
+            (setup.club.bulge_radius, setup.impact.friction),
+            (f64::INFINITY, Some(0.4))
+        );
         assert_eq!(setup.law.name(), "linear");
     }
 
     #[test]
     fn every_mistake_has_its_line_and_column() {
         for (text, start, says) in [
-            ("[club]\nloft = '10 kg'", "f:2:8: club.loft: \"10 kg\" is not an angle", "deg"),
-            ("[club]\nloft = '10'", "f:2:8: club.loft: \"10\" has no unit", "deg"),
-            ("[club]\nloft = 10", "f:2:8: club.loft = 10 rad", "did you mean \"10 deg\"?"),
-            ("[club]\nloft = nan", "f:2:8: club.loft: \"nan\" is not a number", "10.5 deg"),
-            ("[club]\nloft = true", "f:2:8: 'club.loft' is a boolean", "9.8 deg"),
-            ("[club]\nloft = { x = 1 }", "f:2:10: unknown parameter 'club.loft.x'", "did you mean 'club.loft'"),
-            ("\n\nprset = 'mae494'", "f:3:1: unknown parameter 'prset'", "longdrive parameters"),
-            ("preset = 'mae'", "f:1:10: unknown preset 'mae'; did you mean 'mae494'?", "winfield-tan"),
-            ("[aero]\nlaw = 'linear'\ncd0 = 0.3", "f:3:1: 'aero.cd0' is a coefficient of robinson, ", "robinson"),
-            ("club = 3", "f:1:8: 'club' is a number; expected a table", "[club]"),
-            ("[[swing]]\nspeed = 50", "f:1:1: 'swing' is an array; expected a table", "[swing]"),
+            (
+                "[club]\nloft = '10 kg'",
+                "f:2:8: club.loft: \"10 kg\" is not an angle",
+                "deg",
+            ),
+            (
+                "[club]\nloft = '10'",
+                "f:2:8: club.loft: \"10\" has no unit",
+                "deg",
+            ),
+            (
+                "[club]\nloft = 10",
+                "f:2:8: club.loft = 10 rad",
+                "did you mean \"10 deg\"?",
+            ),
+            (
+                "[club]\nloft = nan",
+                "f:2:8: club.loft: \"nan\" is not a number",
+                "10.5 deg",
+            ),
+            (
+                "[club]\nloft = true",
+                "f:2:8: 'club.loft' is a boolean",
+                "9.8 deg",
+            ),
+            (
+                "[club]\nloft = { x = 1 }",
+                "f:2:10: unknown parameter 'club.loft.x'",
+                "did you mean 'club.loft'",
+            ),
+            (
+                "\n\nprset = 'mae494'",
+                "f:3:1: unknown parameter 'prset'",
+                "longdrive parameters",
+            ),
+            (
+                "preset = 'mae'",
+                "f:1:10: unknown preset 'mae'; did you mean 'mae494'?",
+                "winfield-tan",
+            ),
+            (
+                "[aero]\nlaw = 'linear'\ncd0 = 0.3",
+                "f:3:1: 'aero.cd0' is a coefficient of robinson, ",
+                "robinson",
+            ),
+            (
+                "club = 3",
+                "f:1:8: 'club' is a number; expected a table",
+                "[club]",
+            ),
+            (
+                "[[swing]]\nspeed = 50",
+                "f:1:1: 'swing' is an array; expected a table",
+                "[swing]",
+            ),
             (
                 "\"swing.speed\" = 50\n[swing]\nspeed = 40",
                 "f:3:1: 'swing.speed' is given twice, here and at line 1",
@@ -268,9 +392,14 @@ mod tests {
             ),
         ] {
             let message = Setup::from_toml(text, "f").unwrap_err().to_string();
-            assert!(message.starts_with(start) && message.contains(says), "{text:?}: {message}");
+            assert!(
+                message.starts_with(start) && message.contains(says),
+                "{text:?}: {message}"
+            );
         }
-        let message = Setup::from_toml("[club\nloft = 1", "f").unwrap_err().to_string();
+        let message = Setup::from_toml("[club\nloft = 1", "f")
+            .unwrap_err()
+            .to_string();
         assert!(message.contains("line 1, column"), "{message}");
     }
 }

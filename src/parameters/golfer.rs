@@ -1,7 +1,7 @@
 use crate::error::{Error, Result};
 
-/// The hand of the golfer. Swing, strike and club are stated in the golfer's own terms, so that those of a left-hander give the mirror image of
-/// what they give of a right-hander.
+/// The hand of the golfer. Swing, strike and club are stated in the golfer's own terms, so that
+/// those of a left-hander give the mirror image of what they give of a right-hander.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Golfer {
     /// A right-handed golfer: out, open and the toe are to the right.
@@ -32,9 +32,18 @@ impl Golfer {
     /// [`Error::Unknown`] with the nearest name.
     pub fn named(name: &str) -> Result<Self> {
         let name = name.trim();
-        Self::ALL.iter().copied().find(|golfer| golfer.name() == name).ok_or_else(|| {
-            let names = Self::ALL.iter().map(|golfer| golfer.name());
-            Error::unknown(GOLFER, name, names, "a golfer is right or left, by the hand")
-        })
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|golfer| golfer.name() == name)
+            .ok_or_else(|| {
+                let names = Self::ALL.iter().map(|golfer| golfer.name());
+                Error::unknown(
+                    GOLFER,
+                    name,
+                    names,
+                    "a golfer is right or left, by the hand",
+                )
+            })
     }
 }

@@ -17,7 +17,11 @@ impl<T: Copy> Club<T> {
     #[inline(always)]
     pub fn inertia(&self) -> [[T; 3]; 3] {
         let (xy, xz, yz) = (self.inertia_xy, self.inertia_xz, self.inertia_yz);
-        [[self.inertia_xx, xy, xz], [xy, self.inertia_yy, yz], [xz, yz, self.inertia_zz]]
+        [
+            [self.inertia_xx, xy, xz],
+            [xy, self.inertia_yy, yz],
+            [xz, yz, self.inertia_zz],
+        ]
     }
 }
 
@@ -34,7 +38,11 @@ impl Club<f64> {
     pub(crate) fn check_inertia(&self) -> Result<()> {
         let [smallest, _, largest] = self.principal_moments();
         // eigenvalues are good to rounding of the largest
-        if smallest > 1e-14 * largest { Ok(()) } else { Err(Error::Inertia { smallest }) }
+        if smallest > 1e-14 * largest {
+            Ok(())
+        } else {
+            Err(Error::Inertia { smallest })
+        }
     }
 
     /// Two principal moments of a rigid body are together at least as large as the third.
@@ -42,8 +50,10 @@ impl Club<f64> {
         let [a, b, c] = self.principal_moments();
         (a + b < c * (1.0 - 1e-12)).then(|| {
             format!(
-                "club.inertia: no rigid body has the principal moments {a:.4e}, {b:.4e} and {c:.4e} kg m^2 \
-                 (the sum of the two smaller must be at least the largest); the drive is computed with them all the same"
+                "club.inertia: no rigid body has the principal moments {a:.4e}, {b:.4e} and \
+                 {c:.4e} kg m^2 \
+                 (the sum of the two smaller must be at least the largest); the drive is computed \
+                 with them all the same"
             )
         })
     }

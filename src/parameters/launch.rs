@@ -7,9 +7,12 @@ use crate::error::{Error, Result};
 const GROUP: &str = "launch.";
 
 impl super::Parameter {
-    /// Whether it is of the club and its strike, of which nothing depends where the launch is given.
+    /// Whether it is of the club and its strike, of which nothing depends where the launch is
+    /// given.
     pub fn is_of_strike(&self) -> bool {
-        ["swing.", "strike.", "club.", "impact."].iter().any(|group| self.name.starts_with(group))
+        ["swing.", "strike.", "club.", "impact."]
+            .iter()
+            .any(|group| self.name.starts_with(group))
     }
 
     /// Whether it is of the ball, on which impact and flight depend.
@@ -31,8 +34,8 @@ impl<T: Copy> LaunchConditions<T> {
 }
 
 impl Setup<f64> {
-    /// Whether the launch conditions that are set, and those of these names, make one launch: none at all, or ball speed, launch
-    /// angle, and the spin once.
+    /// Whether the launch conditions that are set, and those of these names, make one launch: none
+    /// at all, or ball speed, launch angle, and the spin once.
     ///
     /// # Errors
     /// [`Error::Launch`] with what is missing or given twice.
@@ -46,7 +49,12 @@ impl Setup<f64> {
             }
         }
         let has = |name: &str| given.contains(&name);
-        let refuse = |reason: &str| Err(Error::Launch { given: given.join(", "), reason: reason.into() });
+        let refuse = |reason: &str| {
+            Err(Error::Launch {
+                given: given.join(", "),
+                reason: reason.into(),
+            })
+        };
         if given.is_empty() {
             return Ok(());
         }
@@ -54,16 +62,22 @@ impl Setup<f64> {
             _ if !has("ball_speed") => refuse("ball_speed is missing"),
             _ if !has("launch_angle") => refuse("launch_angle is missing"),
             (false, false) => refuse("the spin is missing: give backspin, or spin"),
-            (true, true) => {
-                refuse("the spin is given twice: keep backspin, or spin, and unset the other (--set launch.spin=none)")
+            (true, true) => refuse(
+                "the spin is given twice: keep backspin, or spin, and unset the other (--set \
+                 launch.spin=none)",
+            ),
+            (true, false) if has("spin_axis") => {
+                refuse("spin_axis needs spin; with backspin, give sidespin")
             }
-            (true, false) if has("spin_axis") => refuse("spin_axis needs spin; with backspin, give sidespin"),
-            (false, true) if has("sidespin") => refuse("sidespin needs backspin; with spin, give spin_axis"),
+            (false, true) if has("sidespin") => {
+                refuse("sidespin needs backspin; with spin, give spin_axis")
+            }
             _ => Ok(()),
         }
     }
 
-    /// Where the spin is to be given in one form (backspin and sidespin, or spin and its axis), unsets the other form.
+    /// Where the spin is to be given in one form (backspin and sidespin, or spin and its axis),
+    /// unsets the other form.
     pub fn replace_spin(&mut self, given: &super::Parameter) {
         match given.name {
             "launch.backspin" => (self.launch.spin, self.launch.spin_axis) = (None, None),
@@ -81,7 +95,10 @@ impl Setup<f64> {
 
     /// The names of the launch conditions, without their group.
     pub fn launch_conditions(&self) -> Vec<&'static str> {
-        self.parameters().iter().filter_map(|parameter| parameter.name.strip_prefix(GROUP)).collect()
+        self.parameters()
+            .iter()
+            .filter_map(|parameter| parameter.name.strip_prefix(GROUP))
+            .collect()
     }
 
     /// The launch condition of this name, without its group: `ball_speed` for `launch.ball_speed`.

@@ -6,7 +6,8 @@ pub enum Method {
     /// The classical Runge–Kutta method, order 4 (Kutta 1901).
     #[default]
     Rk4,
-    /// Dormand & Prince's method of order 8 with 12 evaluations a step (Hairer, Nørsett & Wanner 1993, DOP853).
+    /// Dormand & Prince's method of order 8 with 12 evaluations a step (Hairer, Nørsett & Wanner
+    /// 1993, DOP853).
     DormandPrince8,
 }
 
@@ -49,10 +50,17 @@ impl Method {
     /// [`Error::Unknown`] with the nearest name.
     pub fn named(name: &str) -> Result<Self> {
         let name = name.trim();
-        Self::ALL.iter().copied().find(|method| method.name() == name).ok_or_else(|| {
-            let names = Self::ALL.iter().map(|method| method.name());
-            let advice = format!("the methods are {}", names.clone().collect::<Vec<_>>().join(", "));
-            Error::unknown("method of integration", name, names, advice)
-        })
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|method| method.name() == name)
+            .ok_or_else(|| {
+                let names = Self::ALL.iter().map(|method| method.name());
+                let advice = format!(
+                    "the methods are {}",
+                    names.clone().collect::<Vec<_>>().join(", ")
+                );
+                Error::unknown("method of integration", name, names, advice)
+            })
     }
 }

@@ -1,5 +1,5 @@
-//! What a drive depends on: [`Setup`], one table that declares every parameter once, presets with their
-//! sources, and setup files.
+//! What a drive depends on: [`Setup`], one table that declares every parameter once, presets with
+//! their sources, and setup files.
 
 mod air;
 mod club_speed;
@@ -40,9 +40,9 @@ pub use range::Range;
 pub(crate) use setup::{NO_CLUB, refuse_twice};
 pub(crate) use table::with_law;
 pub use table::{
-    Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LAW, LaunchConditions,
-    LaunchMonitor, Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan, Robinson, Setup, SmitsSmith, Strike, Swing,
-    Table, TableFactors, UsgaItr, Wind, WinfieldTan,
+    Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LAW,
+    LaunchConditions, LaunchMonitor, Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan,
+    Robinson, Setup, SmitsSmith, Strike, Swing, Table, TableFactors, UsgaItr, Wind, WinfieldTan,
 };
 pub use turf::{TURF, TURFS};
 pub use vary::Vary;

@@ -16,17 +16,32 @@ pub struct Range {
 impl Range {
     /// low ≤ value ≤ high.
     pub const fn from_to(low: f64, high: f64) -> Self {
-        Self { low, high, low_included: true, high_included: true }
+        Self {
+            low,
+            high,
+            low_included: true,
+            high_included: true,
+        }
     }
 
     /// low < value < high.
     pub const fn between(low: f64, high: f64) -> Self {
-        Self { low, high, low_included: false, high_included: false }
+        Self {
+            low,
+            high,
+            low_included: false,
+            high_included: false,
+        }
     }
 
     /// low < value ≤ high.
     pub const fn above_to(low: f64, high: f64) -> Self {
-        Self { low, high, low_included: false, high_included: true }
+        Self {
+            low,
+            high,
+            low_included: false,
+            high_included: true,
+        }
     }
 
     /// −high° < value < high°.
@@ -38,7 +53,8 @@ impl Range {
     /// Every finite number.
     pub const FINITE: Self = Self::between(f64::NEG_INFINITY, f64::INFINITY);
 
-    /// Whether `value` is one of them. NaN never is, infinity only where it is an end that is included.
+    /// Whether `value` is one of them. NaN never is, infinity only where it is an end that is
+    /// included.
     pub fn contains(self, value: f64) -> bool {
         let above = value > self.low || (self.low_included && value == self.low);
         let below = value < self.high || (self.high_included && value == self.high);
@@ -55,9 +71,14 @@ impl Range {
             let number = value / quantity.size_of(unit).unwrap_or(1.0);
             let rounded: f64 = significant(number, 7).parse().unwrap_or(number);
             let is_long = rounded.is_finite() && rounded.abs() >= 1e6;
-            if is_long { format!("{rounded:e} {unit}").trim_end().into() } else { quantity.show(value, unit) }
+            if is_long {
+                format!("{rounded:e} {unit}").trim_end().into()
+            } else {
+                quantity.show(value, unit)
+            }
         };
-        let low = (self.low != f64::NEG_INFINITY).then(|| format!("{} {} ", end(self.low), sign(self.low_included)));
+        let low = (self.low != f64::NEG_INFINITY)
+            .then(|| format!("{} {} ", end(self.low), sign(self.low_included)));
         let high = (self.high != f64::INFINITY || self.high_included)
             .then(|| format!(" {} {}", sign(self.high_included), end(self.high)));
         format!("{}…{}", low.unwrap_or_default(), high.unwrap_or_default())
@@ -76,7 +97,13 @@ mod tests {
         assert!(!radius.contains(0.0) && !radius.contains(f64::NAN));
         assert!(!Range::FINITE.contains(f64::INFINITY) && Range::FINITE.contains(-1e300));
         assert_eq!(radius.show(Quantity::LENGTH, "mm"), "0 mm < … ≤ inf mm");
-        assert_eq!(Range::from_to(-1.0, 1.0).show(Quantity::INERTIA, "g cm^2"), "-1e7 g cm^2 ≤ … ≤ 1e7 g cm^2");
-        assert_eq!(Range::within_degrees(90.0).show(Quantity::ANGLE, "deg"), "-90 deg < … < 90 deg");
+        assert_eq!(
+            Range::from_to(-1.0, 1.0).show(Quantity::INERTIA, "g cm^2"),
+            "-1e7 g cm^2 ≤ … ≤ 1e7 g cm^2"
+        );
+        assert_eq!(
+            Range::within_degrees(90.0).show(Quantity::ANGLE, "deg"),
+            "-90 deg < … < 90 deg"
+        );
     }
 }

@@ -19,22 +19,44 @@ pub(crate) const NO_CLUB: &str =
 const LISTING: &str = "'longdrive parameters' lists them all";
 
 impl Parameter {
-    /// Reads a value of this parameter. With `bare`, a number without a unit is SI, as a bare number in a setup file is;
-    /// otherwise the text must carry its unit. `none` unsets an optional parameter.
+    /// Reads a value of this parameter. With `bare`, a number without a unit is SI, as a bare
+    /// number in a setup file is; otherwise the text must carry its unit. `none` unsets an optional
+    /// parameter.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
     pub fn read(&self, text: &str, bare: bool) -> Result<Option<f64>> {
         let text = text.trim();
         if is_unset(text) {
-            return if self.kind == Kind::Optional { Ok(None) } else { Err(self.needs_a_value()) };
+            return if self.kind == Kind::Optional {
+                Ok(None)
+            } else {
+                Err(self.needs_a_value())
+            };
         }
-        let value = if bare { self.quantity.read_bare(text) } else { self.quantity.read(text) };
-        let value = value.map_err(|e| Error::Unreadable { name: self.name.into(), source: Box::new(e) })?;
+        let value = if bare {
+            self.quantity.read_bare(text)
+        } else {
+            self.quantity.read(text)
+        };
+        let value = value.map_err(|e| Error::Unreadable {
+            name: self.name.into(),
+            source: Box::new(e),
+        })?;
         self.check(value).map_err(|error| match error {
-            Error::OutOfRange { name, value, range, advice } => {
+            Error::OutOfRange {
+                name,
+                value,
+                range,
+                advice,
+            } => {
                 let advice = self.meant_in_another_unit(text).unwrap_or(advice);
-                Error::OutOfRange { name, value: self.as_given(value, text), range, advice }
+                Error::OutOfRange {
+                    name,
+                    value: self.as_given(value, text),
+                    range,
+                    advice,
+                }
             }
             error => error,
         })?;
@@ -43,59 +65,111 @@ impl Parameter {
 
     fn needs_a_value(&self) -> Error {
         let source = format!("it cannot be unset; give it a value{}", instead(self.name));
-        Error::Unreadable { name: self.name.into(), source: source.into() }
+        Error::Unreadable {
+            name: self.name.into(),
+            source: source.into(),
+        }
     }
 
     /// # Errors
     /// [`Error::OutOfRange`], [`Error::NotANumber`].
     pub fn check(&self, value: f64) -> Result<()> {
-        let Range { low, high, low_included, high_included } = self.range;
+        let Range {
+            low,
+            high,
+            low_included,
+            high_included,
+        } = self.range;
         if self.range.contains(value) {
             return Ok(());
         }
         let range = self.range.show(self.quantity, self.unit);
         if value.is_nan() {
-            return Err(Error::NotANumber { name: self.name.into(), range });
+            return Err(Error::NotANumber {
+                name: self.name.into(),
+                range,
+            });
         }
         let (sign, end) = if value <= low {
-            (if low_included { "at least" } else { "more than" }, low)
+            (
+                if low_included {
+                    "at least"
+                } else {
+                    "more than"
+                },
+                low,
+            )
         } else {
-            (if high_included { "at most" } else { "less than" }, high)
+            (
+                if high_included {
+                    "at most"
+                } else {
+                    "less than"
+                },
+                high,
+            )
         };
         let advice = if value.is_finite() {
             format!("it must be {sign} {}", self.show(Some(end)))
         } else {
             "give a finite number".into()
         };
-        Err(Error::OutOfRange { name: self.name.into(), value: self.show_twice(value), range, advice })
+        Err(Error::OutOfRange {
+            name: self.name.into(),
+            value: self.show_twice(value),
+            range,
+            advice,
+        })
     }
 
     /// The value in SI, and in the unit people read if that is another.
     fn show_twice(&self, value: f64) -> String {
         let si = self.quantity.show(value, self.quantity.si);
         let same = self.unit == self.quantity.si || !value.is_finite();
-        if same { si } else { format!("{si} ({})", self.show(Some(value))) }
+        if same {
+            si
+        } else {
+            format!("{si} ({})", self.show(Some(value)))
+        }
     }
 
-    /// A value as it is shown, and as it was given where that is in neither of the units that are shown.
+    /// A value as it is shown, and as it was given where that is in neither of the units that are
+    /// shown.
     fn as_given(&self, shown: String, text: &str) -> String {
-        let is_another =
-            |unit: &str| ![self.quantity.si, self.unit].iter().any(|known| unit.is_empty() || *known == unit);
+        let is_another = |unit: &str| {
+            ![self.quantity.si, self.unit]
+                .iter()
+                .any(|known| unit.is_empty() || *known == unit)
+        };
         match self.quantity.split(text) {
-            Ok((number, unit)) if number.is_finite() && is_another(unit) => format!("{shown} ({text})"),
+            Ok((number, unit)) if number.is_finite() && is_another(unit) => {
+                format!("{shown} ({text})")
+            }
             _ => shown,
         }
     }
 
-    /// A bare number is SI: "10" for a loft is 10 rad, and most likely 10 deg was meant; so is "50" for a share of 50 %.
+    /// A bare number is SI: "10" for a loft is 10 rad, and most likely 10 deg was meant; so is "50"
+    /// for a share of 50 %.
     fn meant_in_another_unit(&self, text: &str) -> Option<String> {
         let (number, unit) = self.quantity.split(text).ok()?;
-        if self.range == Range::from_to(0.0, 1.0) && unit.is_empty() && self.range.contains(number / 100.0) {
-            return Some(format!("a number without a unit is a share of 1; did you mean \"{number} %\"?"));
+        if self.range == Range::from_to(0.0, 1.0)
+            && unit.is_empty()
+            && self.range.contains(number / 100.0)
+        {
+            return Some(format!(
+                "a number without a unit is a share of 1; did you mean \"{number} %\"?"
+            ));
         }
         let meant = number * self.quantity.size_of(self.unit)?;
-        let is_likely = unit.is_empty() && self.unit != self.quantity.si && self.range.contains(meant);
-        is_likely.then(|| format!("a number without a unit is SI; did you mean \"{number} {}\"?", self.unit))
+        let is_likely =
+            unit.is_empty() && self.unit != self.quantity.si && self.range.contains(meant);
+        is_likely.then(|| {
+            format!(
+                "a number without a unit is SI; did you mean \"{number} {}\"?",
+                self.unit
+            )
+        })
     }
 }
 
@@ -108,9 +182,14 @@ impl Setup<f64> {
 }
 
 impl<T: Copy> Setup<T> {
-    /// Puts numbers in the places of some parameters, unchecked; `value` makes each from its place in the list.
+    /// Puts numbers in the places of some parameters, unchecked; `value` makes each from its place
+    /// in the list.
     #[inline(always)]
-    pub(crate) fn put(&mut self, parameters: &[&'static Parameter], mut value: impl FnMut(usize) -> T) {
+    pub(crate) fn put(
+        &mut self,
+        parameters: &[&'static Parameter],
+        mut value: impl FnMut(usize) -> T,
+    ) {
         for (i, parameter) in parameters.iter().enumerate() {
             let value = value(i);
             match self.slot(parameter) {
@@ -126,20 +205,30 @@ impl Setup<f64> {
     /// The parameter of this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name, or [`Error::OtherLaw`] for a coefficient of another law.
+    /// [`Error::Unknown`] with the nearest name, or [`Error::OtherLaw`] for a coefficient of
+    /// another law.
     pub fn parameter(&self, name: &str) -> Result<&'static Parameter> {
         let rows = self.parameters();
         if let Some(row) = rows.iter().find(|row| row.name == name) {
             return Ok(row);
         }
-        let owners: Vec<_> = Law::all_rows().filter(|row| row.name == name).filter_map(|row| row.law).collect();
+        let owners: Vec<_> = Law::all_rows()
+            .filter(|row| row.name == name)
+            .filter_map(|row| row.law)
+            .collect();
         if !owners.is_empty() {
-            return Err(Error::OtherLaw { name: name.into(), law: self.law.name(), owners: owners.join(", ") });
+            return Err(Error::OtherLaw {
+                name: name.into(),
+                law: self.law.name(),
+                owners: owners.join(", "),
+            });
         }
         Err(Error::unknown(
             "parameter",
             name,
-            rows.iter().map(|row| row.name).chain([LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF]),
+            rows.iter()
+                .map(|row| row.name)
+                .chain([LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF]),
             LISTING,
         ))
     }
@@ -150,12 +239,12 @@ impl Setup<f64> {
         copy.slot(parameter)?.value()
     }
 
-    /// Sets a parameter, or the law, by name from a text such as `"10.5 deg"`. A quantity with a dimension needs its unit;
-    /// [`set_value`](Self::set_value) takes a number in SI.
+    /// Sets a parameter, or the law, by name from a text such as `"10.5 deg"`. A quantity with a
+    /// dimension needs its unit; [`set_value`](Self::set_value) takes a number in SI.
     ///
     /// # Errors
-    /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`]; [`Error::Together`] for what follows
-    /// from other parameters that are set.
+    /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`];
+    /// [`Error::Together`] for what follows from other parameters that are set.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         if !is_taken_back(name, text) {
             self.refuse_replaced(&[name])?;
@@ -173,7 +262,11 @@ impl Setup<f64> {
             SPEED_OF => self.speed_of = SpeedOf::named(text)?,
             _ => {
                 let parameter = self.parameter(name)?;
-                let value = if is_taken_back(name, text) { None } else { parameter.read(text, bare)? };
+                let value = if is_taken_back(name, text) {
+                    None
+                } else {
+                    parameter.read(text, bare)?
+                };
                 return self.set_value(parameter, value);
             }
         }
@@ -184,13 +277,19 @@ impl Setup<f64> {
     ///
     /// # Errors
     /// As [`set`](Self::set).
-    pub fn set_all<'a>(&mut self, settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<()> {
-        let settings: Vec<_> = settings.into_iter().map(|(name, text)| (name, text, false)).collect();
+    pub fn set_all<'a>(
+        &mut self,
+        settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
+    ) -> Result<()> {
+        let settings: Vec<_> = settings
+            .into_iter()
+            .map(|(name, text)| (name, text, false))
+            .collect();
         self.set_each(&settings)
     }
 
-    /// As [`set_all`](Self::set_all), for settings of a name, a text, and whether a number without a unit is SI, as a bare number in a
-    /// setup file is.
+    /// As [`set_all`](Self::set_all), for settings of a name, a text, and whether a number without
+    /// a unit is SI, as a bare number in a setup file is.
     ///
     /// ```
     /// use longdrive::Setup;
@@ -215,19 +314,31 @@ impl Setup<f64> {
         refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
         // what is taken back needs what is given instead, so that it comes last
         let is_back = |(name, text, _): &&(&str, &str, bool)| is_taken_back(name, text);
-        let numbers = || settings.iter().filter(|(name, ..)| ![LAW, TABLE, TURF].contains(name));
-        for (name, text, bare) in numbers().filter(|one| !is_back(one)).chain(numbers().filter(is_back)) {
+        let numbers = || {
+            settings
+                .iter()
+                .filter(|(name, ..)| ![LAW, TABLE, TURF].contains(name))
+        };
+        for (name, text, bare) in numbers()
+            .filter(|one| !is_back(one))
+            .chain(numbers().filter(is_back))
+        {
             self.apply_text(name, text, *bare)?;
         }
-        let given = settings.iter().filter(|one| !is_back(one)).map(|(name, ..)| *name);
+        let given = settings
+            .iter()
+            .filter(|one| !is_back(one))
+            .map(|(name, ..)| *name);
         let given: Vec<&str> = given.filter(|name| self.is_set(name)).collect();
         self.refuse_replaced(&given)
     }
 
-    /// Changes the aerodynamic law; its coefficients are then the published ones, unless it is the law already.
+    /// Changes the aerodynamic law; its coefficients are then the published ones, unless it is the
+    /// law already.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name; [`Error::Together`] for the law of a table that is not given.
+    /// [`Error::Unknown`] with the nearest name; [`Error::Together`] for the law of a table that is
+    /// not given.
     pub fn set_law(&mut self, name: &str) -> Result<()> {
         let name = name.trim();
         if name == TABLE_LAW {
@@ -235,13 +346,20 @@ impl Setup<f64> {
                 return Ok(());
             }
             let reason = format!(
-                "name the file of your table, {TABLE} = \"mine.csv\" in a setup file or --set {TABLE}=mine.csv"
+                "name the file of your table, {TABLE} = \"mine.csv\" in a setup file or --set \
+                 {TABLE}=mine.csv"
             );
-            return Err(Error::Together { given: format!("{LAW} = {TABLE_LAW} is given without {TABLE}"), reason });
+            return Err(Error::Together {
+                given: format!("{LAW} = {TABLE_LAW} is given without {TABLE}"),
+                reason,
+            });
         }
         let law = Law::named(name).ok_or_else(|| {
             let names = Law::NAMES.iter().copied().chain([TABLE_LAW]);
-            let advice = format!("the laws are {}, and {TABLE_LAW} with your own {TABLE}", Law::NAMES.join(", "));
+            let advice = format!(
+                "the laws are {}, and {TABLE_LAW} with your own {TABLE}",
+                Law::NAMES.join(", ")
+            );
             Error::unknown("aerodynamic law", name, names, advice)
         })?;
         if law.name() != self.law.name() {
@@ -250,7 +368,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Takes the law of a user's own table from a CSV file, with the factors as they are if the law is a table already.
+    /// Takes the law of a user's own table from a CSV file, with the factors as they are if the law
+    /// is a table already.
     ///
     /// # Errors
     /// As [`LawTable::open`].
@@ -263,11 +382,12 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value; `None` unsets an optional one, and takes back one that follows from others which are set.
+    /// Sets a parameter to an SI value; `None` unsets an optional one, and takes back one that
+    /// follows from others which are set.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`]; [`Error::OtherLaw`] for a coefficient of another law; [`Error::Unreadable`] where a parameter that needs a value is
-    /// to be unset.
+    /// [`Error::OutOfRange`]; [`Error::OtherLaw`] for a coefficient of another law;
+    /// [`Error::Unreadable`] where a parameter that needs a value is to be unset.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
@@ -284,15 +404,23 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// A coefficient of another law than that of the setup, also where both laws have one of this name.
+    /// A coefficient of another law than that of the setup, also where both laws have one of this
+    /// name.
     fn of_other_law(&self, parameter: &Parameter) -> Error {
         let owners = parameter.law.unwrap_or_default().into();
-        Error::OtherLaw { name: parameter.name.into(), law: self.law.name(), owners }
+        Error::OtherLaw {
+            name: parameter.name.into(),
+            law: self.law.name(),
+            owners,
+        }
     }
 
-    /// Gives a parameter that follows from others the value that it has where it is not given: it is not used.
+    /// Gives a parameter that follows from others the value that it has where it is not given: it
+    /// is not used.
     pub(crate) fn take_back(&mut self, parameter: &Parameter) {
-        if let (Some(Slot::Required(place)), Some(default)) = (self.slot(parameter), parameter.default_value()) {
+        if let (Some(Slot::Required(place)), Some(default)) =
+            (self.slot(parameter), parameter.default_value())
+        {
             *place = default;
         }
     }
@@ -300,15 +428,16 @@ impl Setup<f64> {
     /// Checks every value against its range, the inertia tensor, and what must be given together.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], also for a step so short that no one would wait for the flight; [`Error::Inertia`]; [`Error::Launch`];
-    /// [`Error::Together`].
+    /// [`Error::OutOfRange`], also for a step so short that no one would wait for the flight;
+    /// [`Error::Inertia`]; [`Error::Launch`]; [`Error::Together`].
     pub fn validate(&self) -> Result<()> {
         self.validate_but_launch()?;
         self.check_launch(&[])?;
         self.check_air(&[])
     }
 
-    /// The same, but for whether launch, weather and wind are whole: the rest of them may be in the columns of a table.
+    /// The same, but for whether launch, weather and wind are whole: the rest of them may be in the
+    /// columns of a table.
     ///
     /// # Errors
     /// As [`validate`](Self::validate).
@@ -324,22 +453,37 @@ impl Setup<f64> {
 
     /// Warnings about what is flown as it stands.
     pub fn warnings(&self) -> Vec<Message> {
-        let of_club = self.club.triangle_warning().into_iter().chain(self.weightless()).map(Message::from);
+        let of_club = self
+            .club
+            .triangle_warning()
+            .into_iter()
+            .chain(self.weightless())
+            .map(Message::from);
         of_club.chain(self.unproven_weather()).collect()
     }
 
     /// The parameter of this name, if it can be varied and differentiated by.
     ///
     /// # Errors
-    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting, the law, an unset
-    /// parameter or an infinite radius.
+    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting, the law, an
+    /// unset parameter or an infinite radius.
     pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
-        let refuse = |reason: String| Err(Error::NotVariable { name: name.into(), reason });
+        let refuse = |reason: String| {
+            Err(Error::NotVariable {
+                name: name.into(),
+                reason,
+            })
+        };
         if [LAW, TABLE, GOLFER, SPEED_OF].contains(&name) {
-            return refuse(format!("it is a choice, not a number; compare two runs with --set {name}=…"));
+            return refuse(format!(
+                "it is a choice, not a number; compare two runs with --set {name}=…"
+            ));
         }
         if name == TURF {
-            return refuse("it is a choice, not a number; vary ground.compliance, ground.rolling and the like".into());
+            return refuse(
+                "it is a choice, not a number; vary ground.compliance, ground.rolling and the like"
+                    .into(),
+            );
         }
         if name == METHOD {
             return refuse("it is a setting of the computation, not of the drive".into());
@@ -356,28 +500,40 @@ impl Setup<f64> {
         }
         match self.value(parameter) {
             Some(value) if value.is_finite() => Ok(parameter),
-            Some(_) => refuse("it is infinite (a flat face) here; give it a finite value with --set".into()),
+            Some(_) => refuse(
+                "it is infinite (a flat face) here; give it a finite value with --set".into(),
+            ),
             None => {
                 let meaning = parameter.doc.trim_end_matches('.').split_once("unset: ");
-                let meaning = meaning.map_or(String::new(), |(_, meaning)| format!(", which means: {meaning}"));
-                refuse(format!("it is unset here{meaning}; give it a value with --set"))
+                let meaning = meaning.map_or(String::new(), |(_, meaning)| {
+                    format!(", which means: {meaning}")
+                });
+                refuse(format!(
+                    "it is unset here{meaning}; give it a value with --set"
+                ))
             }
         }
     }
 
-    /// The parameter of this name, if drives may differ in it: one that is unset or infinite here may have a value in each.
+    /// The parameter of this name, if drives may differ in it: one that is unset or infinite here
+    /// may have a value in each.
     ///
     /// # Errors
-    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting, the law, and what follows from other parameters
-    /// that are set.
+    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting, the law, and
+    /// what follows from other parameters that are set.
     pub fn column(&self, name: &str) -> Result<&'static Parameter> {
         match self.parameter(name) {
-            Ok(parameter) if parameter.kind != Kind::Setting && self.why_replaced(parameter).is_none() => Ok(parameter),
+            Ok(parameter)
+                if parameter.kind != Kind::Setting && self.why_replaced(parameter).is_none() =>
+            {
+                Ok(parameter)
+            }
             _ => self.variable(name),
         }
     }
 
-    /// Whether a parameter is one of this setup that has a number, as [`variable`](Self::variable) finds it by its name.
+    /// Whether a parameter is one of this setup that has a number, as [`variable`](Self::variable)
+    /// finds it by its name.
     ///
     /// # Errors
     /// As [`variable`](Self::variable); [`Error::OtherLaw`].
@@ -385,7 +541,8 @@ impl Setup<f64> {
         self.check_found(parameter, self.variable(parameter.name)?)
     }
 
-    /// Whether a parameter is one of this setup that may have a number in each drive, as [`column`](Self::column) finds it by its name.
+    /// Whether a parameter is one of this setup that may have a number in each drive, as
+    /// [`column`](Self::column) finds it by its name.
     ///
     /// # Errors
     /// As [`column`](Self::column); [`Error::OtherLaw`].
@@ -394,7 +551,11 @@ impl Setup<f64> {
     }
 
     fn check_found(&self, parameter: &Parameter, found: &Parameter) -> Result<()> {
-        if parameter == found { Ok(()) } else { Err(self.of_other_law(parameter)) }
+        if parameter == found {
+            Ok(())
+        } else {
+            Err(self.of_other_law(parameter))
+        }
     }
 
     /// The parameters that [`variable`](Self::variable) accepts.
@@ -412,15 +573,24 @@ impl Setup<f64> {
 pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
     let is_twice = |at: &usize| wrt[..*at].contains(&wrt[*at]);
     (0..wrt.len()).find(is_twice).map_or(Ok(()), |at| {
-        let given = format!("{} is given twice among the parameters to differentiate by", wrt[at]);
-        Err(Error::Together { given, reason: "name it once".into() })
+        let given = format!(
+            "{} is given twice among the parameters to differentiate by",
+            wrt[at]
+        );
+        Err(Error::Together {
+            given,
+            reason: "name it once".into(),
+        })
     })
 }
 
 /// A table and a law that is none.
 pub(super) fn table_beside(law: &str) -> Error {
     let reason = format!("a table is a law of its own, {LAW} = {TABLE_LAW}; keep one of the two");
-    Error::Together { given: format!("{TABLE} and {LAW} = {law} are both given"), reason }
+    Error::Together {
+        given: format!("{TABLE} and {LAW} = {law} are both given"),
+        reason,
+    }
 }
 
 #[cfg(test)]
@@ -434,8 +604,17 @@ mod tests {
             let mut setup = Setup::default();
             setup.set_law(law).unwrap();
             for row in setup.parameters() {
-                assert!(row.quantity.size_of(row.unit).is_some() || row.unit.is_empty(), "{}", row.name);
-                assert_eq!(row.read(row.default, false).unwrap(), setup.value(row), "{}", row.name);
+                assert!(
+                    row.quantity.size_of(row.unit).is_some() || row.unit.is_empty(),
+                    "{}",
+                    row.name
+                );
+                assert_eq!(
+                    row.read(row.default, false).unwrap(),
+                    setup.value(row),
+                    "{}",
+                    row.name
+                );
             }
         }
         for preset in PRESETS {
@@ -460,7 +639,10 @@ mod tests {
     fn a_quantity_with_a_dimension_needs_its_unit() {
         let mut setup = Setup::default();
         let message = setup.set("swing.speed", "100").unwrap_err().to_string();
-        assert!(message.contains("\"100\" has no unit; a speed takes mph, m/s"), "{message}");
+        assert!(
+            message.contains("\"100\" has no unit; a speed takes mph, m/s"),
+            "{message}"
+        );
         assert_eq!(setup, Setup::default());
         setup.set("impact.restitution", "0.8").unwrap();
         setup.set("club.loft", "0.2 rad").unwrap();
@@ -470,10 +652,21 @@ mod tests {
     #[test]
     fn the_law_is_chosen_before_its_coefficients_are_set() {
         let mut setup = Setup::default();
-        setup.set_all([("aero.cd", "0.3"), ("aero.law", "linear")]).unwrap();
+        setup
+            .set_all([("aero.cd", "0.3"), ("aero.law", "linear")])
+            .unwrap();
         assert_eq!(setup.value(setup.parameter("aero.cd").unwrap()), Some(0.3));
-        assert!(matches!(setup.set("aero.re1", "1"), Err(Error::OtherLaw { .. })));
-        assert!(matches!(setup.set("aero.law", "linaer"), Err(Error::Unknown { suggestion: Some(_), .. })));
+        assert!(matches!(
+            setup.set("aero.re1", "1"),
+            Err(Error::OtherLaw { .. })
+        ));
+        assert!(matches!(
+            setup.set("aero.law", "linaer"),
+            Err(Error::Unknown {
+                suggestion: Some(_),
+                ..
+            })
+        ));
     }
 
     #[test]
@@ -486,8 +679,17 @@ mod tests {
         assert!(setup.set("swing.speed", "inf").is_err());
         assert!(setup.set("swing.speed", "nan").is_err());
         assert!(setup.set("swing.speed", "none").is_err());
-        assert!(matches!(setup.variable("club.bulge_radius"), Err(Error::NotVariable { .. })));
-        assert!(matches!(setup.variable("impact.friction"), Err(Error::NotVariable { .. })));
-        assert!(matches!(setup.variable("flight.step"), Err(Error::NotVariable { .. })));
+        assert!(matches!(
+            setup.variable("club.bulge_radius"),
+            Err(Error::NotVariable { .. })
+        ));
+        assert!(matches!(
+            setup.variable("impact.friction"),
+            Err(Error::NotVariable { .. })
+        ));
+        assert!(matches!(
+            setup.variable("flight.step"),
+            Err(Error::NotVariable { .. })
+        ));
     }
 }

@@ -13,21 +13,36 @@ impl<T> FlightConditions<T> {
     #[inline]
     pub(crate) fn check_steps(&self) -> Result<()> {
         let is_short = self.step > 0.0 && self.time_limit / self.step <= MOST;
-        if is_short { Ok(()) } else { Err(refusal(self.step, self.time_limit)) }
+        if is_short {
+            Ok(())
+        } else {
+            Err(refusal(self.step, self.time_limit))
+        }
     }
 }
 
 /// Why there would be too many steps, or an endless number of them.
 #[cold]
 fn refusal(step: f64, limit: f64) -> Error {
-    let row = |name: &str| FlightConditions::<f64>::rows().iter().find(|row| row.name == name);
+    let row = |name: &str| {
+        FlightConditions::<f64>::rows()
+            .iter()
+            .find(|row| row.name == name)
+    };
     let check = |(name, value)| row(name).and_then(|row: &Parameter| row.check(value).err());
-    [("flight.step", step), ("flight.time_limit", limit)].into_iter().find_map(check).unwrap_or_else(|| {
-        Error::OutOfRange {
+    [("flight.step", step), ("flight.time_limit", limit)]
+        .into_iter()
+        .find_map(check)
+        .unwrap_or_else(|| Error::OutOfRange {
             name: "flight.step".into(),
             value: format!("{step:e} s"),
-            range: format!("{:e} s <= …: at most {MOST:e} steps up to flight.time_limit = {limit} s", limit / MOST),
-            advice: "take a longer step or a shorter time limit (10 ms, the default, keeps carry within 10 µm)".into(),
-        }
-    })
+            range: format!(
+                "{:e} s <= …: at most {MOST:e} steps up to flight.time_limit = {limit} \
+                            s",
+                limit / MOST
+            ),
+            advice: "take a longer step or a shorter time limit (10 ms, the default, keeps carry \
+                     within 10 µm)"
+                .into(),
+        })
 }

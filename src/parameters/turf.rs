@@ -13,9 +13,12 @@ const HEIGHT: &str = "ground.height";
 
 const PENNER: &str = "Penner (2002)";
 const ROLLING: &str = "Penner (2001)";
-const FIRM: &str = "chosen beside TrackMan's chart of 2010: runs of its 60 drives within 6 yd (rms), docs/sources.md";
-const SOFT: &str = "assumed, so that a drive of the PGA tour runs 10 yd, as FlightScope has it, docs/sources.md";
-const SOFT_ROLLING: &str = "assumed: half as much again as Penner (2001) fits on a fairway, docs/sources.md";
+const FIRM: &str = "chosen beside TrackMan's chart of 2010: runs of its 60 drives within 6 yd \
+                    (rms), docs/sources.md";
+const SOFT: &str =
+    "assumed, so that a drive of the PGA tour runs 10 yd, as FlightScope has it, docs/sources.md";
+const SOFT_ROLLING: &str =
+    "assumed: half as much again as Penner (2001) fits on a fairway, docs/sources.md";
 const EMBEDS: &str = "the ball embeds";
 
 /// The kinds of ground. None of them is measured: a run is known to 10 yd at best.
@@ -81,13 +84,15 @@ pub(super) fn refuse_idle_turf(is_given: impl Fn(&str) -> bool) -> Result<()> {
     let names = names.join(", ");
     let given = format!("{TURF} is given beside all of its numbers ({names})");
     let reason = format!(
-        "a number that is given comes before that of the turf, so that the turf says nothing; delete {TURF}, or delete the numbers that it is to give"
+        "a number that is given comes before that of the turf, so that the turf says nothing; \
+         delete {TURF}, or delete the numbers that it is to give"
     );
     Err(Error::Together { given, reason })
 }
 
 impl Setup<f64> {
-    /// Sets the numbers of a kind of ground: restitution, friction, compliance and rolling. The slopes stay.
+    /// Sets the numbers of a kind of ground: restitution, friction, compliance and rolling. The
+    /// slopes stay.
     ///
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
@@ -95,7 +100,10 @@ impl Setup<f64> {
         let name = name.trim();
         let turf = TURFS.iter().find(|turf| turf.name == name).ok_or_else(|| {
             let names = TURFS.iter().map(|turf| turf.name);
-            let advice = format!("the kinds are {}", names.clone().collect::<Vec<_>>().join(", "));
+            let advice = format!(
+                "the kinds are {}",
+                names.clone().collect::<Vec<_>>().join(", ")
+            );
             Error::unknown("kind of ground", name, names, advice)
         })?;
         for entry in turf.entries {
@@ -108,12 +116,18 @@ impl Setup<f64> {
     /// The kind of ground whose numbers these are; `None` where they are others.
     pub fn turf(&self) -> Option<&'static Preset> {
         let is_so = |entry: &PresetEntry| {
-            let Ok(parameter) = self.parameter(entry.name) else { return false };
-            parameter.read(entry.value, false).is_ok_and(|value| value == self.value(parameter))
+            let Ok(parameter) = self.parameter(entry.name) else {
+                return false;
+            };
+            parameter
+                .read(entry.value, false)
+                .is_ok_and(|value| value == self.value(parameter))
         };
         // a ball that embeds does not ask for the rest
         let embeds = |turf: &Preset| self.ground.restitution.is_none() && turf.name == "wet";
-        TURFS.iter().find(|turf| embeds(turf) || turf.entries.iter().all(is_so))
+        TURFS
+            .iter()
+            .find(|turf| embeds(turf) || turf.entries.iter().all(is_so))
     }
 }
 
@@ -123,7 +137,10 @@ mod tests {
 
     #[test]
     fn every_kind_of_ground_is_told_by_its_numbers() {
-        assert_eq!(Setup::default().turf().map(|turf| turf.name), Some("average"));
+        assert_eq!(
+            Setup::default().turf().map(|turf| turf.name),
+            Some("average")
+        );
         for turf in TURFS {
             let mut setup = Setup::default();
             setup.set("ground.turf", turf.name).unwrap();
@@ -132,15 +149,27 @@ mod tests {
             setup.ground.restitution = Some(0.3);
             assert!(setup.turf().is_none());
         }
-        let message = Setup::default().set("ground.turf", "frim").unwrap_err().to_string();
-        assert!(message.contains("did you mean 'firm'?") && message.contains("firm, average, soft, wet"), "{message}");
+        let message = Setup::default()
+            .set("ground.turf", "frim")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            message.contains("did you mean 'firm'?")
+                && message.contains("firm, average, soft, wet"),
+            "{message}"
+        );
     }
 
     #[test]
     fn the_kind_of_ground_is_set_before_its_numbers() {
         let mut setup = Setup::default();
-        setup.set_all([("ground.rolling", "0.4"), ("ground.turf", "firm")]).unwrap();
-        assert_eq!((setup.ground.rolling, setup.ground.compliance), (0.4, 15.4_f64.to_radians()));
+        setup
+            .set_all([("ground.rolling", "0.4"), ("ground.turf", "firm")])
+            .unwrap();
+        assert_eq!(
+            (setup.ground.rolling, setup.ground.compliance),
+            (0.4, 15.4_f64.to_radians())
+        );
         let text = "[ground]\nrolling = 0.4\nturf = 'firm'";
         assert_eq!(Setup::from_toml(text, "a.toml").unwrap(), setup);
         assert!(setup.variable("ground.turf").is_err());
@@ -149,11 +178,17 @@ mod tests {
     #[test]
     fn a_kind_of_ground_beside_all_of_its_numbers_is_refused() {
         let numbers = "friction = '0.4'\ncompliance = '15.4 deg'\nrolling = '1'\nslope = '0 deg'\n";
-        let text = |restitution: &str| format!("[ground]\nrestitution = '{restitution}'\nturf = 'firm'\n{numbers}");
+        let text = |restitution: &str| {
+            format!("[ground]\nrestitution = '{restitution}'\nturf = 'firm'\n{numbers}")
+        };
         for restitution in ["0.51", "none"] {
-            let message = Setup::from_toml(&text(restitution), "a.toml").unwrap_err().to_string();
-            let says = "ground.turf is given beside all of its numbers (ground.restitution, ground.friction, ground.compliance, \
-                        ground.rolling): a number that is given comes before that of the turf, so that the turf says nothing; \
+            let message = Setup::from_toml(&text(restitution), "a.toml")
+                .unwrap_err()
+                .to_string();
+            let says = "ground.turf is given beside all of its numbers (ground.restitution, \
+                        ground.friction, ground.compliance, \
+                        ground.rolling): a number that is given comes before that of the turf, so \
+                        that the turf says nothing; \
                         delete ground.turf, or delete the numbers that it is to give";
             assert_eq!(message, format!("a.toml:3:1: {says}"));
             let remedied = text(restitution).replace("turf = 'firm'\n", "");
@@ -161,10 +196,19 @@ mod tests {
         }
         let firm = Setup::from_toml("[ground]\nturf = 'firm'\nslope = '0 deg'", "a.toml").unwrap();
         assert_eq!(firm.turf().unwrap().name, "firm");
-        let all = ["restitution", "friction", "compliance", "rolling"].map(|name| format!("ground.{name}"));
-        let all = all.iter().map(|name| (&**name, if name.ends_with("e") { "15 deg" } else { "0.5" }));
+        let all = ["restitution", "friction", "compliance", "rolling"]
+            .map(|name| format!("ground.{name}"));
+        let all = all
+            .iter()
+            .map(|name| (&**name, if name.ends_with("e") { "15 deg" } else { "0.5" }));
         let mut settings: Vec<(&str, &str)> = all.chain([("ground.turf", "firm")]).collect();
-        assert!(Setup::default().set_all(settings.clone()).unwrap_err().to_string().contains("the turf says nothing"));
+        assert!(
+            Setup::default()
+                .set_all(settings.clone())
+                .unwrap_err()
+                .to_string()
+                .contains("the turf says nothing")
+        );
         settings.remove(0);
         assert!(Setup::default().set_all(settings).is_ok());
     }

@@ -14,8 +14,9 @@ pub struct Vary {
 }
 
 impl Vary {
-    /// Reads `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg` or `club.loft=4..20deg`: a low end without unit takes that
-    /// of the high end, which needs one where the quantity has a dimension.
+    /// Reads `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg` or `club.loft=4..20deg`: a low
+    /// end without unit takes that of the high end, which needs one where the quantity has a
+    /// dimension.
     ///
     /// ```
     /// use longdrive::{Setup, parameters::Vary};
@@ -26,7 +27,8 @@ impl Vary {
     /// ```
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a text that is not a range, and for one that is reversed or infinite; as [`Setup::variable`] and [`Parameter::read`].
+    /// [`Error::SearchRange`] for a text that is not a range, and for one that is reversed or
+    /// infinite; as [`Setup::variable`] and [`Parameter::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         Self::read_of(text, |name| setup.variable(name))
     }
@@ -39,9 +41,12 @@ impl Vary {
         Self::read_of(text, |name| setup.column(name))
     }
 
-    /// Where a search begins: at the setup's own value, or in the middle of the range where it has none.
+    /// Where a search begins: at the setup's own value, or in the middle of the range where it has
+    /// none.
     pub fn start(&self, setup: &Setup<f64>) -> f64 {
-        setup.value(self.parameter).unwrap_or(0.5 * (self.low + self.high))
+        setup
+            .value(self.parameter)
+            .unwrap_or(0.5 * (self.low + self.high))
     }
 
     /// The setup with a value of everything that is varied.
@@ -50,30 +55,45 @@ impl Vary {
     /// As [`Setup::set_value`].
     pub fn begun(setup: &Setup<f64>, vary: &[Self]) -> Result<Setup<f64>> {
         let mut begun = *setup;
-        for vary in vary.iter().filter(|vary| setup.value(vary.parameter).is_none()) {
+        for vary in vary
+            .iter()
+            .filter(|vary| setup.value(vary.parameter).is_none())
+        {
             begun.set_value(vary.parameter, Some(vary.start(setup)))?;
         }
         Ok(begun)
     }
 
     fn read_of(text: &str, find: impl Fn(&str) -> Result<&'static Parameter>) -> Result<Self> {
-        let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
-        let (name, range) = text
-            .split_once('=')
-            .ok_or_else(|| refuse("write NAME=LOW..HIGH, for example club.loft=4deg..20deg".into()))?;
+        let refuse = |reason: String| Error::SearchRange {
+            name: text.trim().into(),
+            reason,
+        };
+        let (name, range) = text.split_once('=').ok_or_else(|| {
+            refuse("write NAME=LOW..HIGH, for example club.loft=4deg..20deg".into())
+        })?;
         let parameter = find(name.trim())?;
         let with_unit = |end: &str| format!("{end} {}", parameter.unit).trim_end().to_owned();
         let how = format!("write {name}={}..{}", with_unit("LOW"), with_unit("HIGH"));
-        let (low, high) = range.split_once("..").ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; {how}")))?;
+        let (low, high) = range
+            .split_once("..")
+            .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; {how}")))?;
         for (end, which) in [(low, "lower"), (high, "upper")] {
             if end.trim().is_empty() {
                 return Err(refuse(format!("its {which} end is missing; {how}")));
             }
         }
-        let unreadable = |e| Error::Unreadable { name: format!("the range {}", text.trim()), source: Box::new(e) };
+        let unreadable = |e| Error::Unreadable {
+            name: format!("the range {}", text.trim()),
+            source: Box::new(e),
+        };
         let (_, low_unit) = parameter.quantity.split(low).map_err(unreadable)?;
         let (_, high_unit) = parameter.quantity.split(high).map_err(unreadable)?;
-        let low = if low_unit.is_empty() { format!("{low} {high_unit}") } else { low.into() };
+        let low = if low_unit.is_empty() {
+            format!("{low} {high_unit}")
+        } else {
+            low.into()
+        };
         let end = |text: &str| parameter.read(text, false).map(Option::unwrap_or_default);
         // the high end first: a missing unit is told of the text as it was given
         let high = end(high)?;
@@ -87,7 +107,11 @@ impl Vary {
     pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
         parameter.check(low)?;
         parameter.check(high)?;
-        let vary = Self { parameter, low, high };
+        let vary = Self {
+            parameter,
+            low,
+            high,
+        };
         vary.check()?;
         if low.is_finite() && high.is_finite() {
             Ok(vary)
@@ -96,13 +120,17 @@ impl Vary {
         }
     }
 
-    /// Whether it is a range, which one that was not made by [`new`](Self::new) need not be. What lies beyond the parameter's own range has no
-    /// drives.
+    /// Whether it is a range, which one that was not made by [`new`](Self::new) need not be. What
+    /// lies beyond the parameter's own range has no drives.
     ///
     /// # Errors
     /// [`Error::NotANumber`]; [`Error::SearchRange`] where it is reversed.
     pub(crate) fn check(&self) -> Result<()> {
-        let Self { parameter, low, high } = *self;
+        let Self {
+            parameter,
+            low,
+            high,
+        } = *self;
         for end in [low, high] {
             if end.is_nan() {
                 parameter.check(end)?;
@@ -113,11 +141,16 @@ impl Vary {
         }
         // as one word of a command line
         let [low, high] = [low, high].map(|end| parameter.show(Some(end)).replacen(' ', "", 1));
-        Err(self.refused(format!("the range is reversed; did you mean {high}..{low}?")))
+        Err(self.refused(format!(
+            "the range is reversed; did you mean {high}..{low}?"
+        )))
     }
 
     fn refused(&self, reason: String) -> Error {
         let [low, high] = [self.low, self.high].map(|end| self.parameter.show(Some(end)));
-        Error::SearchRange { name: format!("{}={low}..{high}", self.parameter), reason }
+        Error::SearchRange {
+            name: format!("{}={low}..{high}", self.parameter),
+            reason,
+        }
     }
 }

@@ -1,4 +1,5 @@
-//! Movable weights of a head: point masses beside the body that the other parameters of the club describe.
+//! Movable weights of a head: point masses beside the body that the other parameters of the club
+//! describe.
 
 use super::table::{Club, Setup};
 use crate::number::Numbers;
@@ -20,8 +21,18 @@ impl<T: Numbers> Club<T> {
     /// The movable weights that have a mass.
     #[inline(always)]
     pub(crate) fn weights(&self) -> [Option<Weight<T>>; 2] {
-        let one = [self.weight_1_mass, self.weight_1_depth, self.weight_1_toe, self.weight_1_high];
-        let other = [self.weight_2_mass, self.weight_2_depth, self.weight_2_toe, self.weight_2_high];
+        let one = [
+            self.weight_1_mass,
+            self.weight_1_depth,
+            self.weight_1_toe,
+            self.weight_1_high,
+        ];
+        let other = [
+            self.weight_2_mass,
+            self.weight_2_depth,
+            self.weight_2_toe,
+            self.weight_2_high,
+        ];
         [weight(one), weight(other)]
     }
 }
@@ -43,21 +54,44 @@ const MASS: &str = "mass";
 impl Setup<f64> {
     /// Weights that have a place and no mass, or one of 0.
     pub(super) fn weightless(&self) -> Vec<String> {
-        let set: Vec<_> = self.parameters().into_iter().filter(|row| self.value(row).is_some()).collect();
+        let set: Vec<_> = self
+            .parameters()
+            .into_iter()
+            .filter(|row| self.value(row).is_some())
+            .collect();
         let weights = ["club.weight_1.", "club.weight_2."].into_iter();
         let told = weights.filter_map(|weight| {
-            let of_it: Vec<_> = set.iter().filter_map(|row| row.name.strip_prefix(weight)).collect();
-            let places: Vec<_> =
-                of_it.iter().filter(|name| **name != MASS).map(|name| format!("{weight}{name}")).collect();
+            let of_it: Vec<_> = set
+                .iter()
+                .filter_map(|row| row.name.strip_prefix(weight))
+                .collect();
+            let places: Vec<_> = of_it
+                .iter()
+                .filter(|name| **name != MASS)
+                .map(|name| format!("{weight}{name}"))
+                .collect();
             let mass = format!("{weight}{MASS}");
-            let is_zero = self.parameter(&mass).ok().and_then(|row| self.value(row)).map(|mass| mass == 0.0);
+            let is_zero = self
+                .parameter(&mass)
+                .ok()
+                .and_then(|row| self.value(row))
+                .map(|mass| mass == 0.0);
             let (why, advice) = match is_zero {
                 None => ("the weight has no mass", "set"),
                 Some(true) => ("the mass of the weight is 0 g", "raise"),
                 Some(false) => return None,
             };
-            let change = if places.len() == 1 { "changes" } else { "change" };
-            (!places.is_empty()).then(|| format!("{} {change} nothing: {why}; {advice} {mass}", places.join(", ")))
+            let change = if places.len() == 1 {
+                "changes"
+            } else {
+                "change"
+            };
+            (!places.is_empty()).then(|| {
+                format!(
+                    "{} {change} nothing: {why}; {advice} {mass}",
+                    places.join(", ")
+                )
+            })
         });
         told.collect()
     }

@@ -55,8 +55,9 @@ pub struct Checked {
     pub rows: u64,
     /// Their bytes.
     pub bytes: u64,
-    /// SHA-256 of the lines `SHA-256 of the file, two spaces, name of the file` of all parts in their order, what `sha256sum part-*.parquet |
-    /// sha256sum` prints. Only of a complete set whose contents were read.
+    /// SHA-256 of the lines `SHA-256 of the file, two spaces, name of the file` of all parts in
+    /// their order, what `sha256sum part-*.parquet | sha256sum` prints. Only of a complete set
+    /// whose contents were read.
     pub sha256: Option<String>,
     /// What the rows are like in all.
     #[serde(flatten)]
@@ -70,36 +71,65 @@ impl Checked {
     }
 }
 
-/// Looks through the footers of a folder of parts: which are there, which are missing, and what else there is. The question is `wanted`, where
-/// its number of parts and its instructions are those of the files, or else that of most files. With `contents` the rows are read too, held
+/// Looks through the footers of a folder of parts: which are there, which are missing, and what
+/// else there is. The question is `wanted`, where its number of parts and its instructions are
+/// those of the files, or else that of most files. With `contents` the rows are read too, held
 /// against the SHA-256 in each footer, and the SHA-256 of the set is found.
 ///
 /// # Errors
 /// [`Error::Results`] for a folder that cannot be read, and one without a part that can be.
 pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result<Checked> {
-    let refuse = |reason: String| Error::Results { file: folder.display().to_string(), reason };
-    let unreadable = |error: std::io::Error| refuse(format!("{}; name the folder of the parts", of_io(&error)));
+    let refuse = |reason: String| Error::Results {
+        file: folder.display().to_string(),
+        reason,
+    };
+    let unreadable =
+        |error: std::io::Error| refuse(format!("{}; name the folder of the parts", of_io(&error)));
     let mut names = vec![];
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-        names.push(entry.map_err(unreadable)?.file_name().to_string_lossy().into_owned());
+        names.push(
+            entry
+                .map_err(unreadable)?
+                .file_name()
+                .to_string_lossy()
+                .into_owned(),
+        );
     }
     names.sort();
-    let unfinished = names.iter().filter(|name| name.starts_with(".longdrive-")).cloned().collect();
+    let unfinished = names
+        .iter()
+        .filter(|name| name.starts_with(".longdrive-"))
+        .cloned()
+        .collect();
     let mut faults = vec![];
     let mut found = vec![];
     for name in names.into_iter().filter(|name| name.ends_with(".parquet")) {
         match Footer::read(&folder.join(&name)) {
             Ok(footer) => found.push((name, footer)),
             Err(reason) => {
-                let kind = if name.starts_with("part-") { FaultKind::Damaged } else { FaultKind::Foreign };
-                faults.push(Fault { file: name, kind, reason });
+                let kind = if name.starts_with("part-") {
+                    FaultKind::Damaged
+                } else {
+                    FaultKind::Foreign
+                };
+                faults.push(Fault {
+                    file: name,
+                    kind,
+                    reason,
+                });
             }
         }
     }
     let Some(question) = question(&found, wanted) else {
         let reason = match faults.first() {
-            Some(fault) => format!("no part of a sweep in it can be read; {}: {}", fault.file, fault.reason),
-            None => "there is no part of a sweep in it; name the folder that sweep --part wrote into".into(),
+            Some(fault) => format!(
+                "no part of a sweep in it can be read; {}: {}",
+                fault.file, fault.reason
+            ),
+            None => {
+                "there is no part of a sweep in it; name the folder that sweep --part wrote into"
+                    .into()
+            }
         };
         return Err(refuse(reason));
     };
@@ -108,7 +138,11 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
     for (name, footer) in found {
         let number = footer.part.part;
         if let Some((kind, reason)) = fault(&question, &hash, &footer) {
-            faults.push(Fault { file: name, kind, reason });
+            faults.push(Fault {
+                file: name,
+                kind,
+                reason,
+            });
         } else if name == file_name(number, question.parts) {
             sound.insert(number, (name, footer));
         } else {
@@ -118,22 +152,33 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
     for (part, file) in misnamed {
         let name = file_name(part, question.parts);
         faults.push(match sound.contains_key(&part) {
-            true => Fault { file, kind: FaultKind::Doubled, reason: format!("it is part {part}, as {name} is too") },
-            false => {
-                Fault { file, kind: FaultKind::Foreign, reason: format!("it is part {part}; rename it to {name}") }
-            }
+            true => Fault {
+                file,
+                kind: FaultKind::Doubled,
+                reason: format!("it is part {part}, as {name} is too"),
+            },
+            false => Fault {
+                file,
+                kind: FaultKind::Foreign,
+                reason: format!("it is part {part}; rename it to {name}"),
+            },
         });
     }
     let mut merged: Option<Summary> = None;
     let (mut hashes, mut rows, mut bytes) = (Hash::default(), 0, 0);
     let mut present = std::collections::BTreeSet::new();
     for (number, (name, footer)) in sound {
-        let (summary, of_rows, of_bytes) = (footer.part.summary.clone(), footer.part.rows, footer.bytes);
+        let (summary, of_rows, of_bytes) =
+            (footer.part.summary.clone(), footer.part.rows, footer.bytes);
         if contents {
             match footer.manifest(&folder.join(&name)) {
                 Ok(Manifest { sha256, .. }) => hashes.add(format!("{sha256}  {name}\n").as_bytes()),
                 Err(reason) => {
-                    faults.push(Fault { file: name, kind: FaultKind::Damaged, reason });
+                    faults.push(Fault {
+                        file: name,
+                        kind: FaultKind::Damaged,
+                        reason,
+                    });
                     continue;
                 }
             }
@@ -145,7 +190,9 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
             None => merged = Some(summary),
         }
     }
-    let missing: Vec<u64> = (1..=question.parts).filter(|part| !present.contains(part)).collect();
+    let missing: Vec<u64> = (1..=question.parts)
+        .filter(|part| !present.contains(part))
+        .collect();
     let is_whole = contents && missing.is_empty();
     Ok(Checked {
         present: present.len() as u64,
@@ -175,17 +222,26 @@ fn question(found: &[(String, Footer)], wanted: Option<&Question>) -> Option<Que
     };
     let mut counts: BTreeMap<String, (usize, &Question)> = BTreeMap::new();
     for (_, footer) in found {
-        counts.entry(footer.part.question.clone()).or_insert((0, &footer.question)).0 += 1;
+        counts
+            .entry(footer.part.question.clone())
+            .or_insert((0, &footer.question))
+            .0 += 1;
     }
-    let most = counts.values().filter(|(_, of)| like_wanted(of)).max_by_key(|(count, _)| *count);
+    let most = counts
+        .values()
+        .filter(|(_, of)| like_wanted(of))
+        .max_by_key(|(count, _)| *count);
     // where no file is of the question, its parts are as many as there are of another
     let of_none = || {
-        found.first().zip(wanted).map(|((_, other), wanted)| Question {
-            parts: other.question.parts,
-            instructions: other.question.instructions.clone(),
-            functions: other.question.functions.clone(),
-            ..wanted.clone()
-        })
+        found
+            .first()
+            .zip(wanted)
+            .map(|((_, other), wanted)| Question {
+                parts: other.question.parts,
+                instructions: other.question.instructions.clone(),
+                functions: other.question.functions.clone(),
+                ..wanted.clone()
+            })
     };
     most.map(|(_, of)| (*of).clone()).or_else(of_none)
 }
@@ -197,7 +253,9 @@ fn fault(question: &Question, hash: &str, footer: &Footer) -> Option<(FaultKind,
         let difference = question.difference(theirs).unwrap_or_default();
         let kind = match () {
             () if theirs.version != question.version => FaultKind::OtherVersion,
-            () if (&theirs.instructions, &theirs.functions) != (&question.instructions, &question.functions) => {
+            () if (&theirs.instructions, &theirs.functions)
+                != (&question.instructions, &question.functions) =>
+            {
                 FaultKind::OtherInstructions
             }
             () => FaultKind::OtherQuestion,
@@ -206,14 +264,19 @@ fn fault(question: &Question, hash: &str, footer: &Footer) -> Option<(FaultKind,
     }
     let part = footer.part.part;
     let expected = rows_of(part, question.parts, question.rows).ok();
-    let is_off =
-        |rows: std::ops::Range<u64>| rows.start != footer.part.first_row || rows.end - rows.start != footer.part.rows;
-    expected
-        .is_none_or(is_off)
-        .then(|| (FaultKind::Damaged, format!("it has other rows than part {part} of {}", question.parts)))
+    let is_off = |rows: std::ops::Range<u64>| {
+        rows.start != footer.part.first_row || rows.end - rows.start != footer.part.rows
+    };
+    expected.is_none_or(is_off).then(|| {
+        (
+            FaultKind::Damaged,
+            format!("it has other rows than part {part} of {}", question.parts),
+        )
+    })
 }
 
-/// The summary of all rows of some parts, in the order of their numbers; each counts once, however often it is given.
+/// The summary of all rows of some parts, in the order of their numbers; each counts once, however
+/// often it is given.
 ///
 /// # Errors
 /// [`Error::Together`] for parts of different questions.

@@ -62,21 +62,44 @@ impl Footer {
     pub fn read(path: &Path) -> Result<Self, String> {
         let mut file = File::open(path).map_err(|error| of_io(&error))?;
         let metadata = ParquetMetaDataReader::new().parse_and_finish(&file);
-        let metadata = metadata.map_err(|error| format!("its footer cannot be read ({})", of_parquet(&error)))?;
-        let notes = metadata.file_metadata().key_value_metadata().map(Vec::as_slice).unwrap_or_default();
-        let (Some(question), Some(part)) = (note::<Question>(notes, QUESTION), note::<Part>(notes, PART)) else {
+        let metadata = metadata
+            .map_err(|error| format!("its footer cannot be read ({})", of_parquet(&error)))?;
+        let notes = metadata
+            .file_metadata()
+            .key_value_metadata()
+            .map(Vec::as_slice)
+            .unwrap_or_default();
+        let (Some(question), Some(part)) =
+            (note::<Question>(notes, QUESTION), note::<Part>(notes, PART))
+        else {
             return Err("it is not a part of a sweep of longdrive".into());
         };
         let (bytes, data) = lengths(&mut file).map_err(|error| of_io(&error))?;
-        let rows: i64 = metadata.row_groups().iter().map(|group| group.num_rows()).sum();
-        let ends = metadata.row_groups().iter().flat_map(|group| group.columns()).map(|column| {
-            let (at, length) = column.byte_range();
-            at + length
-        });
-        if part.question != question.hash() || u64::try_from(rows) != Ok(part.rows) || ends.max() != Some(data) {
+        let rows: i64 = metadata
+            .row_groups()
+            .iter()
+            .map(|group| group.num_rows())
+            .sum();
+        let ends = metadata
+            .row_groups()
+            .iter()
+            .flat_map(|group| group.columns())
+            .map(|column| {
+                let (at, length) = column.byte_range();
+                at + length
+            });
+        if part.question != question.hash()
+            || u64::try_from(rows) != Ok(part.rows)
+            || ends.max() != Some(data)
+        {
             return Err("its footer does not belong to its rows".into());
         }
-        Ok(Self { question, part, bytes, data })
+        Ok(Self {
+            question,
+            part,
+            bytes,
+            data,
+        })
     }
 
     /// The manifest of the file, whose bytes are all read.
@@ -84,10 +107,22 @@ impl Footer {
         let file = File::open(path).map_err(|error| of_io(&error))?;
         let (data, sha256) = Hash::of_file(file, self.data).map_err(|error| of_io(&error))?;
         if data != self.part.data {
-            return Err("its rows are not those that were written: their SHA-256 is not that in its footer".into());
+            return Err(
+                "its rows are not those that were written: their SHA-256 is not that in its footer"
+                    .into(),
+            );
         }
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Manifest { file: name, bytes: self.bytes, sha256, part: self.part })
+        let name = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        Ok(Manifest {
+            file: name,
+            bytes: self.bytes,
+            sha256,
+            part: self.part,
+        })
     }
 }
 
@@ -96,11 +131,15 @@ fn note<T: for<'de> Deserialize<'de>>(notes: &[KeyValue], key: &str) -> Option<T
     serde_json::from_str(note.value.as_deref()?).ok()
 }
 
-/// How long a file is, and how much of it stands before the footer, whose length is in four of the last eight bytes.
+/// How long a file is, and how much of it stands before the footer, whose length is in four of the
+/// last eight bytes.
 fn lengths(file: &mut File) -> std::io::Result<(u64, u64)> {
     let mut tail = [0; 4];
     let bytes = file.seek(SeekFrom::End(0))?;
     file.seek(SeekFrom::Start(bytes.saturating_sub(8)))?;
     file.read_exact(&mut tail)?;
-    Ok((bytes, bytes.saturating_sub(8 + u64::from(u32::from_le_bytes(tail)))))
+    Ok((
+        bytes,
+        bytes.saturating_sub(8 + u64::from(u32::from_le_bytes(tail))),
+    ))
 }

@@ -13,7 +13,11 @@ impl Hash {
 
     /// In hexadecimal, as `sha256sum` prints it.
     pub fn hex(self) -> String {
-        self.0.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+        self.0
+            .finalize()
+            .iter()
+            .map(|byte| format!("{byte:02x}"))
+            .collect()
     }
 
     pub fn of(bytes: &[u8]) -> String {
@@ -28,7 +32,11 @@ impl Hash {
         let mut of_first = None;
         let (mut piece, mut left) = (vec![0; 1 << 20], first);
         loop {
-            let most = if left > 0 { left.min(piece.len() as u64) as usize } else { piece.len() };
+            let most = if left > 0 {
+                left.min(piece.len() as u64) as usize
+            } else {
+                piece.len()
+            };
             let read = file.read(&mut piece[..most])?;
             hash.add(&piece[..read]);
             left = left.saturating_sub(read as u64);

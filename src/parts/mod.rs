@@ -1,5 +1,5 @@
-//! A sweep divided into parts, for many processes or machines: each part is a Parquet file of its own, whose content follows from the question
-//! and its number alone.
+//! A sweep divided into parts, for many processes or machines: each part is a Parquet file of its
+//! own, whose content follows from the question and its number alone.
 //!
 //! ```text
 //!   rows of a sweep, in blocks of 1024:  |  part 1  |  part 2  |  …  |  part M  |
@@ -8,8 +8,8 @@
 //!   check     ──▶  what is missing; all of that merged, without a look at the rows
 //! ```
 //!
-//! Whoever computes a part, on however many threads, how often and in what order, gets the same bytes. A file takes its place once it is
-//! whole, so a part is there or it is not.
+//! Whoever computes a part, on however many threads, how often and in what order, gets the same
+//! bytes. A file takes its place once it is whole, so a part is there or it is not.
 //!
 //! ```
 //! use longdrive::batch::{Axis, Batch, Grid, Run};

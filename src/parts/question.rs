@@ -4,8 +4,8 @@ use crate::batch::{Batch, Points};
 use crate::statistics::Summarized;
 use serde::{Deserialize, Serialize};
 
-/// What makes the files of a sweep different from those of another: the same question gives the same bytes of each part. Numbers are
-/// written to the last digit.
+/// What makes the files of a sweep different from those of another: the same question gives the
+/// same bytes of each part. Numbers are written to the last digit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Question {
     /// The version of longdrive.
@@ -18,14 +18,15 @@ pub struct Question {
     pub outcomes: String,
     /// What they are differentiated by; empty for values alone.
     pub derivatives: String,
-    /// The largest defect of a drive, m (docs/model.md, eq. 16a); `inf` where the setup's own step is kept.
+    /// The largest defect of a drive, m (docs/model.md, eq. 16a); `inf` where the setup's own step
+    /// is kept.
     pub largest_defect: String,
     /// The histograms and best rows of each footer.
     pub summary: String,
     /// The processor's architecture and the instructions that are used: `x86_64 avx2`.
     pub instructions: String,
-    /// A fingerprint of the C library's sine, cosine, arctangent, exponential and logarithm: other libraries, and the same on processors for which it
-    /// has other variants, round otherwise.
+    /// A fingerprint of the C library's sine, cosine, arctangent, exponential and logarithm: other
+    /// libraries, and the same on processors for which it has other variants, round otherwise.
     pub functions: String,
     /// Rows of all parts together.
     pub rows: u64,
@@ -34,7 +35,12 @@ pub struct Question {
 }
 
 impl Question {
-    pub(super) fn new(batch: &Batch, points: &dyn Points, summarized: &Summarized, parts: u64) -> Self {
+    pub(super) fn new(
+        batch: &Batch,
+        points: &dyn Points,
+        summarized: &Summarized,
+        parts: u64,
+    ) -> Self {
         let names = |names: Vec<&str>| names.join(",");
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
@@ -66,17 +72,30 @@ impl Question {
     pub fn difference(&self, other: &Self) -> Option<String> {
         let named = |what: &str, ours: &str, theirs: &str| format!("{what} {ours} and {theirs}");
         if self.version != other.version {
-            return Some(named("versions of longdrive", &self.version, &other.version));
+            return Some(named(
+                "versions of longdrive",
+                &self.version,
+                &other.version,
+            ));
         }
         if self.instructions != other.instructions {
-            return Some(named("instructions", &self.instructions, &other.instructions));
+            return Some(named(
+                "instructions",
+                &self.instructions,
+                &other.instructions,
+            ));
         }
         if self.functions != other.functions {
-            let what = "C libraries or processors, which round sines and logarithms differently: functions";
+            let what = "C libraries or processors, which round sines and logarithms differently: \
+                        functions";
             return Some(named(what, &self.functions, &other.functions));
         }
         if self.parts != other.parts {
-            return Some(named("numbers of parts", &self.parts.to_string(), &other.parts.to_string()));
+            return Some(named(
+                "numbers of parts",
+                &self.parts.to_string(),
+                &other.parts.to_string(),
+            ));
         }
         let differ = [
             ("setups", &self.setup, &other.setup),
@@ -86,7 +105,10 @@ impl Question {
             ("tolerances", &self.largest_defect, &other.largest_defect),
             ("histograms or best rows", &self.summary, &other.summary),
         ];
-        let differ = differ.into_iter().filter(|(_, ours, theirs)| ours != theirs).map(|(part, ..)| part);
+        let differ = differ
+            .into_iter()
+            .filter(|(_, ours, theirs)| ours != theirs)
+            .map(|(part, ..)| part);
         let differ: Vec<_> = differ.collect();
         (!differ.is_empty()).then(|| format!("different {}", differ.join(", ")))
     }

@@ -5,13 +5,14 @@ use std::ops::Range;
 /// Digits of a part's number in the name of its file, at least.
 const DIGITS: usize = 5;
 
-/// The most parts that so many rows can be divided into: a part has a block of [`CHUNK`] rows at least.
+/// The most parts that so many rows can be divided into: a part has a block of [`CHUNK`] rows at
+/// least.
 pub fn most_parts(rows: u64) -> u64 {
     rows.div_ceil(CHUNK as u64)
 }
 
-/// The rows of part K of M, from 0: whole blocks of [`CHUNK`] rows, shared out as evenly as they can be. With B blocks it has those from
-/// ⌊(K − 1)B/M⌋ on, before ⌊K B/M⌋.
+/// The rows of part K of M, from 0: whole blocks of [`CHUNK`] rows, shared out as evenly as they
+/// can be. With B blocks it has those from ⌊(K − 1)B/M⌋ on, before ⌊K B/M⌋.
 ///
 /// ```
 /// use longdrive::parts::rows_of;
@@ -21,26 +22,37 @@ pub fn most_parts(rows: u64) -> u64 {
 /// ```
 ///
 /// # Errors
-/// [`Error::Together`] for a part that is not from 1 to M, and for more parts than there are blocks.
+/// [`Error::Together`] for a part that is not from 1 to M, and for more parts than there are
+/// blocks.
 pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
-    let refuse = |reason: String| Err(Error::Together { given: format!("part {part} of {parts}"), reason });
+    let refuse = |reason: String| {
+        Err(Error::Together {
+            given: format!("part {part} of {parts}"),
+            reason,
+        })
+    };
     if part == 0 || part > parts {
         return refuse(format!(
-            "parts are counted from 1; give one from 1 to {parts}, as a job array from 1 to {parts} does"
+            "parts are counted from 1; give one from 1 to {parts}, as a job array from 1 to \
+             {parts} does"
         ));
     }
     let blocks = most_parts(rows);
     if parts > blocks {
         return refuse(format!(
-            "the sweep has {rows} rows, and a part has at least {CHUNK}; divide it into at most {blocks} parts"
+            "the sweep has {rows} rows, and a part has at least {CHUNK}; divide it into at most \
+             {blocks} parts"
         ));
     }
     // the product of two numbers of 64 bits has 128
-    let begin = |part: u64| (u128::from(part) * u128::from(blocks) / u128::from(parts)) as u64 * CHUNK as u64;
+    let begin = |part: u64| {
+        (u128::from(part) * u128::from(blocks) / u128::from(parts)) as u64 * CHUNK as u64
+    };
     Ok(begin(part - 1)..begin(part).min(rows))
 }
 
-/// The name of a part's file: its number, with as many digits as the number of parts and at least five.
+/// The name of a part's file: its number, with as many digits as the number of parts and at least
+/// five.
 ///
 /// ```
 /// assert_eq!(longdrive::parts::file_name(17, 1000), "part-00017.parquet");

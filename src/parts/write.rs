@@ -32,16 +32,29 @@ pub enum Written {
 }
 
 impl Dataset {
-    /// The sweep of a batch over all of these points, in so many parts. The footer of each has these histograms and best rows.
+    /// The sweep of a batch over all of these points, in so many parts. The footer of each has
+    /// these histograms and best rows.
     ///
     /// # Errors
-    /// [`Error::Together`] for more parts than there are blocks of rows, and as [`Summarized::new`].
-    pub fn new(batch: Batch, points: &dyn Points, parts: u64, bins: &[Bins], sought: &[Sought]) -> Result<Self> {
+    /// [`Error::Together`] for more parts than there are blocks of rows, and as
+    /// [`Summarized::new`].
+    pub fn new(
+        batch: Batch,
+        points: &dyn Points,
+        parts: u64,
+        bins: &[Bins],
+        sought: &[Sought],
+    ) -> Result<Self> {
         rows_of(parts, parts, points.rows())?;
         let summarized = Summarized::new(&batch, bins, sought)?;
         let question = Question::new(&batch, points, &summarized, parts);
         let table = SweepParquet::new(&batch, &question.text())?;
-        Ok(Self { batch, summarized, question, table })
+        Ok(Self {
+            batch,
+            summarized,
+            question,
+            table,
+        })
     }
 
     /// What tells it from any other.
@@ -57,12 +70,14 @@ impl Dataset {
         rows_of(part, self.question.parts, self.question.rows)
     }
 
-    /// Writes a part into a folder that exists, unless it is there already: beside its place, and there once it is whole and safe on the disk.
-    /// Of `run` the threads and the stop count. `progress` is told how many rows are computed.
+    /// Writes a part into a folder that exists, unless it is there already: beside its place, and
+    /// there once it is whole and safe on the disk. Of `run` the threads and the stop count.
+    /// `progress` is told how many rows are computed.
     ///
     /// # Errors
-    /// [`Error::Results`] for a file of another question in the folder or of none in its place, which only `overwrite` replaces, and for what
-    /// cannot be written; as [`rows_of`](Self::rows_of) and [`Batch::run`].
+    /// [`Error::Results`] for a file of another question in the folder or of none in its place,
+    /// which only `overwrite` replaces, and for what cannot be written; as
+    /// [`rows_of`](Self::rows_of) and [`Batch::run`].
     pub fn write(
         &self,
         points: &mut dyn Points,
@@ -75,7 +90,10 @@ impl Dataset {
         let rows = self.rows_of(part)?;
         let name = file_name(part, self.question.parts);
         let path = folder.join(&name);
-        let results = |reason: String| Error::Results { file: path.display().to_string(), reason };
+        let results = |reason: String| Error::Results {
+            file: path.display().to_string(),
+            reason,
+        };
         if !overwrite && path.exists() {
             return self.found(part, &path).map(Written::There).map_err(results);
         }
@@ -83,14 +101,19 @@ impl Dataset {
         let unwritten = |error: io::Error| {
             let why = Error::why_unwritten(&error);
             results(format!(
-                "it cannot be written ({why}); nothing of it is left. Put that right, then ask for part {part} again"
+                "it cannot be written ({why}); nothing of it is left. Put that right, then ask for \
+                 part {part} again"
             ))
         };
         let mut file = Unfinished::new(beside(&path).map_err(unwritten)?);
         file.write(&self.table.head()).map_err(unwritten)?;
         let mut summary = self.summarized.none();
         let (mut waiting, mut placed, mut done) = (vec![], vec![], 0);
-        let run = Run { first_row: rows.start, end_row: Some(rows.end), ..*run };
+        let run = Run {
+            first_row: rows.start,
+            end_row: Some(rows.end),
+            ..*run
+        };
         let end = self.batch.run(
             points,
             &run,
@@ -124,9 +147,15 @@ impl Dataset {
         };
         // names are texts, and numbers finite or null
         let note = serde_json::to_string(&part).unwrap_or_default();
-        file.write(&self.table.foot_with(&placed, &[(PART, note)])?).map_err(unwritten)?;
+        file.write(&self.table.foot_with(&placed, &[(PART, note)])?)
+            .map_err(unwritten)?;
         let (bytes, sha256) = file.put(&path).map_err(unwritten)?;
-        Ok(Written::New(Manifest { file: name, bytes, sha256, part }))
+        Ok(Written::New(Manifest {
+            file: name,
+            bytes,
+            sha256,
+            part,
+        }))
     }
 
     /// Writes the blocks that wait as a row group.
@@ -147,15 +176,23 @@ impl Dataset {
         let advice = "take another folder, or replace it with --overwrite";
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;
         if let Some(difference) = self.question.difference(&footer.question) {
-            return Err(format!("it is there, of another sweep ({difference}); {advice}"));
+            return Err(format!(
+                "it is there, of another sweep ({difference}); {advice}"
+            ));
         }
         if footer.part.part != part {
-            return Err(format!("it is there, and is part {} under a wrong name; {advice}", footer.part.part));
+            return Err(format!(
+                "it is there, and is part {} under a wrong name; {advice}",
+                footer.part.part
+            ));
         }
-        footer.manifest(path).map_err(|reason| format!("{reason}; {advice}"))
+        footer
+            .manifest(path)
+            .map_err(|reason| format!("{reason}; {advice}"))
     }
 
-    /// Refuses a folder with a part of another sweep. One file is looked at, so that it takes no time; a check looks at all.
+    /// Refuses a folder with a part of another sweep. One file is looked at, so that it takes no
+    /// time; a check looks at all.
     fn refuse_strangers(&self, folder: &Path, place: &Path) -> Result<()> {
         let entries = fs::read_dir(folder).map_err(|error| Error::Results {
             file: folder.display().to_string(),
@@ -165,8 +202,13 @@ impl Dataset {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             name.starts_with("part-") && name.ends_with(".parquet") && path != place
         };
-        let other = entries.flatten().map(|entry| entry.path()).find(|path| is_part(path));
-        let Some((other, footer)) = other.and_then(|path| Some((path.clone(), Footer::read(&path).ok()?))) else {
+        let other = entries
+            .flatten()
+            .map(|entry| entry.path())
+            .find(|path| is_part(path));
+        let Some((other, footer)) =
+            other.and_then(|path| Some((path.clone(), Footer::read(&path).ok()?)))
+        else {
             return Ok(());
         };
         match self.question.difference(&footer.question) {
@@ -174,7 +216,8 @@ impl Dataset {
             Some(difference) => Err(Error::Results {
                 file: other.display().to_string(),
                 reason: format!(
-                    "it belongs to another sweep ({difference}), and a folder holds the parts of one; take another folder, or the same question"
+                    "it belongs to another sweep ({difference}), and a folder holds the parts of \
+                     one; take another folder, or the same question"
                 ),
             }),
         }
@@ -190,7 +233,11 @@ struct Unfinished {
 
 impl Unfinished {
     fn new(file: tempfile::NamedTempFile) -> Self {
-        Self { file, hash: Hash::default(), bytes: 0 }
+        Self {
+            file,
+            hash: Hash::default(),
+            bytes: 0,
+        }
     }
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {

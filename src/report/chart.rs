@@ -45,9 +45,15 @@ pub struct ChartPointReport {
 }
 
 impl ChartReport {
-    /// The answer of `chart`: `done`, `interrupted`, `partial` where the optimum is missing for a part of the range, or `no-answer`.
+    /// The answer of `chart`: `done`, `interrupted`, `partial` where the optimum is missing for a
+    /// part of the range, or `no-answer`.
     pub fn reply(chart: &Chart, search: &Search, warnings: Vec<Message>) -> Reply<Self> {
-        let notes: Vec<String> = chart.begun.iter().chain(&chart.ended).map(Message::to_string).collect();
+        let notes: Vec<String> = chart
+            .begun
+            .iter()
+            .chain(&chart.ended)
+            .map(Message::to_string)
+            .collect();
         let status = match (notes.is_empty(), chart.points.is_empty()) {
             _ if chart.interrupted => "interrupted",
             (true, _) => "done",
@@ -60,14 +66,26 @@ impl ChartReport {
 
     fn new(chart: &Chart, search: &Search) -> Self {
         let point = |point: &ChartPoint| {
-            let names = point.best.search.vary.iter().map(|vary| vary.parameter.name);
-            let bounds = point.active.iter().filter_map(|active| Some((active.name.clone(), active.end?.into())));
+            let names = point
+                .best
+                .search
+                .vary
+                .iter()
+                .map(|vary| vary.parameter.name);
+            let bounds = point
+                .active
+                .iter()
+                .filter_map(|active| Some((active.name.clone(), active.end?.into())));
             ChartPointReport {
                 at: point.at,
                 value: json::number(point.best.value()),
                 optimum: json::named(names.zip(point.best.solution.x.iter().map(|x| Some(*x)))),
                 launch: json::named(LAUNCH.iter().map(|of| of.name()).zip(launch(point))),
-                active: point.active.iter().map(|active| active.name.clone()).collect(),
+                active: point
+                    .active
+                    .iter()
+                    .map(|active| active.name.clone())
+                    .collect(),
                 bounds: bounds.collect(),
                 event: point.event.as_ref().map(ToString::to_string),
             }
@@ -92,11 +110,22 @@ fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
 
 /// The parameters and the outcome that the columns of a chart hold, in order.
 fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
-    let Some(first) = chart.points.first() else { return vec![] };
+    let Some(first) = chart.points.first() else {
+        return vec![];
+    };
     let search = &first.best.search;
     let along = chart.along.parameter;
-    let varied = search.vary.iter().map(|vary| (vary.parameter.name, vary.parameter.quantity));
-    [(along.name, along.quantity), (search.of.name(), search.of.quantity())].into_iter().chain(varied).collect()
+    let varied = search
+        .vary
+        .iter()
+        .map(|vary| (vary.parameter.name, vary.parameter.quantity));
+    [
+        (along.name, along.quantity),
+        (search.of.name(), search.of.quantity()),
+    ]
+    .into_iter()
+    .chain(varied)
+    .collect()
 }
 
 /// A chart as a table.
@@ -108,17 +137,49 @@ pub fn chart_text(chart: &Chart, system: System) -> String {
     let rows = chart.points.iter().map(|point| {
         let show = |(vary, x): (&Vary, &f64)| shown::parameter(vary.parameter, *x, system);
         let value = shown::outcome_or_dash(point.best.search.of, point.best.value(), system);
-        let told = |active: &Active| shown::active(active, &point.best.search, system, str::to_owned);
-        let event = point.event.as_ref().map(|event| format!("<- {}", event.words(told)));
-        let words = if point.active.is_empty() { shown::NONE.into() } else { listed(point, ", ", told) };
-        [shown::parameter(chart.along.parameter, point.at, system), value]
+        let told =
+            |active: &Active| shown::active(active, &point.best.search, system, str::to_owned);
+        let event = point
+            .event
+            .as_ref()
+            .map(|event| format!("<- {}", event.words(told)));
+        let words = if point.active.is_empty() {
+            shown::NONE.into()
+        } else {
+            listed(point, ", ", told)
+        };
+        [
+            shown::parameter(chart.along.parameter, point.at, system),
+            value,
+        ]
+        .into_iter()
+        .chain(
+            point
+                .best
+                .search
+                .vary
+                .iter()
+                .zip(&point.best.solution.x)
+                .map(show),
+        )
+        .chain(
+            LAUNCH
+                .into_iter()
+                .zip(launch(point))
+                .map(|(of, value)| shown::outcome_or_dash(of, value, system)),
+        )
+        .chain([[Some(words), event]
             .into_iter()
-            .chain(point.best.search.vary.iter().zip(&point.best.solution.x).map(show))
-            .chain(LAUNCH.into_iter().zip(launch(point)).map(|(of, value)| shown::outcome_or_dash(of, value, system)))
-            .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("\n")])
-            .collect()
+            .flatten()
+            .collect::<Vec<_>>()
+            .join("\n")])
+        .collect()
     });
-    let notes = chart.begun.iter().chain(&chart.ended).map(|why| format!("\n{}", paragraph(&why.in_units(system))));
+    let notes = chart
+        .begun
+        .iter()
+        .chain(&chart.ended)
+        .map(|why| format!("\n{}", paragraph(&why.in_units(system))));
     table(&columns, &right, rows) + &notes.collect::<String>()
 }
 
@@ -130,22 +191,46 @@ pub fn chart_csv(chart: &Chart) -> Result<String> {
     let failed = |error: csv::Error| Error::Output(error.into());
     let mut writer = csv::Writer::from_writer(vec![]);
     let launched = LAUNCH.iter().map(|of| (of.name(), of.quantity()));
-    let numbers = head(chart).into_iter().chain(launched).map(|(name, quantity)| quantity.head(name));
-    writer.write_record(numbers.chain(["active".into(), "event".into()])).map_err(failed)?;
+    let numbers = head(chart)
+        .into_iter()
+        .chain(launched)
+        .map(|(name, quantity)| quantity.head(name));
+    writer
+        .write_record(numbers.chain(["active".into(), "event".into()]))
+        .map_err(failed)?;
     for point in &chart.points {
         let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
         let launch = launch(point).map(|value| value.unwrap_or(f64::NAN));
         let numbers = numbers.iter().chain(&point.best.solution.x).chain(&launch);
-        let numbers = numbers.map(|number| if number.is_nan() { String::new() } else { format!("{number:?}") });
-        let words =
-            [listed(point, "; ", Active::to_string), point.event.as_ref().map(ToString::to_string).unwrap_or_default()];
+        let numbers = numbers.map(|number| {
+            if number.is_nan() {
+                String::new()
+            } else {
+                format!("{number:?}")
+            }
+        });
+        let words = [
+            listed(point, "; ", Active::to_string),
+            point
+                .event
+                .as_ref()
+                .map(ToString::to_string)
+                .unwrap_or_default(),
+        ];
         writer.write_record(numbers.chain(words)).map_err(failed)?;
     }
-    let bytes = writer.into_inner().map_err(|error| Error::Output(error.into_error()))?;
+    let bytes = writer
+        .into_inner()
+        .map_err(|error| Error::Output(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// The bounds and constraints that are active at a point, as `told` writes them.
 fn listed(point: &ChartPoint, separator: &str, told: impl Fn(&Active) -> String) -> String {
-    point.active.iter().map(told).collect::<Vec<_>>().join(separator)
+    point
+        .active
+        .iter()
+        .map(told)
+        .collect::<Vec<_>>()
+        .join(separator)
 }

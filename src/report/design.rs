@@ -31,7 +31,12 @@ pub struct Designed<'a> {
 impl Designed<'_> {
     /// The answer of `design`: that of a search over swings, with what holds the design.
     pub fn reply(&self, swings: Reply<OptimumReport>) -> Reply<OptimumReport> {
-        let before = self.best.search.vary.iter().map(|vary| (vary.parameter.name, self.own(vary.parameter)));
+        let before = self
+            .best
+            .search
+            .vary
+            .iter()
+            .map(|vary| (vary.parameter.name, self.own(vary.parameter)));
         let part = |part: &Part| json!({ "goal": part.goal.expression, "as_set_up": json::number(part.as_set_up), "best": json::number(part.best) });
         let design = json!({
             "rules": if self.design.is_under_rules { "golf" } else { "none" },
@@ -40,38 +45,83 @@ impl Designed<'_> {
             "parts": self.parts.iter().map(part).collect::<Vec<_>>(),
             "held": self.design.standings(self.best).iter().map(held_json).collect::<Vec<_>>(),
         });
-        let body = OptimumReport { design: Some(design), ..swings.body };
-        Reply { command: Some("design"), body, ..swings }
+        let body = OptimumReport {
+            design: Some(design),
+            ..swings.body
+        };
+        Reply {
+            command: Some("design"),
+            body,
+            ..swings
+        }
     }
 
     /// The same as text, after that of the search.
     pub fn text(&self, system: System) -> String {
         let solution = &self.best.solution;
         let change = |text: String, amount: f64| signed(amount, text);
-        let own = self.best.search.vary.iter().zip(&solution.x).map(|(vary, x)| {
-            let before = self.own(vary.parameter);
-            let show = |value: f64| shown::within(vary, value, system);
-            let difference = before.map_or(String::new(), |before| {
-                let unit = system.unit(vary.parameter.unit);
-                change(vary.parameter.quantity.read_off_difference(x - before, unit), x - before)
+        let own = self
+            .best
+            .search
+            .vary
+            .iter()
+            .zip(&solution.x)
+            .map(|(vary, x)| {
+                let before = self.own(vary.parameter);
+                let show = |value: f64| shown::within(vary, value, system);
+                let difference = before.map_or(String::new(), |before| {
+                    let unit = system.unit(vary.parameter.unit);
+                    change(
+                        vary.parameter
+                            .quantity
+                            .read_off_difference(x - before, unit),
+                        x - before,
+                    )
+                });
+                vec![
+                    vary.parameter.name.into(),
+                    before.map_or(shown::NONE.into(), show),
+                    show(*x),
+                    difference,
+                ]
             });
-            vec![vary.parameter.name.into(), before.map_or(shown::NONE.into(), show), show(*x), difference]
-        });
         let parts = self.parts.iter().map(|part| {
-            let show =
-                |value: Option<f64>| value.map_or(shown::NONE.into(), |value| value_text(&part.goal, value, system));
+            let show = |value: Option<f64>| {
+                value.map_or(shown::NONE.into(), |value| {
+                    value_text(&part.goal, value, system)
+                })
+            };
             let both = part.as_set_up.zip(part.best);
             let difference = both.map_or(String::new(), |(before, best)| {
-                change(difference_text(&part.goal, best - before, system), best - before)
+                change(
+                    difference_text(&part.goal, best - before, system),
+                    best - before,
+                )
             });
-            vec![part.goal.expression.clone(), show(part.as_set_up), show(part.best), difference]
+            vec![
+                part.goal.expression.clone(),
+                show(part.as_set_up),
+                show(part.best),
+                difference,
+            ]
         });
-        let rows: Vec<_> = if self.best.value().is_some() { own.chain(parts).collect() } else { vec![] };
+        let rows: Vec<_> = if self.best.value().is_some() {
+            own.chain(parts).collect()
+        } else {
+            vec![]
+        };
         let mut text = String::new();
         if !rows.is_empty() {
             let found = ended_at(solution.status, "best");
-            text += &format!("\n{}", table(&["design", "as set up", found, "change"], &[1, 2, 3], rows));
-            let rows = self.design.standings(self.best).into_iter().map(|standing| self.row(&standing, system));
+            text += &format!(
+                "\n{}",
+                table(&["design", "as set up", found, "change"], &[1, 2, 3], rows)
+            );
+            let rows = self
+                .design
+                .standings(self.best)
+                .into_iter()
+                .map(|standing| self.row(&standing, system));
             let rows: Vec<_> = rows.collect();
             if !rows.is_empty() {
                 text += &format!("\n{}", table(&["rule or limit", "", found, ""], &[2], rows));
@@ -93,9 +143,18 @@ impl Designed<'_> {
 
     /// What holds the design, its value, and its margin or its price.
     fn row(&self, standing: &Standing, system: System) -> Vec<String> {
-        let Standing { held, value, margin, price } = standing;
+        let Standing {
+            held,
+            value,
+            margin,
+            price,
+        } = standing;
         let show = |value: f64| {
-            let value = if value.abs() < ROUNDING * held.step { 0.0 } else { value };
+            let value = if value.abs() < ROUNDING * held.step {
+                0.0
+            } else {
+                value
+            };
             shown::given(held.quantity, held.unit, value, system, 5)
         };
         let goal = &self.best.search.of;
@@ -103,11 +162,21 @@ impl Designed<'_> {
             (By::Unknown, ..) => "not checked; it can be stated as a relation".into(),
             (By::Value(_), _, Some(_)) => "met; nothing varied changes it".into(),
             (_, Some(price), _) => {
-                let amount = price * held.step * if self.best.search.sense == Sense::Maximize { 1.0 } else { -1.0 };
-                let is_upper = value.is_some_and(|value| held.range[1] - value <= value - held.range[0]);
+                let amount = price
+                    * held.step
+                    * if self.best.search.sense == Sense::Maximize {
+                        1.0
+                    } else {
+                        -1.0
+                    };
+                let is_upper =
+                    value.is_some_and(|value| held.range[1] - value <= value - held.range[0]);
                 let way = if is_upper { "raised" } else { "lowered" };
                 let gain = signed(amount, difference_text(goal, amount, system));
-                format!("{gain} for each {} that the limit is {way}", held.quantity.show(held.step, held.unit))
+                format!(
+                    "{gain} for each {} that the limit is {way}",
+                    held.quantity.show(held.step, held.unit)
+                )
             }
             (_, None, Some(margin)) if *margin < -ROUNDING * held.step => {
                 format!("violated by {}", show(-margin))
@@ -115,12 +184,22 @@ impl Designed<'_> {
             (_, None, Some(margin)) => format!("{} to spare", show(margin.max(0.0))),
             (_, None, None) => String::new(),
         };
-        vec![held.name.clone(), held.expression.clone(), value.map_or(shown::NONE.into(), show), told]
+        vec![
+            held.name.clone(),
+            held.expression.clone(),
+            value.map_or(shown::NONE.into(), show),
+            told,
+        ]
     }
 }
 
 fn held_json(standing: &Standing) -> Value {
-    let Standing { held, value, margin, price } = standing;
+    let Standing {
+        held,
+        value,
+        margin,
+        price,
+    } = standing;
     let by = match held.by {
         By::Bound(_) => "bound",
         By::Limit(_) => "limit",

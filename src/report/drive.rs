@@ -21,18 +21,21 @@ pub struct DriveReport {
     pub setup: Map<String, Value>,
     /// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.
     pub launch: Map<String, Value>,
-    /// The head after impact: `velocity` and `angular_velocity`; `null` where the launch is given and there is no club.
+    /// The head after impact: `velocity` and `angular_velocity`; `null` where the launch is given
+    /// and there is no club.
     pub club_after: Option<Map<String, Value>>,
     /// Whether the ball still slid on the face as it left; `null` where there is no club.
     pub slipped: Option<bool>,
     /// The outcomes of the flight.
     pub flight: Option<Map<String, Value>>,
-    /// What the law was fitted to, and how much of the flight is outside; `null` without air or a flight.
+    /// What the law was fitted to, and how much of the flight is outside; `null` without air or a
+    /// flight.
     pub law_range: Option<Map<String, Value>>,
 }
 
 impl DriveReport {
-    /// The answer of `simulate`: the status is `landed`, `no-flight` or `aloft`, the message why there is no landing.
+    /// The answer of `simulate`: the status is `landed`, `no-flight` or `aloft`, the message why
+    /// there is no landing.
     pub fn reply(setup: &Setup<f64>, drive: &Drive<f64>, warnings: Vec<Message>) -> Reply<Self> {
         let (status, message) = match &drive.flight {
             Flight::Landed(_) => ("landed", None),
@@ -46,18 +49,31 @@ impl DriveReport {
         Self {
             setup: json::setup(setup),
             launch: launch(drive),
-            club_after: drive.impact.as_ref().map(|Impact { club_velocity, club_spin, .. }| {
-                vectors([("velocity", *club_velocity), ("angular_velocity", *club_spin)]).collect()
-            }),
-            slipped: drive.impact.as_ref().map(|impact| matches!(impact.grip, Grip::Slips(_))),
+            club_after: drive.impact.as_ref().map(
+                |Impact {
+                     club_velocity,
+                     club_spin,
+                     ..
+                 }| {
+                    vectors([
+                        ("velocity", *club_velocity),
+                        ("angular_velocity", *club_spin),
+                    ])
+                    .collect()
+                },
+            ),
+            slipped: drive
+                .impact
+                .as_ref()
+                .map(|impact| matches!(impact.grip, Grip::Slips(_))),
             flight: flight(drive),
             law_range: law_range(setup, drive),
         }
     }
 }
 
-/// For each quantity that a law may be fitted to: the range, how far the flight goes, and the share of the time outside; `null` where no range
-/// is known.
+/// For each quantity that a law may be fitted to: the range, how far the flight goes, and the share
+/// of the time outside; `null` where no range is known.
 pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<Map<String, Value>> {
     let range = |ends: [f64; 2]| json!({ "low": json::number(Some(ends[0])), "high": json::number(Some(ends[1])) });
     let fitted = setup.law.fitted();
@@ -69,14 +85,18 @@ pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<Map<St
         (json::range_key(name).to_owned(), told.unwrap_or_default())
     });
     let found: Map<String, Value> = each.collect();
-    (AirState::of(&setup.air).density > 0.0 && matches!(drive.flight, Flight::Landed(_))).then_some(found)
+    (AirState::of(&setup.air).density > 0.0 && matches!(drive.flight, Flight::Landed(_)))
+        .then_some(found)
 }
 
 /// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.
 pub(super) fn launch(drive: &Drive<f64>) -> Map<String, Value> {
     let launch = &drive.launch;
     let vectors = vectors([("velocity", launch.velocity), ("spin_vector", launch.spin)]);
-    of_part(drive, Part::Launch).into_iter().chain(vectors).collect()
+    of_part(drive, Part::Launch)
+        .into_iter()
+        .chain(vectors)
+        .collect()
 }
 
 /// The outcomes of the flight; `None` where the ball does not land.
@@ -89,29 +109,57 @@ fn of_part(drive: &Drive<f64>, part: Part) -> Map<String, Value> {
 }
 
 fn vectors(pairs: [(&str, Vector<f64>); 2]) -> impl Iterator<Item = (String, Value)> {
-    pairs.map(|(name, v)| (name.to_owned(), json::vector(v))).into_iter()
+    pairs
+        .map(|(name, v)| (name.to_owned(), json::vector(v)))
+        .into_iter()
 }
 
-/// A drive as text: what a launch monitor shows, and the flight; each number in the units of `system`, then in the other's.
+/// A drive as text: what a launch monitor shows, and the flight; each number in the units of
+/// `system`, then in the other's.
 pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
     let part = |title: &str, part| {
         let texts = Outcome::of_part(part)
-            .map(|outcome| (outcome, shown::outcome_or_dash(outcome, outcome.value(drive), system)))
+            .map(|outcome| {
+                (
+                    outcome,
+                    shown::outcome_or_dash(outcome, outcome.value(drive), system),
+                )
+            })
             .collect::<Vec<_>>();
-        let number = |text: &str| text.split(' ').next().map_or(0, |number| number.chars().count());
-        let widest = texts.iter().map(|(_, text)| number(text)).max().unwrap_or(0);
+        let number = |text: &str| {
+            text.split(' ')
+                .next()
+                .map_or(0, |number| number.chars().count())
+        };
+        let widest = texts
+            .iter()
+            .map(|(_, text)| number(text))
+            .max()
+            .unwrap_or(0);
         let rows = texts.iter().map(|(outcome, text)| {
-            let other = outcome.value(drive).map(|value| shown::in_parentheses(*outcome, value, system));
+            let other = outcome
+                .value(drive)
+                .map(|value| shown::in_parentheses(*outcome, value, system));
             // numbers end below each other, and their units begin there
             let text = format!("{}{text}", " ".repeat(widest - number(text)));
-            vec![shown::words(outcome.name()), text, other.unwrap_or_default()]
+            vec![
+                shown::words(outcome.name()),
+                text,
+                other.unwrap_or_default(),
+            ]
         });
         table(&[title, "", ""], &[], rows)
     };
     let launch = part("launch", Part::Launch);
-    let mut bodies = format!("  ball velocity {}\n", components(drive.launch.velocity, system));
+    let mut bodies = format!(
+        "  ball velocity {}\n",
+        components(drive.launch.velocity, system)
+    );
     if let Some(impact) = &drive.impact {
-        bodies += &format!("  club velocity after impact {}\n", components(impact.club_velocity, system));
+        bodies += &format!(
+            "  club velocity after impact {}\n",
+            components(impact.club_velocity, system)
+        );
         if matches!(impact.grip, Grip::Slips(_)) {
             bodies += "  the ball slipped on the face\n";
         }
@@ -119,10 +167,16 @@ pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
     match &drive.flight {
         Flight::Landed(landed) => {
             let run = note(&on_the_run(landed.rest.as_ref()).in_units(system));
-            format!("{launch}\n{bodies}\n{}\n{run}", part("flight", Part::Flight))
+            format!(
+                "{launch}\n{bodies}\n{}\n{run}",
+                part("flight", Part::Flight)
+            )
         }
         Flight::None(why) => {
-            format!("{launch}\n{bodies}\n{}", paragraph(&why.message().in_units(system)))
+            format!(
+                "{launch}\n{bodies}\n{}",
+                paragraph(&why.message().in_units(system))
+            )
         }
     }
 }
@@ -134,7 +188,11 @@ pub fn air_text(setup: &Setup<f64>, system: System) -> String {
     }
     let density = AirState::of(&setup.air).density;
     let told = Message::from("air: the weather gives a density of ");
-    note(&told.quantity(Quantity::DENSITY, "kg/m^3", density, Digits::Significant(5)).in_units(system))
+    note(
+        &told
+            .quantity(Quantity::DENSITY, "kg/m^3", density, Digits::Significant(5))
+            .in_units(system),
+    )
 }
 
 /// What a run is made of, and what it is worth.
@@ -161,7 +219,12 @@ fn components(velocity: Vector<f64>, system: System) -> String {
     let unit = system.unit("m/s");
     let size = Quantity::SPEED.size_of(unit).unwrap_or(1.0);
     // two decimals, as the paper prints them; rounding has no sign
-    let [up, right, downrange] = velocity.to_array().map(|component| (component / size * 100.0).round() / 100.0 + 0.0);
+    let [up, right, downrange] = velocity
+        .to_array()
+        .map(|component| (component / size * 100.0).round() / 100.0 + 0.0);
     let side = if right < 0.0 { "left" } else { "right" };
-    format!("{downrange:.2} {unit} downrange, {up:.2} up, {:.2} {side}", right.abs())
+    format!(
+        "{downrange:.2} {unit} downrange, {up:.2} up, {:.2} {side}",
+        right.abs()
+    )
 }

@@ -24,8 +24,19 @@ pub struct EffectsReport {
 
 impl EffectsReport {
     /// The answer of `sensitivity`.
-    pub fn reply(outcomes: Vec<OutcomeEffects>, best: Option<&Optimum>, warnings: Vec<Message>) -> Reply<Self> {
-        Reply::done("sensitivity", warnings, Self { outcomes, at_optimum: best.map(OptimumReport::new) })
+    pub fn reply(
+        outcomes: Vec<OutcomeEffects>,
+        best: Option<&Optimum>,
+        warnings: Vec<Message>,
+    ) -> Reply<Self> {
+        Reply::done(
+            "sensitivity",
+            warnings,
+            Self {
+                outcomes,
+                at_optimum: best.map(OptimumReport::new),
+            },
+        )
     }
 }
 
@@ -74,60 +85,126 @@ impl OutcomeEffects {
 /// d f*/dp of a parameter at the optimum.
 fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
     let (_, sensitivity) = totals?.iter().find(|(other, _)| *other == parameter)?;
-    sensitivity.as_ref().ok().map(|sensitivity| sensitivity.value)
+    sensitivity
+        .as_ref()
+        .ok()
+        .map(|sensitivity| sensitivity.value)
 }
 
-/// The effects on an outcome of the drive `at` as text: those of uncertainties first, with what they neglect, then the other gradients.
+/// The effects on an outcome of the drive `at` as text: those of uncertainties first, with what
+/// they neglect, then the other gradients.
 pub fn effects_text(effects: &Effects, totals: Option<&Totals>, at: At, system: System) -> String {
     let of = effects.of;
-    let rate = |slope: f64, parameter: &Parameter| shown::slope(of, effects.value, parameter, slope, system, 5);
+    let rate = |slope: f64, parameter: &Parameter| {
+        shown::slope(of, effects.value, parameter, slope, system, 5)
+    };
     let slopes = |effect: &Effect| {
         let parameter = effect.parameter;
-        let is_rounding =
-            shown::settled(effect.gradient, effects.value, (of.quantity(), of.unit()), &[parameter]) == 0.0;
-        let elasticity = effect.elasticity.map(|elasticity| if is_rounding { 0.0 } else { elasticity });
-        let elasticity = elasticity.map_or(shown::NONE.into(), |elasticity| significant(elasticity, 4));
-        let mut row = vec![parameter.name.into(), rate(effect.gradient, parameter), elasticity];
-        let of_optimum = || total(totals, parameter).map_or(shown::NONE.into(), |slope| rate(slope, parameter));
+        let is_rounding = shown::settled(
+            effect.gradient,
+            effects.value,
+            (of.quantity(), of.unit()),
+            &[parameter],
+        ) == 0.0;
+        let elasticity = effect
+            .elasticity
+            .map(|elasticity| if is_rounding { 0.0 } else { elasticity });
+        let elasticity =
+            elasticity.map_or(shown::NONE.into(), |elasticity| significant(elasticity, 4));
+        let mut row = vec![
+            parameter.name.into(),
+            rate(effect.gradient, parameter),
+            elasticity,
+        ];
+        let of_optimum =
+            || total(totals, parameter).map_or(shown::NONE.into(), |slope| rate(slope, parameter));
         row.extend(totals.map(|_| of_optimum()));
         row
     };
-    let mut text = format!("{} = {}, {at}\n", of.name(), shown::both(of, effects.value, system));
-    let bars: Vec<Bar> = effects.effects.iter().filter_map(|effect| effect.bar).collect();
+    let mut text = format!(
+        "{} = {}, {at}\n",
+        of.name(),
+        shown::both(of, effects.value, system)
+    );
+    let bars: Vec<Bar> = effects
+        .effects
+        .iter()
+        .filter_map(|effect| effect.bar)
+        .collect();
     if !bars.is_empty() {
-        let head = ["uncertainty of", "±σ", "effect", "second order", "flown at −σ", "flown at +σ"];
-        text += &format!("\n{}", table(&head, &[1, 2, 3, 4, 5], bars.iter().map(|bar| bar_cells(bar, of, system))),);
+        let head = [
+            "uncertainty of",
+            "±σ",
+            "effect",
+            "second order",
+            "flown at −σ",
+            "flown at +σ",
+        ];
+        text += &format!(
+            "\n{}",
+            table(
+                &head,
+                &[1, 2, 3, 4, 5],
+                bars.iter().map(|bar| bar_cells(bar, of, system))
+            ),
+        );
         let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
         text += &item(&format!(
             "together ±{} to first order, if independent; second order adds up to {}{}",
             shown::spread(of, effects.standard_uncertainty(), system),
             shown::spread(of, effects.linearity(), system),
-            if is_flown { ", which the drives flown at −σ and +σ have in them" } else { "" },
+            if is_flown {
+                ", which the drives flown at −σ and +σ have in them"
+            } else {
+                ""
+            },
         ));
-        let without: Vec<&str> =
-            effects.effects.iter().filter(|effect| is_without(effects, effect)).map(|e| e.parameter.name).collect();
+        let without: Vec<&str> = effects
+            .effects
+            .iter()
+            .filter(|effect| is_without(effects, effect))
+            .map(|e| e.parameter.name)
+            .collect();
         if !without.is_empty() {
-            text += &item(&format!("{} does not depend on {} here", of.name(), without.join(", ")));
+            text += &item(&format!(
+                "{} does not depend on {} here",
+                of.name(),
+                without.join(", ")
+            ));
         }
         let source = |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
         for line in by_reason(bars.iter().filter_map(source)) {
             text += &item(&format!("default of {line}"));
         }
     }
-    let head = ["by", "slope", "elasticity"].into_iter().chain(totals.map(|_| "slope of the optimum"));
+    let head = ["by", "slope", "elasticity"]
+        .into_iter()
+        .chain(totals.map(|_| "slope of the optimum"));
     let head: Vec<&str> = head.collect();
     let right: Vec<usize> = (1..head.len()).collect();
-    text + &format!("\n{}", table(&head, &right, effects.effects.iter().map(slopes)))
+    text + &format!(
+        "\n{}",
+        table(&head, &right, effects.effects.iter().map(slopes))
+    )
 }
 
-/// Whether an outcome does not depend on a parameter with an uncertainty: neither by its derivatives nor in the drives flown.
+/// Whether an outcome does not depend on a parameter with an uncertainty: neither by its
+/// derivatives nor in the drives flown.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
-    let Some(Bar { sigma, second_order: Some(second), flown: [Some(below), Some(above)], .. }) = effect.bar else {
+    let Some(Bar {
+        sigma,
+        second_order: Some(second),
+        flown: [Some(below), Some(above)],
+        ..
+    }) = effect.bar
+    else {
         return false;
     };
     let curvature = 2.0 * second / (sigma.value * sigma.value);
     let (of, value) = (effects.of, effects.value);
-    let is_moved = [below, above].into_iter().any(|by| !shown::is_rounding(of, value, by));
+    let is_moved = [below, above]
+        .into_iter()
+        .any(|by| !shown::is_rounding(of, value, by));
     !is_moved && !shown::depends(of, value, effect.parameter, effect.gradient, curvature)
 }
 
@@ -137,7 +214,10 @@ fn bar_cells(bar: &Bar, of: Outcome, system: System) -> Vec<String> {
     let [below, above] = bar.flown;
     vec![
         bar.sigma.parameter.name.into(),
-        format!("±{}", shown::stated(bar.sigma.parameter, bar.sigma.value, system)),
+        format!(
+            "±{}",
+            shown::stated(bar.sigma.parameter, bar.sigma.value, system)
+        ),
         change(bar.first_order),
         or_dash(bar.second_order),
         or_dash(below),

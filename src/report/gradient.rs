@@ -43,7 +43,10 @@ impl HessianReport {
     /// A matrix with the parameters of its rows and columns.
     pub(super) fn new(names: Vec<&'static str>, values: &[Vec<f64>]) -> Self {
         let row = |row: &Vec<f64>| row.iter().map(|entry| json::number(Some(*entry))).collect();
-        Self { names, values: values.iter().map(row).collect() }
+        Self {
+            names,
+            values: values.iter().map(row).collect(),
+        }
     }
 }
 
@@ -57,15 +60,32 @@ impl GradientReport {
         wrt: &[&'static Parameter],
         warnings: Vec<Message>,
     ) -> Reply<Self> {
-        let mut missing: Vec<_> = found.iter().filter_map(|(_, taylor)| taylor.as_ref().err()).collect();
-        let status = match (share(found.len() - missing.len(), found.len()), missing.first()) {
+        let mut missing: Vec<_> = found
+            .iter()
+            .filter_map(|(_, taylor)| taylor.as_ref().err())
+            .collect();
+        let status = match (
+            share(found.len() - missing.len(), found.len()),
+            missing.first(),
+        ) {
             // where all of them lack the same, that is the answer
-            ("no-answer", Some(first)) if missing.iter().all(|why| why.status() == first.status()) => first.status(),
+            ("no-answer", Some(first))
+                if missing.iter().all(|why| why.status() == first.status()) =>
+            {
+                first.status()
+            }
             (status, _) => status,
         };
         missing.dedup_by_key(|why| why.to_string());
-        let message = missing.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
-        let outcomes = found.iter().map(|(of, taylor)| OutcomeReport::new(*of, wrt, taylor)).collect();
+        let message = missing
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+            .join("; ");
+        let outcomes = found
+            .iter()
+            .map(|(of, taylor)| OutcomeReport::new(*of, wrt, taylor))
+            .collect();
         let message = (!missing.is_empty()).then_some(message);
         Reply::done("gradient", warnings, Self { outcomes }).ended(status, message)
     }
@@ -81,48 +101,88 @@ impl OutcomeReport {
             }
             Err(why) => {
                 let message = Some(why.to_string());
-                return Self { of: of.name(), value: Value::Null, gradient: None, hessian: None, message };
+                return Self {
+                    of: of.name(),
+                    value: Value::Null,
+                    gradient: None,
+                    hessian: None,
+                    message,
+                };
             }
         };
-        let gradient = names.iter().copied().zip(taylor.gradient.iter().map(|d| Some(*d)));
+        let gradient = names
+            .iter()
+            .copied()
+            .zip(taylor.gradient.iter().map(|d| Some(*d)));
         Self {
             of: of.name(),
             value: json::number(Some(taylor.value)),
             gradient: Some(json::named(gradient)),
-            hessian: (!taylor.hessian.is_empty()).then(|| HessianReport::new(names, &taylor.hessian)),
+            hessian: (!taylor.hessian.is_empty())
+                .then(|| HessianReport::new(names, &taylor.hessian)),
             message: None,
         }
     }
 }
 
-/// An outcome with its gradient, and Hessian if there is one, as text; derivatives also in SI, to twelve digits.
+/// An outcome with its gradient, and Hessian if there is one, as text; derivatives also in SI, to
+/// twelve digits.
 ///
 /// # Panics
 /// Where there are not as many derivatives as parameters.
-pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, system: System) -> String {
+pub fn gradient_text(
+    of: Outcome,
+    wrt: &[&'static Parameter],
+    taylor: &Taylor,
+    system: System,
+) -> String {
     taylor.expect_derivatives_by(wrt.len(), "parameters");
     let si = of.quantity().si;
-    let settled = |d: f64, by: &[&Parameter]| shown::settled(d, taylor.value, (of.quantity(), of.unit()), by);
+    let settled =
+        |d: f64, by: &[&Parameter]| shown::settled(d, taylor.value, (of.quantity(), of.unit()), by);
     let rows = wrt.iter().zip(&taylor.gradient).map(|(parameter, slope)| {
         let in_si = significant(settled(*slope, &[*parameter]), 12);
         vec![
             parameter.name.into(),
             shown::slope(of, taylor.value, parameter, *slope, system, 6),
-            format!("{in_si} {}", per(si, parameter.quantity.si)).trim_end().to_owned(),
+            format!("{in_si} {}", per(si, parameter.quantity.si))
+                .trim_end()
+                .to_owned(),
         ]
     });
     let gradient = table(&["by", &format!("d {}", of.name()), "SI"], &[1, 2], rows);
-    let exact =
-        format!("{} {si}", significant(if shown::is_rounding(of, 0.0, taylor.value) { 0.0 } else { taylor.value }, 15));
-    let value = format!("{} = {}; in SI {}\n\n", of.name(), shown::both(of, taylor.value, system), exact.trim_end());
+    let exact = format!(
+        "{} {si}",
+        significant(
+            if shown::is_rounding(of, 0.0, taylor.value) {
+                0.0
+            } else {
+                taylor.value
+            },
+            15
+        )
+    );
+    let value = format!(
+        "{} = {}; in SI {}\n\n",
+        of.name(),
+        shown::both(of, taylor.value, system),
+        exact.trim_end()
+    );
     if taylor.hessian.is_empty() {
         return value + &gradient;
     }
-    let head: Vec<&str> = std::iter::once("Hessian, SI").chain(wrt.iter().map(|parameter| parameter.name)).collect();
+    let head: Vec<&str> = std::iter::once("Hessian, SI")
+        .chain(wrt.iter().map(|parameter| parameter.name))
+        .collect();
     let right: Vec<usize> = (1..head.len()).collect();
     let rows = wrt.iter().zip(&taylor.hessian).map(|(parameter, row)| {
-        let seconds = row.iter().zip(wrt).map(|(d, by)| significant(settled(*d, &[*parameter, *by]), 10));
-        std::iter::once(parameter.name.to_owned()).chain(seconds).collect()
+        let seconds = row
+            .iter()
+            .zip(wrt)
+            .map(|(d, by)| significant(settled(*d, &[*parameter, *by]), 10));
+        std::iter::once(parameter.name.to_owned())
+            .chain(seconds)
+            .collect()
     });
     format!("{value}{gradient}\n{}", table(&head, &right, rows))
 }

@@ -5,9 +5,13 @@ use crate::parameters::Law;
 use crate::units::{Message, System};
 use serde_json::{Value, json};
 
-/// Every law with its published coefficients and the user's own, where it comes from, and what it was fitted to.
+/// Every law with its published coefficients and the user's own, where it comes from, and what it
+/// was fitted to.
 fn all(own: Option<Law<f64>>) -> impl Iterator<Item = (Law<f64>, Published, Fitted)> {
-    let laws = Law::NAMES.iter().filter_map(|name| Law::named(name)).chain(own);
+    let laws = Law::NAMES
+        .iter()
+        .filter_map(|name| Law::named(name))
+        .chain(own);
     laws.map(|law| (law, law.published(), law.fitted()))
 }
 
@@ -34,27 +38,45 @@ pub fn laws_reply(own: Option<Law<f64>>) -> Reply<Value> {
             },
         })
     };
-    Reply::done("laws", vec![], json!({ "laws": all(own).map(one).collect::<Vec<_>>() }))
+    Reply::done(
+        "laws",
+        vec![],
+        json!({ "laws": all(own).map(one).collect::<Vec<_>>() }),
+    )
 }
 
-/// The laws as text: who published each, its formula, and below it the range, the ball and the source.
+/// The laws as text: who published each, its formula, and below it the range, the ball and the
+/// source.
 pub fn laws_text(own: Option<Law<f64>>, system: System) -> String {
     let one = |(law, published, fitted): (Law<f64>, Published, Fitted)| {
-        let year = published.year.map_or(String::new(), |year| format!(" {year}"));
-        let default = if law.name() == Law::default().name() { " (default)" } else { "" };
+        let year = published
+            .year
+            .map_or(String::new(), |year| format!(" {year}"));
+        let default = if law.name() == Law::default().name() {
+            " (default)"
+        } else {
+            ""
+        };
         let range = if fitted == Fitted::UNKNOWN {
             "fitted to: not known".into()
         } else {
-            fitted.in_words(Message::from(format!("fitted to {}: ", fitted.to))).in_units(system)
+            fitted
+                .in_words(Message::from(format!("fitted to {}: ", fitted.to)))
+                .in_units(system)
         };
-        item(&format!("{}{default}: {}{year}", law.name(), published.authors))
-            + &note(law.formula().trim_end_matches('.'))
+        item(&format!(
+            "{}{default}: {}{year}",
+            law.name(),
+            published.authors
+        )) + &note(law.formula().trim_end_matches('.'))
             + &note(&range)
             + &note(&format!("ball: {}", published.ball.unwrap_or("not stated")))
             + &note(&format!("source: {}", published.source))
     };
     let laws: Vec<String> = all(own).map(one).collect();
     laws.join("\n")
-        + "\n  choose one with '--set aero.law=NAME'; 'longdrive parameters' lists the coefficients\n  \
-           or your own table with '--set aero.table=mine.csv'; 'longdrive plot laws -o laws.svg' draws them\n"
+        + "\n  choose one with '--set aero.law=NAME'; 'longdrive parameters' lists the \
+           coefficients\n  \
+           or your own table with '--set aero.table=mine.csv'; 'longdrive plot laws -o laws.svg' \
+           draws them\n"
 }

@@ -21,7 +21,8 @@ pub(super) fn note(text: &str) -> String {
     indented(text, 3 * INDENT, 3 * INDENT)
 }
 
-/// Why things are left out: those with the same reason in one line, in the order of the first: "gravity, air.density: the reason".
+/// Why things are left out: those with the same reason in one line, in the order of the first:
+/// "gravity, air.density: the reason".
 pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
     let mut all: Vec<(String, String)> = vec![];
     for (name, reason) in reasons {
@@ -30,21 +31,40 @@ pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Ve
             None => all.push((name.into(), reason)),
         }
     }
-    all.into_iter().map(|(names, reason)| format!("{names}: {reason}")).collect()
+    all.into_iter()
+        .map(|(names, reason)| format!("{names}: {reason}"))
+        .collect()
 }
 
-/// A remark or warning for standard error: what does not fit its line is continued on indented lines. No line break at the end.
+/// A remark or warning for standard error: what does not fit its line is continued on indented
+/// lines. No line break at the end.
 pub fn remark(text: &str) -> String {
-    let lines: Vec<_> =
-        text.lines().map(|line| if is_wide(line) { indented(line, 0, INDENT) } else { line.into() }).collect();
-    lines.iter().map(|line| line.trim_end()).collect::<Vec<_>>().join("\n")
+    let lines: Vec<_> = text
+        .lines()
+        .map(|line| {
+            if is_wide(line) {
+                indented(line, 0, INDENT)
+            } else {
+                line.into()
+            }
+        })
+        .collect();
+    lines
+        .iter()
+        .map(|line| line.trim_end())
+        .collect::<Vec<_>>()
+        .join("\n")
 }
 
 /// Breaks the lines of a text that are too wide.
 pub(super) fn broken(text: &str) -> String {
     let line = |line: &str| {
         let indent = line.len() - line.trim_start().len();
-        if is_wide(line) { indented(line.trim_start(), indent, indent) } else { format!("{line}\n") }
+        if is_wide(line) {
+            indented(line.trim_start(), indent, indent)
+        } else {
+            format!("{line}\n")
+        }
     };
     text.lines().map(line).collect()
 }
@@ -53,8 +73,8 @@ fn is_wide(line: &str) -> bool {
     line.chars().count() > WIDTH
 }
 
-/// The words of a text in lines, the first indented by `first`, the others by `by`. A word stays whole, even where it is too wide: it
-/// may be a file.
+/// The words of a text in lines, the first indented by `first`, the others by `by`. A word stays
+/// whole, even where it is too wide: it may be a file.
 fn indented(text: &str, first: usize, by: usize) -> String {
     let mut lines = String::new();
     for paragraph in text.lines() {
@@ -92,16 +112,32 @@ mod tests {
 
     #[test]
     fn exact_no_line_is_wider_than_a_terminal_and_no_word_is_lost() {
-        let words = "a long explanation of what this is about, with the reason and what to do with it ".repeat(4);
+        let words =
+            "a long explanation of what this is about, with the reason and what to do with it "
+                .repeat(4);
         let words = words.trim();
         for text in [paragraph(words), item(words), remark(words)] {
-            assert!(text.lines().all(|line| line.chars().count() <= WIDTH) && text.lines().count() > 3, "{text}");
+            assert!(
+                text.lines().all(|line| line.chars().count() <= WIDTH) && text.lines().count() > 3,
+                "{text}"
+            );
             assert_eq!(text.split_whitespace().collect::<Vec<_>>().join(" "), words);
         }
         let said = remark(words);
-        assert!(!said.starts_with(' ') && said.lines().skip(1).all(|line| line.starts_with("  ")), "{said}");
+        assert!(
+            !said.starts_with(' ') && said.lines().skip(1).all(|line| line.starts_with("  ")),
+            "{said}"
+        );
         let file = "/a/folder".repeat(20);
-        assert_eq!(remark(&format!("wrote {file} anew")), format!("wrote\n  {file}\n  anew"), "a file stays whole");
-        assert_eq!(remark("two\n  lines"), "two\n  lines", "what fits stays as it is");
+        assert_eq!(
+            remark(&format!("wrote {file} anew")),
+            format!("wrote\n  {file}\n  anew"),
+            "a file stays whole"
+        );
+        assert_eq!(
+            remark("two\n  lines"),
+            "two\n  lines",
+            "what fits stays as it is"
+        );
     }
 }

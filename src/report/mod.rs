@@ -1,5 +1,5 @@
-//! Results as text and JSON: pure functions, which write nowhere. Text is in units a golfer reads, JSON in SI
-//! and radians.
+//! Results as text and JSON: pure functions, which write nowhere. Text is in units a golfer reads,
+//! JSON in SI and radians.
 
 mod calibration;
 mod certificate;
@@ -41,11 +41,15 @@ mod uncertainty;
 mod validation;
 mod winfield_tan;
 
-pub use calibration::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
+pub use calibration::{
+    CalibrationReport, calibration_document, calibration_reply, calibration_toml,
+};
 pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use compare::{ComparisonReport, DifferenceReport, comparison_text, difference_text};
-pub use delivery::{bound_warnings, delivered_text, deliveries_text, delivery_reply, delivery_toml};
+pub use delivery::{
+    bound_warnings, delivered_text, deliveries_text, delivery_reply, delivery_toml,
+};
 pub use design::Designed;
 pub use document::{Document, document_files};
 pub use drive::{DriveReport, air_text, drive_text, known_within};
@@ -55,7 +59,8 @@ pub use laws::{laws_reply, laws_text};
 pub use lines::{by_reason, remark};
 pub use mae494::{mae494_document, mae494_reply};
 pub use optimum::{
-    ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text, optimum_toml,
+    ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text,
+    optimum_text, optimum_toml,
 };
 pub use parameters::{parameters_reply, parameters_text};
 pub use pareto::{pareto_csv, pareto_reply, pareto_text, pareto_toml};

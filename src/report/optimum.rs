@@ -73,7 +73,8 @@ pub struct ConstraintReport {
     pub value: f64,
     /// How far it is beyond its limits, SI; 0 where it keeps them.
     pub violation: f64,
-    /// What the objective would gain per unit that the limit is relaxed, ≥ 0; for an equation, that it is raised.
+    /// What the objective would gain per unit that the limit is relaxed, ≥ 0; for an equation, that
+    /// it is raised.
     pub multiplier: f64,
 }
 
@@ -85,8 +86,17 @@ impl ConstraintReport {
 
     fn new(expression: &str, is_equation: bool, at: &Constrained) -> Self {
         // what f falls by, the outcome gains
-        let multiplier = if is_equation { at.multiplier } else { at.multiplier.abs() };
-        Self { expression: expression.into(), value: at.value, violation: at.violation.abs(), multiplier }
+        let multiplier = if is_equation {
+            at.multiplier
+        } else {
+            at.multiplier.abs()
+        };
+        Self {
+            expression: expression.into(),
+            value: at.value,
+            violation: at.violation.abs(),
+            multiplier,
+        }
     }
 }
 
@@ -129,8 +139,8 @@ pub struct Multipliers {
 }
 
 impl OptimumReport {
-    /// The answer of `optimize`: the status and the message are the search's. The local optima are listed where there
-    /// was more than one start.
+    /// The answer of `optimize`: the status and the message are the search's. The local optima are
+    /// listed where there was more than one start.
     ///
     /// # Errors
     /// As [`Optima::best`].
@@ -145,7 +155,10 @@ impl OptimumReport {
 
     /// The report of the best of some searches.
     pub(super) fn of_many(best: &Optimum, optima: &Optima) -> Self {
-        Self { optima: (optima.starts > 1).then(|| LocalReport::all(optima)), ..Self::new(best) }
+        Self {
+            optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
+            ..Self::new(best)
+        }
     }
 
     /// The report of a search.
@@ -178,7 +191,10 @@ impl OptimumReport {
             setup: optimum.drive.as_ref().map(|_| json::setup(&optimum.setup)),
             launch: optimum.drive.as_ref().map(launch),
             flight: optimum.drive.as_ref().and_then(flight),
-            law_range: optimum.drive.as_ref().and_then(|drive| law_range(&optimum.setup, drive)),
+            law_range: optimum
+                .drive
+                .as_ref()
+                .and_then(|drive| law_range(&optimum.setup, drive)),
             file: None,
             swings: None,
             design: None,
@@ -187,11 +203,18 @@ impl OptimumReport {
 }
 
 pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
-    let constraints = optimum.search.subject_to.iter().zip(&optimum.solution.constraints);
-    constraints.map(|(of, at)| ConstraintReport::new(&of.expression, of.is_equation(), at)).collect()
+    let constraints = optimum
+        .search
+        .subject_to
+        .iter()
+        .zip(&optimum.solution.constraints);
+    constraints
+        .map(|(of, at)| ConstraintReport::new(&of.expression, of.is_equation(), at))
+        .collect()
 }
 
-/// An optimum as a short text: where it is, which bounds it lies on and what moving them would bring, and the drive.
+/// An optimum as a short text: where it is, which bounds it lies on and what moving them would
+/// bring, and the drive.
 pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let of = search.of;
@@ -202,7 +225,9 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
         counted(solution.iterations, "iteration"),
         counted(solution.evaluations, "evaluation")
     ));
-    let (Some(value), Some(drive)) = (optimum.value(), &optimum.drive) else { return ending };
+    let (Some(value), Some(drive)) = (optimum.value(), &optimum.drive) else {
+        return ending;
+    };
     let ending = ending + &sample_text(optimum);
 
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
@@ -213,11 +238,24 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
             bound_in_words(optimum, i, system),
         ]
     });
-    let place = table(&["vary", ended_at(solution.status, "optimum"), "range", ""], &[1], rows)
-        + &constraints_text(optimum, system);
+    let place = table(
+        &["vary", ended_at(solution.status, "optimum"), "range", ""],
+        &[1],
+        rows,
+    ) + &constraints_text(optimum, system);
 
-    let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin, Outcome::SmashFactor];
-    let flight = [Outcome::ApexHeight, Outcome::DescentAngle, Outcome::FlightTime, Outcome::Lateral];
+    let launch = [
+        Outcome::BallSpeed,
+        Outcome::LaunchAngle,
+        Outcome::Backspin,
+        Outcome::SmashFactor,
+    ];
+    let flight = [
+        Outcome::ApexHeight,
+        Outcome::DescentAngle,
+        Outcome::FlightTime,
+        Outcome::Lateral,
+    ];
     let line = |outcomes: [Outcome; 4]| {
         let one = |outcome: Outcome| {
             let value = shown::outcome_or_dash(outcome, outcome.value(drive), system);
@@ -226,12 +264,25 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
         outcomes.map(one).join(", ")
     };
     let row = |name: &str, text: &str| format!("  {name:<8}{text}\n");
-    let carry = Outcome::Carry.value(drive).map(|carry| row("carry", &shown::both(Outcome::Carry, carry, system)));
-    let objective =
-        (of != Outcome::Carry).then(|| row(&format!("{} ", shown::words(of.name())), &shown::both(of, value, system)));
+    let carry = Outcome::Carry
+        .value(drive)
+        .map(|carry| row("carry", &shown::both(Outcome::Carry, carry, system)));
+    let objective = (of != Outcome::Carry).then(|| {
+        row(
+            &format!("{} ", shown::words(of.name())),
+            &shown::both(of, value, system),
+        )
+    });
     // what is sought of the run is told with the rest of it
-    let run = [Outcome::Total, Outcome::Run].into_iter().filter(|other| of.is_of_the_run() && *other != of);
-    let run = run.filter_map(|other| Some(row(other.name(), &shown::both(other, other.value(drive)?, system))));
+    let run = [Outcome::Total, Outcome::Run]
+        .into_iter()
+        .filter(|other| of.is_of_the_run() && *other != of);
+    let run = run.filter_map(|other| {
+        Some(row(
+            other.name(),
+            &shown::both(other, other.value(drive)?, system),
+        ))
+    });
     format!(
         "{ending}\n{place}\n{}{}{}{}{}",
         objective.unwrap_or_default(),
@@ -242,17 +293,29 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     )
 }
 
-/// How the optimum compares with the sample of the ranges; empty without one, and where the message says it.
+/// How the optimum compares with the sample of the ranges; empty without one, and where the message
+/// says it.
 fn sample_text(optimum: &Optimum) -> String {
     let is_told = optimum.solution.status == Status::Infeasible;
-    let Some(Sample { points, feasible, better, improved }) = optimum.sample.filter(|_| !is_told) else {
+    let Some(Sample {
+        points,
+        feasible,
+        better,
+        improved,
+    }) = optimum.sample.filter(|_| !is_told)
+    else {
         return String::new();
     };
-    let found = if improved { "found from a point of a sample of the ranges; " } else { "" };
+    let found = if improved {
+        "found from a point of a sample of the ranges; "
+    } else {
+        ""
+    };
     let is_better = match better {
         0 => format!("none of {points} other points in the ranges is better"),
         _ => format!(
-            "{better} of {points} other points in the ranges are better; search from more starts, for example --starts 32"
+            "{better} of {points} other points in the ranges are better; search from more starts, \
+             for example --starts 32"
         ),
     };
     let met = match (optimum.search.subject_to.is_empty(), feasible) {
@@ -270,10 +333,20 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
     if reports.is_empty() {
         return String::new();
     }
-    let rows = optimum.search.subject_to.iter().zip(reports).enumerate().map(|(j, (constraint, report))| {
-        let value = shown::outcome(constraint.outcome, report.value, system);
-        vec![shown::constraint(constraint, system), value, constraint_in_words(optimum, j, system)]
-    });
+    let rows = optimum
+        .search
+        .subject_to
+        .iter()
+        .zip(reports)
+        .enumerate()
+        .map(|(j, (constraint, report))| {
+            let value = shown::outcome(constraint.outcome, report.value, system);
+            vec![
+                shown::constraint(constraint, system),
+                value,
+                constraint_in_words(optimum, j, system),
+            ]
+        });
     format!("\n{}", table(&["subject to", "value", ""], &[1], rows))
 }
 
@@ -304,35 +377,72 @@ pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
 }
 
 /// The same of one optimum, and how its search was interrupted.
-pub(super) fn best_toml(optimum: &Optimum, interrupted: Option<String>, preset: &Preset) -> Result<String> {
+pub(super) fn best_toml(
+    optimum: &Optimum,
+    interrupted: Option<String>,
+    preset: &Preset,
+) -> Result<String> {
     let search = &optimum.search;
     let of = search.of;
-    let value = optimum.value().map_or("–".into(), |value| shown::both(of, value, System::default()));
-    let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
-    about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
-    about.extend(interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
-    about.push(format!("{}: {}", optimum.status(), optimum.message()));
-    let remarks = search.vary.iter().zip(&optimum.solution.x).map(|(vary, x)| {
-        let show = |value: f64| vary.parameter.show(Some(value));
-        let best = shown::as_declared(vary.parameter, *x);
-        (vary.parameter, format!("optimum: {best} in {} .. {}", show(vary.low), show(vary.high)))
+    let value = optimum.value().map_or("–".into(), |value| {
+        shown::both(of, value, System::default())
     });
+    let mut about = vec![format!(
+        "{}, {} {}: {value}",
+        preset.name,
+        search.sense.adjective(),
+        of.name()
+    )];
+    about.extend(
+        search
+            .subject_to
+            .iter()
+            .map(|constraint| format!("subject to {}", constraint.expression)),
+    );
+    about.extend(
+        interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
+    );
+    about.push(format!("{}: {}", optimum.status(), optimum.message()));
+    let remarks = search
+        .vary
+        .iter()
+        .zip(&optimum.solution.x)
+        .map(|(vary, x)| {
+            let show = |value: f64| vary.parameter.show(Some(value));
+            let best = shown::as_declared(vary.parameter, *x);
+            (
+                vary.parameter,
+                format!(
+                    "optimum: {best} in {} .. {}",
+                    show(vary.low),
+                    show(vary.high)
+                ),
+            )
+        });
     setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }
 
-/// The ends of the searches as a table, best first, and how many searches were stopped before theirs.
+/// The ends of the searches as a table, best first, and how many searches were stopped before
+/// theirs.
 pub fn optima_text(optima: &Optima, system: System) -> String {
-    let Some((first, _)) = optima.locals.first() else { return String::new() };
+    let Some((first, _)) = optima.locals.first() else {
+        return String::new();
+    };
     let search = &first.search;
     let rows = optima.ended().map(|(best, starts)| {
         let value = shown::outcome_or_dash(search.of, best.value(), system);
         (value, &best.solution.x[..], starts.len(), best.status())
     });
-    ends_text((search.of.name(), &search.vary), rows, (optima.starts, optima.stopped()), system)
+    ends_text(
+        (search.of.name(), &search.vary),
+        rows,
+        (optima.starts, optima.stopped()),
+        system,
+    )
 }
 
-/// The ends of searches for what is named, each with its value, place, number of starts and status, as a table, and how many of all searches
-/// were stopped before theirs.
+/// The ends of searches for what is named, each with its value, place, number of starts and status,
+/// as a table, and how many of all searches were stopped before theirs.
 pub(super) fn ends_text<'a>(
     (of, vary): (&str, &[Vary]),
     ends: impl Iterator<Item = (String, &'a [f64], usize, &'static str)>,
@@ -340,14 +450,28 @@ pub(super) fn ends_text<'a>(
     system: System,
 ) -> String {
     let names = vary.iter().map(|vary| vary.parameter.name);
-    let head: Vec<&str> = [of].into_iter().chain(names).chain(["starts", ""]).collect();
+    let head: Vec<&str> = [of]
+        .into_iter()
+        .chain(names)
+        .chain(["starts", ""])
+        .collect();
     let rows = ends.map(|(value, x, starts, status)| {
-        let x = vary.iter().zip(x).map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
-        std::iter::once(value).chain(x).chain([format!("{starts} of {all}"), status.into()]).collect()
+        let x = vary
+            .iter()
+            .zip(x)
+            .map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
+        std::iter::once(value)
+            .chain(x)
+            .chain([format!("{starts} of {all}"), status.into()])
+            .collect()
     });
     let right: Vec<usize> = (0..head.len() - 1).collect();
     let rows: Vec<Vec<String>> = rows.collect();
-    let listed = if rows.is_empty() { String::new() } else { format!("\n{}", table(&head, &right, rows)) };
+    let listed = if rows.is_empty() {
+        String::new()
+    } else {
+        format!("\n{}", table(&head, &right, rows))
+    };
     let stopped = match stopped {
         0 => String::new(),
         stopped => format!(
@@ -361,13 +485,28 @@ pub(super) fn ends_text<'a>(
 /// "at its upper bound: +2.11 yd for each degree that it is raised".
 pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
     let (vary, of) = (optimum.search.vary[i], optimum.search.of);
-    let (lower, upper) = (optimum.solution.lower_multipliers[i], optimum.solution.upper_multipliers[i]);
+    let (lower, upper) = (
+        optimum.solution.lower_multipliers[i],
+        optimum.solution.upper_multipliers[i],
+    );
     let value = optimum.value().unwrap_or_default();
-    let gain = if optimum.search.sense == Sense::Maximize { 1.0 } else { -1.0 };
+    let gain = if optimum.search.sense == Sense::Maximize {
+        1.0
+    } else {
+        -1.0
+    };
     let price = |amount: f64| {
         let by = vary.parameter;
         let amount = shown::settled(gain * amount, value, (of.quantity(), of.unit()), &[by]);
-        signed(amount, shown::price((of.quantity(), of.unit()), amount, (by.quantity, by.unit), system))
+        signed(
+            amount,
+            shown::price(
+                (of.quantity(), of.unit()),
+                amount,
+                (by.quantity, by.unit),
+                system,
+            ),
+        )
     };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
@@ -376,8 +515,15 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
         // a multiplier is a price at an optimum only
         String::new()
     } else if is_corner && upper + lower > 0.0 {
-        let (bound, side) = if lower > 0.0 { ("lower", "above") } else { ("upper", "below") };
-        format!("at its {bound} bound, a corner: {} {side} it", price(-(upper + lower)))
+        let (bound, side) = if lower > 0.0 {
+            ("lower", "above")
+        } else {
+            ("upper", "below")
+        };
+        format!(
+            "at its {bound} bound, a corner: {} {side} it",
+            price(-(upper + lower))
+        )
     } else if optimum.is_idle(i) {
         "no effect".into()
     } else {
@@ -390,18 +536,33 @@ pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) ->
     let of = search.of;
     let number = |quantity: Quantity, unit: &'static str, value: f64| {
         let unit = system.unit(unit);
-        with_unit(&fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6), unit)
+        with_unit(
+            &fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6),
+            unit,
+        )
     };
     let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {
-        format!("{} {}", vary.parameter.name, number(vary.parameter.quantity, vary.parameter.unit, *x))
+        format!(
+            "{} {}",
+            vary.parameter.name,
+            number(vary.parameter.quantity, vary.parameter.unit, *x)
+        )
     });
     format!(
         "{:>3}  {} {}  KKT {:.1e}{}  trust region {:.1e}{}  {}",
         iteration.number,
         of.name(),
-        number(of.quantity(), of.unit(), search.sense.sign() * iteration.value),
+        number(
+            of.quantity(),
+            of.unit(),
+            search.sense.sign() * iteration.value
+        ),
         iteration.kkt_residual,
-        if search.subject_to.is_empty() { String::new() } else { format!("  violation {:.1e}", iteration.violation) },
+        if search.subject_to.is_empty() {
+            String::new()
+        } else {
+            format!("  violation {:.1e}", iteration.violation)
+        },
         iteration.radius,
         if iteration.kept { "" } else { "  step refused" },
         x.collect::<Vec<_>>().join(", ")

@@ -35,7 +35,10 @@ pub fn pareto_reply(found: &Pareto, warnings: Vec<Message>, file: Option<String>
         .iter()
         .map(|(goal, sense)| json!({ "expression": goal.expression, "sense": sense.name(), "unit": goal.quantity.si }));
     let point = |(place, point): (usize, &ParetoPoint)| {
-        let bounds = point.active.iter().filter_map(|active| Some((active.name.clone(), active.end?.into())));
+        let bounds = point
+            .active
+            .iter()
+            .filter_map(|active| Some((active.name.clone(), active.end?.into())));
         json!({
             "values": values(&point.goals),
             "design": json::named(names().zip(point.design.iter().map(|x| Some(*x)))),
@@ -46,7 +49,8 @@ pub fn pareto_reply(found: &Pareto, warnings: Vec<Message>, file: Option<String>
             "event": point.event,
         })
     };
-    let swings = (!found.scenarios.is_one_drive()).then(|| Value::Object(scenarios(&found.scenarios)));
+    let swings =
+        (!found.scenarios.is_one_drive()).then(|| Value::Object(scenarios(&found.scenarios)));
     let body = json!({
         "goals": goals.collect::<Vec<_>>(),
         "points": found.points.iter().enumerate().map(point).collect::<Vec<_>>(),
@@ -67,25 +71,47 @@ pub fn pareto_text(found: &Pareto, system: System) -> String {
     let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);
     let kinds = [first, second].map(|goal| (goal.quantity, goal.unit));
     let slope_of = |point: &ParetoPoint| {
-        point.slope.map_or(shown::NONE.into(), |slope| shown::quotient(kinds[0], kinds[1], slope, system, 3).0)
+        point.slope.map_or(shown::NONE.into(), |slope| {
+            shown::quotient(kinds[0], kinds[1], slope, system, 3).0
+        })
     };
     let rows = found.points.iter().enumerate().map(|(place, point)| {
         let mut words: Vec<String> = role(found, place).into_iter().collect();
         words.extend(point.active.iter().map(Active::to_string));
         words.extend(point.event.as_ref().map(|event| format!("<- {event}")));
-        let values = [value_text(first, point.goals[0], system), value_text(second, point.goals[1], system)];
+        let values = [
+            value_text(first, point.goals[0], system),
+            value_text(second, point.goals[1], system),
+        ];
         let design = search.vary.iter().zip(&point.design);
         let design = design.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
-        let ends = [slope_of(point), if words.is_empty() { shown::NONE.into() } else { words.join("\n") }];
-        std::iter::once((place + 1).to_string()).chain(values).chain(design).chain(ends).collect()
+        let ends = [
+            slope_of(point),
+            if words.is_empty() {
+                shown::NONE.into()
+            } else {
+                words.join("\n")
+            },
+        ];
+        std::iter::once((place + 1).to_string())
+            .chain(values)
+            .chain(design)
+            .chain(ends)
+            .collect()
     });
     let names = search.vary.iter().map(|vary| vary.parameter.name);
-    let head: Vec<&str> =
-        ["", &first.expression, &second.expression].into_iter().chain(names).chain(["slope", "remarks"]).collect();
+    let head: Vec<&str> = ["", &first.expression, &second.expression]
+        .into_iter()
+        .chain(names)
+        .chain(["slope", "remarks"])
+        .collect();
     let right: Vec<usize> = (0..head.len() - 1).collect();
     let mut notes = vec![];
     if !found.scenarios.is_one_drive() {
-        notes.push(format!("goals over {}", counted(found.scenarios.points.len() as u64, "swing")));
+        notes.push(format!(
+            "goals over {}",
+            counted(found.scenarios.points.len() as u64, "swing")
+        ));
     }
     if found.points.len() > 1 {
         let [of, by] = [first, second].map(|goal| system.unit(goal.unit));
@@ -93,12 +119,17 @@ pub fn pareto_text(found: &Pareto, system: System) -> String {
             "slope: what {} changes by for each unit of {}, along the front{}",
             first.expression,
             second.expression,
-            if of.is_empty() && by.is_empty() { String::new() } else { format!(" [{}]", per(of, by).trim()) }
+            if of.is_empty() && by.is_empty() {
+                String::new()
+            } else {
+                format!(" [{}]", per(of, by).trim())
+            }
         ));
     }
     match found.knee {
         Some(knee) => notes.push(format!(
-            "the knee is point {}: of all it lies farthest, {} % of the distance between the ends, off the straight line between them, with \
+            "the knee is point {}: of all it lies farthest, {} % of the distance between the ends, \
+             off the straight line between them, with \
              both goals scaled from one end to the other",
             knee + 1,
             significant(100.0 * found.bend, 2)
@@ -116,7 +147,9 @@ pub fn pareto_text(found: &Pareto, system: System) -> String {
     }
     if found.dominated > 0 {
         let left_out = counted(found.dominated as u64, "point");
-        notes.push(format!("left out, since other points are better in both goals: {left_out}"));
+        notes.push(format!(
+            "left out, since other points are better in both goals: {left_out}"
+        ));
     }
     notes.extend(found.ended.clone());
     let notes: String = notes.iter().map(|note| paragraph(note)).collect();
@@ -131,18 +164,46 @@ pub fn pareto_csv(found: &Pareto) -> Result<String> {
     let failed = |error: csv::Error| Error::Output(error.into());
     let search = &found.search;
     let mut writer = csv::Writer::from_writer(vec![]);
-    let goals = search.goals.iter().map(|(goal, _)| goal.quantity.head(&goal.expression));
-    let varied = search.vary.iter().map(|vary| vary.parameter.quantity.head(vary.parameter.name));
+    let goals = search
+        .goals
+        .iter()
+        .map(|(goal, _)| goal.quantity.head(&goal.expression));
+    let varied = search
+        .vary
+        .iter()
+        .map(|vary| vary.parameter.quantity.head(vary.parameter.name));
     let words = ["slope", "role", "active", "event"].map(str::to_owned);
-    writer.write_record(goals.chain(varied).chain(words)).map_err(failed)?;
+    writer
+        .write_record(goals.chain(varied).chain(words))
+        .map_err(failed)?;
     for (place, point) in found.points.iter().enumerate() {
-        let numbers = point.goals.iter().chain(&point.design).copied().chain([point.slope.unwrap_or(f64::NAN)]);
-        let numbers = numbers.map(|number| if number.is_nan() { String::new() } else { format!("{number:?}") });
-        let active = point.active.iter().map(Active::to_string).collect::<Vec<_>>().join("; ");
+        let numbers = point
+            .goals
+            .iter()
+            .chain(&point.design)
+            .copied()
+            .chain([point.slope.unwrap_or(f64::NAN)]);
+        let numbers = numbers.map(|number| {
+            if number.is_nan() {
+                String::new()
+            } else {
+                format!("{number:?}")
+            }
+        });
+        let active = point
+            .active
+            .iter()
+            .map(Active::to_string)
+            .collect::<Vec<_>>()
+            .join("; ");
         let event = point.event.clone().unwrap_or_default();
-        writer.write_record(numbers.chain([role(found, place).unwrap_or_default(), active, event])).map_err(failed)?;
+        writer
+            .write_record(numbers.chain([role(found, place).unwrap_or_default(), active, event]))
+            .map_err(failed)?;
     }
-    let bytes = writer.into_inner().map_err(|error| Error::Output(error.into_error()))?;
+    let bytes = writer
+        .into_inner()
+        .map_err(|error| Error::Output(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
@@ -153,10 +214,15 @@ pub fn pareto_csv(found: &Pareto) -> Result<String> {
 pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<String> {
     let search = &found.search;
     let Some(point) = found.points.get(place) else {
-        return Err(Error::Nothing { doing: "write", what: "point of the front" });
+        return Err(Error::Nothing {
+            doing: "write",
+            what: "point of the front",
+        });
     };
-    let [first, second] =
-        search.goals.each_ref().map(|(goal, sense)| format!("{} {}", sense.adjective(), goal.expression));
+    let [first, second] = search
+        .goals
+        .each_ref()
+        .map(|(goal, sense)| format!("{} {}", sense.adjective(), goal.expression));
     let of = |k: usize| value_text(&search.goals[k].0, point.goals[k], System::default());
     let what = role(found, place).map_or(String::new(), |role| format!(", {role}"));
     let mut about = vec![
@@ -166,13 +232,31 @@ pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<Stri
             place + 1,
             found.points.len()
         ),
-        format!("{} {}, {} {}", search.goals[0].0.expression, of(0), search.goals[1].0.expression, of(1)),
+        format!(
+            "{} {}, {} {}",
+            search.goals[0].0.expression,
+            of(0),
+            search.goals[1].0.expression,
+            of(1)
+        ),
     ];
-    about.extend(search.subject_to.iter().map(|limit| format!("subject to {}", limit.expression)));
+    about.extend(
+        search
+            .subject_to
+            .iter()
+            .map(|limit| format!("subject to {}", limit.expression)),
+    );
     let remarks = search.vary.iter().zip(&point.design).map(|(vary, x)| {
         let show = |value: f64| vary.parameter.show(Some(value));
         let chosen = shown::as_declared(vary.parameter, *x);
-        (vary.parameter, format!("chosen: {chosen} in {} .. {}", show(vary.low), show(vary.high)))
+        (
+            vary.parameter,
+            format!(
+                "chosen: {chosen} in {} .. {}",
+                show(vary.low),
+                show(vary.high)
+            ),
+        )
     });
     super::setup_toml(&point.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }

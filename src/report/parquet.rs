@@ -6,7 +6,8 @@ use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::{
-    FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataReader, ParquetMetaDataWriter, RowGroupMetaData,
+    FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataReader, ParquetMetaDataWriter,
+    RowGroupMetaData,
 };
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::writer::SerializedFileWriter;
@@ -40,9 +41,10 @@ pub(super) enum Cells {
     SomeTexts(Vec<Option<ByteArray>>),
 }
 
-/// A table. Row groups are made one at a time, each as a file of its own in memory. What a file of many needs is its
-/// [`head`](Self::head), the groups' bytes one after the other, and a [`foot`](Self::foot) made of the groups'
-/// metadata: so a file can be gone on with after any of its groups.
+/// A table. Row groups are made one at a time, each as a file of its own in memory. What a file of
+/// many needs is its [`head`](Self::head), the groups' bytes one after the other, and a
+/// [`foot`](Self::foot) made of the groups' metadata: so a file can be gone on with after any of
+/// its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
     properties: WriterPropertiesPtr,
@@ -62,9 +64,11 @@ pub struct ParquetGroup {
 #[derive(Clone, Debug)]
 pub struct PlacedGroup(RowGroupMetaData);
 
-/// Nothing of ours is what Parquet cannot hold: only what a journal kept of a row group can be wrong.
+/// Nothing of ours is what Parquet cannot hold: only what a journal kept of a row group can be
+/// wrong.
 fn failed(_: ParquetError) -> Error {
-    let reason = "its record of a row group of the Parquet file is damaged; start the sweep again with --overwrite";
+    let reason = "its record of a row group of the Parquet file is damaged; start the sweep again \
+                  with --overwrite";
     Error::Output(std::io::Error::other(reason))
 }
 
@@ -88,18 +92,27 @@ impl ParquetTable {
                 Kind::SomeNumber | Kind::SomeText => Repetition::OPTIONAL,
             };
             let field = match kind {
-                Kind::Number | Kind::SomeNumber => Type::primitive_type_builder(name, Physical::DOUBLE),
-                Kind::Text | Kind::SomeText => Type::primitive_type_builder(name, Physical::BYTE_ARRAY)
-                    .with_logical_type(Some(LogicalType::String)),
+                Kind::Number | Kind::SomeNumber => {
+                    Type::primitive_type_builder(name, Physical::DOUBLE)
+                }
+                Kind::Text | Kind::SomeText => {
+                    Type::primitive_type_builder(name, Physical::BYTE_ARRAY)
+                        .with_logical_type(Some(LogicalType::String))
+                }
             };
-            fields.push(Arc::new(field.with_repetition(repetition).build().map_err(failed)?));
+            fields.push(Arc::new(
+                field.with_repetition(repetition).build().map_err(failed)?,
+            ));
             if *kind == Kind::SomeNumber {
                 let path = ColumnPath::from(name.as_str());
                 properties = properties.set_column_dictionary_enabled(path.clone(), false);
                 properties = properties.set_column_encoding(path, Encoding::PLAIN);
             }
         }
-        let schema = Type::group_type_builder(name).with_fields(fields).build().map_err(failed)?;
+        let schema = Type::group_type_builder(name)
+            .with_fields(fields)
+            .build()
+            .map_err(failed)?;
         Ok(Self {
             schema: Arc::new(schema),
             properties: Arc::new(properties.build()),
@@ -120,13 +133,19 @@ impl ParquetTable {
         let mut file = self.write(Some(cells)).map_err(failed)?;
         let metadata = metadata_of(&file);
         file.truncate(file.len() - TAIL - metadata.len());
-        Ok(ParquetGroup { bytes: file.split_off(MAGIC.len()), metadata })
+        Ok(ParquetGroup {
+            bytes: file.split_off(MAGIC.len()),
+            metadata,
+        })
     }
 
     /// A file of one row group, or of none.
     fn write(&self, cells: Option<impl FnMut(usize) -> Cells>) -> Result<Vec<u8>, ParquetError> {
-        let mut file = SerializedFileWriter::new(Vec::new(), self.schema.clone(), self.properties.clone())?;
-        let Some(mut cells) = cells else { return file.into_inner() };
+        let mut file =
+            SerializedFileWriter::new(Vec::new(), self.schema.clone(), self.properties.clone())?;
+        let Some(mut cells) = cells else {
+            return file.into_inner();
+        };
         let mut group = file.next_row_group()?;
         let mut number = 0;
         while let Some(mut column) = group.next_column()? {
@@ -145,7 +164,11 @@ impl ParquetTable {
                     let (values, levels) = present(values);
                     writer.write_batch(&values, Some(&levels), None)?;
                 }
-                _ => return Err(ParquetError::General(format!("column {number} is of no kind that was asked for"))),
+                _ => {
+                    return Err(ParquetError::General(format!(
+                        "column {number} is of no kind that was asked for"
+                    )));
+                }
             }
             column.close()?;
             number += 1;
@@ -154,7 +177,8 @@ impl ParquetTable {
         file.into_inner()
     }
 
-    /// A row group, given by its metadata, in its place: after `at` bytes of the file, as group number `ordinal`.
+    /// A row group, given by its metadata, in its place: after `at` bytes of the file, as group
+    /// number `ordinal`.
     ///
     /// # Errors
     /// [`Error::Output`] for metadata of something else.
@@ -162,16 +186,23 @@ impl ParquetTable {
         let place = || {
             let alone = ParquetMetaDataReader::decode_metadata(metadata)?;
             let group = alone.row_groups().first().cloned();
-            let group = group.ok_or_else(|| ParquetError::General("metadata without a row group".into()))?;
+            let group = group
+                .ok_or_else(|| ParquetError::General("metadata without a row group".into()))?;
             let by = at as i64 - MAGIC.len() as i64;
             let columns = group.columns().iter().cloned().map(|column| {
-                let (data, dictionary) = (column.data_page_offset(), column.dictionary_page_offset());
+                let (data, dictionary) =
+                    (column.data_page_offset(), column.dictionary_page_offset());
                 let moved = column.into_builder().set_data_page_offset(data + by);
-                moved.set_dictionary_page_offset(dictionary.map(|offset| offset + by)).build()
+                moved
+                    .set_dictionary_page_offset(dictionary.map(|offset| offset + by))
+                    .build()
             });
             let columns = columns.collect::<Result<_, _>>()?;
             let placed = group.into_builder().set_column_metadata(columns);
-            placed.set_ordinal(ordinal as i32).set_file_offset(at as i64).build()
+            placed
+                .set_ordinal(ordinal as i32)
+                .set_file_offset(at as i64)
+                .build()
         };
         place().map(PlacedGroup).map_err(failed)
     }
@@ -186,7 +217,9 @@ impl ParquetTable {
             let like = ParquetMetaDataReader::decode_metadata(&metadata_of(&self.write(none)?))?;
             let like = like.file_metadata();
             let rows = groups.iter().map(|group| group.0.num_rows()).sum();
-            let further = notes.iter().map(|(key, note)| KeyValue::new((*key).to_owned(), note.clone()));
+            let further = notes
+                .iter()
+                .map(|(key, note)| KeyValue::new((*key).to_owned(), note.clone()));
             let file = FileMetaData::new(
                 like.version(),
                 rows,
@@ -195,7 +228,8 @@ impl ParquetTable {
                 like.schema_descr_ptr(),
                 like.column_orders().cloned(),
             );
-            let metadata = ParquetMetaData::new(file, groups.iter().map(|group| group.0.clone()).collect());
+            let metadata =
+                ParquetMetaData::new(file, groups.iter().map(|group| group.0.clone()).collect());
             let mut bytes = Vec::new();
             ParquetMetaDataWriter::new(&mut bytes, &metadata).finish()?;
             Ok(bytes)
@@ -213,6 +247,9 @@ fn present<T>(cells: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
 /// The metadata at the end of a file: its length stands in four of the last eight bytes.
 fn metadata_of(file: &[u8]) -> Vec<u8> {
     let end = file.len() - TAIL;
-    let length = file[end..end + 4].iter().rev().fold(0, |length, byte| length << 8 | usize::from(*byte));
+    let length = file[end..end + 4]
+        .iter()
+        .rev()
+        .fold(0, |length, byte| length << 8 | usize::from(*byte));
     file[end - length..end].to_vec()
 }

@@ -1,4 +1,5 @@
-//! Numbers of a published study: computed ones in the units asked for, printed ones in the paper's own units too.
+//! Numbers of a published study: computed ones in the units asked for, printed ones in the paper's
+//! own units too.
 
 use super::shown::ratio;
 use crate::units::{Quantity, System, fixed, signed};
@@ -20,7 +21,10 @@ impl Published {
 
     /// The number of a length, without its unit.
     pub fn length_number(self, length: f64) -> f64 {
-        length / Quantity::LENGTH.size_of(self.length_unit()).unwrap_or(f64::NAN)
+        length
+            / Quantity::LENGTH
+                .size_of(self.length_unit())
+                .unwrap_or(f64::NAN)
     }
 
     /// A computed length: "153.33 m".
@@ -45,12 +49,25 @@ impl Published {
 
     /// A slope of a length by an angle: "1.052 m per deg".
     pub fn per_degree(self, slope: f64) -> String {
-        ratio((Quantity::LENGTH, "m"), (Quantity::ANGLE, "deg"), slope, self.system, 4)
+        ratio(
+            (Quantity::LENGTH, "m"),
+            (Quantity::ANGLE, "deg"),
+            slope,
+            self.system,
+            4,
+        )
     }
 
     /// A slope of a length by an angle in radians, with its sign: "-65.4 m/rad".
     pub fn per_radian(self, slope: f64) -> String {
-        signed(slope, format!("{} {}/rad", fixed(self.length_number(slope), 1), self.length_unit()))
+        signed(
+            slope,
+            format!(
+                "{} {}/rad",
+                fixed(self.length_number(slope), 1),
+                self.length_unit()
+            ),
+        )
     }
 
     /// A length that the paper prints.
@@ -58,11 +75,16 @@ impl Published {
         self.printed(Quantity::LENGTH, "m", length)
     }
 
-    /// A number that the paper prints, as it prints it; in the units asked for beside, where they are others:
-    /// "248.48 m (271.74 yd)".
+    /// A number that the paper prints, as it prints it; in the units asked for beside, where they
+    /// are others: "248.48 m (271.74 yd)".
     pub fn printed(self, quantity: Quantity, unit: &'static str, value: f64) -> String {
-        let [printed, asked] = [self.paper, self.system].map(|system| two_decimals(quantity, system.unit(unit), value));
-        if printed == asked { printed } else { format!("{printed} ({asked})") }
+        let [printed, asked] = [self.paper, self.system]
+            .map(|system| two_decimals(quantity, system.unit(unit), value));
+        if printed == asked {
+            printed
+        } else {
+            format!("{printed} ({asked})")
+        }
     }
 }
 
@@ -78,14 +100,24 @@ mod tests {
 
     #[test]
     fn paper_numbers_keep_the_papers_units_with_those_asked_for_beside() {
-        let [alone, beside] = System::ALL.map(|system| Published { paper: System::Metric, system });
+        let [alone, beside] = System::ALL.map(|system| Published {
+            paper: System::Metric,
+            system,
+        });
         // the report's longest distance; a yard is 0.9144 m
         assert_eq!(alone.printed_length(248.48), "248.48 m");
         assert_eq!(beside.printed_length(248.48), "248.48 m (271.74 yd)");
-        assert_eq!((alone.length(248.48), beside.length(248.48)), ("248.48 m".into(), "271.74 yd".into()));
-        assert_eq!((alone.speed(44.704), beside.speed(44.704)), ("44.70 m/s".into(), "100.00 mph".into()));
+        assert_eq!(
+            (alone.length(248.48), beside.length(248.48)),
+            ("248.48 m".into(), "271.74 yd".into())
+        );
+        assert_eq!(
+            (alone.speed(44.704), beside.speed(44.704)),
+            ("44.70 m/s".into(), "100.00 mph".into())
+        );
         assert_eq!(beside.printed(Quantity::ANGLE, "deg", 0.2), "11.46 deg");
-        let differences = [0.01, -0.01, 1e-6, -1e-6].map(|by| alone.difference(Quantity::LENGTH, "m", by));
+        let differences =
+            [0.01, -0.01, 1e-6, -1e-6].map(|by| alone.difference(Quantity::LENGTH, "m", by));
         assert_eq!(differences, ["+0.01 m", "-0.01 m", "0.00 m", "0.00 m"]);
     }
 }

@@ -1,4 +1,5 @@
-//! The swings behind measured shots as files that `optimize --swings` reads: a table of them, or their distribution.
+//! The swings behind measured shots as files that `optimize --swings` reads: a table of them, or
+//! their distribution.
 
 use super::shown;
 use crate::error::{Error, Result};
@@ -10,7 +11,8 @@ use serde_json::{Value, json};
 /// Below this part a shot does not tell a parameter.
 const HALF: f64 = 0.5;
 
-/// The most probable swing behind each shot whose delivery was found, as CSV in SI: a column for each parameter, a row for each shot.
+/// The most probable swing behind each shot whose delivery was found, as CSV in SI: a column for
+/// each parameter, a row for each shot.
 ///
 /// # Errors
 /// [`Error::Output`].
@@ -21,20 +23,33 @@ pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
         if i == 0 {
             let head = delivered.known.iter().map(|known| known.unknown.parameter);
             writer
-                .write_record(head.map(|parameter| format!("{} [{}]", parameter.name, parameter.quantity.si)))
+                .write_record(
+                    head.map(|parameter| format!("{} [{}]", parameter.name, parameter.quantity.si)),
+                )
                 .map_err(failed)?;
         }
-        writer.write_record(delivered.known.iter().map(|known| format!("{:?}", known.value))).map_err(failed)?;
+        writer
+            .write_record(
+                delivered
+                    .known
+                    .iter()
+                    .map(|known| format!("{:?}", known.value)),
+            )
+            .map_err(failed)?;
     }
-    let bytes = writer.into_inner().map_err(|error| Error::Output(error.into_error()))?;
+    let bytes = writer
+        .into_inner()
+        .map_err(|error| Error::Output(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The distribution of the swings behind shots as a file of swings in TOML, with what of each parameter the shots tell.
+/// The distribution of the swings behind shots as a file of swings in TOML, with what of each
+/// parameter the shots tell.
 pub fn recovered_toml(population: &Population, from: &str, system: System) -> String {
     let shots = population.shots;
     let mut text = format!(
-        "# the swings behind {} of {}: a joint normal distribution, without the errors of the launch monitor\n",
+        "# the swings behind {} of {}: a joint normal distribution, without the errors of the \
+         launch monitor\n",
         counted(shots as u64, "shot"),
         from.replace(char::is_control, " ")
     );
@@ -43,12 +58,31 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     }
     text += "\n[distributions]\n";
     for spread in &population.spreads {
-        let Recovered { parameter, mean, deviation, told, mean_error, deviation_error } = *spread;
+        let Recovered {
+            parameter,
+            mean,
+            deviation,
+            told,
+            mean_error,
+            deviation_error,
+        } = *spread;
         let [mean, deviation] = [mean, deviation].map(|value| amount(parameter, value, 9));
         let errors = [mean_error, deviation_error].map(|value| amount(parameter, value, 2));
-        let rest = if told < HALF { ", and the rest is assumed" } else { "" };
-        let told = format!("mean ± {}, deviation ± {}; a shot tells {:.0} %{rest}", errors[0], errors[1], 100.0 * told);
-        text += &format!("{} = \"normal({mean}, {deviation})\" # {told}\n", parameter.name);
+        let rest = if told < HALF {
+            ", and the rest is assumed"
+        } else {
+            ""
+        };
+        let told = format!(
+            "mean ± {}, deviation ± {}; a shot tells {:.0} %{rest}",
+            errors[0],
+            errors[1],
+            100.0 * told
+        );
+        text += &format!(
+            "{} = \"normal({mean}, {deviation})\" # {told}\n",
+            parameter.name
+        );
     }
     for (i, one) in population.spreads.iter().enumerate() {
         for (j, other) in population.spreads.iter().enumerate().take(i) {
@@ -61,28 +95,46 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// What is to be known of a distribution: what is kept of the spread assumed, and which launches it does not give back.
+/// What is to be known of a distribution: what is kept of the spread assumed, and which launches it
+/// does not give back.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
     if population.kept < 1.0 {
         let part = significant(population.kept, 3);
         all.push(format!(
-            "what the shots do not tell of the swings is spread by {part} of the deviation that was assumed: by all of it the launches would \
+            "what the shots do not tell of the swings is spread by {part} of the deviation that \
+             was assumed: by all of it the launches would \
              not scatter as those of the shots"
         ));
     }
     let off: Vec<String> = population
         .not_returned()
-        .map(|Returned { of, measured, recovered }| {
-            let both = |[mean, deviation]: [f64; 2]| {
-                format!("{} ± {}", shown::outcome(*of, mean, system), shown::spread(*of, deviation, system))
-            };
-            format!("{} {} in place of {}", of.name(), both(*recovered), both(*measured))
-        })
+        .map(
+            |Returned {
+                 of,
+                 measured,
+                 recovered,
+             }| {
+                let both = |[mean, deviation]: [f64; 2]| {
+                    format!(
+                        "{} ± {}",
+                        shown::outcome(*of, mean, system),
+                        shown::spread(*of, deviation, system)
+                    )
+                };
+                format!(
+                    "{} {} in place of {}",
+                    of.name(),
+                    both(*recovered),
+                    both(*measured)
+                )
+            },
+        )
         .collect();
     if !off.is_empty() {
         all.push(format!(
-            "the distribution of the swings does not give the shots back, by more than a quarter of their scatter: {}; the table of swings \
+            "the distribution of the swings does not give the shots back, by more than a quarter \
+             of their scatter: {}; the table of swings \
              (.csv) does not have this error",
             off.join(", ")
         ));
@@ -93,7 +145,9 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
 /// A value in the unit of its parameter.
 fn amount(parameter: &Parameter, value: f64, digits: usize) -> String {
     let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
-    format!("{} {}", significant(value / size, digits), parameter.unit).trim_end().to_owned()
+    format!("{} {}", significant(value / size, digits), parameter.unit)
+        .trim_end()
+        .to_owned()
 }
 
 /// The same in JSON, SI.
@@ -110,7 +164,11 @@ pub(super) fn population_json(population: &Population) -> Value {
     };
     let moments = |[mean, deviation]: [f64; 2]| json!({ "mean": mean, "deviation": deviation });
     let returned = |returned: &Returned| {
-        let Returned { of, measured, recovered } = *returned;
+        let Returned {
+            of,
+            measured,
+            recovered,
+        } = *returned;
         json!({ "of": of.name(), "measured": moments(measured), "recovered": moments(recovered) })
     };
     json!({

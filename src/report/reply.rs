@@ -2,7 +2,8 @@ use crate::error::Error;
 use crate::units::Message;
 use serde::Serialize;
 
-/// An answer as one JSON object: what every command says first, then what it found. docs/json.md describes both.
+/// An answer as one JSON object: what every command says first, then what it found. docs/json.md
+/// describes both.
 #[derive(Clone, Debug, Serialize)]
 pub struct Reply<T> {
     /// The command that was asked; `null` where none was recognised.
@@ -25,13 +26,23 @@ pub struct Empty {}
 impl<T> Reply<T> {
     /// All that was asked for.
     pub fn done(command: &'static str, warnings: Vec<Message>, body: T) -> Self {
-        Self { command: Some(command), status: "done", message: None, warnings, body }
+        Self {
+            command: Some(command),
+            status: "done",
+            message: None,
+            warnings,
+            body,
+        }
     }
 
     /// The same reply with another status, and a sentence that says why.
     #[must_use]
     pub fn ended(self, status: &'static str, message: Option<String>) -> Self {
-        Self { status, message, ..self }
+        Self {
+            status,
+            message,
+            ..self
+        }
     }
 }
 
@@ -43,7 +54,13 @@ impl Reply<Empty> {
 
     /// The reply where there is only a message.
     pub fn refused(command: Option<&'static str>, status: &'static str, message: String) -> Self {
-        Self { command, status, message: Some(message), warnings: vec![], body: Empty {} }
+        Self {
+            command,
+            status,
+            message: Some(message),
+            warnings: vec![],
+            body: Empty {},
+        }
     }
 }
 

@@ -8,8 +8,9 @@ use crate::units::significant;
 /// Digits that tell any number from its neighbours.
 const MOST_DIGITS: usize = 17;
 
-/// A setup as a setup file in TOML: the preset that it started from, then every parameter with its source. `about` are the
-/// lines at its head, and a remark takes the place of its parameter's source.
+/// A setup as a setup file in TOML: the preset that it started from, then every parameter with its
+/// source. `about` are the lines at its head, and a remark takes the place of its parameter's
+/// source.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::setup_toml};
@@ -31,7 +32,8 @@ pub fn setup_toml(
     Ok(toml(preset, about, rows(setup, preset, remarks)?))
 }
 
-/// The same without `flight.method` and `flight.step`: who reads it has not been told how to integrate, and may choose.
+/// The same without `flight.method` and `flight.step`: who reads it has not been told how to
+/// integrate, and may choose.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::{Preset, SetupFile}, report::setup_toml_without_step};
@@ -62,7 +64,8 @@ pub(crate) fn without_step(toml: &str) -> String {
 pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     let taken = |line| {
         let key = OF_STEP.into_iter().find(|key| str::starts_with(line, *key));
-        key.and_then(|key| other.split_inclusive('\n').find(|own| own.starts_with(key))).unwrap_or(line)
+        key.and_then(|key| other.split_inclusive('\n').find(|own| own.starts_with(key)))
+            .unwrap_or(line)
     };
     toml.split_inclusive('\n').map(taken).collect()
 }
@@ -79,9 +82,18 @@ fn rows(
             let file = std::path::absolute(&shown).map_or(shown, |path| path.display().to_string());
             return (name, file, source);
         }
-        let Ok(parameter) = setup.parameter(name) else { return (name, shown, source) };
-        let remark = remarks.iter().find(|(of, _)| *of == parameter).map(|(_, remark)| remark.clone());
-        (name, exact(parameter, setup.value(parameter)), remark.unwrap_or(source))
+        let Ok(parameter) = setup.parameter(name) else {
+            return (name, shown, source);
+        };
+        let remark = remarks
+            .iter()
+            .find(|(of, _)| *of == parameter)
+            .map(|(_, remark)| remark.clone());
+        (
+            name,
+            exact(parameter, setup.value(parameter)),
+            remark.unwrap_or(source),
+        )
     };
     Ok(sources(setup, preset, None)?.into_iter().map(row).collect())
 }
@@ -92,28 +104,53 @@ fn rows(
 /// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
 pub fn preset_toml(name: &str) -> Result<String> {
     let setup = Setup::preset(name)?;
-    let Some(preset) = Preset::named(name) else { return Ok(String::new()) };
-    let rows = sourced(preset, &setup).into_iter().map(|(name, shown, source)| (name, shown, source.to_owned()));
-    Ok(toml(preset, &[preset.name.into(), preset.about.into()], rows.collect()))
+    let Some(preset) = Preset::named(name) else {
+        return Ok(String::new());
+    };
+    let rows = sourced(preset, &setup)
+        .into_iter()
+        .map(|(name, shown, source)| (name, shown, source.to_owned()));
+    Ok(toml(
+        preset,
+        &[preset.name.into(), preset.about.into()],
+        rows.collect(),
+    ))
 }
 
-/// The shortest text in the unit that people read which reads back as this value; in SI where rounding leaves none.
+/// The shortest text in the unit that people read which reads back as this value; in SI where
+/// rounding leaves none.
 fn exact(parameter: &Parameter, value: Option<f64>) -> String {
-    let Some(value) = value else { return UNSET.into() };
+    let Some(value) = value else {
+        return UNSET.into();
+    };
     let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
-    let text =
-        |digits: usize| format!("{} {}", significant(value / size, digits), parameter.unit).trim_end().to_owned();
-    let reads_back =
-        |text: &String| parameter.read(text, false).is_ok_and(|read| read.map(f64::to_bits) == Some(value.to_bits()));
+    let text = |digits: usize| {
+        format!("{} {}", significant(value / size, digits), parameter.unit)
+            .trim_end()
+            .to_owned()
+    };
+    let reads_back = |text: &String| {
+        parameter
+            .read(text, false)
+            .is_ok_and(|read| read.map(f64::to_bits) == Some(value.to_bits()))
+    };
     let shown = (1..=MOST_DIGITS).map(text).find(reads_back);
-    shown.unwrap_or_else(|| format!("{value:?} {}", parameter.quantity.si).trim_end().to_owned())
+    shown.unwrap_or_else(|| {
+        format!("{value:?} {}", parameter.quantity.si)
+            .trim_end()
+            .to_owned()
+    })
 }
 
-/// A file of these lines at its head, its preset, and rows of name, value and remark, table by table.
+/// A file of these lines at its head, its preset, and rows of name, value and remark, table by
+/// table.
 fn toml(preset: &Preset, about: &[String], rows: Vec<(&'static str, String, String)>) -> String {
     // a name of a file may hold anything
     let remark = |text: &str| text.replace(char::is_control, " ");
-    let mut text: String = about.iter().map(|line| format!("# {}\n", remark(line))).collect();
+    let mut text: String = about
+        .iter()
+        .map(|line| format!("# {}\n", remark(line)))
+        .collect();
     text += &format!("preset = \"{}\"\n", preset.name);
     let table_of = |name: &'static str| name.split_once('.').map_or("", |(table, _)| table);
     // keys without a table must precede the first table, and a table stands once
@@ -154,7 +191,8 @@ mod tests {
     fn a_preset_printed_as_a_setup_file_reads_back_as_itself() {
         for preset in PRESETS {
             let text = preset_toml(preset.name).unwrap();
-            let read = Setup::from_toml(&text.replace("preset =", "# preset ="), preset.name).unwrap();
+            let read =
+                Setup::from_toml(&text.replace("preset =", "# preset ="), preset.name).unwrap();
             assert_eq!(read, Setup::preset(preset.name).unwrap(), "{text}");
         }
     }
@@ -167,13 +205,23 @@ mod tests {
                 setup.set_law(law).unwrap();
                 for (i, parameter) in setup.variables().into_iter().enumerate() {
                     // irrational, and within every range
-                    let value = setup.value(parameter).unwrap() * (1.0 + 1e-3 * ((i + 50 * k) as f64).sin());
+                    let value = setup.value(parameter).unwrap()
+                        * (1.0 + 1e-3 * ((i + 50 * k) as f64).sin());
                     setup.set_value(parameter, Some(value)).unwrap();
-                    assert_eq!(parameter.read(&exact(parameter, Some(value)), false).unwrap(), Some(value));
+                    assert_eq!(
+                        parameter
+                            .read(&exact(parameter, Some(value)), false)
+                            .unwrap(),
+                        Some(value)
+                    );
                 }
-                let text = setup_toml(&setup, preset, &["a file\nwith a break".into()], &[]).unwrap();
+                let text =
+                    setup_toml(&setup, preset, &["a file\nwith a break".into()], &[]).unwrap();
                 assert_eq!(Setup::from_toml(&text, "f").unwrap(), setup, "{text}");
-                assert!(text.starts_with("# a file with a break\npreset = "), "{text}");
+                assert!(
+                    text.starts_with("# a file with a break\npreset = "),
+                    "{text}"
+                );
             }
         }
     }

@@ -1,15 +1,19 @@
-//! Numbers as people read them: in the units of a system, with the digits of a launch monitor, and to the right or left.
+//! Numbers as people read them: in the units of a system, with the digits of a launch monitor, and
+//! to the right or left.
 
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
 use crate::study::{Active, Constraint, Search};
-use crate::units::{Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit};
+use crate::units::{
+    Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit,
+};
 
 /// What stands where there is no number.
 pub(super) const NONE: &str = "–";
 
 /// What is to be known beside strikes off the centre.
-pub(super) const RIGID: &str = "rigid bodies are known to miss the side spin of strikes off the centre by 30 to 50 %";
+pub(super) const RIGID: &str =
+    "rigid bodies are known to miss the side spin of strikes off the centre by 30 to 50 %";
 
 /// Parameters that launch monitors call something else.
 const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", "club path")];
@@ -17,25 +21,34 @@ const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", 
 /// Groups whose parameters are known without the group's name.
 const IMPLIED: [&str; 3] = ["swing", "launch", "aero"];
 
-/// The name of an outcome or parameter in words, as launch monitors say it: "ball speed", "attack angle", "club speed". A word of the
-/// group that the name repeats stands once: "wind reference height", but "launch angle" for `launch.launch_angle`.
+/// The name of an outcome or parameter in words, as launch monitors say it: "ball speed", "attack
+/// angle", "club speed". A word of the group that the name repeats stands once: "wind reference
+/// height", but "launch angle" for `launch.launch_angle`.
 pub(super) fn words(name: &str) -> String {
     if let Some((_, words)) = NAMES.iter().find(|(known, _)| *known == name) {
         return (*words).into();
     }
-    let is_without =
-        |group: &str, rest: &str| IMPLIED.contains(&group) || rest.split(['.', '_']).any(|word| word == group);
-    let own = name.split_once('.').filter(|(group, rest)| is_without(group, rest));
+    let is_without = |group: &str, rest: &str| {
+        IMPLIED.contains(&group) || rest.split(['.', '_']).any(|word| word == group)
+    };
+    let own = name
+        .split_once('.')
+        .filter(|(group, rest)| is_without(group, rest));
     own.map_or(name, |(_, rest)| rest).replace(['.', '_'], " ")
 }
 
-/// A sentence with the names of parameters in words; what is to be typed (`swing.speed=95mph`) stays.
+/// A sentence with the names of parameters in words; what is to be typed (`swing.speed=95mph`)
+/// stays.
 pub(super) fn spoken(sentence: &str) -> String {
     let setup = Setup::default();
     let speak = |word: &str| {
         let name = word.trim_matches([',', ';', ':', '(', ')']);
         let is_spoken = word.contains('.') && !word.contains('=') && setup.parameter(name).is_ok();
-        if is_spoken { word.replace(name, &words(name)) } else { word.to_owned() }
+        if is_spoken {
+            word.replace(name, &words(name))
+        } else {
+            word.to_owned()
+        }
     };
     sentence.split(' ').map(speak).collect::<Vec<_>>().join(" ")
 }
@@ -44,20 +57,30 @@ pub(super) fn spoken(sentence: &str) -> String {
 fn is_sideways(of: Outcome) -> bool {
     matches!(
         of,
-        Outcome::Lateral | Outcome::LateralTotal | Outcome::LaunchDirection | Outcome::Sidespin | Outcome::SpinAxis
+        Outcome::Lateral
+            | Outcome::LateralTotal
+            | Outcome::LaunchDirection
+            | Outcome::Sidespin
+            | Outcome::SpinAxis
     )
 }
 
 /// The value of an outcome: "162.0 mph", "3.2 yd R".
 pub fn outcome(of: Outcome, value: f64, system: System) -> String {
     let unit = system.unit(of.unit());
-    if is_sideways(of) { side(of.quantity(), unit, value) } else { of.quantity().read_off(value, unit) }
+    if is_sideways(of) {
+        side(of.quantity(), unit, value)
+    } else {
+        of.quantity().read_off(value, unit)
+    }
 }
 
 /// A value that is positive to the right: "3.2 yd R", "3.2 yd L", and "0.0 yd" without a side.
 pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     let size = quantity.read_off(value.abs(), unit);
-    let is_straight = leading_number(&size).bytes().all(|digit| b"0.".contains(&digit));
+    let is_straight = leading_number(&size)
+        .bytes()
+        .all(|digit| b"0.".contains(&digit));
     match value {
         _ if is_straight => size,
         0.0.. => format!("{size} R"),
@@ -75,7 +98,8 @@ pub(super) fn outcome_or_dash(of: Outcome, value: Option<f64>, system: System) -
     value.map_or(NONE.into(), |value| outcome(of, value, system))
 }
 
-/// The value of an outcome in the units of the other system, in parentheses; empty where both are the same.
+/// The value of an outcome in the units of the other system, in parentheses; empty where both are
+/// the same.
 pub(super) fn in_parentheses(of: Outcome, value: f64, system: System) -> String {
     let other = system.other();
     if system.unit(of.unit()) == other.unit(of.unit()) {
@@ -87,12 +111,19 @@ pub(super) fn in_parentheses(of: Outcome, value: f64, system: System) -> String 
 
 /// The value of an outcome in both systems: "279.2 yd (255.3 m)".
 pub(super) fn both(of: Outcome, value: f64, system: System) -> String {
-    format!("{} {}", outcome(of, value, system), in_parentheses(of, value, system)).trim_end().to_owned()
+    format!(
+        "{} {}",
+        outcome(of, value, system),
+        in_parentheses(of, value, system)
+    )
+    .trim_end()
+    .to_owned()
 }
 
 /// A standard deviation or loss of an outcome.
 pub(super) fn spread(of: Outcome, value: f64, system: System) -> String {
-    of.quantity().read_off_difference(value, system.unit(of.unit()))
+    of.quantity()
+        .read_off_difference(value, system.unit(of.unit()))
 }
 
 /// A change of an outcome, with its sign.
@@ -111,25 +142,36 @@ pub(super) fn as_declared(parameter: &Parameter, value: f64) -> String {
 }
 
 fn computed(parameter: &Parameter, value: f64) -> Message {
-    let digits = if parameter.quantity == Quantity::NUMBER { Digits::Significant(5) } else { Digits::Fine };
+    let digits = if parameter.quantity == Quantity::NUMBER {
+        Digits::Significant(5)
+    } else {
+        Digits::Fine
+    };
     Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
-/// What is nearer to an end of a range than this part of it reads as that end: where a search that did not converge stops just short of it.
+/// What is nearer to an end of a range than this part of it reads as that end: where a search that
+/// did not converge stops just short of it.
 const AT_THE_END: f64 = 1e-6;
 
-/// The same of a parameter that is varied: with more digits where it would read as an end of its range that it is not.
+/// The same of a parameter that is varied: with more digits where it would read as an end of its
+/// range that it is not.
 pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
     let (parameter, ends) = (vary.parameter, ends(vary, system));
     let number = |text: &str| leading_number(text).parse::<f64>().ok();
     let is_apart = |text: &String| {
         let ends = [vary.low, vary.high].into_iter().zip(&ends);
         let is_apart = |end: f64| (end - value).abs() > AT_THE_END * (vary.high - vary.low);
-        ends.filter(|(end, _)| is_apart(*end)).all(|(_, end)| number(text) != number(end))
+        ends.filter(|(end, _)| is_apart(*end))
+            .all(|(_, end)| number(text) != number(end))
     };
     let plain = self::parameter(parameter, value, system);
-    let finer = (2..=MOST_DIGITS).map(|digits| given(parameter.quantity, parameter.unit, value, system, digits));
-    std::iter::once(plain.clone()).chain(finer).find(is_apart).unwrap_or(plain)
+    let finer = (2..=MOST_DIGITS)
+        .map(|digits| given(parameter.quantity, parameter.unit, value, system, digits));
+    std::iter::once(plain.clone())
+        .chain(finer)
+        .find(is_apart)
+        .unwrap_or(plain)
 }
 
 /// The digits that tell any two numbers apart.
@@ -137,7 +179,11 @@ const MOST_DIGITS: usize = 17;
 
 /// The ends of the range of a parameter that is varied.
 pub(super) fn ends(vary: &Vary, system: System) -> [String; 2] {
-    stated_apart((vary.parameter.quantity, vary.parameter.unit), [vary.low, vary.high], system)
+    stated_apart(
+        (vary.parameter.quantity, vary.parameter.unit),
+        [vary.low, vary.high],
+        system,
+    )
 }
 
 /// The range of a parameter that is varied: "4° .. 20°".
@@ -146,9 +192,15 @@ pub(super) fn range(vary: &Vary, system: System) -> String {
 }
 
 /// Two numbers that were stated, with as many digits as tell them apart.
-fn stated_apart((quantity, unit): (Quantity, &'static str), ends: [f64; 2], system: System) -> [String; 2] {
+fn stated_apart(
+    (quantity, unit): (Quantity, &'static str),
+    ends: [f64; 2],
+    system: System,
+) -> [String; 2] {
     let shown = |digits: usize| ends.map(|end| given(quantity, unit, end, system, digits));
-    let apart = (STATED..=MOST_DIGITS).map(shown).find(|[low, high]| ends[0] == ends[1] || low != high);
+    let apart = (STATED..=MOST_DIGITS)
+        .map(shown)
+        .find(|[low, high]| ends[0] == ends[1] || low != high);
     apart.unwrap_or_else(|| shown(MOST_DIGITS))
 }
 
@@ -160,7 +212,8 @@ pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, value, system, STATED)
 }
 
-/// The same in short, where the question is told: to four digits, so that "110 mph" is "49.17 m/s" and not "49.174 m/s".
+/// The same in short, where the question is told: to four digits, so that "110 mph" is "49.17 m/s"
+/// and not "49.174 m/s".
 pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, value, system, 4)
 }
@@ -172,16 +225,32 @@ pub(super) fn uncertainty(parameter: &Parameter, deviation: f64, system: System)
 
 /// The same with all its digits, and with "none" where it is not set: the numbers of a setup.
 pub(super) fn set(parameter: &Parameter, value: Option<f64>, system: System) -> String {
-    value.map_or(UNSET.into(), |value| given(parameter.quantity, parameter.unit, value, system, 7))
+    value.map_or(UNSET.into(), |value| {
+        given(parameter.quantity, parameter.unit, value, system, 7)
+    })
 }
 
-pub(super) fn given(quantity: Quantity, unit: &'static str, value: f64, system: System, digits: usize) -> String {
-    Message::default().quantity(quantity, unit, value, Digits::Significant(digits)).in_units(system)
+pub(super) fn given(
+    quantity: Quantity,
+    unit: &'static str,
+    value: f64,
+    system: System,
+    digits: usize,
+) -> String {
+    Message::default()
+        .quantity(quantity, unit, value, Digits::Significant(digits))
+        .in_units(system)
 }
 
-/// A constraint in the units of a system: "descent angle ≥ 38°", "lateral = 0 yd", "20 yd ≤ apex height ≤ 35 yd".
+/// A constraint in the units of a system: "descent angle ≥ 38°", "lateral = 0 yd", "20 yd ≤ apex
+/// height ≤ 35 yd".
 pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
-    let Constraint { outcome: of, low, high, .. } = constraint;
+    let Constraint {
+        outcome: of,
+        low,
+        high,
+        ..
+    } = constraint;
     let name = words(of.name());
     let [least, most] = stated_apart((of.quantity(), of.unit()), [*low, *high], system);
     match [low, high].map(|end| end.is_finite()) {
@@ -192,11 +261,26 @@ pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
     }
 }
 
-/// An active bound or constraint: "attack angle at its upper bound", "apex height ≤ 35 yd". `name` writes a parameter.
-pub(super) fn active(active: &Active, search: &Search, system: System, name: impl Fn(&str) -> String) -> String {
-    let limit = || search.subject_to.iter().find(|limit| limit.expression == active.name);
+/// An active bound or constraint: "attack angle at its upper bound", "apex height ≤ 35 yd". `name`
+/// writes a parameter.
+pub(super) fn active(
+    active: &Active,
+    search: &Search,
+    system: System,
+    name: impl Fn(&str) -> String,
+) -> String {
+    let limit = || {
+        search
+            .subject_to
+            .iter()
+            .find(|limit| limit.expression == active.name)
+    };
     match active.end {
-        Some(_) => Active { name: name(&active.name), ..active.clone() }.to_string(),
+        Some(_) => Active {
+            name: name(&active.name),
+            ..active.clone()
+        }
+        .to_string(),
         None => limit().map_or_else(|| active.to_string(), |limit| constraint(limit, system)),
     }
 }
@@ -204,21 +288,30 @@ pub(super) fn active(active: &Active, search: &Search, system: System, name: imp
 /// What changes of this size or less are rounding, as a part of what is differentiated.
 const ROUNDING: f64 = 1e-12;
 
-/// A derivative as texts show it: 0 where it is nothing but the rounding of its computation. `value` is that of what is differentiated, in
-/// SI, and `of` its kind and unit.
+/// A derivative as texts show it: 0 where it is nothing but the rounding of its computation.
+/// `value` is that of what is differentiated, in SI, and `of` its kind and unit.
 ///
-/// A derivative is rounding where a change of each parameter in `by` by its own size (its default, or one of its unit where that is 0 or
-/// does not exist) makes less than 1e-12 of `value` (or of one of its unit, where that is more). So it depends neither on the units shown
-/// nor on a parameter that happens to be 0. Rounding leaves about 1e-16 for each of the thousand operations of a flight, so that a true
-/// derivative as small as that has no correct digit. JSON and CSV keep all digits.
+/// A derivative is rounding where a change of each parameter in `by` by its own size (its default,
+/// or one of its unit where that is 0 or does not exist) makes less than 1e-12 of `value` (or of
+/// one of its unit, where that is more). So it depends neither on the units shown nor on a
+/// parameter that happens to be 0. Rounding leaves about 1e-16 for each of the thousand operations
+/// of a flight, so that a true derivative as small as that has no correct digit. JSON and CSV keep
+/// all digits.
 pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Parameter]) -> f64 {
     let one = |quantity: Quantity, unit: &str| quantity.size_of(unit).unwrap_or(1.0);
     let own = |by: &&Parameter| {
-        let default = by.default_value().map(f64::abs).filter(|default| *default > 0.0 && default.is_finite());
+        let default = by
+            .default_value()
+            .map(f64::abs)
+            .filter(|default| *default > 0.0 && default.is_finite());
         default.unwrap_or_else(|| one(by.quantity, by.unit))
     };
     let change = slope.abs() * by.iter().map(own).product::<f64>();
-    if change < ROUNDING * value.abs().max(one(of.0, of.1)) { 0.0 } else { slope }
+    if change < ROUNDING * value.abs().max(one(of.0, of.1)) {
+        0.0
+    } else {
+        slope
+    }
 }
 
 /// Whether a change of an outcome of this value is rounding.
@@ -226,22 +319,47 @@ pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
     settled(change, value, (of.quantity(), of.unit()), &[]) == 0.0
 }
 
-/// Whether an outcome depends on a parameter where it has this value, slope and second derivative: one of the two is more than rounding.
+/// Whether an outcome depends on a parameter where it has this value, slope and second derivative:
+/// one of the two is more than rounding.
 pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curvature: f64) -> bool {
     let outcome = (of.quantity(), of.unit());
-    settled(slope, value, outcome, &[by]) != 0.0 || settled(curvature, value, outcome, &[by, by]) != 0.0
+    settled(slope, value, outcome, &[by]) != 0.0
+        || settled(curvature, value, outcome, &[by, by]) != 0.0
 }
 
-/// A derivative of an outcome of this value by a parameter, in the units of a system: "2.11 yd per deg".
-pub(super) fn slope(of: Outcome, value: f64, by: &Parameter, slope: f64, system: System, digits: usize) -> String {
+/// A derivative of an outcome of this value by a parameter, in the units of a system: "2.11 yd per
+/// deg".
+pub(super) fn slope(
+    of: Outcome,
+    value: f64,
+    by: &Parameter,
+    slope: f64,
+    system: System,
+    digits: usize,
+) -> String {
     let outcome = (of.quantity(), of.unit());
-    ratio(outcome, (by.quantity, by.unit), settled(slope, value, outcome, &[by]), system, digits)
+    ratio(
+        outcome,
+        (by.quantity, by.unit),
+        settled(slope, value, outcome, &[by]),
+        system,
+        digits,
+    )
 }
 
 /// What moving a limit by one of its unit brings: "2.11 yd for each degree".
-pub(super) fn price(of: (Quantity, &'static str), amount: f64, by: (Quantity, &'static str), system: System) -> String {
+pub(super) fn price(
+    of: (Quantity, &'static str),
+    amount: f64,
+    by: (Quantity, &'static str),
+    system: System,
+) -> String {
     let (number, unit) = quotient(of, by, amount, system, 3);
-    format!("{} for each {}", with_unit(&number, unit), one(system.unit(by.1)))
+    format!(
+        "{} for each {}",
+        with_unit(&number, unit),
+        one(system.unit(by.1))
+    )
 }
 
 /// A quotient of two quantities in the units of a system.
@@ -253,7 +371,13 @@ pub(super) fn ratio(
     digits: usize,
 ) -> String {
     let (number, unit) = quotient(of, by, value, system, digits);
-    format!("{} {}", with_unit(&number, unit), per("", system.unit(by.1)).trim()).trim_end().to_owned()
+    format!(
+        "{} {}",
+        with_unit(&number, unit),
+        per("", system.unit(by.1)).trim()
+    )
+    .trim_end()
+    .to_owned()
 }
 
 /// The number of a quotient in the units of a system, and the unit of its numerator.
@@ -266,55 +390,100 @@ pub(super) fn quotient(
 ) -> (String, &'static str) {
     let (of_unit, by_unit) = (system.unit(of.1), system.unit(by.1));
     let size = |quantity: Quantity, unit| quantity.size_of(unit).unwrap_or(1.0);
-    (significant(value * size(by.0, by_unit) / size(of.0, of_unit), digits), of_unit)
+    (
+        significant(value * size(by.0, by_unit) / size(of.0, of_unit), digits),
+        of_unit,
+    )
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, System, both, change, constraint, outcome, range, slope, spoken, within, words};
+    use super::{
+        Outcome, System, both, change, constraint, outcome, range, slope, spoken, within, words,
+    };
     use crate::Setup;
     use crate::parameters::{Law, Vary};
     use crate::study::Constraint;
 
     #[test]
     fn names_in_sentences_are_in_words_but_not_where_they_are_typed() {
-        let told = "between swing.speed = 20 mph and 65 mph (club.loft, aero.law); write --set swing.speed=95mph";
-        let says = "between club speed = 20 mph and 65 mph (club loft, aero.law); write --set swing.speed=95mph";
+        let told = "between swing.speed = 20 mph and 65 mph (club.loft, aero.law); write --set \
+                    swing.speed=95mph";
+        let says = "between club speed = 20 mph and 65 mph (club loft, aero.law); write --set \
+                    swing.speed=95mph";
         assert_eq!(spoken(told), says);
     }
 
     #[test]
     fn no_name_has_a_word_twice() {
         let setup = Setup::default();
-        let parameters = setup.parameters().into_iter().chain(Law::all_rows()).map(|row| row.name);
+        let parameters = setup
+            .parameters()
+            .into_iter()
+            .chain(Law::all_rows())
+            .map(|row| row.name);
         for name in parameters.chain(Outcome::ALL.iter().map(|of| of.name())) {
             let words = words(name);
             let mut seen: Vec<&str> = words.split(' ').collect();
             seen.sort_unstable();
             assert!(seen.windows(2).all(|pair| pair[0] != pair[1]), "{words}");
         }
-        let mut names: Vec<String> = setup.parameters().iter().map(|row| words(row.name)).collect();
+        let mut names: Vec<String> = setup
+            .parameters()
+            .iter()
+            .map(|row| words(row.name))
+            .collect();
         names.sort_unstable();
-        assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "two parameters of one name: {names:?}");
+        assert!(
+            names.windows(2).all(|pair| pair[0] != pair[1]),
+            "two parameters of one name: {names:?}"
+        );
         assert_eq!(words("launch.launch_angle"), "launch angle");
         assert_eq!(
-            ["launch.ball_speed", "club.inertia.xx", "swing.attack_angle", "swing.speed", "aero.cd0"].map(words),
-            ["ball speed", "club inertia xx", "attack angle", "club speed", "cd0"]
+            [
+                "launch.ball_speed",
+                "club.inertia.xx",
+                "swing.attack_angle",
+                "swing.speed",
+                "aero.cd0"
+            ]
+            .map(words),
+            [
+                "ball speed",
+                "club inertia xx",
+                "attack angle",
+                "club speed",
+                "cd0"
+            ]
         );
     }
 
     #[test]
     fn exact_sides_and_both_systems() {
-        for (value, shown) in [(2.92608, "3.2 yd R"), (-2.92608, "3.2 yd L"), (-1e-15, "0.0 yd"), (0.0, "0.0 yd")] {
+        for (value, shown) in [
+            (2.92608, "3.2 yd R"),
+            (-2.92608, "3.2 yd L"),
+            (-1e-15, "0.0 yd"),
+            (0.0, "0.0 yd"),
+        ] {
             assert_eq!(outcome(Outcome::Lateral, value, System::Us), shown);
         }
         assert_eq!(both(Outcome::Carry, 91.44, System::Us), "100.0 yd (91.4 m)");
-        assert_eq!(both(Outcome::Carry, 91.44, System::Metric), "91.4 m (100.0 yd)");
+        assert_eq!(
+            both(Outcome::Carry, 91.44, System::Metric),
+            "91.4 m (100.0 yd)"
+        );
         assert_eq!(both(Outcome::LaunchAngle, 0.1309, System::Metric), "7.5°");
-        assert_eq!(both(Outcome::Lateral, -9.144, System::Metric), "9.1 m L (10.0 yd L)");
+        assert_eq!(
+            both(Outcome::Lateral, -9.144, System::Metric),
+            "9.1 m L (10.0 yd L)"
+        );
         assert_eq!(change(Outcome::Carry, 0.9144, System::Us), "+1.00 yd");
         assert_eq!(change(Outcome::Carry, -0.9144, System::Us), "-1.00 yd");
-        assert_eq!([1e-15, -1e-15].map(|by| change(Outcome::Carry, by, System::Us)), ["0.00 yd", "0.00 yd"]);
+        assert_eq!(
+            [1e-15, -1e-15].map(|by| change(Outcome::Carry, by, System::Us)),
+            ["0.00 yd", "0.00 yd"]
+        );
     }
     #[test]
     fn exact_two_numbers_that_differ_never_read_alike() {
@@ -327,13 +496,22 @@ mod tests {
         assert_eq!(range(&loft, System::Us), "0° .. 89°");
         let narrow = vary("club.loft=10deg..10.0000001deg");
         assert_eq!(range(&narrow, System::Us), "10° .. 10.0000001°");
-        assert_eq!(range(&vary("club.loft=10deg..10deg"), System::Us), "10° .. 10°");
+        assert_eq!(
+            range(&vary("club.loft=10deg..10deg"), System::Us),
+            "10° .. 10°"
+        );
         for (text, told) in [
-            ("38 deg <= descent_angle <= 38.0000001 deg", "38° ≤ descent angle ≤ 38.0000001°"),
+            (
+                "38 deg <= descent_angle <= 38.0000001 deg",
+                "38° ≤ descent angle ≤ 38.0000001°",
+            ),
             ("38 deg <= descent_angle <= 38 deg", "descent angle = 38°"),
             ("descent_angle >= 38.123456 deg", "descent angle ≥ 38.123°"),
         ] {
-            assert_eq!(constraint(&Constraint::read(text).unwrap(), System::Us), told);
+            assert_eq!(
+                constraint(&Constraint::read(text).unwrap(), System::Us),
+                told
+            );
         }
     }
 
@@ -344,7 +522,8 @@ mod tests {
             slope(of, value, setup.parameter(by).unwrap(), d, system, 4)
         };
         for system in System::ALL {
-            // the rounding of a ball speed by a radius, of a spin by an angle that is 0, of a carry at its maximum, of a lateral distance of 0
+            // the rounding of a ball speed by a radius, of a spin by an angle that is 0, of a carry
+            // at its maximum, of a lateral distance of 0
             for (of, value, by, d) in [
                 (Outcome::BallSpeed, 70.0, "ball.radius", 6e-16),
                 (Outcome::Backspin, 250.0, "swing.attack_angle", 2.8e-14),
@@ -359,7 +538,19 @@ mod tests {
             }
         }
         // a nanometre of carry in a yard of ground height, and a change of inertia by one g cm²
-        assert_eq!(shown(Outcome::Carry, 250.0, "ground.height", 1e-9, System::Metric), "1e-9 m per m");
-        assert_eq!(shown(Outcome::Carry, 250.0, "club.inertia.yy", 1e-3, System::Metric), "1e-10 m per g cm²");
+        assert_eq!(
+            shown(Outcome::Carry, 250.0, "ground.height", 1e-9, System::Metric),
+            "1e-9 m per m"
+        );
+        assert_eq!(
+            shown(
+                Outcome::Carry,
+                250.0,
+                "club.inertia.yy",
+                1e-3,
+                System::Metric
+            ),
+            "1e-10 m per g cm²"
+        );
     }
 }

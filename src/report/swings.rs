@@ -7,7 +7,9 @@ use super::{OptimumReport, Reply, json, shown};
 use crate::error::Result;
 use crate::optimize::{Local, Status};
 use crate::parameters::Preset;
-use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, Scenarios, Swings, SwingsOptimum, status_of};
+use crate::study::swings::{
+    Doubt, Goal, Price, Resampled, Rule, Scenarios, Swings, SwingsOptimum, status_of,
+};
 use crate::study::uncertainty::Interval;
 use crate::units::{Message, System, counted, significant};
 use serde_json::{Map, Value, json};
@@ -22,14 +24,20 @@ pub fn swings_reply(
     let (search, solution) = (&best.search, &best.solution);
     let found = best.value().is_some();
     let names = || search.vary.iter().map(|vary| vary.parameter.name);
-    let by_name = |values: &[f64]| json::named(names().zip(values.iter().map(|value| Some(*value))));
+    let by_name =
+        |values: &[f64]| json::named(names().zip(values.iter().map(|value| Some(*value))));
     let multipliers = |i: usize| {
         let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
         (search.vary[i].parameter.name, Multipliers { lower, upper })
     };
     let goals = |values: &[f64]| {
-        let expressions = std::iter::once(&search.of).chain(search.subject_to.iter().map(|limit| &limit.goal));
-        json::named(expressions.map(|goal| goal.expression.as_str()).zip(values.iter().map(|value| Some(*value))))
+        let expressions =
+            std::iter::once(&search.of).chain(search.subject_to.iter().map(|limit| &limit.goal));
+        json::named(
+            expressions
+                .map(|goal| goal.expression.as_str())
+                .zip(values.iter().map(|value| Some(*value))),
+        )
     };
     let interval = |i: &Interval| json!({ "value": json::number(Some(i.value)), "low": json::number(Some(i.low)), "high": json::number(Some(i.high)) });
     let mut swings = scenarios(&best.scenarios);
@@ -64,7 +72,9 @@ pub fn swings_reply(
         start: (!found).then(|| by_name(&solution.x)),
         gradient: found.then(|| by_name(&best.gradient())),
         multipliers: found.then(|| (0..search.vary.len()).map(multipliers).collect()),
-        constraints: constraints.map(|(limit, at)| ConstraintReport::of_goal(limit, &at)).collect(),
+        constraints: constraints
+            .map(|(limit, at)| ConstraintReport::of_goal(limit, &at))
+            .collect(),
         kkt_residual: json::number(found.then_some(solution.kkt_residual)),
         iterations: solution.iterations,
         evaluations: solution.evaluations,
@@ -102,11 +112,13 @@ fn locals(best: &SwingsOptimum) -> Vec<LocalReport> {
 fn unknown(price: Option<&Price>) -> Vec<String> {
     let Some(price) = price else { return vec![] };
     let nominal = price.nominal.as_ref().err();
-    let nominal =
-        nominal.map(|why| format!("there is no best design for the mean swing alone, which does not fly: {why}"));
+    let nominal = nominal.map(|why| {
+        format!("there is no best design for the mean swing alone, which does not fly: {why}")
+    });
     let doubt = match price.doubt() {
         Some(Doubt::Unknown(why)) => Some(format!(
-            "how far the best value is known is not known: of other swings of the same golfer one does not fly ({why})"
+            "how far the best value is known is not known: of other swings of the same golfer one \
+             does not fly ({why})"
         )),
         _ => None,
     };
@@ -129,7 +141,11 @@ pub(super) fn scenarios(of: &Scenarios) -> Map<String, Value> {
 }
 
 fn named(value: Value) -> Map<String, Value> {
-    if let Value::Object(named) = value { named } else { Map::new() }
+    if let Value::Object(named) = value {
+        named
+    } else {
+        Map::new()
+    }
 }
 
 /// The best design over many swings as text.
@@ -149,13 +165,17 @@ pub fn swings_text(
         counted(solution.evaluations, "evaluation"),
         counted(scenarios, "swing")
     ));
-    let Some(goals) = best.goals() else { return ending };
+    let Some(goals) = best.goals() else {
+        return ending;
+    };
     let own = search.vary.iter().map(|vary| vary.parameter);
     let nominal = price.and_then(|price| price.nominal.as_ref().ok());
     let sought = sought(best);
     let design = own.enumerate().map(|(i, parameter)| {
         let vary = &search.vary[i];
-        let nominal = nominal.map_or(shown::NONE.into(), |nominal| shown::within(vary, nominal.design[i], system));
+        let nominal = nominal.map_or(shown::NONE.into(), |nominal| {
+            shown::within(vary, nominal.design[i], system)
+        });
         let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
         let bound = match () {
             () if vary.low == vary.high => "fixed".into(),
@@ -174,34 +194,70 @@ pub fn swings_text(
         ]
     });
     let found = ended_at(solution.status, "best");
-    let place = table(&["vary", found, "for the mean swing", "range", ""], &[1, 2], design);
+    let place = table(
+        &["vary", found, "for the mean swing", "range", ""],
+        &[1, 2],
+        design,
+    );
 
-    let all = std::iter::once((&search.of, search.of.expression.clone()))
-        .chain(search.subject_to.iter().map(|limit| (&limit.goal, limit.expression.clone())));
+    let all = std::iter::once((&search.of, search.of.expression.clone())).chain(
+        search
+            .subject_to
+            .iter()
+            .map(|limit| (&limit.goal, limit.expression.clone())),
+    );
     let rows = all.enumerate().map(|(k, (goal, expression))| {
         let breaks = |value: f64| k > 0 && !search.subject_to[k - 1].is_met(value);
         let show = |value: f64| {
             let value_shown = value_text(goal, value, system);
-            if breaks(value) { format!("{value_shown} {BROKEN}") } else { value_shown }
+            if breaks(value) {
+                format!("{value_shown} {BROKEN}")
+            } else {
+                value_shown
+            }
         };
         let of = |values: Option<&Vec<f64>>| {
-            let value = values.map(|values| values[k]).filter(|value| value.is_finite());
+            let value = values
+                .map(|values| values[k])
+                .filter(|value| value.is_finite());
             value.map_or(shown::NONE.into(), show)
         };
         let kept = of(nominal.and_then(|nominal| nominal.kept.as_ref()));
         let promised = of(nominal.map(|nominal| &nominal.promised));
-        vec![expression, show(goals[k]), kept, promised, of(best.as_set_up.as_ref())]
+        vec![
+            expression,
+            show(goals[k]),
+            kept,
+            promised,
+            of(best.as_set_up.as_ref()),
+        ]
     });
-    let head = ["over all swings", found, "best for mean swing", "with that swing alone", "as set up"];
+    let head = [
+        "over all swings",
+        found,
+        "best for mean swing",
+        "with that swing alone",
+        "as set up",
+    ];
     let mut text = format!("{ending}\n{place}\n{}", table(&head, &[1, 2, 3, 4], rows));
     text += &limits_text(best, system);
     text += &doubts(best, price, resampled, system);
     if best.starts() > 1 {
         let ends = best.ended().map(|(Local { solution, starts }, value)| {
             let value = value.map(|value| value_text(&search.of, value, system));
-            (value.unwrap_or(shown::NONE.into()), &solution.x[..], starts.len(), status_of(solution))
+            (
+                value.unwrap_or(shown::NONE.into()),
+                &solution.x[..],
+                starts.len(),
+                status_of(solution),
+            )
         });
-        text += &ends_text((&search.of.expression, &search.vary), ends, (best.starts(), best.stopped()), system);
+        text += &ends_text(
+            (&search.of.expression, &search.vary),
+            ends,
+            (best.starts(), best.stopped()),
+            system,
+        );
     }
     text
 }
@@ -226,27 +282,51 @@ fn limits_text(best: &SwingsOptimum, system: System) -> String {
     let solution = &best.solution;
     let rows = best.limits().enumerate().map(|(j, (limit, at))| {
         let slopes = solution.jacobian.get(j).map_or(&[][..], Vec::as_slice);
-        let of = Limit::new((limit.goal.quantity, limit.goal.unit), [limit.low, limit.high], &at, slopes);
+        let of = Limit::new(
+            (limit.goal.quantity, limit.goal.unit),
+            [limit.low, limit.high],
+            &at,
+            slopes,
+        );
         vec![limit.expression.clone(), sought(best).limit(of, system)]
     });
     let rows: Vec<_> = rows.filter(|row| !row[1].is_empty()).collect();
-    if rows.is_empty() { String::new() } else { format!("\n{}", table(&["subject to", ""], &[], rows)) }
+    if rows.is_empty() {
+        String::new()
+    } else {
+        format!("\n{}", table(&["subject to", ""], &[], rows))
+    }
 }
 
 /// How far the answer is known.
-fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resampled>, system: System) -> String {
+fn doubts(
+    best: &SwingsOptimum,
+    price: Option<&Price>,
+    resampled: Option<&Resampled>,
+    system: System,
+) -> String {
     let goal = &best.search.of;
     let show = |value: f64| value_text(goal, value, system);
     let between = |i: &Interval| format!("{} to {}", show(i.low), show(i.high));
     let scenarios = counted(best.scenarios.points.len() as u64, "swing");
     let nominal = price.and_then(|price| price.nominal.as_ref().ok());
     let mut lines = unknown(price);
-    let vary = best.scenarios.parameters.iter().any(|parameter| parameter.name.starts_with("strike."));
+    let vary = best
+        .scenarios
+        .parameters
+        .iter()
+        .any(|parameter| parameter.name.starts_with("strike."));
     if vary || best.setup.strike.toe != 0.0 {
-        lines.push(format!("{}; the scatter to the sides has this doubt", shown::RIGID));
+        lines.push(format!(
+            "{}; the scatter to the sides has this doubt",
+            shown::RIGID
+        ));
     }
     let missed = [
-        (nominal.is_some_and(|nominal| nominal.kept.is_none()), "with the best design of the mean swing"),
+        (
+            nominal.is_some_and(|nominal| nominal.kept.is_none()),
+            "with the best design of the mean swing",
+        ),
         (best.as_set_up.is_none(), "with the design as set up"),
     ];
     lines.extend(
@@ -258,29 +338,39 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
     let breaks = |goals: Option<&Vec<f64>>| {
         let limits = best.search.subject_to.iter();
         goals.is_some_and(|goals| {
-            limits.zip(&goals[1..]).any(|(limit, value)| value.is_finite() && !limit.is_met(*value))
+            limits
+                .zip(&goals[1..])
+                .any(|(limit, value)| value.is_finite() && !limit.is_met(*value))
         })
     };
     let broken = [
-        (breaks(nominal.and_then(|nominal| nominal.kept.as_ref())), "the best design of the mean swing"),
+        (
+            breaks(nominal.and_then(|nominal| nominal.kept.as_ref())),
+            "the best design of the mean swing",
+        ),
         (breaks(best.as_set_up.as_ref()), "the design as set up"),
     ];
     lines.extend(
         broken
             .iter()
             .filter(|(is_broken, _)| *is_broken)
-            .map(|(_, design)| format!("{design} breaks a limit, so that it is no alternative to the best one")),
+            .map(|(_, design)| {
+                format!("{design} breaks a limit, so that it is no alternative to the best one")
+            }),
     );
-    lines.extend(best.limits().zip(&best.solution.constraints).filter_map(|((limit, told), seen)| {
-        let is_broken = limit.is_met(seen.value) && !limit.is_met(told.value);
-        is_broken.then(|| {
+    lines.extend(best.limits().zip(&best.solution.constraints).filter_map(
+        |((limit, told), seen)| {
+            let is_broken = limit.is_met(seen.value) && !limit.is_met(told.value);
+            is_broken.then(|| {
             format!(
-                "the search keeps to {} with smoothed edges; over all swings it is outside by {}: give a limit that is stricter by as much",
+                "the search keeps to {} with smoothed edges; over all swings it is outside by {}: \
+                 give a limit that is stricter by as much",
                 limit.expression,
                 difference_text(&limit.goal, told.violation.abs(), system)
             )
         })
-    }));
+        },
+    ));
     match price.and_then(Price::doubt) {
         Some(Doubt::Quadrature(error)) => lines.push(format!(
             "{scenarios} by Gauss's rules; {} is known to {}",
@@ -288,7 +378,8 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
             difference_text(goal, *error, system)
         )),
         Some(Doubt::Sampling(found, sequences)) => lines.push(format!(
-            "{scenarios} {}; over all swings {} is {} (99 %, by {sequences} other quasi-random sequences){}",
+            "{scenarios} {}; over all swings {} is {} (99 %, by {sequences} other quasi-random \
+             sequences){}",
             taken(best.scenarios.rule),
             goal.expression,
             between(found),
@@ -298,10 +389,19 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
                 ""
             }
         )),
-        Some(Doubt::Unknown(_)) | None => lines.push(format!("{scenarios} {}", taken(best.scenarios.rule))),
+        Some(Doubt::Unknown(_)) | None => {
+            lines.push(format!("{scenarios} {}", taken(best.scenarios.rule)))
+        }
     }
-    if best.scenarios.rule == Rule::Recorded && resampled.is_none() && best.solution.status == Status::Converged {
-        lines.push("how well these swings tell the best design is not known: they are alike, or their resamples came to no optimum".into());
+    if best.scenarios.rule == Rule::Recorded
+        && resampled.is_none()
+        && best.solution.status == Status::Converged
+    {
+        lines.push(
+            "how well these swings tell the best design is not known: they are alike, or \
+                    their resamples came to no optimum"
+                .into(),
+        );
     }
     if let Some(found) = resampled {
         for (vary, design) in best.search.vary.iter().zip(&found.design) {
@@ -323,15 +423,23 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
             );
             let recorded = best.scenarios.points.len() as u64;
             lines.push(match apart.swings {
-                Some(needed) if needed <= recorded => format!("{better}: these swings tell the two apart"),
+                Some(needed) if needed <= recorded => {
+                    format!("{better}: these swings tell the two apart")
+                }
                 Some(needed) => {
-                    format!("{better}: to tell the two apart takes about {needed} swings, {} more", needed - recorded)
+                    format!(
+                        "{better}: to tell the two apart takes about {needed} swings, {} more",
+                        needed - recorded
+                    )
                 }
                 None => better,
             });
         }
     }
-    format!("\n{}", lines.iter().map(|line| paragraph(line)).collect::<String>())
+    format!(
+        "\n{}",
+        lines.iter().map(|line| paragraph(line)).collect::<String>()
+    )
 }
 
 /// How the swings of a search were taken.
@@ -365,27 +473,51 @@ pub(super) fn difference_text(goal: &Goal, value: f64, system: System) -> String
 /// As [`setup_toml`](super::setup_toml).
 pub fn swings_toml(best: &SwingsOptimum, swings: &Swings, preset: &Preset) -> Result<String> {
     let search = &best.search;
-    let value = best.value().map_or(shown::NONE.into(), |value| value_text(&search.of, value, System::default()));
+    let value = best.value().map_or(shown::NONE.into(), |value| {
+        value_text(&search.of, value, System::default())
+    });
     let all = counted(best.scenarios.points.len() as u64, "swing");
-    let mut about =
-        vec![format!("{}, {} {} over {all}: {value}", preset.name, search.sense.adjective(), search.of.expression)];
+    let mut about = vec![format!(
+        "{}, {} {} over {all}: {value}",
+        preset.name,
+        search.sense.adjective(),
+        search.of.expression
+    )];
     about.extend(match swings {
         Swings::Distributed { inputs, .. } => inputs
             .iter()
             .map(|input| {
-                format!("over swings: {} {}", input.parameter.name, distribution_text(input, System::default()))
+                format!(
+                    "over swings: {} {}",
+                    input.parameter.name,
+                    distribution_text(input, System::default())
+                )
             })
             .collect(),
         Swings::Recorded { .. } => vec!["over recorded swings".into()],
     });
-    about.extend(search.subject_to.iter().map(|limit| format!("subject to {}", limit.expression)));
+    about.extend(
+        search
+            .subject_to
+            .iter()
+            .map(|limit| format!("subject to {}", limit.expression)),
+    );
     let interrupted = best.interrupted().filter(|_| best.starts() > 1);
-    about.extend(interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
+    about.extend(
+        interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
+    );
     about.push(format!("{}: {}", best.status(), best.message()));
     let remarks = search.vary.iter().zip(&best.solution.x).map(|(vary, x)| {
         let show = |value: f64| vary.parameter.show(Some(value));
         let found = shown::as_declared(vary.parameter, *x);
-        (vary.parameter, format!("optimum: {found} in {} .. {}", show(vary.low), show(vary.high)))
+        (
+            vary.parameter,
+            format!(
+                "optimum: {found} in {} .. {}",
+                show(vary.low),
+                show(vary.high)
+            ),
+        )
     });
     super::setup_toml(&best.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }

@@ -7,14 +7,27 @@ const NARROWEST: usize = 20;
 /// Spaces before the first column, and after each.
 const MARGIN: usize = 2;
 
-/// A table without lines; the columns named are aligned right. One that is too wide has the words of its last column broken
-/// into lines; where that column is aligned right as numbers are, it is continued below, with the first column repeated.
-pub(super) fn table(head: &[&str], right: &[usize], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+/// A table without lines; the columns named are aligned right. One that is too wide has the words
+/// of its last column broken into lines; where that column is aligned right as numbers are, it is
+/// continued below, with the first column repeated.
+pub(super) fn table(
+    head: &[&str],
+    right: &[usize],
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> String {
     let rows: Vec<Vec<String>> = rows.into_iter().collect();
     let all: Vec<usize> = (0..head.len()).collect();
-    let widths: Vec<usize> = all.iter().map(|&column| width(head, &rows, column)).collect();
+    let widths: Vec<usize> = all
+        .iter()
+        .map(|&column| width(head, &rows, column))
+        .collect();
     let last = head.len().saturating_sub(1);
-    let of_others = MARGIN + widths.iter().take(last).map(|width| width + MARGIN).sum::<usize>();
+    let of_others = MARGIN
+        + widths
+            .iter()
+            .take(last)
+            .map(|width| width + MARGIN)
+            .sum::<usize>();
     if of_others + widths.last().unwrap_or(&0) <= WIDTH {
         return part(head, right, &rows, &all, None);
     }
@@ -39,18 +52,42 @@ pub(super) fn table(head: &[&str], right: &[usize], rows: impl IntoIterator<Item
 
 /// The width of a column.
 fn width(head: &[&str], rows: &[Vec<String>], column: usize) -> usize {
-    let lines = rows.iter().filter_map(|row| row.get(column)).flat_map(|cell| cell.lines());
-    lines.map(|line| line.chars().count()).chain([head[column].chars().count()]).max().unwrap_or(0)
+    let lines = rows
+        .iter()
+        .filter_map(|row| row.get(column))
+        .flat_map(|cell| cell.lines());
+    lines
+        .map(|line| line.chars().count())
+        .chain([head[column].chars().count()])
+        .max()
+        .unwrap_or(0)
 }
 
 /// Some columns of a table, the last of them perhaps no wider than `narrowed`.
-fn part(head: &[&str], right: &[usize], rows: &[Vec<String>], columns: &[usize], narrowed: Option<usize>) -> String {
+fn part(
+    head: &[&str],
+    right: &[usize],
+    rows: &[Vec<String>],
+    columns: &[usize],
+    narrowed: Option<usize>,
+) -> String {
     let mut table = Table::new();
-    let arrangement = if narrowed.is_some() { ContentArrangement::Dynamic } else { ContentArrangement::Disabled };
-    table.load_style(presets::NOTHING).set_content_arrangement(arrangement).set_width(WIDTH as u16);
+    let arrangement = if narrowed.is_some() {
+        ContentArrangement::Dynamic
+    } else {
+        ContentArrangement::Disabled
+    };
+    table
+        .load_style(presets::NOTHING)
+        .set_content_arrangement(arrangement)
+        .set_width(WIDTH as u16);
     table.set_header(columns.iter().map(|&column| head[column]));
     for row in rows {
-        table.add_row(columns.iter().map(|&column| row.get(column).map_or("", String::as_str)));
+        table.add_row(
+            columns
+                .iter()
+                .map(|&column| row.get(column).map_or("", String::as_str)),
+        );
     }
     for (at, column) in table.column_iter_mut().enumerate() {
         column.set_padding((if at == 0 { MARGIN as u16 } else { 0 }, MARGIN as u16));
@@ -69,26 +106,39 @@ mod tests {
     use super::{WIDTH, table};
 
     fn widest(text: &str) -> usize {
-        text.lines().map(|line| line.chars().count()).max().unwrap_or(0)
+        text.lines()
+            .map(|line| line.chars().count())
+            .max()
+            .unwrap_or(0)
     }
 
     #[test]
     fn exact_no_line_is_wider_than_a_terminal_and_nothing_is_lost() {
-        let words = "a long explanation of what this row is about and what to do with it ".repeat(3);
-        let text = table(&["name", "meaning"], &[], [vec!["x".repeat(40), words.trim().to_owned()]]);
+        let words =
+            "a long explanation of what this row is about and what to do with it ".repeat(3);
+        let text = table(
+            &["name", "meaning"],
+            &[],
+            [vec!["x".repeat(40), words.trim().to_owned()]],
+        );
         assert!(widest(&text) <= WIDTH && text.lines().count() > 3, "{text}");
         let kept: Vec<_> = text.split_whitespace().skip(3).collect();
         assert_eq!(kept.join(" "), words.trim());
 
         let names: Vec<String> = (0..12).map(|i| format!("column-{i:02}")).collect();
-        let head: Vec<&str> = ["by"].into_iter().chain(names.iter().map(String::as_str)).collect();
+        let head: Vec<&str> = ["by"]
+            .into_iter()
+            .chain(names.iter().map(String::as_str))
+            .collect();
         let right: Vec<usize> = (1..head.len()).collect();
         let row = std::iter::once("first".to_owned()).chain((0..12).map(|i| format!("{i}.25")));
         let text = table(&head, &right, [row.collect::<Vec<_>>()]);
         assert!(widest(&text) <= WIDTH, "{text}");
         assert_eq!(text.matches("first").count(), 2, "{text}");
         assert!(
-            (0..12).all(|i| text.contains(&format!(" {i}.25")) && text.contains(&format!("column-{i:02}"))),
+            (0..12)
+                .all(|i| text.contains(&format!(" {i}.25"))
+                    && text.contains(&format!("column-{i:02}"))),
             "{text}"
         );
     }

@@ -3,7 +3,9 @@ use super::reply::{Reply, share};
 use super::table::table;
 use super::{json, shown};
 use crate::drive::Part;
-use crate::study::uncertainty::{Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty};
+use crate::study::uncertainty::{
+    Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty,
+};
 use crate::units::{Message, Quantity, System, counted, counted_of};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -30,11 +32,20 @@ pub struct UncertaintyReport {
 impl UncertaintyReport {
     /// The answer of `uncertainty`.
     pub fn reply(found: &Uncertainty, warnings: Vec<Message>) -> Reply<Self> {
-        let sampled = found.outcomes.iter().filter(|outcome| outcome.sampled.is_some()).count();
-        let missing = found.outcomes.iter().filter(|outcome| outcome.sampled.is_none());
+        let sampled = found
+            .outcomes
+            .iter()
+            .filter(|outcome| outcome.sampled.is_some())
+            .count();
+        let missing = found
+            .outcomes
+            .iter()
+            .filter(|outcome| outcome.sampled.is_none());
         let missing: Vec<_> = missing.map(|outcome| outcome.of.name()).collect();
-        let message = (!missing.is_empty()).then(|| format!("no drive of the sample has {}", missing.join(", ")));
-        Reply::done("uncertainty", warnings, Self::new(found)).ended(share(sampled, found.outcomes.len()), message)
+        let message = (!missing.is_empty())
+            .then(|| format!("no drive of the sample has {}", missing.join(", ")));
+        Reply::done("uncertainty", warnings, Self::new(found))
+            .ended(share(sampled, found.outcomes.len()), message)
     }
 
     fn new(found: &Uncertainty) -> Self {
@@ -56,10 +67,17 @@ impl UncertaintyReport {
                 "holds": sampled.holds,
             })
         });
-        let statuses = found.tally.counts().map(|(status, count)| (status.name().to_owned(), count.into()));
+        let statuses = found
+            .tally
+            .counts()
+            .map(|(status, count)| (status.name().to_owned(), count.into()));
         Self {
             inputs: inputs.collect(),
-            outcomes: found.outcomes.iter().map(|outcome| outcome_json(outcome, &found.inputs)).collect(),
+            outcomes: found
+                .outcomes
+                .iter()
+                .map(|outcome| outcome_json(outcome, &found.inputs))
+                .collect(),
             ellipses: ellipses.collect(),
             samples: found.plan.samples,
             seed: found.plan.seed,
@@ -83,13 +101,19 @@ fn values(distribution: &Distribution) -> Vec<f64> {
         Distribution::Normal { mean, deviation } => vec![mean, deviation],
         Distribution::Uniform { low, high } => vec![low, high],
         Distribution::Triangular { low, mode, high } => vec![low, mode, high],
-        Distribution::Truncated { mean, deviation, low, high } => vec![mean, deviation, low, high],
+        Distribution::Truncated {
+            mean,
+            deviation,
+            low,
+            high,
+        } => vec![mean, deviation, low, high],
     }
 }
 
 fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
-    let moments =
-        |moments: Option<Moments>| moments.map(|m| json!({ "mean": m.mean, "standard_uncertainty": m.deviation }));
+    let moments = |moments: Option<Moments>| {
+        moments.map(|m| json!({ "mean": m.mean, "standard_uncertainty": m.deviation }))
+    };
     let interval = |i: Interval| json!({ "value": i.value, "low": i.low, "high": i.high });
     let sampled = outcome.sampled.as_ref();
     let shares = inputs.iter().enumerate().map(|(k, input)| {
@@ -122,7 +146,12 @@ fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
 
 /// The uncertainty of outcomes as text.
 pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
-    let inputs = found.inputs.iter().map(|input| vec![input.parameter.name.into(), distribution_text(input, system)]);
+    let inputs = found.inputs.iter().map(|input| {
+        vec![
+            input.parameter.name.into(),
+            distribution_text(input, system),
+        ]
+    });
     let mut text = table(&["uncertain parameter", "distribution"], &[], inputs);
     for outcome in &found.outcomes {
         text += &outcome_text(outcome, found, system);
@@ -131,8 +160,11 @@ pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
         text += &ellipses_text(found, system);
     }
     let all: u64 = found.tally.counts().map(|(_, count)| count).sum();
-    let counts =
-        found.tally.counts().filter(|(_, count)| *count > 0).map(|(status, count)| format!("{count} {status}"));
+    let counts = found
+        .tally
+        .counts()
+        .filter(|(_, count)| *count > 0)
+        .map(|(status, count)| format!("{count} {status}"));
     let counts: Vec<_> = counts.collect();
     text + &format!(
         "\n{} ({}, seed {}): {}\n",
@@ -146,13 +178,32 @@ pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
 /// "normal: 110 mph ± 0.5 mph"; "truncated normal: 110 mph ± 4 mph, cut at 105 mph and 115 mph".
 pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
     let show = |value: f64| shown::stated(input.parameter, value, system);
-    let normal = |mean: f64, deviation: f64| format!("normal: {} ± {}", show(mean), show(deviation));
+    let normal =
+        |mean: f64, deviation: f64| format!("normal: {} ± {}", show(mean), show(deviation));
     match input.distribution {
         Distribution::Normal { mean, deviation } => normal(mean, deviation),
-        Distribution::Truncated { mean, deviation, low, high } => {
-            format!("truncated {}, cut at {} and {}", normal(mean, deviation), show(low), show(high))
+        Distribution::Truncated {
+            mean,
+            deviation,
+            low,
+            high,
+        } => {
+            format!(
+                "truncated {}, cut at {} and {}",
+                normal(mean, deviation),
+                show(low),
+                show(high)
+            )
         }
-        other => format!("{}: {}", name(&other), values(&other).into_iter().map(show).collect::<Vec<_>>().join(" .. ")),
+        other => format!(
+            "{}: {}",
+            name(&other),
+            values(&other)
+                .into_iter()
+                .map(show)
+                .collect::<Vec<_>>()
+                .join(" .. ")
+        ),
     }
 }
 
@@ -163,8 +214,9 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     let of = outcome.of;
     let value = |value: f64| shown::outcome(of, value, system);
     let spread = |value: f64| shown::spread(of, value, system);
-    let between =
-        |i: Interval, show: &dyn Fn(f64) -> String| format!("{} ({} to {})", show(i.value), show(i.low), show(i.high));
+    let between = |i: Interval, show: &dyn Fn(f64) -> String| {
+        format!("{} ({} to {})", show(i.value), show(i.low), show(i.high))
+    };
     let moments = |words: &str, m: Moments| vec![words.into(), value(m.mean), spread(m.deviation)];
     let mut rows = vec![];
     if let Some((first, second)) = outcome.delta {
@@ -173,10 +225,17 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     }
     let Some(sampled) = &outcome.sampled else {
         let head = [of.name(), "mean", "standard deviation"];
-        return format!("\n{}  no drive of the sample has this outcome\n", table(&head, &[1, 2], rows));
+        return format!(
+            "\n{}  no drive of the sample has this outcome\n",
+            table(&head, &[1, 2], rows)
+        );
     };
     if !outcome.varies() {
-        let given = if found.inputs.len() == 1 { "the uncertain parameter" } else { "any of the uncertain parameters" };
+        let given = if found.inputs.len() == 1 {
+            "the uncertain parameter"
+        } else {
+            "any of the uncertain parameters"
+        };
         let mean = value(sampled.mean.value);
         let why = if depends(outcome, found) {
             "it varies by less than rounding, since the uncertainty is so small".to_owned()
@@ -190,21 +249,35 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
         between(sampled.mean, &value),
         between(sampled.deviation, &spread),
     ]);
-    let mut text = format!("\n{}", table(&[of.name(), "mean", "standard deviation"], &[1, 2], rows));
+    let mut text = format!(
+        "\n{}",
+        table(&[of.name(), "mean", "standard deviation"], &[1, 2], rows)
+    );
     let [low, middle, high] = sampled.quantiles.map(value);
     let drives = match of.part() {
         Part::Flight if found.part_without_landing() > 0.0 => "drives that land",
         _ => "drives",
     };
-    text += &format!("  95 % of the {drives} lie between {low} and {high}; the median is {middle}\n\n");
+    text +=
+        &format!("  95 % of the {drives} lie between {low} and {high}; the median is {middle}\n\n");
     if found.plan.samples < ENOUGH {
         return text
-            + &format!("  shares of the variance are shown from {ENOUGH} points on; --samples gives their number\n");
+            + &format!(
+                "  shares of the variance are shown from {ENOUGH} points on; --samples gives their \
+                 number\n"
+            );
     }
     // rounding has no sign
     let tenths = |value: f64| format!("{:.1}", (1000.0 * value).round() / 10.0 + 0.0);
     let percent = |value: f64| format!("{} %", tenths(value));
-    let share = |i: Interval| format!("{} ({} to {})", percent(i.value), tenths(i.low), tenths(i.high));
+    let share = |i: Interval| {
+        format!(
+            "{} ({} to {})",
+            percent(i.value),
+            tenths(i.low),
+            tenths(i.high)
+        )
+    };
     let rows = found.inputs.iter().enumerate().map(|(k, input)| {
         let indices = sampled.indices[k];
         vec![
@@ -214,19 +287,32 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
             outcome.slopes[k].map_or(shown::NONE.into(), |slopes| share(slopes.bound)),
         ]
     });
-    let head = ["Sobol' share of the variance", "first-order index", "total index", "upper bound of total"];
+    let head = [
+        "Sobol' share of the variance",
+        "first-order index",
+        "total index",
+        "upper bound of total",
+    ];
     text += &table(&head, &[1, 2, 3], rows);
     if found.inputs.len() > 1 {
-        text += &item("estimates from the sample with 95 % intervals; the upper bound is estimated from the slopes");
+        text += &item(
+            "estimates from the sample with 95 % intervals; the upper bound is estimated from the \
+             slopes",
+        );
     } else {
         text += &item(
-            "of a single uncertain parameter the share is 100 %; the upper bound is estimated from the slopes, with a 95 % interval",
+            "of a single uncertain parameter the share is 100 %; the upper bound is estimated from \
+             the slopes, with a 95 % interval",
         );
     }
     if sampled.left_out > 0 {
         text += &format!(
             "  these shares leave out {} at which a drive does not have this outcome\n",
-            counted_of(sampled.left_out as u64, found.plan.samples as u64, ["point", "points"])
+            counted_of(
+                sampled.left_out as u64,
+                found.plan.samples as u64,
+                ["point", "points"]
+            )
         );
     }
     if let Some((parameter, left)) = outcome.measure_first(&found.inputs) {
@@ -239,27 +325,48 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     text
 }
 
-/// Whether the outcome depends on any of the uncertain parameters at their means; also where it is not known not to.
+/// Whether the outcome depends on any of the uncertain parameters at their means; also where it is
+/// not known not to.
 fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
-    let Some(at) = &outcome.at_means else { return true };
+    let Some(at) = &outcome.at_means else {
+        return true;
+    };
     let curvature = |k: usize| at.hessian.get(k).map_or(0.0, |row| row[k]);
     let mut inputs = found.inputs.iter().enumerate();
-    inputs.any(|(k, input)| shown::depends(outcome.of, at.value, input.parameter, at.gradient[k], curvature(k)))
+    inputs.any(|(k, input)| {
+        shown::depends(
+            outcome.of,
+            at.value,
+            input.parameter,
+            at.gradient[k],
+            curvature(k),
+        )
+    })
 }
 
 fn ellipses_text(found: &Uncertainty, system: System) -> String {
     use crate::drive::Outcome::Carry;
-    let head = ["landing ellipse", "half-axes", "long axis from downrange", "drives inside"];
+    let head = [
+        "landing ellipse",
+        "half-axes",
+        "long axis from downrange",
+        "drives inside",
+    ];
     let rows = found.ellipses.iter().map(|sampled| {
         let [long, short] = sampled.ellipse.half_axes;
-        let lengths = [long, short].map(|axis| shown::spread(Carry, axis[0].hypot(axis[1]), system));
+        let lengths =
+            [long, short].map(|axis| shown::spread(Carry, axis[0].hypot(axis[1]), system));
         // an axis has no direction of its own: within a quarter turn of downrange
         let turned = (long[0] * long[1].signum()).atan2(long[1].abs());
         vec![
             format!(
                 "{} %, from the {}",
                 100.0 * sampled.ellipse.share,
-                if sampled.by_gradient { "gradients" } else { "sample" }
+                if sampled.by_gradient {
+                    "gradients"
+                } else {
+                    "sample"
+                }
             ),
             lengths.join(" and "),
             shown::side(Quantity::ANGLE, "deg", turned),

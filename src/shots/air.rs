@@ -11,15 +11,23 @@ impl ExportHead {
 
     /// Remark for the user.
     pub fn air_told(&self) -> Option<String> {
-        self.air_at().map(|at| air_of_rows(&self.further_columns[at].head))
+        self.air_at()
+            .map(|at| air_of_rows(&self.further_columns[at].head))
     }
 
-    /// Leaves the air out that the export states, where it is given otherwise; whether there was any.
+    /// Leaves the air out that the export states, where it is given otherwise; whether there was
+    /// any.
     pub fn leave_air_out(&mut self) -> bool {
-        let (Some(at), Some(told)) = (self.air_at(), self.air_told()) else { return false };
+        let (Some(at), Some(told)) = (self.air_at(), self.air_told()) else {
+            return false;
+        };
         self.further.remove(at);
         let column = self.further_columns.remove(at);
-        for remark in self.remarks.iter_mut().filter(|remark| remark.to_string() == told) {
+        for remark in self
+            .remarks
+            .iter_mut()
+            .filter(|remark| remark.to_string() == told)
+        {
             *remark = air_as_given(&column.head).into();
         }
         true

@@ -5,12 +5,17 @@ use super::head::ExportHead;
 use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, NonShot, Record, Refusal, Stated as Conditions, cells, conditions, contradiction, implausible,
-    implausible_launch, is_straight_by_assumption, miscounted,
+    CONDITIONS, NonShot, Record, Refusal, Stated as Conditions, cells, conditions, contradiction,
+    implausible, implausible_launch, is_straight_by_assumption, miscounted,
 };
 
 /// Conditions of which the spin's origin is told in a column of its own.
-pub(super) const OF_SPIN: [Outcome; 4] = [Outcome::Spin, Outcome::Backspin, Outcome::Sidespin, Outcome::SpinAxis];
+pub(super) const OF_SPIN: [Outcome; 4] = [
+    Outcome::Spin,
+    Outcome::Backspin,
+    Outcome::Sidespin,
+    Outcome::SpinAxis,
+];
 
 impl ExportHead {
     /// The shot of a record.
@@ -18,13 +23,22 @@ impl ExportHead {
         let unclosed = record.unclosed();
         let Record { line, text, .. } = record;
         let row = cells(&text, self.separator);
-        let no_shot = || NonShot::of(&row).filter(|_| self.is_export).map(NonShot::refusal);
-        let wrong = unclosed.or_else(no_shot).or_else(|| miscounted(&row, self.heads.len()));
+        let no_shot = || {
+            NonShot::of(&row)
+                .filter(|_| self.is_export)
+                .map(NonShot::refusal)
+        };
+        let wrong = unclosed
+            .or_else(no_shot)
+            .or_else(|| miscounted(&row, self.heads.len()));
         if let Some(refusal) = wrong {
             return Shot::refused(line, text.clone(), refusal);
         }
         let mut shot = self.of_cells(&row);
-        if let Some(refusal) = shot.refusal().and_then(|now| self.refused_before(&row, now)) {
+        if let Some(refusal) = shot
+            .refusal()
+            .and_then(|now| self.refused_before(&row, now))
+        {
             shot.point = Err(refusal);
         }
         shot.has_cells_of_head = row.len() == self.heads.len();
@@ -37,8 +51,10 @@ impl ExportHead {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // a row that cannot be taken apart is written into the first of its cells
         let own = row[..self.added.start].iter().chain(&row[self.added.end..]);
-        let is_lacking = now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.as_ref().is_empty());
-        (flight.as_ref() == REFUSED && is_lacking).then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
+        let is_lacking =
+            now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.as_ref().is_empty());
+        (flight.as_ref() == REFUSED && is_lacking)
+            .then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
     }
 
     fn of_cells<S: AsRef<str>>(&self, row: &[S]) -> Shot {
@@ -52,35 +68,53 @@ impl ExportHead {
             let text = cell(read.at);
             let value = match self.decimals.is_ambiguous(text) {
                 true => Err(format!(
-                    "'{text}' may have decimals or thousands; write a number without a mark between thousands"
+                    "'{text}' may have decimals or thousands; write a number without a mark \
+                     between thousands"
                 )),
                 false => read.column.value(text),
             };
             match value {
                 Ok(None) => {}
                 Ok(Some(value)) => {
-                    let range = (!is_condition).then(|| implausible(of, value, || name.clone())).flatten();
+                    let range = (!is_condition)
+                        .then(|| implausible(of, value, || name.clone()))
+                        .flatten();
                     match range {
                         Some(reason) => shot.notes.push(format!("not compared: {reason}")),
                         None => {
-                            let origin = if OF_SPIN.contains(&of) { read.origin.or(spin) } else { read.origin };
+                            let origin = if OF_SPIN.contains(&of) {
+                                read.origin.or(spin)
+                            } else {
+                                read.origin
+                            };
                             shot.values.push(Value { of, value, origin });
                         }
                     }
                 }
                 Err(why) if is_condition => {
-                    wrong.get_or_insert(Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")));
+                    wrong
+                        .get_or_insert(Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")));
                 }
                 Err(why) => shot.notes.push(format!("not compared: {name}: {why}")),
             }
         }
         let club = self.club.each_ref().map(|club| {
             let (at, column) = club.as_ref()?;
-            Some(Stated { head: &column.head, value: column.value(cell(*at)).ok().flatten()? })
+            Some(Stated {
+                head: &column.head,
+                value: column.value(cell(*at)).ok().flatten()?,
+            })
         });
         shot.club = Club::measured(club, &mut shot.notes);
-        shot.condition = self.condition.map(|at| cell(at).to_owned()).filter(|text| !text.is_empty());
-        shot.is_normalized = shot.condition.as_ref().filter(|text| says_normalized(text)).map(|_| true);
+        shot.condition = self
+            .condition
+            .map(|at| cell(at).to_owned())
+            .filter(|text| !text.is_empty());
+        shot.is_normalized = shot
+            .condition
+            .as_ref()
+            .filter(|text| says_normalized(text))
+            .map(|_| true);
         let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
         tell(&mut shot, &stated, |of| self.name_of(of));
@@ -92,17 +126,27 @@ impl ExportHead {
 
     /// Launch and further parameters of a row.
     fn point<S: AsRef<str>>(&self, stated: &Conditions, row: &[S]) -> Result<Vec<f64>, Refusal> {
-        let mut point = launch(stated, |of| self.name_of(of), |of| self.read.iter().any(|read| read.of == of))?;
+        let mut point = launch(
+            stated,
+            |of| self.name_of(of),
+            |of| self.read.iter().any(|read| read.of == of),
+        )?;
         for (further, column) in self.further.iter().zip(&self.further_columns) {
             let name = &column.head;
             if column.is_stated_air() {
-                point.push(column.stated_air(row[further.at].as_ref()).unwrap_or(self.air));
+                point.push(
+                    column
+                        .stated_air(row[further.at].as_ref())
+                        .unwrap_or(self.air),
+                );
                 continue;
             }
             let value = column.value(row[further.at].as_ref());
-            let value = value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
+            let value =
+                value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
             let Some(value) = value else {
-                let reason = format!("{name}: the cell is empty; every row of this column needs a value");
+                let reason =
+                    format!("{name}: the cell is empty; every row of this column needs a value");
                 return Err(Refusal::new(Refusal::MISSING, reason));
             };
             point.push(within(further.parameter, value, name)?);
@@ -114,7 +158,9 @@ impl ExportHead {
 /// Recognizes normalized values in a condition.
 fn says_normalized(text: &str) -> bool {
     let word = b"normali";
-    text.as_bytes().windows(word.len()).any(|at| at.eq_ignore_ascii_case(word))
+    text.as_bytes()
+        .windows(word.len())
+        .any(|at| at.eq_ignore_ascii_case(word))
 }
 
 /// The launch that these conditions make.
@@ -134,7 +180,10 @@ pub(super) fn launch(
                 false if fault.of == Outcome::Spin => Refusal::SPIN,
                 false => Refusal::RANGE,
             };
-            Err(Refusal::new(kind, format!("{}: {}", name(fault.of), fault.why)))
+            Err(Refusal::new(
+                kind,
+                format!("{}: {}", name(fault.of), fault.why),
+            ))
         }
     }
 }
@@ -142,12 +191,17 @@ pub(super) fn launch(
 /// Says of a launch that is flown what is assumed to be 0, and which spins contradict each other.
 pub(super) fn tell(shot: &mut Shot, stated: &Conditions, name: impl Fn(Outcome) -> String) {
     shot.is_straight_by_assumption = is_straight_by_assumption(stated);
-    let Some(&[_, _, _, back, side]) = shot.launch() else { return };
+    let Some(&[_, _, _, back, side]) = shot.launch() else {
+        return;
+    };
     if shot.value(Outcome::LaunchDirection).is_none() {
-        shot.notes.push("launch direction is missing: 0 deg is assumed".into());
+        shot.notes
+            .push("launch direction is missing: 0 deg is assumed".into());
     }
     if shot.value(Outcome::SpinAxis).is_none() && shot.value(Outcome::Sidespin).is_none() {
-        shot.notes.push("spin axis is missing: 0 deg is assumed".into());
+        shot.notes
+            .push("spin axis is missing: 0 deg is assumed".into());
     }
-    shot.notes.extend(contradiction(*stated, [back, side], name));
+    shot.notes
+        .extend(contradiction(*stated, [back, side], name));
 }

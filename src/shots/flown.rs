@@ -30,7 +30,14 @@ impl Flown {
         block: Block,
         is_on_their_ground: bool,
     ) -> Self {
-        Self { of: of.to_vec(), shots, flights, block, is_on_their_ground, section: None }
+        Self {
+            of: of.to_vec(),
+            shots,
+            flights,
+            block,
+            is_on_their_ground,
+            section: None,
+        }
     }
 
     /// Sets the section.
@@ -70,20 +77,29 @@ impl Flown {
 
     /// In what the drive of a row that landed is outside of what the model is made for.
     pub fn beyond(&self, row: usize) -> Beyond {
-        self.flights[row].map(|flight| self.block.beyond(flight)).unwrap_or_default()
+        self.flights[row]
+            .map(|flight| self.block.beyond(flight))
+            .unwrap_or_default()
     }
 
     /// Reason for a missing outcome.
     pub fn reason(&self, row: usize) -> Option<&str> {
         match self.status(row) {
-            None => self.shots[row].refusal().map(|refusal| refusal.reason.as_str()),
+            None => self.shots[row]
+                .refusal()
+                .map(|refusal| refusal.reason.as_str()),
             Some(Status::Landed) => None,
-            Some(Status::NoFlight) => {
-                Some("the ball does not fly: it is launched downwards, or its highest point is below the ground")
-            }
+            Some(Status::NoFlight) => Some(
+                "the ball does not fly: it is launched downwards, or its highest point is below \
+                 the ground",
+            ),
             Some(Status::Aloft) => Some("the ball is still in the air at flight.time_limit"),
-            Some(Status::Diverged) => Some("the numbers of the flight overflow; take a smaller flight.step"),
-            Some(Status::NoStrike | Status::OutOfRange) => Some("a value is outside of the range of its parameter"),
+            Some(Status::Diverged) => {
+                Some("the numbers of the flight overflow; take a smaller flight.step")
+            }
+            Some(Status::NoStrike | Status::OutOfRange) => {
+                Some("a value is outside of the range of its parameter")
+            }
         }
     }
 
@@ -92,8 +108,9 @@ impl Flown {
         self.block.outcome(self.flights[row]?, outcome)
     }
 
-    /// Predicted − measured, SI, where the row has a value to compare with. Nothing sideways is compared where the direction or the spin axis is
-    /// assumed, and nothing of the run on ground that is not said to be that of the shots.
+    /// Predicted − measured, SI, where the row has a value to compare with. Nothing sideways is
+    /// compared where the direction or the spin axis is assumed, and nothing of the run on ground
+    /// that is not said to be that of the shots.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
         let has_no_ground = of.is_of_the_run() && !self.is_on_their_ground;

@@ -20,8 +20,9 @@ pub struct Flying {
     is_on_their_ground: bool,
 }
 
-/// The launches that the method and the step of the flights are chosen for, whatever the table has: a drive beyond them that this step does
-/// not follow closely enough is flown in shorter ones. So what is predicted of a row does not depend on the other rows.
+/// The launches that the method and the step of the flights are chosen for, whatever the table has:
+/// a drive beyond them that this step does not follow closely enough is flown in shorter ones. So
+/// what is predicted of a row does not depend on the other rows.
 const USUAL: [(&str, f64, f64, &str); 5] = [
     ("launch.ball_speed", 60.0, 200.0, "mph"),
     ("launch.launch_angle", 2.0, 35.0, "deg"),
@@ -34,8 +35,8 @@ impl Flying {
     /// The outcomes of these shots with the setup's ball, air and law.
     ///
     /// # Errors
-    /// What [`Batch::new`] refuses; [`Error::Nothing`] without an outcome; [`Error::Unreadable`] for a launch condition, which the rows
-    /// give.
+    /// What [`Batch::new`] refuses; [`Error::Nothing`] without an outcome; [`Error::Unreadable`]
+    /// for a launch condition, which the rows give.
     pub fn new(setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Self> {
         Self::with(setup, shots.parameters(), of)
     }
@@ -45,7 +46,10 @@ impl Flying {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn of_messages(setup: &Setup<f64>, of: &[Outcome]) -> Result<Self> {
-        let parameters = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<Vec<_>>>()?;
+        let parameters = LAUNCH
+            .iter()
+            .map(|name| setup.parameter(name))
+            .collect::<Result<Vec<_>>>()?;
         Self::with(setup, &parameters, of)
     }
 
@@ -56,9 +60,15 @@ impl Flying {
                 _ => "it is of the launch, which each row gives",
             };
             let source = format!("{why}; name outcomes of the flight").into();
-            return Err(Error::Unreadable { name: of_launch.name().into(), source });
+            return Err(Error::Unreadable {
+                name: of_launch.name().into(),
+                source,
+            });
         }
-        Ok(Self { batch: Batch::new(setup, parameters, of, &[])?, is_on_their_ground: false })
+        Ok(Self {
+            batch: Batch::new(setup, parameters, of, &[])?,
+            is_on_their_ground: false,
+        })
     }
 
     /// The ranges of the launches that a method and a step are to be chosen for.
@@ -69,7 +79,11 @@ impl Flying {
         let range = |(name, low, high, unit): &(&str, f64, f64, &str)| {
             let parameter = setup.parameter(name)?;
             let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
-            Ok(Vary { parameter, low: low * size, high: high * size })
+            Ok(Vary {
+                parameter,
+                low: low * size,
+                high: high * size,
+            })
         };
         USUAL.iter().map(range).collect()
     }
@@ -79,13 +93,19 @@ impl Flying {
     /// # Errors
     /// As there.
     pub fn with_largest_defect(self, defect: f64) -> Result<Self> {
-        Ok(Self { batch: self.batch.with_largest_defect(defect)?, ..self })
+        Ok(Self {
+            batch: self.batch.with_largest_defect(defect)?,
+            ..self
+        })
     }
 
     /// Declares the ground as that of the shots: total, run and lateral total are compared.
     #[must_use]
     pub fn on_their_ground(self) -> Self {
-        Self { is_on_their_ground: true, ..self }
+        Self {
+            is_on_their_ground: true,
+            ..self
+        }
     }
 
     /// The outcomes.
@@ -93,8 +113,8 @@ impl Flying {
         self.batch.outcomes()
     }
 
-    /// Flies all shots. Those of a chunk go through `work` on the thread that computed them, and what that makes of them to `sink`, in the
-    /// order of the rows.
+    /// Flies all shots. Those of a chunk go through `work` on the thread that computed them, and
+    /// what that makes of them to `sink`, in the order of the rows.
     ///
     /// # Errors
     /// Errors of the source and of `sink`; rows before an unreadable place are delivered first.
@@ -106,9 +126,17 @@ impl Flying {
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<Tally> {
         let mut tally = Tally::new(self.outcomes());
-        let Shots { rows, parameters, .. } = shots;
+        let Shots {
+            rows, parameters, ..
+        } = shots;
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
-        let next = || if is_stopped() { Ok(None) } else { rows.next_rows(CHUNK) };
+        let next = || {
+            if is_stopped() {
+                Ok(None)
+            } else {
+                rows.next_rows(CHUNK)
+            }
+        };
         let further = &parameters[LAUNCH.len()..];
         let work = |chunk: Chunk| {
             let (shots, section) = chunk.shots(further);
@@ -142,6 +170,12 @@ impl Flying {
             }
         }
         let block = self.batch.evaluate(0, points);
-        Flown::new(self.outcomes(), shots, flights, block, self.is_on_their_ground)
+        Flown::new(
+            self.outcomes(),
+            shots,
+            flights,
+            block,
+            self.is_on_their_ground,
+        )
     }
 }

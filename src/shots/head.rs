@@ -6,7 +6,8 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Decimals, Format, Head, Holds, OF_FLOWN, TextTable, given_air, near_known, nearest_head, split_unit, words,
+    Column, Decimals, Format, Head, Holds, OF_FLOWN, TextTable, given_air, near_known,
+    nearest_head, split_unit, words,
 };
 use crate::units::Message;
 use std::ops::Range;
@@ -34,7 +35,8 @@ pub(super) struct ExportHead {
     pub club: [Option<(usize, Column)>; 4],
     pub further: Vec<Further>,
     pub further_columns: Vec<Column>,
-    /// The column that says how the spin came about, and the one about the conditions of the values.
+    /// The column that says how the spin came about, and the one about the conditions of the
+    /// values.
     pub spin_type: Option<usize>,
     pub condition: Option<usize>,
     pub is_export: bool,
@@ -50,24 +52,36 @@ impl ExportHead {
     /// Interprets the head of a table for shots.
     ///
     /// # Errors
-    /// [`Error::Table`] for a table without a column that a launch needs, or with a unit of another kind.
+    /// [`Error::Table`] for a table without a column that a launch needs, or with a unit of another
+    /// kind.
     pub fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
         if head.format.is_export {
             for at in 0..head.columns.len() {
                 let unit = read_units(head.units.as_deref(), at);
                 let column = &head.columns[at];
                 if column.is_unknown()
-                    && let Some(total) = total(setup, &column.head, &head.heads[at], unit, head.format)?
+                    && let Some(total) =
+                        total(setup, &column.head, &head.heads[at], unit, head.format)?
                 {
                     head.columns[at] = total;
                 }
             }
         }
         let meant = Interpretation::of(Some(setup), &mut head, table);
-        let Head { line, heads, columns, format, units, encoding, .. } = head;
+        let Head {
+            line,
+            heads,
+            columns,
+            format,
+            units,
+            encoding,
+            ..
+        } = head;
         let is_export = format.is_export;
         let name = &table.name;
-        let at_column = |(at, error): (usize, Error)| name.refused(format!(", column {}", at + 1), error.to_string());
+        let at_column = |(at, error): (usize, Error)| {
+            name.refused(format!(", column {}", at + 1), error.to_string())
+        };
         let in_degrees: Vec<String> = columns
             .iter()
             .filter(|column| is_export && column.is_in_degrees_untold())
@@ -91,15 +105,32 @@ impl ExportHead {
             heads,
         };
         for (at, column) in columns.iter().enumerate() {
-            found.take(setup, at, column).map_err(|error| at_column((at, error)))?;
+            found
+                .take(setup, at, column)
+                .map_err(|error| at_column((at, error)))?;
         }
-        found.needs_a_launch(&columns).map_err(|reason| name.refused(String::new(), reason))?;
-        let plain: Vec<String> = found.heads.iter().map(|head| words(split_unit(head).0)).collect();
+        found
+            .needs_a_launch(&columns)
+            .map_err(|reason| name.refused(String::new(), reason))?;
+        let plain: Vec<String> = found
+            .heads
+            .iter()
+            .map(|head| words(split_unit(head).0))
+            .collect();
         let named = |names: &[&str]| plain.iter().position(|head| names.contains(&head.as_str()));
-        found.spin_type = named(&["spin rate type", "spin type", "spin reading", "spin source", "drehratentyp"]);
+        found.spin_type = named(&[
+            "spin rate type",
+            "spin type",
+            "spin reading",
+            "spin source",
+            "drehratentyp",
+        ]);
         found.condition = named(&["condition", "conditions"]);
-        found.decimals =
-            Decimals::found(table.separator, found.read.iter().map(|read| read.at), &table.rows_below(line));
+        found.decimals = Decimals::found(
+            table.separator,
+            found.read.iter().map(|read| read.at),
+            &table.rows_below(line),
+        );
         let has_comma = table.separator != b',' && found.decimals != Decimals::Point;
         for read in &mut found.read {
             read.column = read.column.clone().with_decimal_comma(has_comma);
@@ -112,11 +143,19 @@ impl ExportHead {
     /// Gives the further parameters the order that the first section of the table has them in.
     ///
     /// # Errors
-    /// The name of one that this section has no column of, but for the air, which is then the setup's.
-    pub fn align(&mut self, further: &[&'static Parameter]) -> std::result::Result<(), &'static str> {
+    /// The name of one that this section has no column of, but for the air, which is then the
+    /// setup's.
+    pub fn align(
+        &mut self,
+        further: &[&'static Parameter],
+    ) -> std::result::Result<(), &'static str> {
         let (mut aligned, mut columns) = (vec![], vec![]);
         for parameter in further {
-            let at = self.further.iter().position(|own| own.parameter == *parameter).ok_or(parameter.name)?;
+            let at = self
+                .further
+                .iter()
+                .position(|own| own.parameter == *parameter)
+                .ok_or(parameter.name)?;
             aligned.push(self.further[at].clone());
             columns.push(self.further_columns[at].clone());
         }
@@ -129,7 +168,12 @@ impl ExportHead {
         match column.holds {
             Holds::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
                 column.check_unit()?;
-                self.read.push(Read { at, of, column: column.clone(), origin: origin(&self.heads[at]) });
+                self.read.push(Read {
+                    at,
+                    of,
+                    column: column.clone(),
+                    origin: origin(&self.heads[at]),
+                });
             }
             Holds::Input(parameter) if !parameter.is_of_strike() && !parameter.is_of_launch() => {
                 column.check_unit()?;
@@ -139,10 +183,17 @@ impl ExportHead {
             // beside a launch the club is left out of a table
             Holds::Note | Holds::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
-                let format = Format { is_export: self.is_export, has_decimal_comma: self.separator != b',' };
-                let Ok(again) = Column::read(setup, &self.heads[at], below, format) else { return Ok(()) };
+                let format = Format {
+                    is_export: self.is_export,
+                    has_decimal_comma: self.separator != b',',
+                };
+                let Ok(again) = Column::read(setup, &self.heads[at], below, format) else {
+                    return Ok(());
+                };
                 if let Holds::Input(parameter) = again.holds
-                    && let Some(club) = ClubOfShot::NAMES.iter().position(|name| *name == parameter.name)
+                    && let Some(club) = ClubOfShot::NAMES
+                        .iter()
+                        .position(|name| *name == parameter.name)
                     && self.club[club].is_none()
                     && again.clone().in_unit("mph").check_unit().is_ok()
                 {
@@ -161,7 +212,10 @@ impl ExportHead {
     /// Missing columns of a launch.
     fn needs_a_launch(&self, columns: &[Column]) -> Result<(), String> {
         let mut missing = vec![];
-        for (of, words) in [(Outcome::BallSpeed, "the ball speed"), (Outcome::LaunchAngle, "the launch angle")] {
+        for (of, words) in [
+            (Outcome::BallSpeed, "the ball speed"),
+            (Outcome::LaunchAngle, "the launch angle"),
+        ] {
             if !self.has(of) {
                 missing.push(words);
             }
@@ -173,10 +227,16 @@ impl ExportHead {
             return Ok(());
         }
         let near = near_known(columns);
-        let heads =
-            self.heads.iter().filter(|head| !head.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ");
+        let heads = self
+            .heads
+            .iter()
+            .filter(|head| !head.is_empty())
+            .map(String::as_str)
+            .collect::<Vec<_>>()
+            .join(", ");
         Err(format!(
-            "no column has {}{near}; give each a head that is known, as in 'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]' \
+            "no column has {}{near}; give each a head that is known, as in 'Ball Speed [mph]', \
+             'Launch Angle [deg]', 'Spin Rate [rpm]' \
              (the heads are: {heads})",
             missing.join(" or "),
         ))
@@ -191,7 +251,11 @@ impl ExportHead {
                 || [self.spin_type, self.condition].contains(&Some(at))
         };
         let is_told = |column: &Column| {
-            let is_twice = || self.read.iter().any(|read| read.column.holds == column.holds);
+            let is_twice = || {
+                self.read
+                    .iter()
+                    .any(|read| read.column.holds == column.holds)
+            };
             column.holds == Holds::Written || column.is_of_given_air() || is_twice()
         };
         let not_read = columns
@@ -199,7 +263,9 @@ impl ExportHead {
             .enumerate()
             .filter(|(at, column)| !is_read(*at) && !column.head.is_empty() && !is_told(column));
         let not_read = not_read.map(|(_, column)| {
-            match nearest_head(&column.head).filter(|_| column.is_unknown() && origin(&column.head).is_none()) {
+            match nearest_head(&column.head)
+                .filter(|_| column.is_unknown() && origin(&column.head).is_none())
+            {
                 Some(known) => format!("{} (did you mean '{known}'?)", column.head),
                 None => column.head.clone(),
             }
@@ -207,15 +273,25 @@ impl ExportHead {
         let not_read: Vec<String> = not_read.collect();
         let mut remarks: Vec<String> = without_unit.into_iter().collect();
         if !in_degrees.is_empty() {
-            remarks.push(format!("angles without a unit are read in degrees: {}", in_degrees.join(", ")));
+            remarks.push(format!(
+                "angles without a unit are read in degrees: {}",
+                in_degrees.join(", ")
+            ));
         }
         remarks.extend(self.air_told().or_else(|| given_air(columns)));
         remarks.extend(self.given_twice(columns));
         if !self.added.is_empty() {
-            remarks.push("what an earlier 'fly' added to the rows is written anew (the columns from Line on)".into());
+            remarks.push(
+                "what an earlier 'fly' added to the rows is written anew (the columns \
+                          from Line on)"
+                    .into(),
+            );
         }
         if !not_read.is_empty() {
-            remarks.push(format!("columns that are copied and not used: {}", not_read.join(", ")));
+            remarks.push(format!(
+                "columns that are copied and not used: {}",
+                not_read.join(", ")
+            ));
         }
         self.remarks.extend(remarks.into_iter().map(Message::from));
     }
@@ -223,31 +299,55 @@ impl ExportHead {
     /// The columns of what an earlier one gives too, which are not used.
     fn given_twice(&self, columns: &[Column]) -> Option<String> {
         let twice = self.read.iter().flat_map(|first| {
-            let is_again = |(at, column): &(usize, &Column)| *at != first.at && column.holds == first.column.holds;
+            let is_again = |(at, column): &(usize, &Column)| {
+                *at != first.at && column.holds == first.column.holds
+            };
             let again = columns.iter().enumerate().filter(is_again);
             again.map(|(at, _)| format!("'{}' beside '{}'", self.heads[at], self.heads[first.at]))
         });
         let twice: Vec<String> = twice.collect();
-        (!twice.is_empty()).then(|| format!("given twice; the first is used, and not {}", twice.join(", ")))
+        (!twice.is_empty()).then(|| {
+            format!(
+                "given twice; the first is used, and not {}",
+                twice.join(", ")
+            )
+        })
     }
 
     /// The parameters that every row has a value of.
     pub fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-        let launch = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<Vec<_>>>()?;
-        Ok(launch.into_iter().chain(self.further.iter().map(|further| further.parameter)).collect())
+        let launch = LAUNCH
+            .iter()
+            .map(|name| setup.parameter(name))
+            .collect::<Result<Vec<_>>>()?;
+        Ok(launch
+            .into_iter()
+            .chain(self.further.iter().map(|further| further.parameter))
+            .collect())
     }
 
     /// The head of the column of a launch condition, for messages.
     pub fn name_of(&self, of: Outcome) -> String {
-        self.read.iter().find(|read| read.of == of).map_or(of.name().into(), |read| read.column.head.clone())
+        self.read
+            .iter()
+            .find(|read| read.of == of)
+            .map_or(of.name().into(), |read| read.column.head.clone())
     }
 }
 
 /// The columns that `fly` adds: its words, then those of outcomes.
 fn added(columns: &[Column]) -> Range<usize> {
     let heads: Vec<&str> = columns.iter().map(|column| column.head.as_str()).collect();
-    let Some(from) = heads.windows(OF_FLOWN.len()).position(|heads| heads == OF_FLOWN) else { return 0..0 };
-    let of_outcomes = columns[from..].iter().take_while(|column| column.holds == Holds::Written).count();
+    let Some(from) = heads
+        .windows(OF_FLOWN.len())
+        .position(|heads| heads == OF_FLOWN)
+    else {
+        return 0..0;
+    };
+    let of_outcomes = columns[from..]
+        .iter()
+        .take_while(|column| column.holds == Holds::Written)
+        .count();
     from..from + of_outcomes
 }
 
@@ -257,7 +357,8 @@ fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     (!unit.is_empty()).then_some(unit)
 }
 
-/// Heads of where the ball comes to rest, and what they are: `calibrate` does not read them, since the ground is not known.
+/// Heads of where the ball comes to rest, and what they are: `calibrate` does not read them, since
+/// the ground is not known.
 const TOTALS: [(&str, Outcome); 11] = [
     ("gesamtstrecke", Outcome::Total),
     ("gesamtabweichungsdistanz", Outcome::LateralTotal),
@@ -273,10 +374,20 @@ const TOTALS: [(&str, Outcome); 11] = [
 ];
 
 /// The column of a total, where its head is one.
-fn total(setup: &Setup<f64>, name: &str, head: &str, below: Option<&str>, format: Format) -> Result<Option<Column>> {
+fn total(
+    setup: &Setup<f64>,
+    name: &str,
+    head: &str,
+    below: Option<&str>,
+    format: Format,
+) -> Result<Option<Column>> {
     let plain = words(name);
-    let Some((_, of)) = TOTALS.iter().find(|(known, _)| *known == plain) else { return Ok(None) };
-    let unit = split_unit(head).1.map_or(String::new(), |unit| format!(" [{unit}]"));
+    let Some((_, of)) = TOTALS.iter().find(|(known, _)| *known == plain) else {
+        return Ok(None);
+    };
+    let unit = split_unit(head)
+        .1
+        .map_or(String::new(), |unit| format!(" [{unit}]"));
     let mut column = Column::read(setup, &format!("{}{unit}", of.name()), below, format)?;
     column.head = name.into();
     Ok(Some(column))

@@ -4,7 +4,9 @@ use super::maker::maker;
 use super::sign_conventions::SignConventions;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
-use crate::table::{Column, Head, Holds, TextTable, assume_units, split_unit, states_weather, words};
+use crate::table::{
+    Column, Head, Holds, TextTable, assume_units, split_unit, states_weather, words,
+};
 
 /// Interpretation of an export.
 #[derive(Clone, Debug, Default)]
@@ -18,34 +20,58 @@ pub(crate) struct Interpretation {
 }
 
 impl Interpretation {
-    /// Interprets the columns of an export and changes them accordingly; other tables stay as they are. `setup` enables the air of each row.
+    /// Interprets the columns of an export and changes them accordingly; other tables stay as they
+    /// are. `setup` enables the air of each row.
     pub fn of(setup: Option<&Setup<f64>>, head: &mut Head, table: &TextTable) -> Self {
         if !head.format.is_export {
             return Self::default();
         }
-        let plain: Vec<String> = head.heads.iter().map(|head| words(split_unit(head).0)).collect();
+        let plain: Vec<String> = head
+            .heads
+            .iter()
+            .map(|head| words(split_unit(head).0))
+            .collect();
         let maker = maker(&plain);
         if maker == Some("Foresight") {
             rests_offline(&mut head.columns);
         }
         let width = head.heads.len();
-        let rows = table.rows_below(head.line).into_iter().filter(|row| row.len() >= width).collect::<Vec<_>>();
-        let states_unit = |at: usize, column: &Column| rows.iter().any(|row| column.has_unit_in(&row[at]));
+        let rows = table
+            .rows_below(head.line)
+            .into_iter()
+            .filter(|row| row.len() >= width)
+            .collect::<Vec<_>>();
+        let states_unit =
+            |at: usize, column: &Column| rows.iter().any(|row| column.has_unit_in(&row[at]));
         if let Some(setup) = setup {
             weather_of_rows(setup, &plain, &mut head.columns, &rows);
         }
         let without_unit = assume_units(&mut head.columns, states_unit);
         let turned = SignConventions::detect(maker, &head.columns, &rows);
         turned.apply(&mut head.columns);
-        Self { maker, without_unit, turned: turned.message(&head.columns) }
+        Self {
+            maker,
+            without_unit,
+            turned: turned.message(&head.columns),
+        }
     }
 }
 
-/// TrackMan: `Condition` states altitude and temperature. They give the air of each row unless a column states the density; the weather of the setup comes
-/// first.
-fn weather_of_rows(setup: &Setup<f64>, plain: &[String], columns: &mut [Column], rows: &[Vec<String>]) {
-    let Ok(density) = setup.parameter("air.density") else { return };
-    if columns.iter().any(|column| column.is_stated_air() || column.is_of_given_air()) {
+/// TrackMan: `Condition` states altitude and temperature. They give the air of each row unless a
+/// column states the density; the weather of the setup comes first.
+fn weather_of_rows(
+    setup: &Setup<f64>,
+    plain: &[String],
+    columns: &mut [Column],
+    rows: &[Vec<String>],
+) {
+    let Ok(density) = setup.parameter("air.density") else {
+        return;
+    };
+    if columns
+        .iter()
+        .any(|column| column.is_stated_air() || column.is_of_given_air())
+    {
         return;
     }
     let is_condition = |at: &usize| ["condition", "conditions"].contains(&plain[*at].as_str());
@@ -53,13 +79,20 @@ fn weather_of_rows(setup: &Setup<f64>, plain: &[String], columns: &mut [Column],
     if let Some(at) = (0..columns.len()).filter(is_condition).find(states_weather) {
         let column = columns[at].clone();
         let is_given = setup.why_replaced(density).is_some();
-        columns[at] = if is_given { column.of_given_air() } else { column.of_weather(density) };
+        columns[at] = if is_given {
+            column.of_given_air()
+        } else {
+            column.of_weather(density)
+        };
     }
 }
 
 /// Foresight: `Offline` is the lateral position at rest.
 fn rests_offline(columns: &mut [Column]) {
-    for column in columns.iter_mut().filter(|column| words(&column.head) == "offline") {
+    for column in columns
+        .iter_mut()
+        .filter(|column| words(&column.head) == "offline")
+    {
         column.holds = Holds::Outcome(Outcome::LateralTotal);
     }
 }

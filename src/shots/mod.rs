@@ -1,12 +1,12 @@
-//! Shots of launch monitors: read from their exports or from GSPro Open Connect, flown with a setup's ball and air, and what was
-//! measured of them beside what is predicted.
+//! Shots of launch monitors: read from their exports or from GSPro Open Connect, flown with a
+//! setup's ball and air, and what was measured of them beside what is predicted.
 //!
 //! ```text
 //!   file ──records──▶ shots ──side by side──▶ flown shots ──in order──▶ whoever takes them
 //! ```
 //!
-//! Rows come in the order of the file, in chunks; memory does not grow with their number. No row is dropped: one that cannot be flown
-//! has a [`Refusal`].
+//! Rows come in the order of the file, in chunks; memory does not grow with their number. No row is
+//! dropped: one that cannot be flown has a [`Refusal`].
 //!
 //! ```
 //! use longdrive::shots::{Flying, Shots};

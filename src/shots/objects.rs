@@ -30,8 +30,8 @@ enum State {
     TooLong,
 }
 
-/// Finds the objects in bytes as they come. What is cut short or no object is a piece too, and ends with its line where the next one begins
-/// with a brace: nothing after it is lost.
+/// Finds the objects in bytes as they come. What is cut short or no object is a piece too, and ends
+/// with its line where the next one begins with a brace: nothing after it is lost.
 #[derive(Clone, Debug)]
 pub struct Objects {
     state: State,
@@ -45,7 +45,14 @@ pub struct Objects {
 impl Default for Objects {
     fn default() -> Self {
         let state = State::Between;
-        Self { state, line: 1, is_line_start: true, begun: 1, bytes: vec![], found: VecDeque::new() }
+        Self {
+            state,
+            line: 1,
+            is_line_start: true,
+            begun: 1,
+            bytes: vec![],
+            found: VecDeque::new(),
+        }
     }
 }
 
@@ -82,8 +89,14 @@ impl Objects {
     }
 
     fn end(&mut self, is_whole: bool) {
-        let text = String::from_utf8_lossy(&std::mem::take(&mut self.bytes)).trim_end().to_owned();
-        self.found.push_back(Piece { line: self.begun, text, is_whole });
+        let text = String::from_utf8_lossy(&std::mem::take(&mut self.bytes))
+            .trim_end()
+            .to_owned();
+        self.found.push_back(Piece {
+            line: self.begun,
+            text,
+            is_whole,
+        });
         self.state = State::Between;
     }
 
@@ -163,19 +176,31 @@ mod tests {
             objects.push(bytes);
         }
         objects.finish();
-        std::iter::from_fn(|| objects.next_piece()).map(|piece| (piece.line, piece.text, piece.is_whole)).collect()
+        std::iter::from_fn(|| objects.next_piece())
+            .map(|piece| (piece.line, piece.text, piece.is_whole))
+            .collect()
     }
 
     #[test]
     fn exact_objects_are_found_in_lines_arrays_and_one_after_the_other() {
         let (a, b) = (r#"{"a": {"b": "}\"{"}, "c": [1, 2]}"#, r#"{"d": 2}"#);
         let whole = |line, text: &str| (line, text.to_owned(), true);
-        for text in [format!("{a}{b}"), format!("[{a}, {b}]"), format!("\u{feff}{a}\0 {b}")] {
+        for text in [
+            format!("{a}{b}"),
+            format!("[{a}, {b}]"),
+            format!("\u{feff}{a}\0 {b}"),
+        ] {
             assert_eq!(pieces(&text), [whole(1, a), whole(1, b)], "{text}");
         }
-        assert_eq!(pieces(&format!("[\n  {a},\r\n  {b}\n]\n")), [whole(2, a), whole(3, b)]);
+        assert_eq!(
+            pieces(&format!("[\n  {a},\r\n  {b}\n]\n")),
+            [whole(2, a), whole(3, b)]
+        );
         let pretty = "{\n  \"a\": {\n    \"b\": 1\n  }\n}";
-        assert_eq!(pieces(&format!("{pretty}\n{b}")), [whole(1, pretty), whole(6, b)]);
+        assert_eq!(
+            pieces(&format!("{pretty}\n{b}")),
+            [whole(1, pretty), whole(6, b)]
+        );
     }
 
     #[test]
@@ -183,9 +208,18 @@ mod tests {
         let broken = |line, text: &str| (line, text.to_owned(), false);
         let whole = |line, text: &str| (line, text.to_owned(), true);
         for (text, expected) in [
-            ("{\"a\": {\n{\"b\": 1}\n", vec![broken(1, "{\"a\": {"), whole(2, "{\"b\": 1}")]),
-            ("{\"a\": \"x\n{\"b\": 1}", vec![broken(1, "{\"a\": \"x"), whole(2, "{\"b\": 1}")]),
-            ("hello\n{\"b\": 1}", vec![broken(1, "hello"), whole(2, "{\"b\": 1}")]),
+            (
+                "{\"a\": {\n{\"b\": 1}\n",
+                vec![broken(1, "{\"a\": {"), whole(2, "{\"b\": 1}")],
+            ),
+            (
+                "{\"a\": \"x\n{\"b\": 1}",
+                vec![broken(1, "{\"a\": \"x"), whole(2, "{\"b\": 1}")],
+            ),
+            (
+                "hello\n{\"b\": 1}",
+                vec![broken(1, "hello"), whole(2, "{\"b\": 1}")],
+            ),
             ("x{\"b\": 1}", vec![broken(1, "x"), whole(1, "{\"b\": 1}")]),
             ("{\"b\": 1", vec![broken(1, "{\"b\": 1")]),
             ("  \n", vec![]),
@@ -194,6 +228,9 @@ mod tests {
         }
         let long = format!("{{\"a\": \"{}\"}}\n{{\"b\": 1}}", "x".repeat(LONGEST));
         let found = pieces(&long);
-        assert_eq!((found.len(), found[0].2, &found[1]), (2, false, &whole(2, "{\"b\": 1}")));
+        assert_eq!(
+            (found.len(), found[0].2, &found[1]),
+            (2, false, &whole(2, "{\"b\": 1}"))
+        );
     }
 }

@@ -40,9 +40,10 @@ fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Re
                 format!("Units: '{units}' is unknown; write \"Yards\" or \"Meters\""),
             )),
         },
-        Some(other) => {
-            Err(Refusal::new(Refusal::UNREADABLE, format!("Units: {other} is no text; write \"Yards\" or \"Meters\"")))
-        }
+        Some(other) => Err(Refusal::new(
+            Refusal::UNREADABLE,
+            format!("Units: {other} is no text; write \"Yards\" or \"Meters\""),
+        )),
     }
 }
 
@@ -52,45 +53,76 @@ fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>,
         None | Some(Json::Null) => Ok(None),
         Some(value) => match value.as_f64() {
             Some(number) => Ok(Some(number)),
-            None => Err(Refusal::new(Refusal::UNREADABLE, format!("{group}.{key}: {value} is not a number"))),
+            None => Err(Refusal::new(
+                Refusal::UNREADABLE,
+                format!("{group}.{key}: {value} is not a number"),
+            )),
         },
     }
 }
 
-/// How a value came about, where `fly` wrote the message: of the spin in whatever form it was stated.
+/// How a value came about, where `fly` wrote the message: of the spin in whatever form it was
+/// stated.
 fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
     let origins = message.get("Flight")?.get("Origins")?;
     let spins: &[Outcome] = if OF_SPIN.contains(&of) { &OF_SPIN } else { &[] };
-    let named = [of].iter().chain(spins).find_map(|of| origins.get(of.name()));
+    let named = [of]
+        .iter()
+        .chain(spins)
+        .find_map(|of| origins.get(of.name()));
     Origin::read(named?.as_str()?)
 }
 
 /// True for values that `fly` assumed.
 fn is_assumed(message: &Map<String, Json>, of: Outcome) -> bool {
     // an axis that is assumed has the sidespin of 0 beside it
-    let of = if of == Outcome::Sidespin { Outcome::SpinAxis } else { of };
-    let origin = message.get("Flight").and_then(|flight| flight.get("Origins")?.get(of.name()));
+    let of = if of == Outcome::Sidespin {
+        Outcome::SpinAxis
+    } else {
+        of
+    };
+    let origin = message
+        .get("Flight")
+        .and_then(|flight| flight.get("Origins")?.get(of.name()));
     origin.is_some_and(|origin| origin == ASSUMED)
 }
 
 /// A key of the ball that is spelled almost like one that is missing.
 fn near(ball: &Map<String, Json>, key: &str) -> String {
-    let unknown = ball.keys().filter(|other| BALL.iter().all(|(known, _)| known != other));
+    let unknown = ball
+        .keys()
+        .filter(|other| BALL.iter().all(|(known, _)| known != other));
     let near = unknown.filter(|other| {
-        nearest(&other.to_lowercase(), [key.to_lowercase().as_str()]).is_some_and(|(likeness, _)| likeness > 0.85)
+        nearest(&other.to_lowercase(), [key.to_lowercase().as_str()])
+            .is_some_and(|(likeness, _)| likeness > 0.85)
     });
-    near.map(|other| format!(" (did you mean '{key}' where it has '{other}'?)")).next().unwrap_or_default()
+    near.map(|other| format!(" (did you mean '{key}' where it has '{other}'?)"))
+        .next()
+        .unwrap_or_default()
 }
 
-/// The shot of a message. One without ball data, such as a heartbeat, cannot be flown. A line that `fly` wrote has values of further parameters,
-/// of these and no others.
+/// The shot of a message. One without ball data, such as a heartbeat, cannot be flown. A line that
+/// `fly` wrote has values of further parameters, of these and no others.
 pub(super) fn shot(piece: Piece, further: &[&'static Parameter]) -> Shot {
-    let Piece { line, text, is_whole } = piece;
-    let parsed =
-        if is_whole { serde_json::from_str::<Json>(&text).map_err(|error| told(&error)) } else { Err(broken(&text)) };
+    let Piece {
+        line,
+        text,
+        is_whole,
+    } = piece;
+    let parsed = if is_whole {
+        serde_json::from_str::<Json>(&text).map_err(|error| told(&error))
+    } else {
+        Err(broken(&text))
+    };
     let message = match parsed {
         Ok(Json::Object(message)) => message,
-        Ok(_) => return Shot::refused(line, text, Refusal::new(Refusal::JSON, "it is not a JSON object")),
+        Ok(_) => {
+            return Shot::refused(
+                line,
+                text,
+                Refusal::new(Refusal::JSON, "it is not a JSON object"),
+            );
+        }
         Err(reason) => return Shot::refused(line, text, Refusal::new(Refusal::JSON, reason)),
     };
     let mut shot = Shot::refused(line, text, Refusal::new(Refusal::NO_BALL, ""));
@@ -112,15 +144,33 @@ fn broken(text: &str) -> String {
 fn told(error: &serde_json::Error) -> String {
     let said = error.to_string();
     let what = said.split(" at line").next().unwrap_or_default();
-    format!("it is not valid JSON (line {}, column {} of the object: {what})", error.line(), error.column())
+    format!(
+        "it is not valid JSON (line {}, column {} of the object: {what})",
+        error.line(),
+        error.column()
+    )
 }
 
-fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parameter]) -> Result<(), Refusal> {
+fn fill(
+    shot: &mut Shot,
+    message: &Map<String, Json>,
+    further: &[&'static Parameter],
+) -> Result<(), Refusal> {
     if written::is_written(message) {
         return written::fill(shot, message, further);
     }
-    let is = |key: &str| message.get("ShotDataOptions").and_then(|options| options.get(key)).and_then(Json::as_bool);
-    let flight = |key: &str| message.get("Flight").and_then(|flight| flight.get(key)).and_then(Json::as_str);
+    let is = |key: &str| {
+        message
+            .get("ShotDataOptions")
+            .and_then(|options| options.get(key))
+            .and_then(Json::as_bool)
+    };
+    let flight = |key: &str| {
+        message
+            .get("Flight")
+            .and_then(|flight| flight.get(key))
+            .and_then(Json::as_str)
+    };
     if let (Some(REFUSED), Some(reason)) = (flight("Status"), flight("Reason")) {
         return Err(Refusal::new(Refusal::BEFORE, reason));
     }
@@ -134,11 +184,15 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parame
     let ball = match message.get("BallData") {
         Some(Json::Object(ball)) => ball,
         None | Some(Json::Null) => {
-            let reason = "it has no BallData; a shot needs BallData with Speed, VLA and TotalSpin or BackSpin";
+            let reason = "it has no BallData; a shot needs BallData with Speed, VLA and TotalSpin \
+                          or BackSpin";
             return Err(Refusal::new(Refusal::MISSING, reason));
         }
         Some(_) => {
-            return Err(Refusal::new(Refusal::JSON, "BallData is not an object; write \"BallData\": {\"Speed\": …}"));
+            return Err(Refusal::new(
+                Refusal::JSON,
+                "BallData is not an object; write \"BallData\": {\"Speed\": …}",
+            ));
         }
     };
     let (speed_unit, length_unit) = units(message)?;
@@ -152,11 +206,17 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parame
             Ok(Some(_)) if is_assumed(message, of) => {}
             Ok(Some(number)) => {
                 let value = number * size(of.quantity(), unit);
-                match implausible(of, value, || format!("BallData.{key}")).filter(|_| of == Outcome::CarryDistance) {
+                match implausible(of, value, || format!("BallData.{key}"))
+                    .filter(|_| of == Outcome::CarryDistance)
+                {
                     // 0 where it is not sent
                     Some(_) if number == 0.0 => {}
                     Some(reason) => shot.notes.push(format!("not compared: {reason}")),
-                    None => shot.values.push(Value { of, value, origin: origin(message, of) }),
+                    None => shot.values.push(Value {
+                        of,
+                        value,
+                        origin: origin(message, of),
+                    }),
                 }
             }
             Ok(None) => {}
@@ -169,7 +229,12 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parame
     if let Some(Json::Object(club)) = message.get("ClubData")
         && is("ContainsClubData") != Some(false)
     {
-        let angle = |key| number(club, "ClubData", key).ok().flatten().map(f64::to_radians);
+        let angle = |key| {
+            number(club, "ClubData", key)
+                .ok()
+                .flatten()
+                .map(f64::to_radians)
+        };
         let speed = number(club, "ClubData", "Speed").ok().flatten();
         let speed = speed.map(|speed| speed * size(Quantity::SPEED, speed_unit));
         let stated = [
@@ -178,25 +243,50 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parame
             ("ClubData.Path", angle("Path")),
             ("ClubData.FaceToTarget", angle("FaceToTarget")),
         ];
-        let stated = stated.map(|(head, value)| Some(StatedOfClub { head, value: value? }));
+        let stated = stated.map(|(head, value)| {
+            Some(StatedOfClub {
+                head,
+                value: value?,
+            })
+        });
         shot.club = Club::measured(stated, &mut shot.notes);
     }
     sent(&mut shot.values);
     let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
     let name = |of: Outcome| {
-        let key = BALL.iter().find(|(_, known)| *known == of).map_or("", |(key, _)| *key);
-        format!("BallData.{key}{}", if ball.contains_key(key) { String::new() } else { near(ball, key) })
+        let key = BALL
+            .iter()
+            .find(|(_, known)| *known == of)
+            .map_or("", |(key, _)| *key);
+        format!(
+            "BallData.{key}{}",
+            if ball.contains_key(key) {
+                String::new()
+            } else {
+                near(ball, key)
+            }
+        )
     };
-    shot.point = launch(&stated, name, |of| of != Outcome::Spin || !ball.contains_key("BackSpin"));
+    shot.point = launch(&stated, name, |of| {
+        of != Outcome::Spin || !ball.contains_key("BackSpin")
+    });
     tell(shot, &stated, name);
     Ok(())
 }
 
 /// Takes out what is not sent: zeros that stand for no value beside another form of the spin.
 fn sent(values: &mut Vec<Value>) {
-    let has = |of| values.iter().any(|value| value.of == of && value.value != 0.0);
+    let has = |of| {
+        values
+            .iter()
+            .any(|value| value.of == of && value.value != 0.0)
+    };
     let has_axis = values.iter().any(|value| value.of == Outcome::SpinAxis);
-    let (has_total, has_back, has_side) = (has(Outcome::Spin), has(Outcome::Backspin), has(Outcome::Sidespin));
+    let (has_total, has_back, has_side) = (
+        has(Outcome::Spin),
+        has(Outcome::Backspin),
+        has(Outcome::Sidespin),
+    );
     values.retain(|value| match value.of {
         Outcome::Spin => has_total || !has_back,
         Outcome::Backspin => has_back || !has_total,

@@ -38,7 +38,8 @@ impl Export {
         cells(text, self.head.separator)
     }
 
-    /// The columns that an earlier flight of the rows has added, which the table has not from its maker.
+    /// The columns that an earlier flight of the rows has added, which the table has not from its
+    /// maker.
     pub(crate) fn added(&self) -> Range<usize> {
         self.head.added.clone()
     }

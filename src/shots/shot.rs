@@ -69,10 +69,15 @@ pub(super) struct StatedOfClub<'a> {
 
 impl Club {
     /// The parameters that its values are of, in their order.
-    pub const NAMES: [&'static str; 4] = ["swing.speed", "swing.attack_angle", "swing.path", "swing.face_angle"];
+    pub const NAMES: [&'static str; 4] = [
+        "swing.speed",
+        "swing.attack_angle",
+        "swing.path",
+        "swing.face_angle",
+    ];
 
-    /// Of what is stated in the order of the names, with notes of values that no club has, which count as not measured. A club that does not move
-    /// was not measured.
+    /// Of what is stated in the order of the names, with notes of values that no club has, which
+    /// count as not measured. A club that does not move was not measured.
     pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
         let is_still = stated[0].is_some_and(|speed| speed.value == 0.0);
         if is_still && stated.iter().flatten().all(|stated| stated.value == 0.0) {
@@ -80,7 +85,9 @@ impl Club {
         }
         let mut values = [None; 4];
         for (at, stated) in stated.into_iter().enumerate() {
-            let Some(StatedOfClub { head, value }) = stated.filter(|stated| at > 0 || stated.value != 0.0) else {
+            let Some(StatedOfClub { head, value }) =
+                stated.filter(|stated| at > 0 || stated.value != 0.0)
+            else {
                 continue;
             };
             match implausible_club(Self::NAMES[at], value, head) {
@@ -89,7 +96,12 @@ impl Club {
             }
         }
         let [speed, attack_angle, path, face_angle] = values;
-        Self { speed, attack_angle, path, face_angle }
+        Self {
+            speed,
+            attack_angle,
+            path,
+            face_angle,
+        }
     }
 
     /// Its values, in the order of the names.
@@ -98,8 +110,8 @@ impl Club {
     }
 }
 
-/// What is flown of a row: the launch (ball speed, launch angle, launch direction, backspin, sidespin), then the values of further
-/// parameters that the table has, SI.
+/// What is flown of a row: the launch (ball speed, launch angle, launch direction, backspin,
+/// sidespin), then the values of further parameters that the table has, SI.
 pub(super) type Point = Vec<f64>;
 
 /// A row.
@@ -150,7 +162,9 @@ impl Shot {
 
     /// The values of further parameters that its table has, SI.
     pub fn further(&self) -> &[f64] {
-        self.point.as_ref().map_or(&[], |point| &point[LAUNCH.len()..])
+        self.point
+            .as_ref()
+            .map_or(&[], |point| &point[LAUNCH.len()..])
     }
 
     /// Reason for not flying it.
@@ -165,13 +179,20 @@ impl Shot {
 
     /// Measured outcomes of the flight.
     pub fn measured(&self) -> impl Iterator<Item = &Value> {
-        self.values.iter().filter(|value| !CONDITIONS.contains(&value.of))
+        self.values
+            .iter()
+            .filter(|value| !CONDITIONS.contains(&value.of))
     }
 }
 
 /// The parameters of a launch, in the order of a [`Shot::launch`].
-pub(super) const LAUNCH: [&str; 5] =
-    ["launch.ball_speed", "launch.launch_angle", "launch.launch_direction", "launch.backspin", "launch.sidespin"];
+pub(super) const LAUNCH: [&str; 5] = [
+    "launch.ball_speed",
+    "launch.launch_angle",
+    "launch.launch_direction",
+    "launch.backspin",
+    "launch.sidespin",
+];
 
 /// A further parameter that a table has, with the place of its column.
 #[derive(Clone, Debug)]
@@ -195,5 +216,8 @@ pub(super) fn within(parameter: &Parameter, value: f64, name: &str) -> Result<f6
     }
     let shown = parameter.show(Some(value));
     let range = parameter.range.show(parameter.quantity, parameter.unit);
-    Err(Refusal::new(Refusal::RANGE, format!("{name}: {shown} is outside of its range {range}")))
+    Err(Refusal::new(
+        Refusal::RANGE,
+        format!("{name}: {shown} is outside of its range {range}"),
+    ))
 }

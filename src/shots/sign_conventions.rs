@@ -17,22 +17,40 @@ const SHARE: f64 = 0.8;
 const STRAIGHT: f64 = 0.01;
 
 impl SignConventions {
-    /// Garmin: + of `Sidespin` is to the left if the column stands alone, or if its sign opposes that of the spin axis. If both agree and the balls curve to
-    /// the other side, both columns have + to the left.
+    /// Garmin: + of `Sidespin` is to the left if the column stands alone, or if its sign opposes
+    /// that of the spin axis. If both agree and the balls curve to the other side, both columns
+    /// have + to the left.
     pub fn detect(maker: Option<&str>, columns: &[Column], rows: &[Vec<String>]) -> Self {
-        let has = |of: Outcome| columns.iter().any(|column| column.holds == Holds::Outcome(of));
+        let has = |of: Outcome| {
+            columns
+                .iter()
+                .any(|column| column.holds == Holds::Outcome(of))
+        };
         if maker != Some("Garmin") || !has(Outcome::Sidespin) {
             return Self::default();
         }
         if !has(Outcome::SpinAxis) {
-            return Self { sidespin: true, axis: false };
+            return Self {
+                sidespin: true,
+                axis: false,
+            };
         }
         let signs: Vec<Signs> = rows.iter().map(|row| Signs::of(columns, row)).collect();
-        if mostly(signs.iter().filter_map(|row| Some(row.sidespin? != row.axis?))) {
-            return Self { sidespin: true, axis: false };
+        if mostly(
+            signs
+                .iter()
+                .filter_map(|row| Some(row.sidespin? != row.axis?)),
+        ) {
+            return Self {
+                sidespin: true,
+                axis: false,
+            };
         }
         let curves_against = mostly(signs.iter().filter_map(|row| Some(row.curve? != row.axis?)));
-        Self { sidespin: curves_against, axis: curves_against }
+        Self {
+            sidespin: curves_against,
+            axis: curves_against,
+        }
     }
 
     /// Reverses the signs of the affected columns.
@@ -56,12 +74,17 @@ impl SignConventions {
             Holds::Outcome(Outcome::SpinAxis) => self.axis,
             _ => false,
         };
-        let names: Vec<&str> = columns.iter().filter(is_turned).map(|column| column.head.as_str()).collect();
+        let names: Vec<&str> = columns
+            .iter()
+            .filter(is_turned)
+            .map(|column| column.head.as_str())
+            .collect();
         let (is, why) = match self.axis {
             true => ("are", ": the balls curve to the other side than they say"),
             false => ("is", ", as Garmin's exports have it"),
         };
-        (!names.is_empty()).then(|| format!("{} {is} read with + to the left{why}", names.join(" and ")))
+        (!names.is_empty())
+            .then(|| format!("{} {is} read with + to the left{why}", names.join(" and ")))
     }
 }
 
@@ -76,7 +99,9 @@ struct Signs {
 impl Signs {
     fn of(columns: &[Column], row: &[String]) -> Self {
         let value = |of: Outcome| {
-            let at = columns.iter().position(|column| column.holds == Holds::Outcome(of))?;
+            let at = columns
+                .iter()
+                .position(|column| column.holds == Holds::Outcome(of))?;
             columns[at].value(row.get(at)?).ok().flatten()
         };
         let sign = |value: f64| (value != 0.0).then_some(value > 0.0);
@@ -85,8 +110,13 @@ impl Signs {
             let curve = side - carry * value(Outcome::LaunchDirection)?.sin();
             sign(curve).filter(|_| curve.abs() > STRAIGHT * carry)
         };
-        let [sidespin, axis] = [Outcome::Sidespin, Outcome::SpinAxis].map(|of| value(of).and_then(sign));
-        Self { sidespin, axis, curve: curve() }
+        let [sidespin, axis] =
+            [Outcome::Sidespin, Outcome::SpinAxis].map(|of| value(of).and_then(sign));
+        Self {
+            sidespin,
+            axis,
+            curve: curve(),
+        }
     }
 }
 

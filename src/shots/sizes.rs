@@ -5,8 +5,9 @@ use std::sync::LazyLock;
 
 /// The units, with their sizes.
 static SIZES: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
-    let of =
-        |quantity: Quantity, units: [&'static str; 2]| units.map(|unit| (unit, quantity.size_of(unit).unwrap_or(1.0)));
+    let of = |quantity: Quantity, units: [&'static str; 2]| {
+        units.map(|unit| (unit, quantity.size_of(unit).unwrap_or(1.0)))
+    };
     [
         of(Quantity::SPEED, ["mph", "m/s"]),
         of(Quantity::LENGTH, ["yd", "m"]),
@@ -19,6 +20,9 @@ static SIZES: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
 
 /// How many SI units one unit of a quantity is.
 pub(crate) fn size(quantity: Quantity, unit: &str) -> f64 {
-    let known = SIZES.iter().find(|(name, _)| *name == unit).map(|(_, size)| *size);
+    let known = SIZES
+        .iter()
+        .find(|(name, _)| *name == unit)
+        .map(|(_, size)| *size);
     known.or_else(|| quantity.size_of(unit)).unwrap_or(1.0)
 }

@@ -87,12 +87,18 @@ impl Shots {
         Self::read(setup, &name, table.io(File::open(path))?)
     }
 
-    /// The shots of a text: comma-separated values with a head, or JSON. It may be in UTF-8 or UTF-16, behind byte-order marks.
+    /// The shots of a text: comma-separated values with a head, or JSON. It may be in UTF-8 or
+    /// UTF-16, behind byte-order marks.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a text that cannot be read, is empty, or has a head without a column that a launch needs, with an unknown
-    /// column, or with a unit of another kind.
-    pub fn read(setup: &Setup<f64>, name: &str, source: impl Read + Send + 'static) -> Result<Self> {
+    /// [`Error::Table`](crate::Error::Table) for a text that cannot be read, is empty, or has a
+    /// head without a column that a launch needs, with an unknown column, or with a unit of another
+    /// kind.
+    pub fn read(
+        setup: &Setup<f64>,
+        name: &str,
+        source: impl Read + Send + 'static,
+    ) -> Result<Self> {
         Self::of_text(setup, Text::open(name, source)?)
     }
 
@@ -102,14 +108,28 @@ impl Shots {
     /// As [`read`](Self::read).
     pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
         if is_json(&text.beginning) {
-            let launch = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<Vec<_>>>()?;
-            let parameters = launch.into_iter().chain(written::further(setup, &text.beginning)).collect();
+            let launch = LAUNCH
+                .iter()
+                .map(|name| setup.parameter(name))
+                .collect::<Result<Vec<_>>>()?;
+            let parameters = launch
+                .into_iter()
+                .chain(written::further(setup, &text.beginning))
+                .collect();
             let is_written = written::begins(&text.beginning);
             let rows = Rows::Objects(text.source, Objects::default(), text.name);
-            return Ok(Self { layout: Layout::OpenConnect, rows, parameters, is_written });
+            return Ok(Self {
+                layout: Layout::OpenConnect,
+                rows,
+                parameters,
+                is_written,
+            });
         }
         // shots are passed on as they are stated, + to the right for every golfer
-        let setup = Setup { golfer: Golfer::Right, ..*setup };
+        let setup = Setup {
+            golfer: Golfer::Right,
+            ..*setup
+        };
         let (table, head) = TextTable::open(text, &setup, &Wanted::LAUNCHES)?;
         let head = ExportHead::read(&setup, head, &table)?;
         let parameters = head.parameters(&setup)?;
@@ -123,7 +143,12 @@ impl Shots {
             is_air_given: false,
             remarks: vec![],
         };
-        Ok(Self { layout: Layout::Export(export), rows: Rows::Table(Box::new(rows)), parameters, is_written: false })
+        Ok(Self {
+            layout: Layout::Export(export),
+            rows: Rows::Table(Box::new(rows)),
+            parameters,
+            is_written: false,
+        })
     }
 
     /// All of them.
@@ -188,10 +213,17 @@ impl Shots {
 
     /// Flies every row in the air of the setup, also where the export states that of each.
     pub fn in_given_air(&mut self) {
-        let (Layout::Export(export), Rows::Table(rows)) = (&mut self.layout, &mut self.rows) else { return };
+        let (Layout::Export(export), Rows::Table(rows)) = (&mut self.layout, &mut self.rows) else {
+            return;
+        };
         rows.is_air_given = true;
         if Arc::make_mut(export).head.leave_air_out() {
-            rows.further = export.head.further.iter().map(|further| further.parameter).collect();
+            rows.further = export
+                .head
+                .further
+                .iter()
+                .map(|further| further.parameter)
+                .collect();
             rows.export = export.clone();
             self.parameters.truncate(LAUNCH.len());
             self.parameters.extend(&rows.further);
@@ -223,7 +255,11 @@ impl TableRows {
             return Ok(None);
         }
         let begins = std::mem::take(&mut self.is_begun);
-        Ok(Some(Chunk::Records(Records { export: self.export.clone(), begins, records })))
+        Ok(Some(Chunk::Records(Records {
+            export: self.export.clone(),
+            begins,
+            records,
+        })))
     }
 
     /// Begins the section of a head.
@@ -237,10 +273,17 @@ impl TableRows {
             head.leave_air_out();
         }
         head.align(&self.further).map_err(|missing| {
-            let reason = format!("its head has no column of {missing}, as the first has; give the sections the same columns, or separate files");
-            self.table.name.refused(format!(", line {}", record.line), reason)
+            let reason = format!(
+                "its head has no column of {missing}, as the first has; give the \
+                                  sections the same columns, or separate files"
+            );
+            self.table
+                .name
+                .refused(format!(", line {}", record.line), reason)
         })?;
-        let told = |remark: &Message| Message::from(format!("from line {} on: ", record.line)).message(remark.clone());
+        let told = |remark: &Message| {
+            Message::from(format!("from line {} on: ", record.line)).message(remark.clone())
+        };
         self.remarks.extend(head.remarks.iter().map(told));
         (self.export, self.is_begun) = (Arc::new(Export { head }), true);
         Ok(())
@@ -276,16 +319,28 @@ impl Rows {
 }
 
 impl Chunk {
-    /// The shots of these rows, of which each has values of these further parameters; and their section.
+    /// The shots of these rows, of which each has values of these further parameters; and their
+    /// section.
     pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
         match self {
-            Self::Records(Records { export, begins, records }) => {
-                let shots = records.into_iter().map(|record| export.head.shot(record)).collect();
+            Self::Records(Records {
+                export,
+                begins,
+                records,
+            }) => {
+                let shots = records
+                    .into_iter()
+                    .map(|record| export.head.shot(record))
+                    .collect();
                 (shots, Some(Section { export, begins }))
             }
-            Self::Pieces(pieces) => {
-                (pieces.into_iter().map(|piece| open_connect::shot(piece, further)).collect(), None)
-            }
+            Self::Pieces(pieces) => (
+                pieces
+                    .into_iter()
+                    .map(|piece| open_connect::shot(piece, further))
+                    .collect(),
+                None,
+            ),
         }
     }
 }

@@ -1,4 +1,5 @@
-//! How well shots are predicted: bias and mean absolute error by ball speed, and the rows that could not be flown.
+//! How well shots are predicted: bias and mean absolute error by ball speed, and the rows that
+//! could not be flown.
 
 use super::flown::Flown;
 use super::shot::Origin;
@@ -15,8 +16,8 @@ pub const BANDS: [f64; 6] = [80.0, 100.0, 120.0, 140.0, 160.0, 180.0];
 /// One mile per hour, m/s.
 const MPH: f64 = 0.44704;
 
-/// What two instruments differ by on the same drives: the standard deviation of the differences of a TrackMan 4 and a FlightScope Mevo+ on 58
-/// drives (Bliss & Langdown 2026), in the unit.
+/// What two instruments differ by on the same drives: the standard deviation of the differences of
+/// a TrackMan 4 and a FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026), in the unit.
 pub const FLOOR: [(Outcome, f64, &str); 5] = [
     (Outcome::CarryDistance, 6.72, "yd"),
     (Outcome::Lateral, 10.7, "yd"),
@@ -64,7 +65,8 @@ impl Sums {
     pub fn deviation(&self) -> Option<f64> {
         let count = self.count as f64;
         let mean = self.bias()?;
-        (self.count > 1).then(|| ((self.squares - count * mean * mean).max(0.0) / (count - 1.0)).sqrt())
+        (self.count > 1)
+            .then(|| ((self.squares - count * mean * mean).max(0.0) / (count - 1.0)).sqrt())
     }
 }
 
@@ -119,11 +121,14 @@ pub struct Tally {
     comparison: Comparison,
 }
 
-/// Whether a launch (ball speed and direction, backspin and sidespin, SI) is one of a club with more loft than a driver: spin ratio rω/v above 0.12.
+/// Whether a launch (ball speed and direction, backspin and sidespin, SI) is one of a club with
+/// more loft than a driver: spin ratio rω/v above 0.12.
 fn is_lofted(launch: &[f64]) -> bool {
     const RADIUS: f64 = 0.021_335;
     const OF_DRIVES: f64 = 0.12;
-    let [speed, _, _, back, side] = launch else { return false };
+    let [speed, _, _, back, side] = launch else {
+        return false;
+    };
     RADIUS * back.hypot(*side) > OF_DRIVES * speed
 }
 
@@ -132,7 +137,11 @@ impl Tally {
     pub fn new(of: &[Outcome]) -> Self {
         let ends = |at: usize| BANDS.get(at).map(|mph| mph * MPH);
         let none = vec![Sums::default(); of.len()];
-        let band = |at: usize| Band { from: at.checked_sub(1).and_then(ends), to: ends(at), sums: none.clone() };
+        let band = |at: usize| Band {
+            from: at.checked_sub(1).and_then(ends),
+            to: ends(at),
+            sums: none.clone(),
+        };
         Self {
             of: of.to_vec(),
             rows: 0,
@@ -155,12 +164,22 @@ impl Tally {
             self.rows += 1;
             self.normalized += u64::from(shot.is_normalized == Some(true));
             self.noted += u64::from(!shot.notes.is_empty());
-            let of_spin = shot.value(Outcome::Spin).or_else(|| shot.value(Outcome::Backspin));
-            let is_measured = of_spin.and_then(|spin| spin.origin).is_none_or(|origin| origin == Origin::Measured);
+            let of_spin = shot
+                .value(Outcome::Spin)
+                .or_else(|| shot.value(Outcome::Backspin));
+            let is_measured = of_spin
+                .and_then(|spin| spin.origin)
+                .is_none_or(|origin| origin == Origin::Measured);
             self.spin_not_measured += u64::from(!is_measured);
             if let Some(reason) = flown.reason(row) {
-                let kind = shot.refusal().map_or_else(|| flown.flight(row), |refusal: &Refusal| refusal.kind);
-                let new = || Refused { count: 0, line: shot.line, reason: reason.into() };
+                let kind = shot
+                    .refusal()
+                    .map_or_else(|| flown.flight(row), |refusal: &Refusal| refusal.kind);
+                let new = || Refused {
+                    count: 0,
+                    line: shot.line,
+                    reason: reason.into(),
+                };
                 self.refused.entry(kind).or_insert_with(new).count += 1;
             }
             if flown.status(row) == Some(Status::Landed) {
@@ -169,7 +188,9 @@ impl Tally {
                 self.lofted += u64::from(shot.launch().is_some_and(is_lofted));
             }
             self.comparison.add(flown, row);
-            let Some(speed) = shot.launch().map(|launch| launch[0]) else { continue };
+            let Some(speed) = shot.launch().map(|launch| launch[0]) else {
+                continue;
+            };
             let band = BANDS.iter().filter(|end| speed >= **end * MPH).count();
             for outcome in 0..self.of.len() {
                 if let Some(residual) = flown.residual(row, outcome) {
@@ -180,7 +201,8 @@ impl Tally {
         }
     }
 
-    /// Warnings about columns whose unit or sign is likely to be another; `name` is the head of an outcome's.
+    /// Warnings about columns whose unit or sign is likely to be another; `name` is the head of an
+    /// outcome's.
     pub fn unit_warnings(&self, name: impl Fn(Outcome) -> String) -> Vec<Message> {
         self.comparison.warnings(&self.of, name)
     }
@@ -204,7 +226,14 @@ impl Tally {
             }
         }
         let bands = self.bands.iter_mut().flat_map(|band| &mut band.sums);
-        let others = other.bands.into_iter().flat_map(|band| band.sums).chain(other.all);
-        bands.chain(&mut self.all).zip(others).for_each(|(ours, theirs)| ours.merge(theirs));
+        let others = other
+            .bands
+            .into_iter()
+            .flat_map(|band| band.sums)
+            .chain(other.all);
+        bands
+            .chain(&mut self.all)
+            .zip(others)
+            .for_each(|(ours, theirs)| ours.merge(theirs));
     }
 }

@@ -53,17 +53,24 @@ pub(super) struct Comparison {
 
 impl Comparison {
     pub fn new(outcomes: usize) -> Self {
-        Self { ratios: vec![vec![]; outcomes], ..Self::default() }
+        Self {
+            ratios: vec![vec![]; outcomes],
+            ..Self::default()
+        }
     }
 
     /// Adds a row.
     pub fn add(&mut self, flown: &Flown, row: usize) {
         for (at, of) in flown.outcomes().iter().enumerate() {
-            let (Some(predicted), Some(residual)) = (flown.predicted(row, at), flown.residual(row, at)) else {
+            let (Some(predicted), Some(residual)) =
+                (flown.predicted(row, at), flown.residual(row, at))
+            else {
                 continue;
             };
             let measured = predicted - residual;
-            if of.quantity() == Quantity::LENGTH && [Outcome::Lateral, Outcome::LateralTotal].contains(of) {
+            if of.quantity() == Quantity::LENGTH
+                && [Outcome::Lateral, Outcome::LateralTotal].contains(of)
+            {
                 if predicted.abs().min(measured.abs()) > STRAIGHT && *of == Outcome::Lateral {
                     self.sides[0] += 1;
                     self.sides[1] += usize::from(predicted * measured < 0.0);
@@ -86,20 +93,32 @@ impl Comparison {
         for (own, theirs) in self.ratios.iter_mut().zip(other.ratios) {
             own.extend(theirs.into_iter().take(MOST.saturating_sub(own.len())));
         }
-        self.carries.extend(other.carries.into_iter().take(MOST.saturating_sub(self.carries.len())));
-        self.sides = [self.sides[0] + other.sides[0], self.sides[1] + other.sides[1]];
+        self.carries.extend(
+            other
+                .carries
+                .into_iter()
+                .take(MOST.saturating_sub(self.carries.len())),
+        );
+        self.sides = [
+            self.sides[0] + other.sides[0],
+            self.sides[1] + other.sides[1],
+        ];
     }
 
     /// Warnings about columns; `name` gives the head of an outcome.
     pub fn warnings(&self, of: &[Outcome], name: impl Fn(Outcome) -> String) -> Vec<Message> {
         let mut told = vec![];
         if let Some(speed) = self.speed(of) {
-            told.push(format!("{}: {speed}; state its unit in the head", name(Outcome::BallSpeed)));
+            told.push(format!(
+                "{}: {speed}; state its unit in the head",
+                name(Outcome::BallSpeed)
+            ));
         } else {
             let units = of.iter().zip(&self.ratios).filter_map(|(of, ratios)| {
                 let (ratio, (_, meant, read)) = mistaken(of.quantity(), ratios)?;
                 Some(format!(
-                    "{}: predicted values are {ratio:.2} times the measured ones in the median, as if these were in {meant} and read in {read}; \
+                    "{}: predicted values are {ratio:.2} times the measured ones in the median, as \
+                     if these were in {meant} and read in {read}; \
                      state the unit in the head",
                     name(*of)
                 ))
@@ -109,7 +128,8 @@ impl Comparison {
         let [all, disagree] = self.sides;
         if all >= LEAST_NEAR_ONE && disagree as f64 >= MOST_DISAGREE * all as f64 {
             told.push(format!(
-                "{}: of {all} rows that end beside the target line {disagree} end on the other side of it than predicted; its + may be to the left, or \
+                "{}: of {all} rows that end beside the target line {disagree} end on the other \
+                 side of it than predicted; its + may be to the left, or \
                  that of the launch direction or the spin",
                 name(Outcome::Lateral)
             ));
@@ -123,27 +143,41 @@ impl Comparison {
             return None;
         }
         if median(&self.carries)? > MOST_CARRY_PER_SPEED {
-            return Some("the balls carry farther than such speeds allow, as if they were in m/s and read in mph");
+            return Some(
+                "the balls carry farther than such speeds allow, as if they were in m/s and read \
+                 in mph",
+            );
         }
         let carry = of.iter().position(|of| *of == Outcome::CarryDistance)?;
         let ratio = median(&self.ratios[carry])?;
-        IN_KMH
-            .contains(&ratio)
-            .then_some("the balls carry less far than such speeds give, as if they were in km/h and read in mph")
+        IN_KMH.contains(&ratio).then_some(
+            "the balls carry less far than such speeds give, as if they were in km/h \
+                        and read in mph",
+        )
     }
 }
 
 /// Median of predicted/measured, and the pair of units that explains it.
-fn mistaken(quantity: Quantity, ratios: &[f64]) -> Option<(f64, (Quantity, &'static str, &'static str))> {
+fn mistaken(
+    quantity: Quantity,
+    ratios: &[f64],
+) -> Option<(f64, (Quantity, &'static str, &'static str))> {
     let ratio = median(ratios)?;
     let is_it = |(of, meant, read): &(Quantity, &'static str, &'static str)| {
         let size = |unit: &str| of.size_of(unit).unwrap_or(1.0);
         let expected = size(meant) / size(read);
         let is_near_one = (0.8..1.25).contains(&expected);
-        let (near, least) = if is_near_one { (NEAR_ONE, LEAST_NEAR_ONE) } else { (NEAR, LEAST) };
+        let (near, least) = if is_near_one {
+            (NEAR_ONE, LEAST_NEAR_ONE)
+        } else {
+            (NEAR, LEAST)
+        };
         *of == quantity && ratios.len() >= least && (ratio / expected - 1.0).abs() <= near
     };
-    MISTAKEN.iter().find(|mistake| is_it(mistake)).map(|mistake| (ratio, *mistake))
+    MISTAKEN
+        .iter()
+        .find(|mistake| is_it(mistake))
+        .map(|mistake| (ratio, *mistake))
 }
 
 fn median(values: &[f64]) -> Option<f64> {

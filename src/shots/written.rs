@@ -9,40 +9,61 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::{Refusal, is_straight_by_assumption};
 use serde_json::{Map, Value as Json};
 
-/// What the row stands behind: the last member of a line, so that none of the others has it in its text.
+/// What the row stands behind: the last member of a line, so that none of the others has it in its
+/// text.
 const ROW: &str = ",\"row\":";
 
 /// Recognizes a JSON line written by `fly`.
 pub(super) fn is_written(message: &Map<String, Json>) -> bool {
-    ["stated", "predicted", "row"].iter().all(|key| message.contains_key(*key))
+    ["stated", "predicted", "row"]
+        .iter()
+        .all(|key| message.contains_key(*key))
 }
 
 /// Recognizes a text that begins with such a line.
 pub(super) fn begins(beginning: &str) -> bool {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
-    let first = objects.next_piece().and_then(|piece| serde_json::from_str::<Json>(&piece.text).ok());
-    first.as_ref().and_then(Json::as_object).is_some_and(is_written)
+    let first = objects
+        .next_piece()
+        .and_then(|piece| serde_json::from_str::<Json>(&piece.text).ok());
+    first
+        .as_ref()
+        .and_then(Json::as_object)
+        .is_some_and(is_written)
 }
 
-/// The parameters of which its rows have values beside their launch, by the first line in the beginning of a text that was flown.
+/// The parameters of which its rows have values beside their launch, by the first line in the
+/// beginning of a text that was flown.
 pub(super) fn further(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
     let lines = std::iter::from_fn(|| objects.next_piece());
-    let mut lines = lines.filter_map(|piece| serde_json::from_str::<Map<String, Json>>(&piece.text).ok());
-    let flown = lines.find(|line| is_written(line) && line.get("flight").and_then(Json::as_str) != Some(REFUSED));
-    let own = flown.and_then(|line| line.get("parameters").and_then(Json::as_object).cloned()).unwrap_or_default();
-    own.keys().filter_map(|name| setup.parameter(name).ok()).collect()
+    let mut lines =
+        lines.filter_map(|piece| serde_json::from_str::<Map<String, Json>>(&piece.text).ok());
+    let flown = lines.find(|line| {
+        is_written(line) && line.get("flight").and_then(Json::as_str) != Some(REFUSED)
+    });
+    let own = flown
+        .and_then(|line| line.get("parameters").and_then(Json::as_object).cloned())
+        .unwrap_or_default();
+    own.keys()
+        .filter_map(|name| setup.parameter(name).ok())
+        .collect()
 }
 
 fn wrong(key: &str, found: impl std::fmt::Display) -> Refusal {
-    let reason = format!("{key}: {found} is not what 'fly' writes there; fly the file that the line was made of");
+    let reason = format!(
+        "{key}: {found} is not what 'fly' writes there; fly the file that the line was made of"
+    );
     Refusal::new(Refusal::JSON, reason)
 }
 
 /// The members of an object; none where it is missing.
-fn members<'a>(message: &'a Map<String, Json>, key: &str) -> Result<Vec<(&'a String, &'a Json)>, Refusal> {
+fn members<'a>(
+    message: &'a Map<String, Json>,
+    key: &str,
+) -> Result<Vec<(&'a String, &'a Json)>, Refusal> {
     match message.get(key) {
         None | Some(Json::Null) => Ok(vec![]),
         Some(Json::Object(members)) => Ok(members.iter().collect()),
@@ -61,32 +82,66 @@ pub(super) fn fill(
 ) -> Result<(), Refusal> {
     let text = message.get("row").map(Json::to_string).unwrap_or_default();
     // to the letter, where the line is as it was written
-    let own = shot.text.split_once(ROW).and_then(|(_, row)| row.trim_end().strip_suffix('}'));
+    let own = shot
+        .text
+        .split_once(ROW)
+        .and_then(|(_, row)| row.trim_end().strip_suffix('}'));
     shot.text = own.map_or(text, str::to_owned);
     let origins = members(message, "origins")?;
     for (name, value) in members(message, "stated")? {
         let (Ok(of), Some(value)) = (Outcome::named(name), value.as_f64()) else {
             return Err(wrong(&format!("stated.{name}"), value));
         };
-        let origin = origins.iter().find(|(of, _)| *of == name).and_then(|(_, origin)| Origin::read(origin.as_str()?));
+        let origin = origins
+            .iter()
+            .find(|(of, _)| *of == name)
+            .and_then(|(_, origin)| Origin::read(origin.as_str()?));
         shot.values.push(Value { of, value, origin });
     }
     let club = members(message, "club")?;
-    let of_club = |name: &str| club.iter().find(|(key, _)| *key == name).and_then(|(_, value)| value.as_f64());
+    let of_club = |name: &str| {
+        club.iter()
+            .find(|(key, _)| *key == name)
+            .and_then(|(_, value)| value.as_f64())
+    };
     let [speed, attack_angle, path, face_angle] = Club::NAMES.map(of_club);
-    shot.club = Club { speed, attack_angle, path, face_angle };
-    shot.condition = message.get("condition").and_then(Json::as_str).map(str::to_owned);
-    shot.is_normalized = message.get("normalized").and_then(Json::as_bool).filter(|is| *is);
-    let notes = message.get("notes").and_then(Json::as_array).into_iter().flatten();
-    shot.notes = notes.filter_map(|note| note.as_str().map(str::to_owned)).collect();
+    shot.club = Club {
+        speed,
+        attack_angle,
+        path,
+        face_angle,
+    };
+    shot.condition = message
+        .get("condition")
+        .and_then(Json::as_str)
+        .map(str::to_owned);
+    shot.is_normalized = message
+        .get("normalized")
+        .and_then(Json::as_bool)
+        .filter(|is| *is);
+    let notes = message
+        .get("notes")
+        .and_then(Json::as_array)
+        .into_iter()
+        .flatten();
+    shot.notes = notes
+        .filter_map(|note| note.as_str().map(str::to_owned))
+        .collect();
     if message.get("flight").and_then(Json::as_str) == Some(REFUSED) {
-        let reason = message.get("reason").and_then(Json::as_str).unwrap_or("it was refused without a reason");
+        let reason = message
+            .get("reason")
+            .and_then(Json::as_str)
+            .unwrap_or("it was refused without a reason");
         return Err(Refusal::new(Refusal::BEFORE, reason));
     }
     let own = members(message, "parameters")?;
-    if let Some((name, _)) = own.iter().find(|(name, _)| further.iter().all(|parameter| parameter.name != *name)) {
+    if let Some((name, _)) = own
+        .iter()
+        .find(|(name, _)| further.iter().all(|parameter| parameter.name != *name))
+    {
         let reason = format!(
-            "the row has a value of its own of {name}, which the first row has not; fly the table that the lines were made of"
+            "the row has a value of its own of {name}, which the first row has not; fly the table \
+             that the lines were made of"
         );
         return Err(Refusal::new(Refusal::JSON, reason));
     }
@@ -97,7 +152,8 @@ pub(super) fn fill(
         let name = format!("parameters.{}", parameter.name);
         let value = own.iter().find(|(own, _)| *own == parameter.name);
         let value = value.and_then(|(_, value)| value.as_f64());
-        let reason = || format!("{name} is missing; every row needs a value of it, since the first has one");
+        let reason =
+            || format!("{name} is missing; every row needs a value of it, since the first has one");
         let value = value.ok_or_else(|| Refusal::new(Refusal::MISSING, reason()))?;
         point.push(within(parameter, value, &name)?);
     }

@@ -21,8 +21,8 @@ pub struct Bins {
 }
 
 impl Bins {
-    /// Reads `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`; without a count there are 64. A low end without unit takes
-    /// that of the high end.
+    /// Reads `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`; without a count there
+    /// are 64. A low end without unit takes that of the high end.
     ///
     /// ```
     /// use longdrive::statistics::Bins;
@@ -32,9 +32,13 @@ impl Bins {
     /// ```
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a range or a count that is none, [`Error::Unknown`], [`Error::Unreadable`].
+    /// [`Error::SearchRange`] for a range or a count that is none, [`Error::Unknown`],
+    /// [`Error::Unreadable`].
     pub fn read(text: &str) -> Result<Self> {
-        let refuse = |reason: String| Error::SearchRange { name: format!("of the histogram {}", text.trim()), reason };
+        let refuse = |reason: String| Error::SearchRange {
+            name: format!("of the histogram {}", text.trim()),
+            reason,
+        };
         let example = "write for example carry=200m..300m:64";
         let (name, rest) = text.split_once('=').ok_or_else(|| refuse(example.into()))?;
         let of = Outcome::named(name.trim())?;
@@ -42,28 +46,52 @@ impl Bins {
             None => (rest, USUAL),
             Some((range, count)) => match count.trim().parse() {
                 Ok(count) if (1..=MOST).contains(&count) => (range, count),
-                _ => return Err(refuse(format!("'{count}' is not a number of bins from 1 to {MOST}; {example}"))),
+                _ => {
+                    return Err(refuse(format!(
+                        "'{count}' is not a number of bins from 1 to {MOST}; {example}"
+                    )));
+                }
             },
         };
-        let (low, high) =
-            range.split_once("..").ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; {example}")))?;
-        let unreadable =
-            |error| Error::Unreadable { name: format!("the histogram {}", text.trim()), source: Box::new(error) };
+        let (low, high) = range
+            .split_once("..")
+            .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; {example}")))?;
+        let unreadable = |error| Error::Unreadable {
+            name: format!("the histogram {}", text.trim()),
+            source: Box::new(error),
+        };
         let quantity = of.quantity();
         let (_, unit) = quantity.split(high).map_err(unreadable)?;
         let has_unit = !quantity.split(low).map_err(unreadable)?.1.is_empty();
-        let low = if has_unit { low.to_owned() } else { format!("{low} {unit}") };
+        let low = if has_unit {
+            low.to_owned()
+        } else {
+            format!("{low} {unit}")
+        };
         let high = quantity.read(high).map_err(unreadable)?;
         let low = quantity.read(&low).map_err(unreadable)?;
         if !(low.is_finite() && high.is_finite() && low < high) {
-            return Err(refuse(format!("its ends must be finite, and the lower one below the upper one; {example}")));
+            return Err(refuse(format!(
+                "its ends must be finite, and the lower one below the upper one; {example}"
+            )));
         }
-        Ok(Self { of, low, high, count })
+        Ok(Self {
+            of,
+            low,
+            high,
+            count,
+        })
     }
 
     /// The bins in words that tell them from any others.
     pub fn identity(&self) -> String {
-        format!("{}={:?}..{:?}:{}", self.of.name(), self.low, self.high, self.count)
+        format!(
+            "{}={:?}..{:?}:{}",
+            self.of.name(),
+            self.low,
+            self.high,
+            self.count
+        )
     }
 }
 
@@ -105,7 +133,11 @@ impl Histogram {
     /// Where bin number `i` begins: low + (high − low) i/count.
     pub fn edge(&self, i: usize) -> f64 {
         let ([low, high], count) = (self.range, self.counts.len());
-        if i >= count { high } else { low + (high - low) * i as f64 / count as f64 }
+        if i >= count {
+            high
+        } else {
+            low + (high - low) * i as f64 / count as f64
+        }
     }
 
     /// Counts a finite value.
@@ -120,7 +152,8 @@ impl Histogram {
         }
     }
 
-    /// The bin that a value in the range is in: edge(i) ≤ value < edge(i + 1), and the upper end itself is in the last.
+    /// The bin that a value in the range is in: edge(i) ≤ value < edge(i + 1), and the upper end
+    /// itself is in the last.
     fn bin(&self, value: f64) -> usize {
         let ([low, high], last) = (self.range, self.counts.len() - 1);
         let mut at = (((value - low) / (high - low) * self.counts.len() as f64) as usize).min(last);
@@ -138,6 +171,9 @@ impl Histogram {
     pub fn merge(&mut self, other: &Self) {
         self.below += other.below;
         self.above += other.above;
-        self.counts.iter_mut().zip(&other.counts).for_each(|(ours, theirs)| *ours += theirs);
+        self.counts
+            .iter_mut()
+            .zip(&other.counts)
+            .for_each(|(ours, theirs)| *ours += theirs);
     }
 }

@@ -1,8 +1,8 @@
-//! Statistics of a sweep that are taken of its rows as they are computed: how the drives ended, the moments of each column,
-//! histograms, and the rows with the highest and lowest values.
+//! Statistics of a sweep that are taken of its rows as they are computed: how the drives ended, the
+//! moments of each column, histograms, and the rows with the highest and lowest values.
 //!
-//! A [`Summary`] is of some rows. That of all follows from those of its parts, without another look at the rows, so that many
-//! processes can compute a sweep; [`Summarized`] says what it contains.
+//! A [`Summary`] is of some rows. That of all follows from those of its parts, without another look
+//! at the rows, so that many processes can compute a sweep; [`Summarized`] says what it contains.
 //!
 //! ```
 //! use longdrive::batch::Batch;

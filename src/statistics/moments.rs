@@ -40,9 +40,18 @@ impl Moments {
         // about one of them: sums of numbers that are nearly equal lose nothing
         let first = values.clone().next().unwrap_or_default();
         let mean = first + values.clone().map(|value| value - first).sum::<f64>() / count as f64;
-        let squares = values.clone().map(|value| (value - mean) * (value - mean)).sum();
+        let squares = values
+            .clone()
+            .map(|value| (value - mean) * (value - mean))
+            .sum();
         let least = values.clone().fold(f64::INFINITY, f64::min);
-        Self { count, mean, squares, least, greatest: values.fold(f64::NEG_INFINITY, f64::max) }
+        Self {
+            count,
+            mean,
+            squares,
+            least,
+            greatest: values.fold(f64::NEG_INFINITY, f64::max),
+        }
     }
 
     /// Adds those of rows that come after.
@@ -74,7 +83,9 @@ impl Moments {
 
     /// The standard deviation √(M₂/(n − 1)) of the rows as a sample; `None` of fewer than two.
     pub fn deviation(&self) -> Option<f64> {
-        self.squares().filter(|_| self.count > 1).map(|squares| (squares / (self.count - 1) as f64).sqrt())
+        self.squares()
+            .filter(|_| self.count > 1)
+            .map(|squares| (squares / (self.count - 1) as f64).sqrt())
     }
 
     /// The least value.
@@ -104,13 +115,20 @@ struct Written {
 
 impl From<Moments> for Written {
     fn from(of: Moments) -> Self {
-        Self { count: of.count, mean: of.mean(), m2: of.squares(), min: of.least(), max: of.greatest() }
+        Self {
+            count: of.count,
+            mean: of.mean(),
+            m2: of.squares(),
+            min: of.least(),
+            max: of.greatest(),
+        }
     }
 }
 
 impl From<Written> for Moments {
     fn from(written: Written) -> Self {
-        let number = |number: Option<f64>| number.unwrap_or(if written.count == 0 { 0.0 } else { f64::NAN });
+        let number =
+            |number: Option<f64>| number.unwrap_or(if written.count == 0 { 0.0 } else { f64::NAN });
         Self {
             count: written.count,
             mean: number(written.mean),

@@ -33,15 +33,25 @@ impl Sought {
         match most {
             Some(most) if (1..=MOST).contains(&most) => Ok(Self { of, highest, most }),
             _ => {
-                let reason = format!("the number of rows must be from 1 to {MOST}; write for example {name}:{USUAL}");
-                Err(Error::SearchRange { name: format!("of the rows to keep, {}", text.trim()), reason })
+                let reason = format!(
+                    "the number of rows must be from 1 to {MOST}; write for example {name}:{USUAL}"
+                );
+                Err(Error::SearchRange {
+                    name: format!("of the rows to keep, {}", text.trim()),
+                    reason,
+                })
             }
         }
     }
 
     /// The rows in words that tell them from any others.
     pub fn identity(&self) -> String {
-        format!("{} {}:{}", if self.highest { "highest" } else { "lowest" }, self.of.name(), self.most)
+        format!(
+            "{} {}:{}",
+            if self.highest { "highest" } else { "lowest" },
+            self.of.name(),
+            self.most
+        )
     }
 }
 
@@ -52,8 +62,8 @@ pub struct RankedRow {
     pub row: u64,
     /// The value of the outcome.
     pub value: f64,
-    /// The values of the swept parameters, by their names. A value that is missing in a table of points is `None`, an infinite one
-    /// (a flat face) the text `inf`.
+    /// The values of the swept parameters, by their names. A value that is missing in a table of
+    /// points is `None`, an infinite one (a flat face) the text `inf`.
     pub point: BTreeMap<String, Option<Coordinate>>,
 }
 
@@ -89,7 +99,8 @@ impl Coordinate {
     }
 }
 
-/// The rows with the highest or the lowest values of an outcome, the best first; of equal values the first row.
+/// The rows with the highest or the lowest values of an outcome, the best first; of equal values
+/// the first row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ranking {
     /// The outcome.
@@ -105,14 +116,29 @@ pub struct Ranking {
 impl Ranking {
     /// No rows yet.
     pub fn new(sought: &Sought) -> Self {
-        Self { of: sought.of.name().into(), highest: sought.highest, most: sought.most, rows: vec![] }
+        Self {
+            of: sought.of.name().into(),
+            highest: sought.highest,
+            most: sought.most,
+            rows: vec![],
+        }
     }
 
     /// Looks at a row with a finite value.
-    pub fn add<'a>(&mut self, row: u64, value: f64, point: impl IntoIterator<Item = (&'a str, f64)>) {
-        let better = |other: &RankedRow| self.order((row, value), (other.row, other.value)) == Ordering::Less;
+    pub fn add<'a>(
+        &mut self,
+        row: u64,
+        value: f64,
+        point: impl IntoIterator<Item = (&'a str, f64)>,
+    ) {
+        let better = |other: &RankedRow| {
+            self.order((row, value), (other.row, other.value)) == Ordering::Less
+        };
         if self.rows.len() < self.most || self.rows.last().is_some_and(better) {
-            let point = point.into_iter().map(|(name, value)| (name.to_owned(), Coordinate::of(value))).collect();
+            let point = point
+                .into_iter()
+                .map(|(name, value)| (name.to_owned(), Coordinate::of(value)))
+                .collect();
             self.insert(RankedRow { row, value, point });
         }
     }
@@ -123,7 +149,9 @@ impl Ranking {
     }
 
     fn insert(&mut self, row: RankedRow) {
-        let place = |other: &RankedRow| self.order((other.row, other.value), (row.row, row.value)) == Ordering::Less;
+        let place = |other: &RankedRow| {
+            self.order((other.row, other.value), (row.row, row.value)) == Ordering::Less
+        };
         let at = self.rows.partition_point(place);
         self.rows.insert(at, row);
         self.rows.truncate(self.most);
@@ -132,6 +160,11 @@ impl Ranking {
     fn order(&self, a: (u64, f64), b: (u64, f64)) -> Ordering {
         // 0 and −0 are equal values
         let values = a.1.partial_cmp(&b.1).unwrap_or(Ordering::Equal);
-        (if self.highest { values.reverse() } else { values }).then(a.0.cmp(&b.0))
+        (if self.highest {
+            values.reverse()
+        } else {
+            values
+        })
+        .then(a.0.cmp(&b.0))
     }
 }

@@ -16,15 +16,15 @@ pub struct Summarized {
     parameters: Vec<&'static str>,
 }
 
-/// What the rows of a batch are like in all: how they ended, the moments of every outcome and derivative, histograms and the best rows. It
-/// merges with that of other rows of the same batch, without a look at the rows. What is merged in the same order is the same to the
-/// last bit.
+/// What the rows of a batch are like in all: how they ended, the moments of every outcome and
+/// derivative, histograms and the best rows. It merges with that of other rows of the same batch,
+/// without a look at the rows. What is merged in the same order is the same to the last bit.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// How many drives ended how.
     pub statuses: BTreeMap<Status, u64>,
-    /// Of the drives that landed: how many begin with what the law was not fitted to, how many were struck beside any face, and how
-    /// many landed flatter than any bounce that was measured.
+    /// Of the drives that landed: how many begin with what the law was not fitted to, how many were
+    /// struck beside any face, and how many landed flatter than any bounce that was measured.
     pub beyond: [u64; 3],
     /// The moments of each outcome and derivative, by the names of the columns.
     pub moments: BTreeMap<String, Moments>,
@@ -38,13 +38,19 @@ impl Summarized {
     /// The tally and the moments of a batch, with these histograms and best rows.
     ///
     /// # Errors
-    /// [`Error::Together`] for a histogram or best rows of an outcome that is not computed, and for what is asked for twice.
+    /// [`Error::Together`] for a histogram or best rows of an outcome that is not computed, and for
+    /// what is asked for twice.
     pub fn new(batch: &Batch, bins: &[Bins], sought: &[Sought]) -> Result<Self> {
         let column = |of: Outcome| {
-            batch.outcomes().iter().position(|known| *known == of).ok_or_else(|| Error::Together {
-                given: of.name().into(),
-                reason: "it is not among the outcomes that are computed; add it to --outcomes".into(),
-            })
+            batch
+                .outcomes()
+                .iter()
+                .position(|known| *known == of)
+                .ok_or_else(|| Error::Together {
+                    given: of.name().into(),
+                    reason: "it is not among the outcomes that are computed; add it to --outcomes"
+                        .into(),
+                })
         };
         let twice = |what: &str, of: Outcome| Error::Together {
             given: format!("{what} of {}", of.name()),
@@ -56,22 +62,40 @@ impl Summarized {
             }
         }
         for (at, one) in sought.iter().enumerate() {
-            if sought[..at].iter().any(|other| other.of == one.of && other.highest == one.highest) {
+            if sought[..at]
+                .iter()
+                .any(|other| other.of == one.of && other.highest == one.highest)
+            {
                 return Err(twice("the rows", one.of));
             }
         }
         Ok(Self {
-            bins: bins.iter().map(|bins| Ok((column(bins.of)?, *bins))).collect::<Result<_>>()?,
-            sought: sought.iter().map(|sought| Ok((column(sought.of)?, *sought))).collect::<Result<_>>()?,
+            bins: bins
+                .iter()
+                .map(|bins| Ok((column(bins.of)?, *bins)))
+                .collect::<Result<_>>()?,
+            sought: sought
+                .iter()
+                .map(|sought| Ok((column(sought.of)?, *sought)))
+                .collect::<Result<_>>()?,
             columns: batch.columns(),
-            parameters: batch.parameters().iter().map(|parameter| parameter.name).collect(),
+            parameters: batch
+                .parameters()
+                .iter()
+                .map(|parameter| parameter.name)
+                .collect(),
         })
     }
 
     /// The histograms and best rows in words that tell them from any others.
     pub fn identity(&self) -> String {
-        let bins = self.bins.iter().map(|(_, bins)| format!("histogram {}", bins.identity()));
-        bins.chain(self.sought.iter().map(|(_, sought)| sought.identity())).collect::<Vec<_>>().join(", ")
+        let bins = self
+            .bins
+            .iter()
+            .map(|(_, bins)| format!("histogram {}", bins.identity()));
+        bins.chain(self.sought.iter().map(|(_, sought)| sought.identity()))
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 
     /// The summary of no rows.
@@ -79,9 +103,21 @@ impl Summarized {
         Summary {
             statuses: Tally::default().counts().collect(),
             beyond: [0; 3],
-            moments: self.columns.iter().map(|name| (name.clone(), Moments::default())).collect(),
-            histograms: self.bins.iter().map(|(_, bins)| Histogram::new(bins)).collect(),
-            best: self.sought.iter().map(|(_, sought)| Ranking::new(sought)).collect(),
+            moments: self
+                .columns
+                .iter()
+                .map(|name| (name.clone(), Moments::default()))
+                .collect(),
+            histograms: self
+                .bins
+                .iter()
+                .map(|(_, bins)| Histogram::new(bins))
+                .collect(),
+            best: self
+                .sought
+                .iter()
+                .map(|(_, sought)| Ranking::new(sought))
+                .collect(),
         }
     }
 
@@ -91,18 +127,29 @@ impl Summarized {
         let mut tally = Tally::default();
         tally.add(block);
         summary.statuses = tally.counts().collect();
-        let BeyondCount { law, face, flat, .. } = tally.beyond();
+        let BeyondCount {
+            law, face, flat, ..
+        } = tally.beyond();
         summary.beyond = [law, face, flat];
         for (column, name) in self.columns.iter().enumerate() {
-            summary.moments.insert(name.clone(), Moments::of(block.result(column).flatten()));
+            summary
+                .moments
+                .insert(name.clone(), Moments::of(block.result(column).flatten()));
         }
         for ((column, _), histogram) in self.bins.iter().zip(&mut summary.histograms) {
-            block.result(*column).flatten().for_each(|value| histogram.add(value));
+            block
+                .result(*column)
+                .flatten()
+                .for_each(|value| histogram.add(value));
         }
         for ((column, _), ranking) in self.sought.iter().zip(&mut summary.best) {
             for (row, value) in block.result(*column).enumerate() {
                 if let Some(value) = value {
-                    let point = self.parameters.iter().copied().zip(block.point(row).iter().copied());
+                    let point = self
+                        .parameters
+                        .iter()
+                        .copied()
+                        .zip(block.point(row).iter().copied());
                     ranking.add(block.first_row() + row as u64, value, point);
                 }
             }
@@ -117,19 +164,43 @@ impl Summary {
         for (status, count) in &after.statuses {
             *self.statuses.entry(*status).or_default() += count;
         }
-        self.beyond.iter_mut().zip(after.beyond).for_each(|(ours, theirs)| *ours += theirs);
+        self.beyond
+            .iter_mut()
+            .zip(after.beyond)
+            .for_each(|(ours, theirs)| *ours += theirs);
         for (column, moments) in &after.moments {
-            self.moments.entry(column.clone()).or_default().merge(moments);
+            self.moments
+                .entry(column.clone())
+                .or_default()
+                .merge(moments);
         }
-        self.histograms.iter_mut().zip(&after.histograms).for_each(|(ours, theirs)| ours.merge(theirs));
-        self.best.iter_mut().zip(&after.best).for_each(|(ours, theirs)| ours.merge(theirs));
+        self.histograms
+            .iter_mut()
+            .zip(&after.histograms)
+            .for_each(|(ours, theirs)| ours.merge(theirs));
+        self.best
+            .iter_mut()
+            .zip(&after.best)
+            .for_each(|(ours, theirs)| ours.merge(theirs));
     }
 
     /// How the drives ended, as a tally.
     pub fn tally(&self) -> Tally {
         let [law, face, flat] = self.beyond;
-        let all = self.statuses.get(&Status::Landed).copied().unwrap_or_default();
-        Tally::of(&self.statuses, BeyondCount { all, law, face, flat })
+        let all = self
+            .statuses
+            .get(&Status::Landed)
+            .copied()
+            .unwrap_or_default();
+        Tally::of(
+            &self.statuses,
+            BeyondCount {
+                all,
+                law,
+                face,
+                flat,
+            },
+        )
     }
 
     /// How many rows there are.

@@ -1,4 +1,5 @@
-//! Limits of something that a drive has: `THING >= LIMIT`, `THING <= LIMIT`, `THING == VALUE` or `LOW <= THING <= HIGH`.
+//! Limits of something that a drive has: `THING >= LIMIT`, `THING <= LIMIT`, `THING == VALUE` or
+//! `LOW <= THING <= HIGH`.
 
 use crate::error::{Error, Result};
 use crate::units::Quantity;
@@ -15,7 +16,8 @@ pub(super) struct Compared<T> {
     pub high: f64,
 }
 
-/// Reads a comparison. `is_thing` tells the thing from a limit; `read` reads it, and what reads its limits.
+/// Reads a comparison. `is_thing` tells the thing from a limit; `read` reads it, and what reads its
+/// limits.
 ///
 /// # Errors
 /// [`Error::Constraint`], which points into the expression.
@@ -29,7 +31,11 @@ pub(super) fn compared<T, L: Fn(&Part<'_>) -> Result<f64>>(
     let (low, of, high) = match parts.as_slice() {
         [left, sign, right] => {
             let is_turned = !is_thing(left.text) && is_thing(right.text);
-            let (thing, limit) = if is_turned { (right, left) } else { (left, right) };
+            let (thing, limit) = if is_turned {
+                (right, left)
+            } else {
+                (left, right)
+            };
             let (of, limit_of) = read(thing)?;
             let value = limit_of(limit)?;
             match is_at_most(sign) {
@@ -56,7 +62,8 @@ pub(super) fn compared<T, L: Fn(&Part<'_>) -> Result<f64>>(
                 expression: expression.into(),
                 column: place.map_or(0, |part| part.column),
                 reason: format!(
-                    "there is no comparison (<=, >= or ==) with something on both sides; write for example {example}"
+                    "there is no comparison (<=, >= or ==) with something on both sides; write for \
+                     example {example}"
                 ),
             });
         }
@@ -89,10 +96,19 @@ fn split(expression: &str) -> Result<Vec<Part<'_>>> {
     let part = |from: usize, to: usize| {
         let text = &expression[from..to];
         let lead = text.len() - text.trim_start().len();
-        Part { text: text.trim(), column: expression[..from + lead].chars().count() }
+        Part {
+            text: text.trim(),
+            column: expression[..from + lead].chars().count(),
+        }
     };
-    while let Some((place, sign)) =
-        SIGNS.iter().filter_map(|sign| expression[from..].find(sign).map(|place| (from + place, *sign))).min()
+    while let Some((place, sign)) = SIGNS
+        .iter()
+        .filter_map(|sign| {
+            expression[from..]
+                .find(sign)
+                .map(|place| (from + place, *sign))
+        })
+        .min()
     {
         parts.push(part(from, place));
         parts.push(part(place, place + sign.len()));
@@ -100,14 +116,25 @@ fn split(expression: &str) -> Result<Vec<Part<'_>>> {
     }
     parts.push(part(from, expression.len()));
     for part in &parts {
-        let stray = part.text.find(['<', '>', '=']).filter(|_| !SIGNS.contains(&part.text));
+        let stray = part
+            .text
+            .find(['<', '>', '='])
+            .filter(|_| !SIGNS.contains(&part.text));
         if let Some(stray) = stray {
             let column = part.column + part.text[..stray].chars().count();
             let reason = "this is not a comparison; write <=, >= or ==".into();
-            return Err(Error::Constraint { expression: expression.into(), column, reason });
+            return Err(Error::Constraint {
+                expression: expression.into(),
+                column,
+                reason,
+            });
         }
         if part.text.is_empty() {
-            return Err(at(expression, part, "something is missing here; write OUTCOME >= LIMIT"));
+            return Err(at(
+                expression,
+                part,
+                "something is missing here; write OUTCOME >= LIMIT",
+            ));
         }
     }
     Ok(parts)
@@ -115,14 +142,24 @@ fn split(expression: &str) -> Result<Vec<Part<'_>>> {
 
 /// A limit, SI.
 pub(super) fn value(expression: &str, part: &Part<'_>, quantity: Quantity) -> Result<f64> {
-    let value = quantity.read(part.text).map_err(|e| at(expression, part, &e.to_string()))?;
+    let value = quantity
+        .read(part.text)
+        .map_err(|e| at(expression, part, &e.to_string()))?;
     if value.is_finite() {
         return Ok(value);
     }
-    Err(at(expression, part, "a limit must be a finite number; leave out the side that has none"))
+    Err(at(
+        expression,
+        part,
+        "a limit must be a finite number; leave out the side that has none",
+    ))
 }
 
 /// What is wrong at a place of an expression.
 pub(super) fn at(expression: &str, part: &Part<'_>, reason: &str) -> Error {
-    Error::Constraint { expression: expression.into(), column: part.column, reason: reason.into() }
+    Error::Constraint {
+        expression: expression.into(),
+        column: part.column,
+        reason: reason.into(),
+    }
 }

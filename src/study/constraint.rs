@@ -21,7 +21,10 @@ pub(super) fn of_parameter(text: &str) -> Option<String> {
     let found = Setup::<f64>::default().parameter(text);
     let is_parameter = matches!(found, Ok(_) | Err(Error::OtherLaw { .. }));
     is_parameter.then(|| {
-        format!("{text} is a parameter, and limits are of outcomes; give its range with --vary {text}=LOW..HIGH")
+        format!(
+            "{text} is a parameter, and limits are of outcomes; give its range with --vary \
+                 {text}=LOW..HIGH"
+        )
     })
 }
 
@@ -31,8 +34,8 @@ impl Constraint {
         self.low == self.high
     }
 
-    /// Reads `OUTCOME >= LIMIT`, `OUTCOME <= LIMIT`, `OUTCOME == VALUE` or `LOW <= OUTCOME <= HIGH`; a limit is a number
-    /// with its unit.
+    /// Reads `OUTCOME >= LIMIT`, `OUTCOME <= LIMIT`, `OUTCOME == VALUE` or
+    /// `LOW <= OUTCOME <= HIGH`; a limit is a number with its unit.
     ///
     /// ```
     /// use longdrive::study::Constraint;
@@ -49,17 +52,41 @@ impl Constraint {
     pub fn read(expression: &str) -> Result<Self> {
         let example = "descent_angle >= 38deg, lateral == 0m or 20yd <= apex_height <= 35yd";
         if let Some((name, _)) = expression.split_once(':') {
-            let reason = "a relation of parameters is a limit over many swings (--swings or --distribution) and of 'longdrive design'; for one \
+            let reason = "a relation of parameters is a limit over many swings (--swings or \
+                          --distribution) and of 'longdrive design'; for one \
                           drive, give the range of a parameter with --vary, or limit an outcome";
-            return Err(at(expression, &Part { text: name, column: 0 }, reason));
+            return Err(at(
+                expression,
+                &Part {
+                    text: name,
+                    column: 0,
+                },
+                reason,
+            ));
         }
         let is_outcome = |text: &str| Outcome::named(text).is_ok();
-        let Compared { of: outcome, low, high } = compared(expression, example, is_outcome, |part| {
-            let outcome = Outcome::named(part.text)
-                .map_err(|e| at(expression, part, &of_parameter(part.text).unwrap_or_else(|| e.to_string())))?;
-            Ok((outcome, move |limit: &Part<'_>| value(expression, limit, outcome.quantity())))
+        let Compared {
+            of: outcome,
+            low,
+            high,
+        } = compared(expression, example, is_outcome, |part| {
+            let outcome = Outcome::named(part.text).map_err(|e| {
+                at(
+                    expression,
+                    part,
+                    &of_parameter(part.text).unwrap_or_else(|| e.to_string()),
+                )
+            })?;
+            Ok((outcome, move |limit: &Part<'_>| {
+                value(expression, limit, outcome.quantity())
+            }))
         })?;
-        Ok(Self { expression: expression.trim().into(), outcome, low, high })
+        Ok(Self {
+            expression: expression.trim().into(),
+            outcome,
+            low,
+            high,
+        })
     }
 
     /// Whether its limits are limits, which those of one that was not read need not be.
@@ -67,12 +94,22 @@ impl Constraint {
     /// # Errors
     /// [`Error::SearchRange`].
     pub(super) fn check(&self) -> Result<()> {
-        let Self { expression, outcome, low, high } = self;
+        let Self {
+            expression,
+            outcome,
+            low,
+            high,
+        } = self;
         if low <= high {
             return Ok(());
         }
         let [low, high] = [*low, *high].map(|limit| outcome.show(limit));
-        let reason = format!("its limits are {low} and {high}; the lower must be a number not above the upper");
-        Err(Error::SearchRange { name: expression.clone(), reason })
+        let reason = format!(
+            "its limits are {low} and {high}; the lower must be a number not above the upper"
+        );
+        Err(Error::SearchRange {
+            name: expression.clone(),
+            reason,
+        })
     }
 }

@@ -13,9 +13,11 @@ pub struct Face {
     pub golfer: Golfer,
     /// Half the face that is looked at, m: towards the toe, and up.
     pub half: [f64; 2],
-    /// Whether strikes are measured from the centre of the face, as the centre of mass is not behind it; else from the sweet spot.
+    /// Whether strikes are measured from the centre of the face, as the centre of mass is not
+    /// behind it; else from the sweet spot.
     pub is_from_centre: bool,
-    /// Where the normal of the face goes through the centre of mass, m: towards the toe, up; `None` where it does so nowhere.
+    /// Where the normal of the face goes through the centre of mass, m: towards the toe, up; `None`
+    /// where it does so nowhere.
     pub sweet_spot: Option<[f64; 2]>,
     /// Where the ball is struck, m: towards the toe, up.
     pub strike: [f64; 2],
@@ -23,11 +25,13 @@ pub struct Face {
     pub carry: Option<f64>,
     /// [`Face::OUTCOMES`] over `strike.toe` and `strike.high`, SI.
     pub plane: Plane,
-    /// The exact derivative of each by `strike.toe` at the sweet spot, or at the centre of the face where there is none, SI; `None` where one of them has none.
+    /// The exact derivative of each by `strike.toe` at the sweet spot, or at the centre of the face
+    /// where there is none, SI; `None` where one of them has none.
     pub by_toe: Option<[f64; 4]>,
     /// The strike of the longest carry among the nodes on the face, and that carry.
     pub longest: ([f64; 2], f64),
-    /// Places on the face with the tilt of the spin axis against that of a strike there, rad, + right.
+    /// Places on the face with the tilt of the spin axis against that of a strike there, rad, +
+    /// right.
     pub tilts: Vec<([f64; 2], f64)>,
 }
 
@@ -43,12 +47,18 @@ const ARROWS: [usize; 2] = [5, 3];
 
 impl Face {
     /// What is looked at over the face, carry first.
-    pub const OUTCOMES: [Outcome; 4] = [Outcome::Carry, Outcome::Lateral, Outcome::BallSpeed, Outcome::SpinAxis];
+    pub const OUTCOMES: [Outcome; 4] = [
+        Outcome::Carry,
+        Outcome::Lateral,
+        Outcome::BallSpeed,
+        Outcome::SpinAxis,
+    ];
 
     /// Flies strikes all over the face of a setup's club.
     ///
     /// # Errors
-    /// As [`Batch::new`](crate::batch::Batch::new), where no club strikes the ball; [`Error::NoFlight`] where no strike flies.
+    /// As [`Batch::new`](crate::batch::Batch::new), where no club strikes the ball;
+    /// [`Error::NoFlight`] where no strike flies.
     pub fn of(setup: &Setup<f64>) -> Result<Self> {
         let half = half_of(setup);
         let [toe, high] = [setup.column("strike.toe")?, setup.column("strike.high")?];
@@ -58,23 +68,43 @@ impl Face {
         };
         let [across, up] = over(1.0)?;
         let plane = Plane::fly(setup, &Self::OUTCOMES, across, up, NODES)?;
-        let longest = plane.largest(0, |at| is_on(half, at)).ok_or_else(|| Error::NoFlight {
-            reason: "no flight: no strike on the face makes a drive that flies and lands".into(),
-        })?;
+        let longest = plane
+            .largest(0, |at| is_on(half, at))
+            .ok_or_else(|| Error::NoFlight {
+                reason: "no flight: no strike on the face makes a drive that flies and lands"
+                    .into(),
+            })?;
         let [across, up] = over(0.7)?;
         let tilted = Plane::fly(setup, &[Outcome::SpinAxis], across, up, ARROWS)?;
         let spot = Strike::on_sweet_spot(&setup.club);
-        let centred = Setup { strike: spot.unwrap_or(Strike { high: 0.0, toe: 0.0 }), ..*setup };
-        let straight = Drive::new(&centred).ok().and_then(|drive| Outcome::SpinAxis.value(&drive)).unwrap_or_default();
+        let centred = Setup {
+            strike: spot.unwrap_or(Strike {
+                high: 0.0,
+                toe: 0.0,
+            }),
+            ..*setup
+        };
+        let straight = Drive::new(&centred)
+            .ok()
+            .and_then(|drive| Outcome::SpinAxis.value(&drive))
+            .unwrap_or_default();
         let tilt = |(node, axis): (usize, &Option<f64>)| {
             let at = tilted.node(node);
-            Some((at, Outcome::SpinAxis.beside((*axis)?, straight) - straight)).filter(|(at, _)| is_on(half, *at))
+            Some((at, Outcome::SpinAxis.beside((*axis)?, straight) - straight))
+                .filter(|(at, _)| is_on(half, *at))
         };
-        let tilts = tilted.values[0].iter().enumerate().filter_map(tilt).collect();
-        let carry = Drive::new(setup).ok().and_then(|drive| Outcome::Carry.value(&drive));
+        let tilts = tilted.values[0]
+            .iter()
+            .enumerate()
+            .filter_map(tilt)
+            .collect();
+        let carry = Drive::new(setup)
+            .ok()
+            .and_then(|drive| Outcome::Carry.value(&drive));
         let by_toe = evaluate(&centred, &Self::OUTCOMES, &[toe], Order::First).ok();
-        let by_toe =
-            by_toe.and_then(|found| <[_; 4]>::try_from(found).ok()).map(|found| found.map(|of| of.gradient[0]));
+        let by_toe = by_toe
+            .and_then(|found| <[_; 4]>::try_from(found).ok())
+            .map(|found| found.map(|of| of.gradient[0]));
         Ok(Self {
             golfer: setup.golfer,
             half,
@@ -93,22 +123,27 @@ impl Face {
     pub fn outline(&self) -> Vec<[f64; 2]> {
         let point = |step: u32| {
             let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / 120.0).sin_cos();
-            let round = |part: f64, half: f64| part.abs().powf(2.0 / ROUNDNESS).copysign(part) * half;
+            let round =
+                |part: f64, half: f64| part.abs().powf(2.0 / ROUNDNESS).copysign(part) * half;
             [round(cos, self.half[0]), round(sin, self.half[1])]
         };
         (0..=120).map(point).collect()
     }
 
-    /// Whether the strike of the longest carry is at the edge of the face: a node beside it is on the face no more.
+    /// Whether the strike of the longest carry is at the edge of the face: a node beside it is on
+    /// the face no more.
     pub fn is_longest_at_edge(&self) -> bool {
         let ([x, y], _) = self.longest;
         let [wide, tall] = [0, 1].map(|axis| 2.0 * self.half[axis] / (NODES[axis] - 1) as f64);
-        [[x - wide, y], [x + wide, y], [x, y - tall], [x, y + tall]].into_iter().any(|at| !self.holds(at))
+        [[x - wide, y], [x + wide, y], [x, y - tall], [x, y + tall]]
+            .into_iter()
+            .any(|at| !self.holds(at))
     }
 
     /// Whether the ball is struck on the sweet spot, to a thousandth of a millimetre.
     pub fn is_struck_sweetly(&self) -> bool {
-        self.sweet_spot.is_some_and(|spot| (0..2).all(|axis| (spot[axis] - self.strike[axis]).abs() < 1e-6))
+        self.sweet_spot
+            .is_some_and(|spot| (0..2).all(|axis| (spot[axis] - self.strike[axis]).abs() < 1e-6))
     }
 
     /// Whether a place lies within that outline.
@@ -121,7 +156,10 @@ impl Face {
 const ROUNDNESS: f64 = 2.5;
 
 fn is_on(half: [f64; 2], at: [f64; 2]) -> bool {
-    (0..2).map(|axis| (at[axis] / half[axis]).abs().powf(ROUNDNESS)).sum::<f64>() <= 1.0
+    (0..2)
+        .map(|axis| (at[axis] / half[axis]).abs().powf(ROUNDNESS))
+        .sum::<f64>()
+        <= 1.0
 }
 
 /// Half the face: a usual one, or as far as bulge and roll let one reach.

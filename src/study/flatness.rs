@@ -20,8 +20,9 @@ pub struct Flatness {
     pub windows: Vec<Window>,
     /// The directions of the free parameters, by curvature, the flattest first.
     pub directions: Vec<Direction>,
-    /// For each pair of free parameters, what they may stray together, by the quadratic model of the outcome. None where a constraint holds the
-    /// optimum: there the outcome has a slope, and losses are no ellipse.
+    /// For each pair of free parameters, what they may stray together, by the quadratic model of
+    /// the outcome. None where a constraint holds the optimum: there the outcome has a slope, and
+    /// losses are no ellipse.
     pub ellipses: Vec<Ellipse>,
 }
 
@@ -51,16 +52,16 @@ pub enum Limit {
     NoFlight,
 }
 
-/// A direction in which the free parameters move together, an eigenvector of the reduced Hessian in units of their
-/// ranges.
+/// A direction in which the free parameters move together, an eigenvector of the reduced Hessian in
+/// units of their ranges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Direction {
     /// Its component by each varied parameter, SI, of length 1 in units of the ranges.
     pub along: Vec<f64>,
     /// How many of these lengths lose as much as is allowed, to second order.
     pub reach: f64,
-    /// The loss there in truth, found by flying, in both directions; `None` where that leads out of the ranges or
-    /// nothing flies.
+    /// The loss there in truth, found by flying, in both directions; `None` where that leads out of
+    /// the ranges or nothing flies.
     pub losses: [Option<f64>; 2],
 }
 
@@ -69,20 +70,27 @@ pub struct Direction {
 pub struct Ellipse {
     /// The two parameters, by their place in the search.
     pub pair: [usize; 2],
-    /// Its two half-axes, each by its components of the two parameters, SI, the longer (in units of the ranges) first.
+    /// Its two half-axes, each by its components of the two parameters, SI, the longer (in units of
+    /// the ranges) first.
     pub half_axes: [[f64; 2]; 2],
-    /// Least and greatest loss found by flying along it, within ranges and constraints; `None` where no point of it is.
+    /// Least and greatest loss found by flying along it, within ranges and constraints; `None`
+    /// where no point of it is.
     pub losses: Option<(f64, f64)>,
 }
 
 /// What is said of the loss of a [short drive](short_drive).
-const OF_SHORT_DRIVE: &str =
-    "1 yd is more than a tenth of the carry of the best drive, so the loss that is allowed is 1 % of this carry";
+const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \
+                              loss that is allowed is 1 % of this carry";
 
-/// The carry of the best drive where [`usual_loss`] is 1 % of it, since 1 yd is more than a tenth of it, SI; with what is said of it.
+/// The carry of the best drive where [`usual_loss`] is 1 % of it, since 1 yd is more than a tenth
+/// of it, SI; with what is said of it.
 pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
-    let carry = best.drive.as_ref().and_then(|drive| Outcome::CarryDistance.value(drive))?;
-    let is_short = best.search.of.quantity() == Quantity::LENGTH && yard() > 0.1 * carry && carry > 0.0;
+    let carry = best
+        .drive
+        .as_ref()
+        .and_then(|drive| Outcome::CarryDistance.value(drive))?;
+    let is_short =
+        best.search.of.quantity() == Quantity::LENGTH && yard() > 0.1 * carry && carry > 0.0;
     is_short.then_some((carry, OF_SHORT_DRIVE))
 }
 
@@ -90,12 +98,18 @@ fn yard() -> f64 {
     Quantity::LENGTH.size_of("yd").unwrap_or(1.0)
 }
 
-/// The loss that is asked about where no one states another: 1 yd of a distance, 1 % of anything else. Of a distance of a
-/// [short drive](short_drive) it is 1 % of the carry. SI.
+/// The loss that is asked about where no one states another: 1 yd of a distance, 1 % of anything
+/// else. Of a distance of a [short drive](short_drive) it is 1 % of the carry. SI.
 pub fn usual_loss(best: &Optimum) -> f64 {
     match best.search.of.quantity() {
         Quantity::LENGTH => short_drive(best).map_or_else(yard, |(carry, _)| 0.01 * carry),
-        _ => 0.01 * best.value().unwrap_or_default().abs().max(f64::MIN_POSITIVE),
+        _ => {
+            0.01 * best
+                .value()
+                .unwrap_or_default()
+                .abs()
+                .max(f64::MIN_POSITIVE)
+        }
     }
 }
 
@@ -111,12 +125,27 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
         return Err(Error::Optimizer(format!("the loss {loss} must be above 0")));
     }
     if best.solution.status != Status::Converged {
-        return Err(Error::NotConverged { status: best.status(), message: best.message() });
+        return Err(Error::NotConverged {
+            status: best.status(),
+            message: best.message(),
+        });
     }
     let problem = posed(&best.setup, &best.search)?;
-    let top = Top { domain: &problem.domain, values: problem.values()?, best, loss };
-    let windows = (0..best.search.vary.len()).map(|i| top.window(i)).collect::<Result<_>>()?;
-    Ok(Flatness { loss, windows, directions: top.directions(), ellipses: top.ellipses() })
+    let top = Top {
+        domain: &problem.domain,
+        values: problem.values()?,
+        best,
+        loss,
+    };
+    let windows = (0..best.search.vary.len())
+        .map(|i| top.window(i))
+        .collect::<Result<_>>()?;
+    Ok(Flatness {
+        loss,
+        windows,
+        directions: top.directions(),
+        ellipses: top.ellipses(),
+    })
 }
 
 /// The surroundings of an optimum.
@@ -130,7 +159,13 @@ struct Top<'a> {
 impl Top<'_> {
     /// What is lost at a point, or the constraint that it breaks; `None` where nothing flies.
     fn lost_at(&self, x: &[f64]) -> Option<Result<f64, usize>> {
-        let values: Vec<f64> = self.values.at(x).ok()?.into_iter().map(|taylor| taylor.value).collect();
+        let values: Vec<f64> = self
+            .values
+            .at(x)
+            .ok()?
+            .into_iter()
+            .map(|taylor| taylor.value)
+            .collect();
         let limits = &self.domain.constraints;
         let excess = |j: usize| limits.excess(j, values[j + 1]).abs();
         // what holds the optimum is met there to rounding
@@ -138,7 +173,10 @@ impl Top<'_> {
         let broken = (0..limits.dimension()).find(|&j| excess(j) > rounding(j));
         Some(match broken {
             Some(j) => Err(j),
-            None => Ok(self.best.search.sense.sign() * (values[0] - self.best.value().unwrap_or_default())),
+            None => {
+                Ok(self.best.search.sense.sign()
+                    * (values[0] - self.best.value().unwrap_or_default()))
+            }
         })
     }
 
@@ -152,7 +190,12 @@ impl Top<'_> {
         let bounds = &self.domain.variables;
         let (low, low_limit) = self.end(i, bounds.low[i])?;
         let (high, high_limit) = self.end(i, bounds.high[i])?;
-        Ok(Window { low, low_limit, high, high_limit })
+        Ok(Window {
+            low,
+            low_limit,
+            high,
+            high_limit,
+        })
     }
 
     /// How far variable i may go towards a bound.
@@ -197,10 +240,18 @@ impl Top<'_> {
     /// Where between two parts of the way to a bound the loss is what is allowed.
     fn crossing(&self, i: usize, from: f64, width: f64, inside: f64, outside: f64) -> Result<f64> {
         let search = BrentRoot::new(inside, outside, 1e-13);
-        let found = Executor::new(Excess { top: self, i, from, width }, search)
-            .configure(|state| state.max_iters(200))
-            .run()
-            .map_err(|e| Error::Optimizer(e.to_string()))?;
+        let found = Executor::new(
+            Excess {
+                top: self,
+                i,
+                from,
+                width,
+            },
+            search,
+        )
+        .configure(|state| state.max_iters(200))
+        .run()
+        .map_err(|e| Error::Optimizer(e.to_string()))?;
         Ok(found.state.get_best_param().copied().unwrap_or(inside))
     }
 
@@ -218,12 +269,25 @@ impl Top<'_> {
             let unit = &basis * reduced.eigenvectors.column(k);
             let along: Vec<f64> = unit.iter().zip(&scale).map(|(u, s)| u * s).collect();
             let curvature = reduced.eigenvalues[k];
-            let reach = if curvature > 0.0 { (2.0 * self.loss / curvature).sqrt() } else { f64::INFINITY };
+            let reach = if curvature > 0.0 {
+                (2.0 * self.loss / curvature).sqrt()
+            } else {
+                f64::INFINITY
+            };
             let losses = [reach, -reach].map(|reach| {
-                let x: Vec<f64> = solution.x.iter().zip(&along).map(|(x, a)| x + reach * a).collect();
+                let x: Vec<f64> = solution
+                    .x
+                    .iter()
+                    .zip(&along)
+                    .map(|(x, a)| x + reach * a)
+                    .collect();
                 self.lost_within(&x)
             });
-            Direction { along, reach, losses }
+            Direction {
+                along,
+                reach,
+                losses,
+            }
         };
         order.into_iter().map(one).collect()
     }
@@ -231,8 +295,15 @@ impl Top<'_> {
     /// The loss at a point, if it lies within ranges and constraints and flies.
     fn lost_within(&self, x: &[f64]) -> Option<f64> {
         let bounds = &self.domain.variables;
-        let is_within = x.iter().enumerate().all(|(i, x)| x.is_finite() && bounds.excess(i, *x) == 0.0);
-        if is_within { self.lost_at(x)?.ok() } else { None }
+        let is_within = x
+            .iter()
+            .enumerate()
+            .all(|(i, x)| x.is_finite() && bounds.excess(i, *x) == 0.0);
+        if is_within {
+            self.lost_at(x)?.ok()
+        } else {
+            None
+        }
     }
 
     fn ellipses(&self) -> Vec<Ellipse> {
@@ -242,14 +313,18 @@ impl Top<'_> {
         }
         let free = held.free();
         let pairs = (0..free.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-        pairs.filter_map(|(a, b)| self.ellipse([free[a], free[b]])).collect()
+        pairs
+            .filter_map(|(a, b)| self.ellipse([free[a], free[b]]))
+            .collect()
     }
 
     /// The ellipse of a pair, where the outcome falls in every direction of its plane.
     fn ellipse(&self, pair: [usize; 2]) -> Option<Ellipse> {
         let solution = &self.best.solution;
         let scale = self.domain.variables.scale(&solution.x);
-        let block = DMatrix::from_fn(2, 2, |r, c| solution.hessian[pair[r]][pair[c]] * scale[pair[r]] * scale[pair[c]]);
+        let block = DMatrix::from_fn(2, 2, |r, c| {
+            solution.hessian[pair[r]][pair[c]] * scale[pair[r]] * scale[pair[c]]
+        });
         let block = block.symmetric_eigen();
         let mut order = [0, 1];
         order.sort_by(|x, y| block.eigenvalues[*x].total_cmp(&block.eigenvalues[*y]));
@@ -273,9 +348,15 @@ impl Top<'_> {
             self.lost_within(&x)
         });
         let losses = around.fold(None, |range: Option<(f64, f64)>, lost| {
-            Some(range.map_or((lost, lost), |(least, most)| (least.min(lost), most.max(lost))))
+            Some(range.map_or((lost, lost), |(least, most)| {
+                (least.min(lost), most.max(lost))
+            }))
         });
-        Some(Ellipse { pair, half_axes, losses })
+        Some(Ellipse {
+            pair,
+            half_axes,
+            losses,
+        })
     }
 }
 
@@ -292,9 +373,14 @@ impl CostFunction for Excess<'_> {
     type Output = f64;
 
     fn cost(&self, part: &f64) -> std::result::Result<f64, argmin::core::Error> {
-        match self.top.lost_at(&self.top.moved(self.i, self.from + part * self.width)) {
+        match self
+            .top
+            .lost_at(&self.top.moved(self.i, self.from + part * self.width))
+        {
             Some(Ok(lost)) => Ok(lost - self.top.loss),
-            _ => Err(argmin::core::Error::msg("no flight between two drives that fly")),
+            _ => Err(argmin::core::Error::msg(
+                "no flight between two drives that fly",
+            )),
         }
     }
 }

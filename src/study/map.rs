@@ -28,10 +28,14 @@ pub struct Map {
 }
 
 impl Map {
-    /// That the outcome is the same all over the map, but for rounding: then there is nothing to draw.
+    /// That the outcome is the same all over the map, but for rounding: then there is nothing to
+    /// draw.
     pub fn flat(&self) -> Option<Message> {
         let known = || self.values.iter().flatten().copied();
-        let (low, high) = (known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max));
+        let (low, high) = (
+            known().fold(f64::INFINITY, f64::min),
+            known().fold(f64::NEG_INFINITY, f64::max),
+        );
         let unit = self.of.quantity().size_of(self.of.unit()).unwrap_or(1.0);
         let is_flat = high - low <= ROUNDING * low.abs().max(high.abs()).max(unit);
         is_flat.then(|| {
@@ -69,7 +73,10 @@ pub struct Fineness {
 impl Default for Fineness {
     /// 61 nodes, lines without corners to the eye, and 7 gradients.
     fn default() -> Self {
-        Self { nodes: 61, slopes: 7 }
+        Self {
+            nodes: 61,
+            slopes: 7,
+        }
     }
 }
 
@@ -86,11 +93,22 @@ impl Default for Fineness {
 /// ```
 ///
 /// # Errors
-/// [`Error::SearchRange`] where both parameters are one, a range is a single value, or there are fewer than 2 nodes to a side; what [`Setup::validate`] refuses;
-/// [`Error::NoFlight`] where no node has a value.
-pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fineness) -> Result<Map> {
-    let refuse =
-        |vary: &Vary, reason: &str| Err(Error::SearchRange { name: vary.parameter.name.into(), reason: reason.into() });
+/// [`Error::SearchRange`] where both parameters are one, a range is a single value, or there are
+/// fewer than 2 nodes to a side; what [`Setup::validate`] refuses; [`Error::NoFlight`] where no
+/// node has a value.
+pub fn map(
+    setup: &Setup<f64>,
+    of: Outcome,
+    across: Vary,
+    up: Vary,
+    fineness: Fineness,
+) -> Result<Map> {
+    let refuse = |vary: &Vary, reason: &str| {
+        Err(Error::SearchRange {
+            name: vary.parameter.name.into(),
+            reason: reason.into(),
+        })
+    };
     if across.parameter == up.parameter {
         return refuse(&up, "a map needs two different parameters");
     }
@@ -113,11 +131,17 @@ pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fi
         .into_par_iter()
         .map(|i| {
             let part = |at: usize| at as f64 / (columns - 1) as f64;
-            let x = [place(across, part(i % columns)), place(up, part(i / columns))];
+            let x = [
+                place(across, part(i % columns)),
+                place(up, part(i / columns)),
+            ];
             Ok(values.at(&x)?[0].value)
         })
         .collect();
-    let missing = nodes.iter().find_map(|node| node.as_ref().err()).map(Error::message);
+    let missing = nodes
+        .iter()
+        .find_map(|node| node.as_ref().err())
+        .map(Error::message);
     let values: Vec<Option<f64>> = nodes.into_iter().map(Result::ok).collect();
     if values.iter().all(Option::is_none) {
         let reason = missing.unwrap_or_default();
@@ -129,13 +153,29 @@ pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fi
             .message(reason),
         });
     }
-    let slopes = (0..fineness.slopes * fineness.slopes).into_par_iter().filter_map(|i| {
-        // in the middle of equal cells
-        let part = |at: usize| (at as f64 + 0.5) / fineness.slopes as f64;
-        let at = [place(across, part(i % fineness.slopes)), place(up, part(i / fineness.slopes))];
-        // where there is no drive, or it has a corner, there is no slope to show
-        let found = gradients.at(&at).ok()?;
-        Some(Slope { at, gradient: [found[0].gradient[0], found[0].gradient[1]] })
-    });
-    Ok(Map { of, across, up, columns, values, missing, slopes: slopes.collect() })
+    let slopes = (0..fineness.slopes * fineness.slopes)
+        .into_par_iter()
+        .filter_map(|i| {
+            // in the middle of equal cells
+            let part = |at: usize| (at as f64 + 0.5) / fineness.slopes as f64;
+            let at = [
+                place(across, part(i % fineness.slopes)),
+                place(up, part(i / fineness.slopes)),
+            ];
+            // where there is no drive, or it has a corner, there is no slope to show
+            let found = gradients.at(&at).ok()?;
+            Some(Slope {
+                at,
+                gradient: [found[0].gradient[0], found[0].gradient[1]],
+            })
+        });
+    Ok(Map {
+        of,
+        across,
+        up,
+        columns,
+        values,
+        missing,
+        slopes: slopes.collect(),
+    })
 }

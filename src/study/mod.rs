@@ -35,7 +35,9 @@ pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
 pub use constraint::Constraint;
 pub use effects::{Bar, Effect, Effects, effects, flown_off};
 pub use face::Face;
-pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, short_drive, usual_loss};
+pub use flatness::{
+    Direction, Ellipse, Flatness, Limit, Window, flatness, short_drive, usual_loss,
+};
 pub use landing::Landing;
 pub use launches::{Launched, Launches};
 pub use map::{Fineness, Map, Slope, map};
@@ -44,5 +46,7 @@ pub use plane::Plane;
 pub use region::Region;
 pub use sample::Sample;
 pub use search::{Search, Sense};
-pub use sensitivity::{Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity};
+pub use sensitivity::{
+    Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity,
+};
 pub use sigma::{Sigma, given_twice, with_defaults};

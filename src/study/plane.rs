@@ -21,7 +21,8 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// Flies a setup with two of its parameters at the nodes of a grid. They need no value in the setup.
+    /// Flies a setup with two of its parameters at the nodes of a grid. They need no value in the
+    /// setup.
     ///
     /// # Errors
     /// As [`Batch::new`].
@@ -33,10 +34,21 @@ impl Plane {
         [columns, rows]: [usize; 2],
     ) -> Result<Self> {
         let batch = Batch::new(setup, &[across.parameter, up.parameter], of, &[])?;
-        let mut plane = Self { across, up, columns, rows, values: vec![] };
+        let mut plane = Self {
+            across,
+            up,
+            columns,
+            rows,
+            values: vec![],
+        };
         let places: Vec<[f64; 2]> = (0..columns * rows).map(|node| plane.node(node)).collect();
-        let blocks: Vec<_> = places.par_chunks(CHUNK).map(|chunk| batch.evaluate(0, chunk.concat())).collect();
-        plane.values = (0..of.len()).map(|i| blocks.iter().flat_map(|block| block.result(i)).collect()).collect();
+        let blocks: Vec<_> = places
+            .par_chunks(CHUNK)
+            .map(|chunk| batch.evaluate(0, chunk.concat()))
+            .collect();
+        plane.values = (0..of.len())
+            .map(|i| blocks.iter().flat_map(|block| block.result(i)).collect())
+            .collect();
         Ok(plane)
     }
 
@@ -50,10 +62,13 @@ impl Plane {
         ]
     }
 
-    /// The node with the largest value of an outcome among those that lie where they may, with that value.
+    /// The node with the largest value of an outcome among those that lie where they may, with that
+    /// value.
     pub fn largest(&self, of: usize, may: impl Fn([f64; 2]) -> bool) -> Option<([f64; 2], f64)> {
         let values = self.values.get(of)?.iter().enumerate();
-        let known = values.filter_map(|(node, value)| Some((self.node(node), (*value)?))).filter(|(at, _)| may(*at));
+        let known = values
+            .filter_map(|(node, value)| Some((self.node(node), (*value)?)))
+            .filter(|(at, _)| may(*at));
         known.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 }

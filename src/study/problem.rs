@@ -7,8 +7,8 @@ use crate::error::Result;
 use crate::optimize::{Domain, Evaluation, Problem};
 use crate::parameters::{Parameter, Setup, Vary};
 
-/// A search for the best drive as the optimizer sees it: the outcome, with the sign with which it is
-/// minimised, and the outcomes that are held between limits.
+/// A search for the best drive as the optimizer sees it: the outcome, with the sign with which it
+/// is minimised, and the outcomes that are held between limits.
 pub(super) struct DriveProblem {
     setup: Setup<f64>,
     vary: Vec<&'static Parameter>,
@@ -25,13 +25,28 @@ impl DriveProblem {
         search.subject_to.iter().try_for_each(Constraint::check)?;
         let ends = |end: fn(&Vary) -> f64| search.vary.iter().map(end).collect::<Vec<_>>();
         let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?.subject_to(
-            search.subject_to.iter().map(|constraint| constraint.low).collect(),
-            search.subject_to.iter().map(|constraint| constraint.high).collect(),
+            search
+                .subject_to
+                .iter()
+                .map(|constraint| constraint.low)
+                .collect(),
+            search
+                .subject_to
+                .iter()
+                .map(|constraint| constraint.high)
+                .collect(),
         )?;
         let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
         let of = search.outcomes();
         let derivatives = Evaluator::new(setup, &of, &vary, Order::Second)?;
-        Ok(Self { setup: *setup, vary, of, sense: search.sense, derivatives, domain })
+        Ok(Self {
+            setup: *setup,
+            vary,
+            of,
+            sense: search.sense,
+            derivatives,
+            domain,
+        })
     }
 
     /// The setup's own values of what is varied.
@@ -67,17 +82,27 @@ impl DriveProblem {
             Sense::Maximize => of.map(Taylor::negated),
             Sense::Minimize => of,
         };
-        Evaluation { objective: objective.unwrap_or_default(), constraints }
+        Evaluation {
+            objective: objective.unwrap_or_default(),
+            constraints,
+        }
     }
 }
 
 /// A setup's own values of some parameters.
 pub(super) fn values(setup: &Setup<f64>, parameters: &[&'static Parameter]) -> Vec<f64> {
-    parameters.iter().filter_map(|parameter| setup.value(parameter)).collect()
+    parameters
+        .iter()
+        .filter_map(|parameter| setup.value(parameter))
+        .collect()
 }
 
 /// A setup with other values of some parameters.
-pub(super) fn moved(setup: &Setup<f64>, parameters: &[&'static Parameter], values: &[f64]) -> Result<Setup<f64>> {
+pub(super) fn moved(
+    setup: &Setup<f64>,
+    parameters: &[&'static Parameter],
+    values: &[f64],
+) -> Result<Setup<f64>> {
     let mut moved = *setup;
     for (parameter, value) in parameters.iter().zip(values) {
         moved.set_value(parameter, Some(*value))?;
@@ -88,6 +113,8 @@ pub(super) fn moved(setup: &Setup<f64>, parameters: &[&'static Parameter], value
 impl Problem for DriveProblem {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
         let taylors = self.derivatives.at(x);
-        taylors.map(|taylors| self.as_functions(taylors)).map_err(|e| e.to_string())
+        taylors
+            .map(|taylors| self.as_functions(taylors))
+            .map_err(|e| e.to_string())
     }
 }

@@ -1,12 +1,13 @@
-//! The part of a map that is nearly as good as its optimum: found by flying, within bounds and constraints.
+//! The part of a map that is nearly as good as its optimum: found by flying, within bounds and
+//! constraints.
 
 use super::optimum::Optimum;
 use super::plane::Plane;
 use super::{Constraint, Vary};
 use crate::error::Result;
 
-/// Where drives lose at most a stated amount of an optimum's outcome, and meet every bound and every constraint. The other parameters
-/// are held at the optimum.
+/// Where drives lose at most a stated amount of an optimum's outcome, and meet every bound and
+/// every constraint. The other parameters are held at the optimum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     /// The loss, SI.
@@ -17,8 +18,9 @@ pub struct Region {
     pub up: Vary,
     /// Nodes to each side.
     pub columns: usize,
-    /// What each node misses: at most 0 in the region. The loss over what is allowed, less 1, or how far the constraint missed most
-    /// is missed in parts of its own range over the map, whichever is more; `None` where nothing flies.
+    /// What each node misses: at most 0 in the region. The loss over what is allowed, less 1, or
+    /// how far the constraint missed most is missed in parts of its own range over the map,
+    /// whichever is more; `None` where nothing flies.
     pub misses: Vec<Option<f64>>,
     /// What an equation misses at each node: the region is the part of the line where it is 0.
     pub equation: Option<Vec<Option<f64>>>,
@@ -40,20 +42,39 @@ const ROUNDING: f64 = 1e-12;
 impl Region {
     /// The region around an optimum over two of the parameters that its search varied.
     ///
-    /// `None` where it is but a point: the optimum has no value, two equations fix both parameters, or it lies in no node of the finest look.
+    /// `None` where it is but a point: the optimum has no value, two equations fix both parameters,
+    /// or it lies in no node of the finest look.
     ///
     /// # Errors
     /// As [`Batch::new`](crate::batch::Batch::new).
     pub fn around(best: &Optimum, across: Vary, up: Vary, loss: f64) -> Result<Option<Self>> {
-        let place = |of: &Vary| best.search.vary.iter().position(|vary| vary.parameter == of.parameter);
-        let (Some(value), Some(i), Some(j)) = (best.value(), place(&across), place(&up)) else { return Ok(None) };
-        let equations = best.search.subject_to.iter().filter(|constraint| constraint.is_equation()).count();
+        let place = |of: &Vary| {
+            best.search
+                .vary
+                .iter()
+                .position(|vary| vary.parameter == of.parameter)
+        };
+        let (Some(value), Some(i), Some(j)) = (best.value(), place(&across), place(&up)) else {
+            return Ok(None);
+        };
+        let equations = best
+            .search
+            .subject_to
+            .iter()
+            .filter(|constraint| constraint.is_equation())
+            .count();
         if equations > 1 || across.low == across.high || up.low == up.high {
             return Ok(None);
         }
         let top = [best.solution.x[i], best.solution.x[j]];
         let look = |across: Vary, up: Vary, columns: usize| -> Result<Self> {
-            let plane = Plane::fly(&best.setup, &best.search.outcomes(), across, up, [columns; 2])?;
+            let plane = Plane::fly(
+                &best.setup,
+                &best.search.outcomes(),
+                across,
+                up,
+                [columns; 2],
+            )?;
             Ok(Self::judged(best, value, loss, &plane))
         };
         let (mut across, mut up) = (across, up);
@@ -67,21 +88,31 @@ impl Region {
             }
         }
         let region = look(across, up, FINE)?;
-        Ok(Some(region).filter(|region| region.misses.iter().flatten().any(|missed| *missed <= 0.0)))
+        Ok(Some(region)
+            .filter(|region| region.misses.iter().flatten().any(|missed| *missed <= 0.0)))
     }
 
     fn judged(best: &Optimum, value: f64, loss: f64, plane: &Plane) -> Self {
         let sign = best.search.sense.sign();
-        let mut misses: Vec<Option<f64>> =
-            plane.values[0].iter().map(|found| Some(sign * ((*found)? - value) / loss - 1.0)).collect();
+        let mut misses: Vec<Option<f64>> = plane.values[0]
+            .iter()
+            .map(|found| Some(sign * ((*found)? - value) / loss - 1.0))
+            .collect();
         let mut equation = None;
         for (constraint, values) in best.search.subject_to.iter().zip(&plane.values[1..]) {
             let missed = missed(constraint, values);
             if constraint.is_equation() {
                 // one that holds all over the plane forbids nothing
-                let rounding =
-                    ROUNDING * plane.values[0].iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
-                if values.iter().flatten().any(|value| (value - constraint.low).abs() > rounding) {
+                let rounding = ROUNDING
+                    * plane.values[0]
+                        .iter()
+                        .flatten()
+                        .fold(0.0_f64, |most, value| most.max(value.abs()));
+                if values
+                    .iter()
+                    .flatten()
+                    .any(|value| (value - constraint.low).abs() > rounding)
+                {
                     equation = Some(missed);
                 }
                 continue;
@@ -90,8 +121,20 @@ impl Region {
                 *most = most.zip(missed).map(|(most, missed)| most.max(missed));
             }
         }
-        let Plane { across, up, columns, .. } = *plane;
-        Self { loss, across, up, columns, misses, equation }
+        let Plane {
+            across,
+            up,
+            columns,
+            ..
+        } = *plane;
+        Self {
+            loss,
+            across,
+            up,
+            columns,
+            misses,
+            equation,
+        }
     }
 
     /// The part of what was looked at that holds the region and the optimum, and a node around.
@@ -100,10 +143,17 @@ impl Region {
         let step = |vary: &Vary, count: usize| (vary.high - vary.low) / (count - 1) as f64;
         let steps = [step(&self.across, self.columns), step(&self.up, rows)];
         let held = |missed: &Option<f64>| missed.is_some_and(|missed| missed <= 0.0);
-        let nodes = self.misses.iter().enumerate().filter(|(_, missed)| held(missed));
+        let nodes = self
+            .misses
+            .iter()
+            .enumerate()
+            .filter(|(_, missed)| held(missed));
         let places = nodes.map(|(node, _)| {
             let (column, row) = (node % self.columns, node / self.columns);
-            [self.across.low + column as f64 * steps[0], self.up.low + row as f64 * steps[1]]
+            [
+                self.across.low + column as f64 * steps[0],
+                self.up.low + row as f64 * steps[1],
+            ]
         });
         let (mut low, mut high) = (top, top);
         for place in places {
@@ -121,11 +171,16 @@ impl Region {
     }
 }
 
-/// How far a constraint is missed at each node, in parts of the range of its outcome: at most 0 where it is met. Of an equation, to which side.
+/// How far a constraint is missed at each node, in parts of the range of its outcome: at most 0
+/// where it is met. Of an equation, to which side.
 fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
     let known = || values.iter().flatten().copied();
     let range = known().fold(f64::NEG_INFINITY, f64::max) - known().fold(f64::INFINITY, f64::min);
-    let range = if range > 0.0 && range.is_finite() { range } else { 1.0 };
+    let range = if range > 0.0 && range.is_finite() {
+        range
+    } else {
+        1.0
+    };
     let missed = |value: f64| {
         if constraint.is_equation() {
             value - constraint.low
@@ -133,5 +188,8 @@ fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
             (value - constraint.high).max(constraint.low - value)
         }
     };
-    values.iter().map(|value| value.map(|value| missed(value) / range)).collect()
+    values
+        .iter()
+        .map(|value| value.map(|value| missed(value) / range))
+        .collect()
 }

@@ -1,4 +1,5 @@
-//! A sample of the ranges of a search, flown without derivatives: a check of where the search ended.
+//! A sample of the ranges of a search, flown without derivatives: a check of where the search
+//! ended.
 
 use super::problem::DriveProblem;
 use crate::error::Result;
@@ -38,18 +39,29 @@ const SEARCHES: usize = 3;
 /// A region that fewer than one in so many points are in may have several parts.
 const ONE_IN: usize = 8;
 
-/// Compares the end of a search with a sample of the ranges. While a point is better than the best end, `search` is called to begin from it; and from the
-/// best of few that meet the constraints, whose region may have several parts. `None` where `interrupt` became true before all points were flown.
+/// Compares the end of a search with a sample of the ranges. While a point is better than the best
+/// end, `search` is called to begin from it; and from the best of few that meet the constraints,
+/// whose region may have several parts. `None` where `interrupt` became true before all points were
+/// flown.
 pub(super) fn resample(
     problem: &DriveProblem,
     end: &Solution,
     interrupt: &AtomicBool,
     mut search: impl FnMut(&[f64]) -> Result<Solution>,
 ) -> Result<Option<Resampled>> {
-    let Some(points) = fly(problem, interrupt)? else { return Ok(None) };
+    let Some(points) = fly(problem, interrupt)? else {
+        return Ok(None);
+    };
     let scale = Scale::of(problem, &points);
-    let mut ranked: Vec<_> = points.iter().map(|point| (scale.of_point(point), point)).collect();
-    ranked.sort_by(|(a, _), (b, _)| a.violation.total_cmp(&b.violation).then(a.objective.total_cmp(&b.objective)));
+    let mut ranked: Vec<_> = points
+        .iter()
+        .map(|point| (scale.of_point(point), point))
+        .collect();
+    ranked.sort_by(|(a, _), (b, _)| {
+        a.violation
+            .total_cmp(&b.violation)
+            .then(a.objective.total_cmp(&b.objective))
+    });
 
     let feasible = ranked.iter().filter(|(merit, _)| merit.is_feasible).count();
     let is_in_parts = feasible > 0 && ONE_IN * feasible < POINTS;
@@ -64,8 +76,16 @@ pub(super) fn resample(
             (best, solution) = (merit, Some(found));
         }
     }
-    let better = ranked.iter().filter(|(merit, _)| scale.is_better(merit, &best)).count();
-    let sample = Sample { points: POINTS, feasible, better, improved: solution.is_some() };
+    let better = ranked
+        .iter()
+        .filter(|(merit, _)| scale.is_better(merit, &best))
+        .count();
+    let sample = Sample {
+        points: POINTS,
+        feasible,
+        better,
+        improved: solution.is_some(),
+    };
     Ok(Some(Resampled { sample, solution }))
 }
 
@@ -76,7 +96,8 @@ struct Point {
     constraints: Vec<f64>,
 }
 
-/// The points of the sample that have every outcome; `None` where `interrupt` became true before all were flown.
+/// The points of the sample that have every outcome; `None` where `interrupt` became true before
+/// all were flown.
 fn fly(problem: &DriveProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Point>>> {
     // the first start is the setup's own
     let sample = starts(&problem.domain, &problem.start(), 1 + POINTS)?.split_off(1);
@@ -90,7 +111,11 @@ fn fly(problem: &DriveProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Poin
         points.extend(some.iter().enumerate().filter_map(|(row, x)| {
             let mut values = block.outcomes(row).collect::<Option<Vec<f64>>>()?;
             let constraints = values.split_off(1);
-            Some(Point { x: x.clone(), objective: problem.sense.sign() * values[0], constraints })
+            Some(Point {
+                x: x.clone(),
+                objective: problem.sense.sign() * values[0],
+                constraints,
+            })
         }));
     }
     Ok(Some(points))
@@ -100,7 +125,8 @@ fn fly(problem: &DriveProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Poin
 struct Merit {
     /// Whether the point meets every constraint.
     is_feasible: bool,
-    /// The largest violation of a constraint, relative to the spread of its outcome over the sample.
+    /// The largest violation of a constraint, relative to the spread of its outcome over the
+    /// sample.
     violation: f64,
     /// f.
     objective: f64,
@@ -120,33 +146,60 @@ impl<'a> Scale<'a> {
         const ROUNDING: f64 = 1e-9;
         let spread = |j: usize| {
             let values = || points.iter().map(|point| point.constraints[j]);
-            let spread = values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
+            let spread =
+                values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
             if spread > 0.0 { spread } else { 1.0 }
         };
-        let largest = points.iter().map(|point| point.objective.abs()).fold(0.0, f64::max);
-        let constraints = (0..problem.domain.constraints.dimension()).map(spread).collect();
-        Self { problem, constraints, rounding: ROUNDING * largest }
+        let largest = points
+            .iter()
+            .map(|point| point.objective.abs())
+            .fold(0.0, f64::max);
+        let constraints = (0..problem.domain.constraints.dimension())
+            .map(spread)
+            .collect();
+        Self {
+            problem,
+            constraints,
+            rounding: ROUNDING * largest,
+        }
     }
 
     fn of_point(&self, point: &Point) -> Merit {
         let violation = self.violation(point.constraints.iter().copied());
-        Merit { is_feasible: violation == 0.0, violation, objective: point.objective }
+        Merit {
+            is_feasible: violation == 0.0,
+            violation,
+            objective: point.objective,
+        }
     }
 
     fn of_solution(&self, solution: &Solution) -> Merit {
         /// Active constraints are met but for rounding.
         const MET: f64 = 1e-8;
         let Some(objective) = solution.value else {
-            return Merit { is_feasible: false, violation: f64::INFINITY, objective: f64::INFINITY };
+            return Merit {
+                is_feasible: false,
+                violation: f64::INFINITY,
+                objective: f64::INFINITY,
+            };
         };
         let violation = self.violation(solution.constraints.iter().map(|at| at.value));
-        Merit { is_feasible: solution.status != Status::Infeasible && violation <= MET, violation, objective }
+        Merit {
+            is_feasible: solution.status != Status::Infeasible && violation <= MET,
+            violation,
+            objective,
+        }
     }
 
     fn violation(&self, constraints: impl Iterator<Item = f64>) -> f64 {
         let limits = &self.problem.domain.constraints;
-        let relative = |(j, (value, spread)): (usize, (f64, &f64))| limits.excess(j, value).abs() / spread;
-        constraints.zip(&self.constraints).enumerate().map(relative).fold(0.0, f64::max)
+        let relative =
+            |(j, (value, spread)): (usize, (f64, &f64))| limits.excess(j, value).abs() / spread;
+        constraints
+            .zip(&self.constraints)
+            .enumerate()
+            .map(relative)
+            .fold(0.0, f64::max)
     }
 
     fn is_better(&self, one: &Merit, other: &Merit) -> bool {

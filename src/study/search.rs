@@ -1,4 +1,5 @@
-//! What to look for: an outcome as large or as small as possible, the parameters to vary, and what is held meanwhile.
+//! What to look for: an outcome as large or as small as possible, the parameters to vary, and what
+//! is held meanwhile.
 
 use super::constraint::Constraint;
 use crate::drive::Outcome;
@@ -61,21 +62,36 @@ impl Search {
     /// The largest value of an outcome, with nothing varied yet.
     pub fn largest(of: Outcome) -> Self {
         let (sense, options) = (Sense::Maximize, Options::default());
-        Self { of, sense, vary: vec![], subject_to: vec![], options }
+        Self {
+            of,
+            sense,
+            vary: vec![],
+            subject_to: vec![],
+            options,
+        }
     }
 
     /// The outcomes that it asks for: the one sought, then those that are held within limits.
     pub fn outcomes(&self) -> Vec<Outcome> {
-        std::iter::once(self.of).chain(self.subject_to.iter().map(|constraint| constraint.outcome)).collect()
+        std::iter::once(self.of)
+            .chain(self.subject_to.iter().map(|constraint| constraint.outcome))
+            .collect()
     }
 
     /// The longest carry over loft 4–20° and attack angle −5…+5°.
     ///
     /// # Errors
-    /// [`Error::NotVariable`](crate::Error::NotVariable) where the setup gives the launch of the ball: then there is no club to vary.
+    /// [`Error::NotVariable`](crate::Error::NotVariable) where the setup gives the launch of the
+    /// ball: then there is no club to vary.
     pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
-        let vary = vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?;
-        Ok(Self { vary, ..Self::largest(Outcome::Carry) })
+        let vary = vary
+            .iter()
+            .map(|text| Vary::read(setup, text))
+            .collect::<Result<_>>()?;
+        Ok(Self {
+            vary,
+            ..Self::largest(Outcome::Carry)
+        })
     }
 }

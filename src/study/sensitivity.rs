@@ -24,8 +24,9 @@ pub struct Sensitivity {
 /// The sensitivity of an optimum to a parameter, from the KKT system with exact second derivatives.
 ///
 /// # Errors
-/// [`Error::NotConverged`] where there is no optimum to speak of; [`Error::Unreadable`] for a parameter that is itself
-/// varied; [`Setup::variable`]'s; [`Error::Optimizer`] where the optimum is not isolated.
+/// [`Error::NotConverged`] where there is no optimum to speak of; [`Error::Unreadable`] for a
+/// parameter that is itself varied; [`Setup::variable`]'s; [`Error::Optimizer`] where the optimum
+/// is not isolated.
 pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sensitivity> {
     let problem = converged(best)?;
     refuse_varied(&best.search, parameter)?;
@@ -33,10 +34,16 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
     let response = response(&best.solution, &problem.domain, &at)?;
     let sign = best.search.sense.sign();
     let (value, curvature) = (sign * response.value, sign * response.curvature);
-    Ok(Sensitivity { parameter, value, curvature, optimum: response.x })
+    Ok(Sensitivity {
+        parameter,
+        value,
+        curvature,
+        optimum: response.x,
+    })
 }
 
-/// The sensitivities to each of these parameters, as far as they exist: a reason stands for one that does not.
+/// The sensitivities to each of these parameters, as far as they exist: a reason stands for one
+/// that does not.
 ///
 /// # Errors
 /// [`Error::NotConverged`].
@@ -62,7 +69,8 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
     if search.vary.iter().any(|vary| vary.parameter == parameter) {
         let name = parameter.name;
         let source = format!(
-            "{name} is one of the parameters varied, so that the search chooses it; ask about another parameter, or take it out of those \
+            "{name} is one of the parameters varied, so that the search chooses it; ask about \
+             another parameter, or take it out of those \
              (--vary)"
         );
         return Err(Error::Unreadable {
@@ -75,7 +83,10 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
 
 fn converged(best: &Optimum) -> Result<DriveProblem> {
     if best.solution.status != Status::Converged {
-        return Err(Error::NotConverged { status: best.status(), message: best.message() });
+        return Err(Error::NotConverged {
+            status: best.status(),
+            message: best.message(),
+        });
     }
     posed(&best.setup, &best.search)
 }
@@ -90,26 +101,34 @@ pub struct Change {
 }
 
 impl Change {
-    /// Reads `NAME=+AMOUNT`, for example `swing.speed=+5mph`, or `air.density=-20%`: a part of the parameter's own value, unless the
-    /// parameter is a plain number, of which 1 % is 0.01.
+    /// Reads `NAME=+AMOUNT`, for example `swing.speed=+5mph`, or `air.density=-20%`: a part of the
+    /// parameter's own value, unless the parameter is a plain number, of which 1 % is 0.01.
     ///
     /// # Errors
-    /// [`Error::Unreadable`]; as [`Setup::variable`]; [`Error::OutOfRange`] where it leads out of the parameter's range.
+    /// [`Error::Unreadable`]; as [`Setup::variable`]; [`Error::OutOfRange`] where it leads out of
+    /// the parameter's range.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable = |source| Error::Unreadable { name: format!("the change {}", text.trim()), source };
-        let (name, amount) = text
-            .split_once('=')
-            .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=+5mph or air.density=-20%".into()))?;
+        let unreadable = |source| Error::Unreadable {
+            name: format!("the change {}", text.trim()),
+            source,
+        };
+        let (name, amount) = text.split_once('=').ok_or_else(|| {
+            unreadable(
+                "write NAME=AMOUNT, for example swing.speed=+5mph or air.density=-20%".into(),
+            )
+        })?;
         let parameter = setup.variable(name.trim())?;
         let amount = amount.trim();
         let amount = amount.strip_prefix('+').unwrap_or(amount);
-        let mut delta = amount_of(setup, parameter, amount, Quantity::read_difference).map_err(unreadable)?;
+        let mut delta =
+            amount_of(setup, parameter, amount, Quantity::read_difference).map_err(unreadable)?;
         let own = setup.value(parameter).unwrap_or_default();
         if amount.ends_with('%') && parameter.quantity != Quantity::NUMBER {
             if own == 0.0 {
                 let (name, unit) = (parameter.name, parameter.unit);
                 let reason = format!(
-                    "{name} is 0, of which no part changes anything; write an amount, for example {name}=+1{unit}"
+                    "{name} is 0, of which no part changes anything; write an amount, for example \
+                     {name}=+1{unit}"
                 );
                 return Err(unreadable(reason.into()));
             }
@@ -124,7 +143,8 @@ impl Change {
     }
 }
 
-/// What a stated change does to an optimum: as predicted from the sensitivity, and as found by searching again.
+/// What a stated change does to an optimum: as predicted from the sensitivity, and as found by
+/// searching again.
 #[derive(Clone, Debug)]
 pub struct Changed {
     /// The change.
@@ -137,14 +157,16 @@ pub struct Changed {
     pub predicted: Vec<f64>,
     /// The optimum found anew.
     pub resolved: Optimum,
-    /// What of the active bounds and constraints changes on the way, and after which part of it, to first order.
+    /// What of the active bounds and constraints changes on the way, and after which part of it, to
+    /// first order.
     pub event: Option<(f64, Message)>,
     /// What of them was in truth different at the end.
     pub differences: Vec<Message>,
 }
 
-/// The effect of a stated change on an optimum. `integrated` says how the drives of the new search are integrated, from the changed setup:
-/// a step that follows the drives of one search may be too long for those of the other.
+/// The effect of a stated change on an optimum. `integrated` says how the drives of the new search
+/// are integrated, from the changed setup: a step that follows the drives of one search may be too
+/// long for those of the other.
 ///
 /// # Errors
 /// As [`sensitivity`]; what `integrated` and the search for the new optimum refuse.
@@ -162,7 +184,11 @@ pub fn change(
     let mut setup = best.setup;
     let value = setup.value(change.parameter).unwrap_or_default();
     setup.set_value(change.parameter, Some(value + delta))?;
-    let resolved = optimum(&integrated(setup)?, best.search.clone(), Observer::default())?;
+    let resolved = optimum(
+        &integrated(setup)?,
+        best.search.clone(),
+        Observer::default(),
+    )?;
 
     let before = best.value().unwrap_or_default();
     let sign = best.search.sense.sign();
@@ -172,7 +198,12 @@ pub fn change(
         change,
         first_order,
         second_order: first_order + 0.5 * sign * response.curvature * delta * delta,
-        predicted: solution.x.iter().zip(&response.x).map(|(x, rate)| x + rate * delta).collect(),
+        predicted: solution
+            .x
+            .iter()
+            .zip(&response.x)
+            .map(|(x, rate)| x + rate * delta)
+            .collect(),
         event: event.map(|(part, event)| (part, in_words(&best.search, event))),
         differences: differences(best, &resolved),
         resolved,
@@ -182,14 +213,25 @@ pub fn change(
 fn in_words(search: &Search, event: Event) -> Message {
     let bound = |i: usize, is_lower: bool, what: &str| {
         let vary = &search.vary[i];
-        let (name, end) = if is_lower { ("lower", vary.low) } else { ("upper", vary.high) };
-        vary.parameter.place(format!("{} {what} its {name} bound ", vary.parameter.name).into(), end)
+        let (name, end) = if is_lower {
+            ("lower", vary.low)
+        } else {
+            ("upper", vary.high)
+        };
+        vary.parameter.place(
+            format!("{} {what} its {name} bound ", vary.parameter.name).into(),
+            end,
+        )
     };
     match event {
         Event::BoundReached(i, is_lower) => bound(i, is_lower, "reaches"),
         Event::BoundLeft(i, is_lower) => bound(i, is_lower, "leaves"),
-        Event::LimitReached(j, _) => format!("{} becomes active", search.subject_to[j].expression).into(),
-        Event::LimitLeft(j, _) => format!("{} is no longer active", search.subject_to[j].expression).into(),
+        Event::LimitReached(j, _) => {
+            format!("{} becomes active", search.subject_to[j].expression).into()
+        }
+        Event::LimitLeft(j, _) => {
+            format!("{} is no longer active", search.subject_to[j].expression).into()
+        }
     }
 }
 
@@ -201,7 +243,15 @@ fn differences(before: &Optimum, after: &Optimum) -> Vec<Message> {
     }
     let (was, is) = (before.active(), after.active());
     let only = |these: &[Active], others: &[Active], words: &str| -> Vec<Message> {
-        these.iter().filter(|one| !others.contains(one)).map(|one| format!("{one} {words}").into()).collect()
+        these
+            .iter()
+            .filter(|one| !others.contains(one))
+            .map(|one| format!("{one} {words}").into())
+            .collect()
     };
-    [only(&was, &is, "is no longer active"), only(&is, &was, "has become active")].concat()
+    [
+        only(&was, &is, "is no longer active"),
+        only(&is, &was, "has become active"),
+    ]
+    .concat()
 }

@@ -16,8 +16,8 @@ pub struct Sigma {
 }
 
 impl Sigma {
-    /// Reads `NAME=AMOUNT`, for example `swing.speed=1mph`, or `air.density=0.5%`: a part of the parameter's own value, unless the
-    /// parameter is a plain number, of which 1 % is 0.01.
+    /// Reads `NAME=AMOUNT`, for example `swing.speed=1mph`, or `air.density=0.5%`: a part of the
+    /// parameter's own value, unless the parameter is a plain number, of which 1 % is 0.01.
     ///
     /// ```
     /// use longdrive::{Setup, study::Sigma};
@@ -32,23 +32,35 @@ impl Sigma {
     /// # Errors
     /// [`Error::Unreadable`] for what is no amount above 0; as [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable =
-            |source| Error::Unreadable { name: format!("the standard uncertainty {}", text.trim()), source };
-        let (name, amount) = text
-            .split_once('=')
-            .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%".into()))?;
+        let unreadable = |source| Error::Unreadable {
+            name: format!("the standard uncertainty {}", text.trim()),
+            source,
+        };
+        let (name, amount) = text.split_once('=').ok_or_else(|| {
+            unreadable("write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%".into())
+        })?;
         let parameter = setup.variable(name.trim())?;
-        let value = amount_of(setup, parameter, amount, Quantity::read_difference).map_err(unreadable)?;
+        let value =
+            amount_of(setup, parameter, amount, Quantity::read_difference).map_err(unreadable)?;
         if value > 0.0 && value.is_finite() {
-            return Ok(Self { parameter, value, source: None });
+            return Ok(Self {
+                parameter,
+                value,
+                source: None,
+            });
         }
         let (name, unit) = (parameter.name, parameter.unit);
         let is_part = amount.trim().ends_with('%') && setup.value(parameter) == Some(0.0);
-        let why = if is_part { format!(", since {name} is 0") } else { String::new() };
+        let why = if is_part {
+            format!(", since {name} is 0")
+        } else {
+            String::new()
+        };
         let given = parameter.show(Some(value));
         let example = format!("{name}=1 {unit}");
         let reason = format!(
-            "the standard uncertainty of {name} would be {given}{why}, but it must be above 0 and finite; write for example {}",
+            "the standard uncertainty of {name} would be {given}{why}, but it must be above 0 and \
+             finite; write for example {}",
             example.trim_end()
         );
         Err(unreadable(reason.into()))
@@ -56,28 +68,40 @@ impl Sigma {
 }
 
 impl Sigma {
-    /// Whether it is an uncertainty of a parameter of this setup, which one that was not read need not be.
+    /// Whether it is an uncertainty of a parameter of this setup, which one that was not read need
+    /// not be.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for one that is not above 0 and finite; as [`Setup::variable`]; [`Error::OtherLaw`].
+    /// [`Error::Unreadable`] for one that is not above 0 and finite; as [`Setup::variable`];
+    /// [`Error::OtherLaw`].
     pub(super) fn check(&self, setup: &Setup<f64>) -> Result<()> {
         let parameter = self.parameter;
         setup.check_variable(parameter)?;
         if self.value > 0.0 && self.value.is_finite() {
             return Ok(());
         }
-        let source = format!("it is {}, but must be above 0 and finite", parameter.show(Some(self.value)));
-        Err(Error::Unreadable { name: format!("the standard uncertainty of {parameter}"), source: source.into() })
+        let source = format!(
+            "it is {}, but must be above 0 and finite",
+            parameter.show(Some(self.value))
+        );
+        Err(Error::Unreadable {
+            name: format!("the standard uncertainty of {parameter}"),
+            source: source.into(),
+        })
     }
 }
 
 /// The error for a parameter with two uncertainties.
 pub fn given_twice(parameter: &Parameter) -> Error {
     let source = "it is given twice; keep one".into();
-    Error::Unreadable { name: format!("the uncertainty of {}", parameter.name), source }
+    Error::Unreadable {
+        name: format!("the uncertainty of {}", parameter.name),
+        source,
+    }
 }
 
-/// An amount of a parameter, SI: with its unit, which `read` reads as a value or as a difference, or a part of its own value in %.
+/// An amount of a parameter, SI: with its unit, which `read` reads as a value or as a difference,
+/// or a part of its own value in %.
 pub(super) fn amount_of(
     setup: &Setup<f64>,
     parameter: &Parameter,
@@ -87,10 +111,14 @@ pub(super) fn amount_of(
     match read(parameter.quantity, text.trim()) {
         Ok(value) => Ok(value),
         Err(error) => {
-            let part = text.trim().strip_suffix('%').and_then(|part| part.trim().parse::<f64>().ok());
+            let part = text
+                .trim()
+                .strip_suffix('%')
+                .and_then(|part| part.trim().parse::<f64>().ok());
             let part = part.filter(|part| !part.is_nan());
             let own = setup.value(parameter).unwrap_or_default().abs();
-            part.map(|percent| percent / 100.0 * own).ok_or_else(|| error.into())
+            part.map(|percent| percent / 100.0 * own)
+                .ok_or_else(|| error.into())
         }
     }
 }
@@ -103,27 +131,38 @@ enum Amount {
     Wind(f64),
 }
 
-/// The least roughness length that gusts are computed for where the setup has a uniform wind, m: open country with low vegetation (EN 1991-1-4,
-/// terrain category II).
+/// The least roughness length that gusts are computed for where the setup has a uniform wind, m:
+/// open country with low vegetation (EN 1991-1-4, terrain category II).
 const OPEN_COUNTRY: f64 = 0.05;
 
-/// σ_v/σ_u: gusts across the wind are this part of those along it (Panofsky & Dutton 1984: 1.92/2.39).
+/// σ_v/σ_u: gusts across the wind are this part of those along it (Panofsky & Dutton 1984:
+/// 1.92/2.39).
 const ACROSS: f64 = 0.8;
 
-/// The standard deviations of the wind's components to the right and downrange, and of its speed, from one drive to another: the intensity
-/// of turbulence at the reference height is 1/ln(z_ref/z₀).
+/// The standard deviations of the wind's components to the right and downrange, and of its speed,
+/// from one drive to another: the intensity of turbulence at the reference height is
+/// 1/ln(z_ref/z₀).
 fn gusts(setup: &Setup<f64>) -> [f64; 3] {
     let wind = &setup.wind;
-    let Wind { right, downrange, .. } = in_effect(setup).wind;
+    let Wind {
+        right, downrange, ..
+    } = in_effect(setup).wind;
     let heights = wind.reference_height / wind.roughness.unwrap_or(OPEN_COUNTRY);
-    // among what makes the ground rough there is no such profile; gusts are there as large as the wind
+    // among what makes the ground rough there is no such profile; gusts are there as large as the
+    // wind
     let intensity = heights.max(std::f64::consts::E).ln().recip();
     let component = |own: f64, other: f64| intensity * own.hypot(ACROSS * other);
-    [component(right, downrange), component(downrange, right), intensity * right.hypot(downrange)]
+    [
+        component(right, downrange),
+        component(downrange, right),
+        intensity * right.hypot(downrange),
+    ]
 }
 
-const MONITOR: &str = "assumed: what launch monitors state of a ball (0.5 mph, 0.3 deg), taken for the club";
-const BALL: &str = "assumed: what launch monitors state of a ball, as for `calibrate` without stated uncertainties";
+const MONITOR: &str =
+    "assumed: what launch monitors state of a ball (0.5 mph, 0.3 deg), taken for the club";
+const BALL: &str = "assumed: what launch monitors state of a ball, as for `calibrate` without \
+                    stated uncertainties";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
 const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, a tenth of it";
@@ -132,9 +171,10 @@ const PRESSURE: &str = "assumed: pressure within 3 hPa";
 const ALTITUDE: &str = "assumed: pressure within 3 hPa of that of the altitude";
 const HUMIDITY: &str = "assumed: humidity within 10 %";
 const BEARING: &str = "assumed: wind direction within 10 deg";
-const WIND: &str = "assumed: mean wind within 1 m/s; and its gusts, σ_u/u = 1/ln(z_ref/z₀), docs/sources.md";
-const TURF: &str =
-    "assumed: fairways differ, and no one has calibrated them; a tour drive's total is then within about 10 yd";
+const WIND: &str =
+    "assumed: mean wind within 1 m/s; and its gusts, σ_u/u = 1/ln(z_ref/z₀), docs/sources.md";
+const TURF: &str = "assumed: fairways differ, and no one has calibrated them; a tour drive's total \
+                    is then within about 10 yd";
 
 /// The uncertainties taken where none is given: of one drive as it is measured on a calm range.
 const DEFAULTS: &[(&str, Amount, &str)] = &[
@@ -152,7 +192,11 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("launch.sidespin", Amount::Of(100.0, "rpm"), BALL),
     ("launch.spin", Amount::Of(100.0, "rpm"), BALL),
     ("launch.spin_axis", Amount::Of(2.0, "deg"), BALL),
-    ("impact.tangential_restitution", Amount::Of(0.05, ""), "docs/sources.md: −0.15 ± 0.05"),
+    (
+        "impact.tangential_restitution",
+        Amount::Of(0.05, ""),
+        "docs/sources.md: −0.15 ± 0.05",
+    ),
     ("air.density", Amount::Part(0.005), AIR),
     ("air.temperature", Amount::Of(1.5, "K"), AIR),
     ("air.pressure", Amount::Of(3.0, "hPa"), PRESSURE),
@@ -173,20 +217,26 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("aero.cl_slope", Amount::Part(0.1), LAW_LIFT),
 ];
 
-/// The uncertainties given, then the defaults of other parameters of the setup; those of the ground where one of the outcomes is of the run.
+/// The uncertainties given, then the defaults of other parameters of the setup; those of the ground
+/// where one of the outcomes is of the run.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for a parameter that is given twice.
 pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Result<Vec<Sigma>> {
     for (i, sigma) in given.iter().enumerate() {
-        if given[..i].iter().any(|other| other.parameter == sigma.parameter) {
+        if given[..i]
+            .iter()
+            .any(|other| other.parameter == sigma.parameter)
+        {
             return Err(given_twice(sigma.parameter));
         }
     }
     let mut all = given.to_vec();
     let runs = of.iter().any(|of| of.is_of_the_run());
     for (name, amount, source) in DEFAULTS {
-        let Ok(parameter) = setup.variable(name) else { continue };
+        let Ok(parameter) = setup.variable(name) else {
+            continue;
+        };
         let has_no_effect = parameter.is_of_the_run() && !runs;
         if has_no_effect || given.iter().any(|sigma| sigma.parameter == parameter) {
             continue;
@@ -204,7 +254,11 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Res
             }
         };
         if value > 0.0 {
-            all.push(Sigma { parameter, value, source: Some(source) });
+            all.push(Sigma {
+                parameter,
+                value,
+                source: Some(source),
+            });
         }
     }
     Ok(all)

@@ -6,21 +6,28 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is told where the work was stopped before all drives had been looked at.
-pub(super) const NOT_LOOKED_AT: &str =
-    "whether the drives lie beyond what their law was fitted to was not looked at: the work was stopped before";
+pub(super) const NOT_LOOKED_AT: &str = "whether the drives lie beyond what their law was fitted to \
+                                        was not looked at: the work was stopped before";
 
-/// What `work` makes of each item, in their order; `None` where `stop` became true before all were begun: no other is begun then.
+/// What `work` makes of each item, in their order; `None` where `stop` became true before all were
+/// begun: no other is begun then.
 pub(super) fn each_until<T: Sync, R: Send>(
     items: &[T],
     stop: &AtomicBool,
     work: impl Fn(&T) -> R + Sync,
 ) -> Option<Vec<R>> {
-    items.par_iter().map(|item| (!stop.load(Ordering::Relaxed)).then(|| work(item))).collect()
+    items
+        .par_iter()
+        .map(|item| (!stop.load(Ordering::Relaxed)).then(|| work(item)))
+        .collect()
 }
 
 /// That work was stopped before something, as an error.
 pub(super) fn stopped(before: &str) -> Error {
-    Error::NotConverged { status: Status::Interrupted.name(), message: stopped_before(before).into() }
+    Error::NotConverged {
+        status: Status::Interrupted.name(),
+        message: stopped_before(before).into(),
+    }
 }
 
 /// The same in words.
@@ -38,7 +45,10 @@ mod tests {
     fn exact_no_item_is_begun_after_the_flag_but_those_under_way_end() {
         let items: Vec<usize> = (0..100_000).collect();
         for threads in [1, 2, 4] {
-            let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let pool = ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
             for most in [1, 10, 1000] {
                 let (stop, begun) = (AtomicBool::new(false), AtomicUsize::new(0));
                 let work = |item: &usize| {
@@ -49,11 +59,21 @@ mod tests {
                 };
                 assert_eq!(pool.install(|| each_until(&items, &stop, work)), None);
                 let begun = begun.into_inner();
-                assert!((most..most + threads).contains(&begun), "{begun} of {most} with {threads} threads");
+                assert!(
+                    (most..most + threads).contains(&begun),
+                    "{begun} of {most} with {threads} threads"
+                );
             }
             let never = AtomicBool::new(false);
-            let squares = pool.install(|| each_until(&items, &never, |item| item * item)).unwrap();
-            assert!(squares.iter().enumerate().all(|(at, square)| *square == at * at));
+            let squares = pool
+                .install(|| each_until(&items, &never, |item| item * item))
+                .unwrap();
+            assert!(
+                squares
+                    .iter()
+                    .enumerate()
+                    .all(|(at, square)| *square == at * at)
+            );
         }
     }
 }

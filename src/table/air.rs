@@ -5,7 +5,8 @@ use crate::atmosphere::in_effect;
 use crate::parameters::Setup;
 use crate::units::Quantity;
 
-/// The density of the air that golf is played in, kg/m³: from a course at 5000 m on a hot day to one by the sea at −40 °C.
+/// The density of the air that golf is played in, kg/m³: from a course at 5000 m on a hot day to
+/// one by the sea at −40 °C.
 const RANGE: [f64; 2] = [0.6, 1.6];
 
 impl Column {
@@ -21,7 +22,8 @@ impl Column {
     pub fn stated_air(&self, cell: &str) -> Result<f64, String> {
         let name = &self.head;
         if self.is_weather() {
-            return density_in(cell).ok_or_else(|| format!("{name}: it states no altitude and temperature"));
+            return density_in(cell)
+                .ok_or_else(|| format!("{name}: it states no altitude and temperature"));
         }
         let density = self.value(cell).map_err(|why| format!("{name}: {why}"))?;
         let density = density.ok_or_else(|| format!("{name}: the cell is empty"))?;
@@ -30,7 +32,9 @@ impl Column {
             return Ok(density);
         }
         let shown = Quantity::DENSITY.show(density, "kg/m^3");
-        Err(format!("{name}: {shown} is outside of what air has on a course, {low} to {high} kg/m^3"))
+        Err(format!(
+            "{name}: {shown} is outside of what air has on a course, {low} to {high} kg/m^3"
+        ))
     }
 }
 
@@ -39,21 +43,37 @@ pub(crate) fn states_weather(cell: &str) -> bool {
     density_in(cell).is_some()
 }
 
-/// The density of the air in a weather that TrackMan describes: `Normalized to no wind conditions at 1135 ft altitude, 77 °F and Premium ball`.
+/// The density of the air in a weather that TrackMan describes: `Normalized to no wind conditions
+/// at 1135 ft altitude, 77 °F and Premium ball`.
 pub(super) fn density_in(words: &str) -> Option<f64> {
-    let words: Vec<&str> = words.split([' ', ',', ';']).filter(|word| !word.is_empty()).collect();
+    let words: Vec<&str> = words
+        .split([' ', ',', ';'])
+        .filter(|word| !word.is_empty())
+        .collect();
     let number_before = |at: usize| words.get(at.checked_sub(1)?)?.parse::<f64>().ok();
     let altitude = words.iter().position(|word| *word == "altitude")?;
     let altitude_unit = *words.get(altitude.checked_sub(1)?)?;
     let is_degrees = |word: &&str| ["°F", "°C", "F", "C"].contains(word);
     let temperature = words.iter().position(is_degrees)?;
-    let temperature_unit = if words[temperature].ends_with('F') { "degF" } else { "degC" };
+    let temperature_unit = if words[temperature].ends_with('F') {
+        "degF"
+    } else {
+        "degC"
+    };
     let stated = [
-        ("air.altitude", format!("{} {altitude_unit}", number_before(altitude - 1)?)),
-        ("air.temperature", format!("{} {temperature_unit}", number_before(temperature)?)),
+        (
+            "air.altitude",
+            format!("{} {altitude_unit}", number_before(altitude - 1)?),
+        ),
+        (
+            "air.temperature",
+            format!("{} {temperature_unit}", number_before(temperature)?),
+        ),
     ];
     let mut setup = Setup::<f64>::default();
-    setup.set_all(stated.iter().map(|(name, value)| (*name, value.as_str()))).ok()?;
+    setup
+        .set_all(stated.iter().map(|(name, value)| (*name, value.as_str())))
+        .ok()?;
     setup.validate().ok()?;
     Some(in_effect(&setup).air.density)
 }

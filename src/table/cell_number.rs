@@ -37,7 +37,12 @@ const SIDES: [(&str, Side); 14] = [
     ("u", Side::UpDown { is_up: true }),
     ("d", Side::UpDown { is_up: false }),
     ("i-o", Side::InOut { is_in_to_out: true }),
-    ("o-i", Side::InOut { is_in_to_out: false }),
+    (
+        "o-i",
+        Side::InOut {
+            is_in_to_out: false,
+        },
+    ),
     ("open", Side::OpenClosed { is_open: true }),
     ("closed", Side::OpenClosed { is_open: false }),
     ("o", Side::OpenClosed { is_open: true }),
@@ -46,7 +51,10 @@ const SIDES: [(&str, Side); 14] = [
 
 impl Side {
     fn named(word: &str) -> Option<Self> {
-        SIDES.iter().find(|(name, _)| word.eq_ignore_ascii_case(name)).map(|(_, side)| *side)
+        SIDES
+            .iter()
+            .find(|(name, _)| word.eq_ignore_ascii_case(name))
+            .map(|(_, side)| *side)
     }
 
     /// Sign of the value: + right of the target, up, inside to outside, open.
@@ -71,22 +79,32 @@ pub(super) fn unwrapped(cell: &str) -> &str {
 
 /// The digits of a cell with their decimal and thousands marks.
 pub(super) fn digits(cell: &str) -> &str {
-    let number = unwrapped(cell).trim_matches(|c: char| !(c.is_ascii_digit() || "+-.,".contains(c)));
+    let number =
+        unwrapped(cell).trim_matches(|c: char| !(c.is_ascii_digit() || "+-.,".contains(c)));
     // a head such as `Launch Dir.` has a mark without digits
-    if number.contains(|c: char| c.is_ascii_digit()) { number } else { "" }
+    if number.contains(|c: char| c.is_ascii_digit()) {
+        number
+    } else {
+        ""
+    }
 }
 
 /// Parses a cell; `None` if it holds no number.
 pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNumber> {
     let cell = unwrapped(cell);
     if let Some(number) = number(cell, has_decimal_comma) {
-        return Some(CellNumber { number, unit: None, side: None });
+        return Some(CellNumber {
+            number,
+            unit: None,
+            side: None,
+        });
     }
     let (mut found, mut side) = (None, None);
     let mut rest = cell;
     // the side may precede the number
-    if let Some((word, after)) =
-        cell.split_once(' ').or_else(|| cell.char_indices().nth(1).map(|(at, _)| cell.split_at(at)))
+    if let Some((word, after)) = cell
+        .split_once(' ')
+        .or_else(|| cell.char_indices().nth(1).map(|(at, _)| cell.split_at(at)))
         && let Some(named) = Side::named(word)
     {
         (side, rest) = (Some(named), after.trim());
@@ -94,7 +112,10 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
     let is_of_number = |c: char| c.is_ascii_digit() || "+-.,\u{2212}".contains(c);
     let begins = rest.find(|c: char| !is_of_number(c)).unwrap_or(rest.len());
     // the thousands may be separated by a space
-    let ends = rest.rfind(|c: char| c.is_ascii_digit()).map_or(begins, |last| last + 1).max(begins);
+    let ends = rest
+        .rfind(|c: char| c.is_ascii_digit())
+        .map_or(begins, |last| last + 1)
+        .max(begins);
     let (digits, words) = match number(&rest[..ends], has_decimal_comma) {
         Some(_) => rest.split_at(ends),
         None => rest.split_at(begins),
@@ -108,7 +129,11 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
         }
     }
     let is_signed = digits.starts_with(['-', '\u{2212}']);
-    (!(is_signed && side.is_some())).then_some(CellNumber { number: value, unit: found, side })
+    (!(is_signed && side.is_some())).then_some(CellNumber {
+        number: value,
+        unit: found,
+        side,
+    })
 }
 
 #[cfg(test)]
@@ -120,7 +145,11 @@ mod tests {
         let right = Some(Side::OfTarget { is_right: true });
         let left = Some(Side::OfTarget { is_right: false });
         let down = Some(Side::UpDown { is_up: false });
-        let [inside, closed] = [Side::InOut { is_in_to_out: true }, Side::OpenClosed { is_open: false }].map(Some);
+        let [inside, closed] = [
+            Side::InOut { is_in_to_out: true },
+            Side::OpenClosed { is_open: false },
+        ]
+        .map(Some);
         for (cell, comma, number, unit, side) in [
             ("160.0", false, 160.0, None, None),
             ("=\"160.0\"", false, 160.0, None, None),
@@ -138,10 +167,25 @@ mod tests {
             ("0.8 I-O", false, 0.8, None, inside),
             ("0.1 C", false, 0.1, None, closed),
         ] {
-            let expected = CellNumber { number, unit: unit.map(String::from), side };
+            let expected = CellNumber {
+                number,
+                unit: unit.map(String::from),
+                side,
+            };
             assert_eq!(cell_number(cell, comma), Some(expected), "{cell}");
         }
-        for cell in ["", "-", "mph", "L", "-3 L", "3 L R", "3 mph rpm", "3 apples", "Driver 3", "12:30"] {
+        for cell in [
+            "",
+            "-",
+            "mph",
+            "L",
+            "-3 L",
+            "3 L R",
+            "3 mph rpm",
+            "3 apples",
+            "Driver 3",
+            "12:30",
+        ] {
             assert_eq!(cell_number(cell, false), None, "{cell}");
         }
     }

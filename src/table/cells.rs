@@ -5,7 +5,10 @@ use std::borrow::Cow;
 /// The cells of a record, without the spaces around them; a quoted one without its quotes.
 pub(crate) fn cells(text: &str, separator: u8) -> Vec<Cow<'_, str>> {
     if !text.contains('"') {
-        return text.split(char::from(separator)).map(|cell| Cow::Borrowed(cell.trim())).collect();
+        return text
+            .split(char::from(separator))
+            .map(|cell| Cow::Borrowed(cell.trim()))
+            .collect();
     }
     let mut cells = vec![];
     let mut rest = text;
@@ -24,7 +27,10 @@ fn cell(text: &str, separator: u8) -> (Cow<'_, str>, Option<&str>) {
     let up_to_separator = |text: &str| text.bytes().position(|byte| byte == separator);
     let Some(quoted) = text.trim_start_matches(' ').strip_prefix('"') else {
         let end = up_to_separator(text);
-        return (text[..end.unwrap_or(text.len())].trim().into(), end.map(|end| &text[end + 1..]));
+        return (
+            text[..end.unwrap_or(text.len())].trim().into(),
+            end.map(|end| &text[end + 1..]),
+        );
     };
     let mut from = 0;
     while let Some(at) = quoted[from..].find('"').map(|at| from + at) {
@@ -67,7 +73,10 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
 
 /// A cell as it is written: in quotes where it must be.
 pub(crate) fn quoted(cell: &str, separator: u8) -> Cow<'_, str> {
-    match cell.bytes().any(|byte| byte == separator || matches!(byte, b'"' | b'\n' | b'\r')) {
+    match cell
+        .bytes()
+        .any(|byte| byte == separator || matches!(byte, b'"' | b'\n' | b'\r'))
+    {
         true => format!("\"{}\"", cell.replace('"', "\"\"")).into(),
         false => cell.into(),
     }
@@ -89,13 +98,20 @@ mod tests {
             ("\"a\nb\",c", &["a\nb", "c"]),
         ] {
             assert_eq!(cells(text, b','), expected, "{text}");
-            let again = expected.iter().map(|cell| quoted(cell, b',')).collect::<Vec<_>>().join(",");
+            let again = expected
+                .iter()
+                .map(|cell| quoted(cell, b','))
+                .collect::<Vec<_>>()
+                .join(",");
             assert_eq!(cells(&again, b','), expected, "{again}");
             assert!(!is_open(text, b','), "{text}");
         }
         for text in ["\"a", "a,\"b,c", "\"a\"\"", "a, \"b\"\"c"] {
             assert!(is_open(text, b','), "{text}");
         }
-        assert!(!is_open("10.5\",b", b','), "a quote within a cell opens nothing");
+        assert!(
+            !is_open("10.5\",b", b','),
+            "a quote within a cell opens nothing"
+        );
     }
 }

@@ -81,19 +81,31 @@ pub(super) const AIR: &str = "air.density";
 const LAUNCH: &str = "launch.";
 
 impl Column {
-    /// Reads `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`, `note`, or a head as launch monitors write it;
-    /// `below` is the unit that a second line states.
+    /// Reads `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`, `note`, or a head
+    /// as launch monitors write it; `below` is the unit that a second line states.
     ///
-    /// A measured carry is the distance to where the ball lands, as launch monitors count it, not its part along the target line.
-    pub fn read(setup: &Setup<f64>, head: &str, below: Option<&str>, format: Format) -> Result<Self> {
+    /// A measured carry is the distance to where the ball lands, as launch monitors count it, not
+    /// its part along the target line.
+    pub fn read(
+        setup: &Setup<f64>,
+        head: &str,
+        below: Option<&str>,
+        format: Format,
+    ) -> Result<Self> {
         let head = head.trim();
         let (name, unit) = launch_monitor::split_unit(head);
-        let [unit, below] = [unit, below.map(str::to_owned)].map(|unit| unit.map(|unit| numbers::unit(&unit)));
+        let [unit, below] =
+            [unit, below.map(str::to_owned)].map(|unit| unit.map(|unit| numbers::unit(&unit)));
         if let (Some(unit), Some(below)) = (&unit, &below)
             && !numbers::is_same_unit(unit, below)
         {
-            let why = format!("the head says [{unit}], and the line of units [{below}]; correct one of them");
-            return Err(Error::Unreadable { name: format!("the column '{name}'"), source: why.into() });
+            let why = format!(
+                "the head says [{unit}], and the line of units [{below}]; correct one of them"
+            );
+            return Err(Error::Unreadable {
+                name: format!("the column '{name}'"),
+                source: why.into(),
+            });
         }
         let unit = unit.or(below);
         let is_given = |parameter: &str| is_replaced(setup, parameter);
@@ -108,10 +120,20 @@ impl Column {
             (None, None) if is_foreign(name, format) => Holds::Note,
             _ => named(setup, name)?,
         };
-        let mut column = Self { unit, format, is_of_given_air, golfer: setup.golfer, ..Self::of(holds, name) };
+        let mut column = Self {
+            unit,
+            format,
+            is_of_given_air,
+            golfer: setup.golfer,
+            ..Self::of(holds, name)
+        };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
-            (column.unit, column.is_in_degrees_untold, column.is_unit_assumed) = (Some("deg".into()), true, true);
+            (
+                column.unit,
+                column.is_in_degrees_untold,
+                column.is_unit_assumed,
+            ) = (Some("deg".into()), true, true);
         }
         Ok(column.sized())
     }
@@ -120,20 +142,36 @@ impl Column {
     #[cfg(any(feature = "arrow", feature = "parquet"))]
     pub fn in_si(setup: &Setup<f64>, name: &str) -> Result<Self> {
         let name = name.trim();
-        named(setup, name).map(|holds| Self::of(holds, name)).map_err(|error| {
-            let alone = name.split(['[', '(']).next().unwrap_or_default().trim();
-            let Some(Ok(holds)) = (alone != name).then(|| named(setup, alone)) else { return error };
-            let column = Self::of(holds, alone);
-            let unit = if column.unit().is_empty() { String::new() } else { format!(", with numbers in {}", column.unit()) };
-            column.unreadable(format!(
-                "'{name}' has a unit in its name, but the columns of Parquet and Arrow tables are in SI; name it '{alone}'{unit}"
+        named(setup, name)
+            .map(|holds| Self::of(holds, name))
+            .map_err(|error| {
+                let alone = name.split(['[', '(']).next().unwrap_or_default().trim();
+                let Some(Ok(holds)) = (alone != name).then(|| named(setup, alone)) else {
+                    return error;
+                };
+                let column = Self::of(holds, alone);
+                let unit = if column.unit().is_empty() {
+                    String::new()
+                } else {
+                    format!(
+                        ", with \
+                numbers in {}",
+                        column.unit()
+                    )
+                };
+                column.unreadable(format!(
+                "'{name}' has a unit in its name, but the columns of Parquet and Arrow tables are \
+                 in SI; name it '{alone}'{unit}"
             ))
-        })
+            })
     }
 
     /// A column in SI.
     pub fn of(holds: Holds, head: &str) -> Self {
-        let format = Format { is_export: false, has_decimal_comma: false };
+        let format = Format {
+            is_export: false,
+            has_decimal_comma: false,
+        };
         let is_dotted_condition = head.starts_with(LAUNCH) && matches!(holds, Holds::Outcome(_));
         Self {
             holds,
@@ -195,41 +233,68 @@ impl Column {
     /// Checks that the unit is present and of the right kind.
     pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
-            _ if self.is_unknown() || self.is_of_given_air || self.holds == Holds::Written => Ok(()),
+            _ if self.is_unknown() || self.is_of_given_air || self.holds == Holds::Written => {
+                Ok(())
+            }
             _ if self.has_units_in_cells || self.is_weather => Ok(()),
             (None, Some(quantity)) if !quantity.si.is_empty() => {
                 let unit = self.usual_unit();
-                Err(self.unreadable(format!("it has no unit; write it into the head, as in '{} [{unit}]'", self.head)))
+                Err(self.unreadable(format!(
+                    "it has no unit; write it into the head, as in '{} [{unit}]'",
+                    self.head
+                )))
             }
             (None, _) => Ok(()),
             (Some(unit), Some(quantity)) => {
                 let of_the_head = |e: UnitError| match e {
                     // the number is not in the table
-                    UnitError::WrongKind { wanted, examples, .. } => {
-                        self.unreadable(format!("[{unit}] is not the unit of {wanted}; {wanted} takes {examples}"))
-                    }
+                    UnitError::WrongKind {
+                        wanted, examples, ..
+                    } => self.unreadable(format!(
+                        "[{unit}] is not the unit of {wanted}; {wanted} takes {examples}"
+                    )),
                     other => self.unreadable(other),
                 };
-                quantity.read(&format!("1 {unit}")).map(drop).map_err(of_the_head)
+                quantity
+                    .read(&format!("1 {unit}"))
+                    .map(drop)
+                    .map_err(of_the_head)
             }
-            (Some(unit), None) => Err(self.unreadable(format!("it takes no unit; take [{unit}] out of the head"))),
+            (Some(unit), None) => {
+                Err(self.unreadable(format!("it takes no unit; take [{unit}] out of the head")))
+            }
         }
     }
 
     /// The quantity has units and the table states none.
     pub fn lacks_unit(&self) -> bool {
-        self.unit.is_none() && self.quantity().is_some_and(|quantity| !quantity.si.is_empty())
+        self.unit.is_none()
+            && self
+                .quantity()
+                .is_some_and(|quantity| !quantity.si.is_empty())
     }
 
     /// Assumes this unit if the table states none.
     #[must_use]
     pub fn in_unit(self, unit: &str) -> Self {
-        if self.lacks_unit() { Self { unit: Some(unit.into()), is_unit_assumed: true, ..self }.sized() } else { self }
+        if self.lacks_unit() {
+            Self {
+                unit: Some(unit.into()),
+                is_unit_assumed: true,
+                ..self
+            }
+            .sized()
+        } else {
+            self
+        }
     }
 
     /// Computes the size of the unit.
     fn sized(self) -> Self {
-        let size = self.unit.as_ref().and_then(|unit| self.quantity()?.unit_named(unit));
+        let size = self
+            .unit
+            .as_ref()
+            .and_then(|unit| self.quantity()?.unit_named(unit));
         Self { size, ..self }
     }
 
@@ -243,25 +308,40 @@ impl Column {
     /// Marks the column as having a unit in each cell.
     #[must_use]
     pub fn with_units_in_cells(self) -> Self {
-        Self { has_units_in_cells: true, is_in_degrees_untold: false, ..self }
+        Self {
+            has_units_in_cells: true,
+            is_in_degrees_untold: false,
+            ..self
+        }
     }
 
     /// Reverses the sign convention.
     #[must_use]
     pub fn turned(self) -> Self {
-        Self { is_turned: !self.is_turned, ..self }
+        Self {
+            is_turned: !self.is_turned,
+            ..self
+        }
     }
 
     /// Marks the column as the air of each row, described in words.
     #[must_use]
     pub fn of_weather(self, density: &'static Parameter) -> Self {
-        Self { holds: Holds::Input(density), is_weather: true, ..self }
+        Self {
+            holds: Holds::Input(density),
+            is_weather: true,
+            ..self
+        }
     }
 
     /// Marks the column as air that the setup overrides.
     #[must_use]
     pub fn of_given_air(self) -> Self {
-        Self { holds: Holds::Note, is_of_given_air: true, ..self }
+        Self {
+            holds: Holds::Note,
+            is_of_given_air: true,
+            ..self
+        }
     }
 
     /// Whether its cells describe the weather in words.
@@ -272,7 +352,8 @@ impl Column {
     /// True if a cell states its unit.
     pub fn has_unit_in(&self, cell: &str) -> bool {
         self.format.is_export
-            && cell_number(cell, self.format.has_decimal_comma).is_some_and(|cell| cell.unit.is_some())
+            && cell_number(cell, self.format.has_decimal_comma)
+                .is_some_and(|cell| cell.unit.is_some())
     }
 
     /// The kind of its numbers.
@@ -281,7 +362,10 @@ impl Column {
     }
 
     fn unreadable(&self, why: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Error {
-        Error::Unreadable { name: format!("the column '{}'", self.head), source: why.into() }
+        Error::Unreadable {
+            name: format!("the column '{}'", self.head),
+            source: why.into(),
+        }
     }
 
     fn quantity(&self) -> Option<Quantity> {
@@ -308,8 +392,7 @@ impl Column {
 
     /// True if the quantity can have this side.
     fn has(&self, side: Side) -> bool {
-        let of_parameter =
-            |names: &[&str]| matches!(self.holds, Holds::Input(parameter) if names.contains(&parameter.name));
+        let of_parameter = |names: &[&str]| matches!(self.holds, Holds::Input(parameter) if names.contains(&parameter.name));
         let of_outcome = |all: &[Outcome]| matches!(self.holds, Holds::Outcome(outcome) if all.contains(&outcome));
         match side {
             Side::OfTarget { .. } => {
@@ -322,7 +405,9 @@ impl Column {
                         Outcome::SpinAxis,
                     ])
             }
-            Side::UpDown { .. } => of_parameter(&["swing.attack_angle"]) || of_outcome(&[Outcome::LaunchAngle]),
+            Side::UpDown { .. } => {
+                of_parameter(&["swing.attack_angle"]) || of_outcome(&[Outcome::LaunchAngle])
+            }
             Side::InOut { .. } => of_parameter(&[PATH]),
             Side::OpenClosed { .. } => of_parameter(&[FACE]),
         }
@@ -330,16 +415,23 @@ impl Column {
 
     /// One unit of the column, SI.
     pub fn one(&self) -> f64 {
-        let size = self.unit.as_ref().and_then(|unit| self.quantity()?.size_of(unit));
+        let size = self
+            .unit
+            .as_ref()
+            .and_then(|unit| self.quantity()?.size_of(unit));
         size.unwrap_or(1.0)
     }
 
     /// The unit that the head names.
     pub fn unit(&self) -> &str {
-        self.unit.as_deref().or_else(|| self.quantity().map(|quantity| quantity.si)).unwrap_or_default()
+        self.unit
+            .as_deref()
+            .or_else(|| self.quantity().map(|quantity| quantity.si))
+            .unwrap_or_default()
     }
 
-    /// The SI value of a cell, in the golfer's own terms; `None` for one that is empty, or has the NaN that other programs write of a missing number.
+    /// The SI value of a cell, in the golfer's own terms; `None` for one that is empty, or has the
+    /// NaN that other programs write of a missing number.
     ///
     /// # Errors
     /// A sentence for a cell that is no finite number.
@@ -353,7 +445,9 @@ impl Column {
         if self.format.is_export && stated.number.abs() >= MISSING {
             return Ok(None);
         }
-        if stated.side.is_some_and(|side| !self.has(side)) || stated.unit.is_some() && !self.format.is_export {
+        if stated.side.is_some_and(|side| !self.has(side))
+            || stated.unit.is_some() && !self.format.is_export
+        {
             return Err(self.is_not(cell, "not a number"));
         }
         let sign = stated.side.map_or(1.0, Side::sign) * self.sign(stated.side);
@@ -362,42 +456,56 @@ impl Column {
         Ok(Some(if sign < 0.0 { -value } else { value }))
     }
 
-    /// The sign by which a number counts: launch monitors have path and face + to the right of every golfer, and so does a cell with its side of the
-    /// target, while + is outwards here; a turned column has + to the left.
+    /// The sign by which a number counts: launch monitors have path and face + to the right of
+    /// every golfer, and so does a cell with its side of the target, while + is outwards here; a
+    /// turned column has + to the left.
     fn sign(&self, side: Option<Side>) -> f64 {
         if self.is_turned && side.is_none() {
             return -1.0;
         }
-        let Holds::Input(parameter) = self.holds else { return 1.0 };
+        let Holds::Input(parameter) = self.holds else {
+            return 1.0;
+        };
         let is_of_the_course = match side {
             Some(Side::OfTarget { .. }) => true,
             Some(_) => false,
             None => self.head != parameter.name,
         };
-        let is_of_other_hand =
-            self.golfer == Golfer::Left && is_of_the_course && [PATH, FACE].contains(&parameter.name);
+        let is_of_other_hand = self.golfer == Golfer::Left
+            && is_of_the_course
+            && [PATH, FACE].contains(&parameter.name);
         if is_of_other_hand { -1.0 } else { 1.0 }
     }
 
     /// A number of a cell in SI: in the unit that the cell states, else in that of the column.
-    fn converted(&self, cell: &str, number: f64, unit: Option<&str>) -> std::result::Result<f64, String> {
+    fn converted(
+        &self,
+        cell: &str,
+        number: f64,
+        unit: Option<&str>,
+    ) -> std::result::Result<f64, String> {
         let read = |unit: &str, quantity: Quantity| {
-            quantity.read(&format!("{number} {unit}")).map_err(|error| error.to_string())
+            quantity
+                .read(&format!("{number} {unit}"))
+                .map_err(|error| error.to_string())
         };
         match (unit, &self.size, &self.unit, self.quantity()) {
             (Some(unit), _, of_head, Some(quantity)) => {
                 let value = read(unit, quantity)?;
-                let is_other =
-                    |of_head: &&String| !self.is_unit_assumed && quantity.size_of(of_head) != quantity.size_of(unit);
+                let is_other = |of_head: &&String| {
+                    !self.is_unit_assumed && quantity.size_of(of_head) != quantity.size_of(unit)
+                };
                 match of_head.as_ref().filter(is_other) {
-                    Some(of_head) => {
-                        Err(format!("'{cell}' states another unit than its head, [{of_head}]; correct one of them"))
-                    }
+                    Some(of_head) => Err(format!(
+                        "'{cell}' states another unit than its head, [{of_head}]; correct one of \
+                         them"
+                    )),
                     None => Ok(value),
                 }
             }
             (None, ..) if self.has_units_in_cells => Err(format!(
-                "'{cell}' has no unit, as other cells of its column have; write it behind the number, or into the head"
+                "'{cell}' has no unit, as other cells of its column have; write it behind the \
+                 number, or into the head"
             )),
             (None, Some(size), ..) => Ok(size.value(number)),
             (None, None, Some(unit), Some(quantity)) => read(unit, quantity),
@@ -408,28 +516,43 @@ impl Column {
     /// The value of a cell that is no finite number.
     fn no_number(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
         // a flat face has an infinite radius
-        if let Some(infinite) = cell.parse().ok().filter(|number: &f64| number.is_infinite() && self.may_be(*number)) {
+        if let Some(infinite) = cell
+            .parse()
+            .ok()
+            .filter(|number: &f64| number.is_infinite() && self.may_be(*number))
+        {
             return Ok(Some(infinite));
         }
         if self.format.is_export && is_missing(unwrapped(cell)) {
             return Ok(None);
         }
         let is_infinite = cell.parse::<f64>().is_ok_and(f64::is_infinite);
-        Err(self.is_not(cell, if is_infinite { "not finite" } else { "not a number" }))
+        Err(self.is_not(
+            cell,
+            if is_infinite {
+                "not finite"
+            } else {
+                "not a number"
+            },
+        ))
     }
 
     /// Message for an unreadable cell.
     fn is_not(&self, cell: &str, what: &str) -> String {
-        if let Some((whole, decimals)) = cell.split_once(',').filter(|_| !self.format.has_decimal_comma)
+        if let Some((whole, decimals)) = cell
+            .split_once(',')
+            .filter(|_| !self.format.has_decimal_comma)
             && format!("{whole}.{decimals}").parse::<f64>().is_ok()
         {
             return format!(
-                "'{cell}' is {what}: decimals stand behind a comma only in tables whose cells are separated by semicolons or tabs; \
+                "'{cell}' is {what}: decimals stand behind a comma only in tables whose cells are \
+                 separated by semicolons or tabs; \
                  write {whole}.{decimals}, or separate the cells so"
             );
         }
         format!(
-            "'{}' is {what}; a unit is written in the head, as in '{} [{}]', and a missing value is an empty cell",
+            "'{}' is {what}; a unit is written in the head, as in '{} [{}]', and a missing value \
+             is an empty cell",
             visible(cell),
             self.head,
             self.unit()
@@ -441,28 +564,43 @@ impl Column {
 const PATH: &str = "swing.path";
 const FACE: &str = "swing.face_angle";
 
-/// Numbers of a launch monitor from here on say that there is no value: the largest of 32 bits, 3.4e38, or one near it.
+/// Numbers of a launch monitor from here on say that there is no value: the largest of 32 bits,
+/// 3.4e38, or one near it.
 const MISSING: f64 = 1e38;
 
 /// A cell with its control characters written out: a terminal does not show them.
 fn visible(cell: &str) -> String {
-    let shown = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    let shown = |c: char| {
+        if c.is_control() {
+            c.escape_default().to_string()
+        } else {
+            c.to_string()
+        }
+    };
     cell.chars().map(shown).collect()
 }
 
 /// Recognizes missing values of exports: dashes, `N/A`.
 fn is_missing(cell: &str) -> bool {
-    ["", "-", "--", "–", "—", "n/a", "na", "null"].iter().any(|word| cell.eq_ignore_ascii_case(word))
+    ["", "-", "--", "–", "—", "n/a", "na", "null"]
+        .iter()
+        .any(|word| cell.eq_ignore_ascii_case(word))
 }
 
 /// Measured carry is the distance to the landing point.
 fn measured(outcome: Outcome) -> Outcome {
-    if outcome == Outcome::Carry { Outcome::CarryDistance } else { outcome }
+    if outcome == Outcome::Carry {
+        Outcome::CarryDistance
+    } else {
+        outcome
+    }
 }
 
 /// True if another parameter of the setup overrides this one.
 fn is_replaced(setup: &Setup<f64>, name: &str) -> bool {
-    setup.parameter(name).is_ok_and(|parameter| setup.why_replaced(parameter).is_some())
+    setup
+        .parameter(name)
+        .is_ok_and(|parameter| setup.why_replaced(parameter).is_some())
 }
 
 /// Recognizes columns added by `fly`.
@@ -474,21 +612,33 @@ fn is_of_flown(name: &str) -> bool {
 fn is_foreign(name: &str, format: Format) -> bool {
     let is_written_otherwise = name.is_empty() || name.contains(". ");
     let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');
-    // a name of this program with a slip of the pen is told, `cary`; `club` and `date` are a launch monitor's
-    let is_a_slip = || Outcome::ALL.iter().any(|of| strsim::levenshtein(name, of.name()) <= 2);
+    // a name of this program with a slip of the pen is told, `cary`; `club` and `date` are a launch
+    // monitor's
+    let is_a_slip = || {
+        Outcome::ALL
+            .iter()
+            .any(|of| strsim::levenshtein(name, of.name()) <= 2)
+    };
     let is_its_own = !has_own_marks && (name.chars().any(char::is_uppercase) || !is_a_slip());
     format.is_export && (is_written_otherwise || is_its_own)
 }
 
 /// Content of a column with a name of this program.
 fn named(setup: &Setup<f64>, name: &str) -> Result<Holds> {
-    let condition = |name: &str| setup.launch_condition(name).and_then(|_| Outcome::named(name).ok());
+    let condition = |name: &str| {
+        setup
+            .launch_condition(name)
+            .and_then(|_| Outcome::named(name).ok())
+    };
     match name.strip_prefix("sigma ").map(str::trim) {
         Some(STATIONARY) => return Ok(Holds::SigmaStationary),
         Some(outcome) => return Ok(Holds::Sigma(measured(Outcome::named(outcome)?))),
         None => {}
     }
-    let is_derivative = || name.strip_prefix("d_").is_some_and(|rest| rest.contains("/d_"));
+    let is_derivative = || {
+        name.strip_prefix("d_")
+            .is_some_and(|rest| rest.contains("/d_"))
+    };
     Ok(match name {
         STATIONARY => Holds::Stationary,
         NOTE => Holds::Note,

@@ -19,11 +19,13 @@ pub(crate) type Stated = [Option<f64>; CONDITIONS.len()];
 /// The largest axis beside a backspin: the tangent of 90° is no number.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 
-/// Stated spins that differ by less than this part of the spin differ by rounding: an axis in whole degrees by 0.9 %.
+/// Stated spins that differ by less than this part of the spin differ by rounding: an axis in whole
+/// degrees by 0.9 %.
 const ROUNDING: f64 = 0.02;
 
-/// The same without what repeats the spin. Taken is the first of these that the row has: the spin with its axis, backspin with
-/// sidespin, the spin with sidespin, backspin with the axis, the spin, backspin.
+/// The same without what repeats the spin. Taken is the first of these that the row has: the spin
+/// with its axis, backspin with sidespin, the spin with sidespin, backspin with the axis, the spin,
+/// backspin.
 pub(crate) fn taken(values: Stated) -> Stated {
     let [speed, angle, direction, spin, backspin, sidespin, axis] = values;
     let [spin, backspin, sidespin, axis] = match (spin, backspin, sidespin, axis) {
@@ -46,8 +48,8 @@ pub(crate) fn is_sideways(of: Outcome) -> bool {
     matches!(of, Outcome::Lateral | Outcome::LateralTotal)
 }
 
-/// What is used and what is not, where a row states spins that contradict each other, or of which one cannot be used; `back` and `side` are what is
-/// taken of them.
+/// What is used and what is not, where a row states spins that contradict each other, or of which
+/// one cannot be used; `back` and `side` are what is taken of them.
 pub(crate) fn contradiction(
     values: Stated,
     [back, side]: [f64; 2],
@@ -68,17 +70,24 @@ pub(crate) fn contradiction(
         };
         off > ROUNDING * spin
     };
-    let not_used = CONDITIONS.iter().zip(values.iter().zip(used)).filter_map(|(of, (stated, used))| {
-        let value = (*stated).filter(|value| used.is_none() && is_off(*of, *value))?;
-        Some(format!("{} ({})", name(*of), of.show(value)))
-    });
+    let not_used =
+        CONDITIONS
+            .iter()
+            .zip(values.iter().zip(used))
+            .filter_map(|(of, (stated, used))| {
+                let value = (*stated).filter(|value| used.is_none() && is_off(*of, *value))?;
+                Some(format!("{} ({})", name(*of), of.show(value)))
+            });
     let not_used: Vec<String> = not_used.collect();
     if not_used.is_empty() {
         let [_, _, _, whole, part, ..] = values;
-        let less = whole.zip(part).filter(|(whole, part)| !is_tilted && part.abs() < (1.0 - ROUNDING) * whole);
+        let less = whole
+            .zip(part)
+            .filter(|(whole, part)| !is_tilted && part.abs() < (1.0 - ROUNDING) * whole);
         return less.map(|(whole, part)| {
             format!(
-                "the {} ({}) is flown without a tilt, and the {} ({}) is not used: without spin axis or sidespin the side that it is tilted to \
+                "the {} ({}) is flown without a tilt, and the {} ({}) is not used: without spin \
+                 axis or sidespin the side that it is tilted to \
                  is not known; add one of these, or leave one of the two spins out",
                 name(Outcome::Spin),
                 Outcome::Spin.show(whole),
@@ -87,21 +96,43 @@ pub(crate) fn contradiction(
             )
         });
     }
-    let of_spin = CONDITIONS.iter().zip(used).skip(3).filter(|(_, value)| value.is_some());
+    let of_spin = CONDITIONS
+        .iter()
+        .zip(used)
+        .skip(3)
+        .filter(|(_, value)| value.is_some());
     let of_spin: Vec<String> = of_spin.map(|(of, _)| name(*of)).collect();
     let is = if of_spin.len() == 1 { "is" } else { "are" };
-    Some(format!("the spins contradict each other: {} {is} used, not {}", of_spin.join(" and "), not_used.join(", ")))
+    Some(format!(
+        "the spins contradict each other: {} {is} used, not {}",
+        of_spin.join(" and "),
+        not_used.join(", ")
+    ))
 }
 
-/// The launch of a row, by the parameters that it is, from the values of [`CONDITIONS`]. A direction or a tilt of the spin that is missing
-/// is 0; of a spin that is stated in several ways one is [`taken`]. `has` tells which conditions have a column.
+/// The launch of a row, by the parameters that it is, from the values of [`CONDITIONS`]. A
+/// direction or a tilt of the spin that is missing is 0; of a spin that is stated in several ways
+/// one is [`taken`]. `has` tells which conditions have a column.
 ///
 /// # Errors
 /// Missing, contradictory or invalid conditions.
-pub(crate) fn conditions(values: Stated, has: impl Fn(Outcome) -> bool) -> Result<[(&'static str, f64); 5], Fault> {
+pub(crate) fn conditions(
+    values: Stated,
+    has: impl Fn(Outcome) -> bool,
+) -> Result<[(&'static str, f64); 5], Fault> {
     let [speed, angle, direction, spin, backspin, sidespin, axis] = taken(values);
-    let missing = |of: Outcome, why| Fault { of, why, is_missing: true };
-    let wrong = |of: Outcome, why| Err(Fault { of, why, is_missing: false });
+    let missing = |of: Outcome, why| Fault {
+        of,
+        why,
+        is_missing: true,
+    };
+    let wrong = |of: Outcome, why| {
+        Err(Fault {
+            of,
+            why,
+            is_missing: false,
+        })
+    };
     let is_empty = "the cell is empty; every launch needs one";
     let speed = speed.ok_or(missing(Outcome::BallSpeed, is_empty))?;
     let angle = angle.ok_or(missing(Outcome::LaunchAngle, is_empty))?;
@@ -109,25 +140,45 @@ pub(crate) fn conditions(values: Stated, has: impl Fn(Outcome) -> bool) -> Resul
         return wrong(Outcome::BallSpeed, "the ball's speed must be above 0");
     }
     if angle.abs() >= std::f64::consts::FRAC_PI_2 {
-        return wrong(Outcome::LaunchAngle, "the launch must be between −90° and 90°");
+        return wrong(
+            Outcome::LaunchAngle,
+            "the launch must be between −90° and 90°",
+        );
     }
     let (back, side) = match (spin, backspin, sidespin, axis) {
         (None, None, _, _) => {
-            let of = if has(Outcome::Spin) { Outcome::Spin } else { Outcome::Backspin };
-            return Err(missing(of, "the cells of the spin are empty; every launch needs one"));
+            let of = if has(Outcome::Spin) {
+                Outcome::Spin
+            } else {
+                Outcome::Backspin
+            };
+            return Err(missing(
+                of,
+                "the cells of the spin are empty; every launch needs one",
+            ));
         }
-        (None, Some(back), side @ Some(_), _) | (None, Some(back), side, None) => (back, side.unwrap_or(0.0)),
-        (None, Some(back), None, Some(axis)) if axis.abs() <= MOST_AXIS => (back, back * axis.tan()),
+        (None, Some(back), side @ Some(_), _) | (None, Some(back), side, None) => {
+            (back, side.unwrap_or(0.0))
+        }
+        (None, Some(back), None, Some(axis)) if axis.abs() <= MOST_AXIS => {
+            (back, back * axis.tan())
+        }
         (None, Some(_), None, Some(_)) => {
             return wrong(
                 Outcome::SpinAxis,
-                "beside a backspin the axis must be between −90° and 90°, since sidespin = backspin · tan(axis); correct it, or give the \
+                "beside a backspin the axis must be between −90° and 90°, since sidespin = \
+                 backspin · tan(axis); correct it, or give the \
                  sidespin",
             );
         }
-        (Some(spin), _, Some(side), None) if side.abs() <= spin => ((spin * spin - side * side).sqrt(), side),
+        (Some(spin), _, Some(side), None) if side.abs() <= spin => {
+            ((spin * spin - side * side).sqrt(), side)
+        }
         (Some(_), _, Some(_), None) => {
-            return wrong(Outcome::Spin, "the sidespin is larger than the spin; correct one of them");
+            return wrong(
+                Outcome::Spin,
+                "the sidespin is larger than the spin; correct one of them",
+            );
         }
         (Some(spin), _, _, axis) => {
             let (sin, cos) = axis.unwrap_or(0.0).sin_cos();

@@ -4,8 +4,9 @@ use super::cell_number::digits;
 use super::column::Column;
 use super::numbers::has_thousands;
 
-/// The marks in the numbers of a table whose cells may have a decimal comma. Where points and commas both stand in its numbers, one that
-/// might separate thousands, as in `2.500`, has two meanings.
+/// The marks in the numbers of a table whose cells may have a decimal comma. Where points and
+/// commas both stand in its numbers, one that might separate thousands, as in `2.500`, has two
+/// meanings.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DecimalMarks {
     of: [Seen; 2],
@@ -39,9 +40,16 @@ impl DecimalMarks {
             return Ok(());
         }
         let number = digits(text);
-        let of_one_mark = |at: &usize| number.contains(MARKS[*at].0) && !number.contains(MARKS[1 - at].0);
-        let Some(at) = (0..MARKS.len()).find(of_one_mark) else { return Ok(()) };
-        let cell = || Cell { row, head: column.head.clone(), text: text.to_owned() };
+        let of_one_mark =
+            |at: &usize| number.contains(MARKS[*at].0) && !number.contains(MARKS[1 - at].0);
+        let Some(at) = (0..MARKS.len()).find(of_one_mark) else {
+            return Ok(());
+        };
+        let cell = || Cell {
+            row,
+            head: column.head.clone(),
+            text: text.to_owned(),
+        };
         let (is_ambiguous, other) = (has_thousands(number, MARKS[at].0), &self.of[1 - at]);
         let (mark, doubtful, beside) = match (is_ambiguous, &other.any, &other.ambiguous) {
             (true, Some(beside), _) => (at, cell(), beside.clone()),
@@ -58,8 +66,10 @@ impl DecimalMarks {
         let ((sign, name), (_, other)) = (MARKS[mark], MARKS[1 - mark]);
         let [decimal, thousands] = [".", ""].map(|read| doubtful.text.replace(sign, read));
         Err(format!(
-            "the {} in '{}' (row {}, column {}) may separate decimals or thousands ({decimal} or {thousands}), since '{}' (row {}, column \
-             {}) has a {other}; write all decimals of the table with the same mark, and nothing between thousands",
+            "the {} in '{}' (row {}, column {}) may separate decimals or thousands ({decimal} or \
+             {thousands}), since '{}' (row {}, column \
+             {}) has a {other}; write all decimals of the table with the same mark, and nothing \
+             between thousands",
             name, doubtful.text, doubtful.row, doubtful.head, beside.text, beside.row, beside.head
         ))
     }

@@ -14,7 +14,11 @@ pub(crate) enum Decimals {
 
 impl Decimals {
     /// Detects the mark from the numbers of some rows.
-    pub fn found(separator: u8, read: impl Iterator<Item = usize> + Clone, rows: &[Vec<String>]) -> Self {
+    pub fn found(
+        separator: u8,
+        read: impl Iterator<Item = usize> + Clone,
+        rows: &[Vec<String>],
+    ) -> Self {
         if separator == b',' {
             return Self::Point;
         }
@@ -22,9 +26,12 @@ impl Decimals {
         for cells in rows {
             for cell in read.clone().filter_map(|at| cells.get(at)) {
                 let number = digits(cell);
-                let is_number = number.bytes().all(|byte| byte.is_ascii_digit() || b"-.,".contains(&byte));
-                let has =
-                    |mark, other| number.contains(mark) && !number.contains(other) && !has_thousands(number, mark);
+                let is_number = number
+                    .bytes()
+                    .all(|byte| byte.is_ascii_digit() || b"-.,".contains(&byte));
+                let has = |mark, other| {
+                    number.contains(mark) && !number.contains(other) && !has_thousands(number, mark)
+                };
                 commas |= is_number && has(',', '.');
                 points |= is_number && has('.', ',');
             }

@@ -1,4 +1,5 @@
-//! Texts as programs save them: in UTF-8 or in UTF-16, behind one byte-order mark or more, or in Windows-1252.
+//! Texts as programs save them: in UTF-8 or in UTF-16, behind one byte-order mark or more, or in
+//! Windows-1252.
 
 use crate::foreign::NOT_UTF_8;
 use encoding_rs::WINDOWS_1252;
@@ -7,7 +8,8 @@ use std::io::{self, Read};
 /// The byte-order mark in UTF-8.
 const MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
 
-/// A line end with its two bytes in the wrong order, as after a byte that is missing. Unicode has no such character.
+/// A line end with its two bytes in the wrong order, as after a byte that is missing. Unicode has
+/// no such character.
 const SWAPPED_LINE_END: char = '\u{a00}';
 
 /// Bytes read at a time.
@@ -22,10 +24,13 @@ pub(crate) enum Encoding {
 }
 
 impl Encoding {
-    /// Detects the encoding from the first bytes: Windows-1252 if they are invalid UTF-8; an incomplete last character is valid.
+    /// Detects the encoding from the first bytes: Windows-1252 if they are invalid UTF-8; an
+    /// incomplete last character is valid.
     pub fn of(beginning: &[u8]) -> Self {
         match std::str::from_utf8(beginning) {
-            Err(error) if error.error_len().is_some() && !beginning.contains(&0) => Self::Windows1252,
+            Err(error) if error.error_len().is_some() && !beginning.contains(&0) => {
+                Self::Windows1252
+            }
             _ => Self::Utf8,
         }
     }
@@ -38,7 +43,10 @@ impl Encoding {
         match String::from_utf8(bytes) {
             Ok(text) => Ok(text),
             Err(_) if self == Self::Utf8 => Err(NOT_UTF_8),
-            Err(error) => Ok(WINDOWS_1252.decode_without_bom_handling(error.as_bytes()).0.into_owned()),
+            Err(error) => Ok(WINDOWS_1252
+                .decode_without_bom_handling(error.as_bytes())
+                .0
+                .into_owned()),
         }
     }
 
@@ -46,7 +54,10 @@ impl Encoding {
     pub fn lossy(self, bytes: &[u8]) -> String {
         match self {
             Self::Utf8 => String::from_utf8_lossy(bytes).into_owned(),
-            Self::Windows1252 => WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned(),
+            Self::Windows1252 => WINDOWS_1252
+                .decode_without_bom_handling(bytes)
+                .0
+                .into_owned(),
         }
     }
 }
@@ -66,11 +77,15 @@ pub(crate) struct Decoded<R> {
 /// How two bytes make a number.
 type Pairs = fn([u8; 2]) -> u16;
 
-/// What a text begins with: twice the mark and a byte, or all of a shorter one; and how its bytes pair where it is in UTF-16.
+/// What a text begins with: twice the mark and a byte, or all of a shorter one; and how its bytes
+/// pair where it is in UTF-16.
 fn begun(source: &mut impl Read) -> io::Result<(Vec<u8>, Option<Pairs>)> {
     let mut raw = vec![];
-    source.take(2 * MARK.len() as u64 + 1).read_to_end(&mut raw)?;
-    // without a mark every other byte of what a table begins with is 0, which is in no text in UTF-8
+    source
+        .take(2 * MARK.len() as u64 + 1)
+        .read_to_end(&mut raw)?;
+    // without a mark every other byte of what a table begins with is 0, which is in no text in
+    // UTF-8
     let pairs: Option<Pairs> = match raw.get(..4).or(raw.get(..2)) {
         Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),
         Some([0xfe, 0xff, ..] | [0, 1..=0xff, 0, 1..=0xff]) => Some(u16::from_be_bytes),
@@ -82,10 +97,17 @@ fn begun(source: &mut impl Read) -> io::Result<(Vec<u8>, Option<Pairs>)> {
 /// A text in UTF-8, or in UTF-16, with a byte-order mark or one that begins as tables do.
 ///
 /// # Errors
-/// What the source returns; [`io::ErrorKind::Other`] where bytes in UTF-16 are no text, here or where they are read.
+/// What the source returns; [`io::ErrorKind::Other`] where bytes in UTF-16 are no text, here or
+/// where they are read.
 pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
     let (raw, pairs) = begun(&mut source)?;
-    let mut decoded = Decoded { source, pairs, raw, text: vec![], at: 0 };
+    let mut decoded = Decoded {
+        source,
+        pairs,
+        raw,
+        text: vec![],
+        at: 0,
+    };
     if pairs.is_some() {
         decoded.decode(false)?;
     } else {
@@ -100,20 +122,35 @@ pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
 impl<R> Decoded<R> {
     /// Decodes the whole characters among the bytes that wait.
     fn decode(&mut self, is_end: bool) -> io::Result<()> {
-        let Some(pairs) = self.pairs else { return Ok(()) };
-        let mut units: Vec<u16> = self.raw.chunks_exact(2).map(|pair| pairs([pair[0], pair[1]])).collect();
+        let Some(pairs) = self.pairs else {
+            return Ok(());
+        };
+        let mut units: Vec<u16> = self
+            .raw
+            .chunks_exact(2)
+            .map(|pair| pairs([pair[0], pair[1]]))
+            .collect();
         // the first half of a character waits for its second
-        let waits = !is_end && units.last().is_some_and(|unit| (0xd800..0xdc00).contains(unit));
+        let waits = !is_end
+            && units
+                .last()
+                .is_some_and(|unit| (0xd800..0xdc00).contains(unit));
         units.truncate(units.len() - usize::from(waits));
         self.raw.drain(..2 * units.len());
-        let no_text = |what| io::Error::other(format!("{what}; save the file again, best as UTF-8"));
+        let no_text =
+            |what| io::Error::other(format!("{what}; save the file again, best as UTF-8"));
         let text = String::from_utf16(&units);
-        let text = text.map_err(|_| no_text("the text is in UTF-16, with an unpaired surrogate"))?;
+        let text =
+            text.map_err(|_| no_text("the text is in UTF-16, with an unpaired surrogate"))?;
         if text.contains(SWAPPED_LINE_END) {
-            return Err(no_text("the text is in UTF-16, and a byte of it is missing"));
+            return Err(no_text(
+                "the text is in UTF-16, and a byte of it is missing",
+            ));
         }
         if is_end && !self.raw.is_empty() {
-            return Err(no_text("the text is in UTF-16, and its last byte is half a character: it was cut"));
+            return Err(no_text(
+                "the text is in UTF-16, and its last byte is half a character: it was cut",
+            ));
         }
         self.text.extend(text.into_bytes());
         Ok(())
@@ -171,7 +208,9 @@ mod tests {
         let text = "Ball Speed [mph],Spin Axis [°]\n167,3 𝄞\n".repeat(900);
         let mark = "\u{feff}";
         let with = |marks: usize| mark.repeat(marks) + &text;
-        let wide = |text: &str, of: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(of).collect::<Vec<u8>>();
+        let wide = |text: &str, of: fn(u16) -> [u8; 2]| {
+            text.encode_utf16().flat_map(of).collect::<Vec<u8>>()
+        };
         for bytes in [
             with(0).into_bytes(),
             with(1).into_bytes(),
@@ -192,15 +231,23 @@ mod tests {
     #[test]
     fn exact_what_is_no_text_in_utf_16_is_refused() {
         // half a character at the end; the second half of a pair, and the first, alone
-        let [cut, second, first]: [&[u8]; 3] = [b"b", &[0x1e, 0xdd, b'b', 0], &[0x34, 0xd8, b'b', 0]];
+        let [cut, second, first]: [&[u8]; 3] =
+            [b"b", &[0x1e, 0xdd, b'b', 0], &[0x34, 0xd8, b'b', 0]];
         // "b", "c" and a line end without the second byte of "b"; and a byte less at the end
         let missing = b"bc\0\n\0d".as_slice();
-        for (bytes, words) in
-            [(cut, "cut"), (second, "unpaired"), (first, "unpaired"), (&first[..2], "unpaired"), (missing, "missing")]
-        {
+        for (bytes, words) in [
+            (cut, "cut"),
+            (second, "unpaired"),
+            (first, "unpaired"),
+            (&first[..2], "unpaired"),
+            (missing, "missing"),
+        ] {
             let bytes = [&[0xff, 0xfe, b'a', 0], bytes].concat();
             for error in [read(&bytes[..]), read(Slow(&bytes))].map(Result::unwrap_err) {
-                assert!(error.kind() == io::ErrorKind::Other && error.to_string().contains(words), "{error}");
+                assert!(
+                    error.kind() == io::ErrorKind::Other && error.to_string().contains(words),
+                    "{error}"
+                );
             }
         }
     }

@@ -36,15 +36,27 @@ pub(super) const HEADS: &[(&str, Meaning)] = &[
     ("launch ang", Meaning::Outcome(Outcome::LaunchAngle)),
     ("launch v", Meaning::Outcome(Outcome::LaunchAngle)),
     ("vertical launch", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("vertical launch angle", Meaning::Outcome(Outcome::LaunchAngle)),
+    (
+        "vertical launch angle",
+        Meaning::Outcome(Outcome::LaunchAngle),
+    ),
     ("launch angle v", Meaning::Outcome(Outcome::LaunchAngle)),
     ("v launch angle", Meaning::Outcome(Outcome::LaunchAngle)),
     ("vla", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("launch direction", Meaning::Outcome(Outcome::LaunchDirection)),
+    (
+        "launch direction",
+        Meaning::Outcome(Outcome::LaunchDirection),
+    ),
     ("launch dir", Meaning::Outcome(Outcome::LaunchDirection)),
     ("launch h", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("horizontal launch", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("horizontal launch angle", Meaning::Outcome(Outcome::LaunchDirection)),
+    (
+        "horizontal launch",
+        Meaning::Outcome(Outcome::LaunchDirection),
+    ),
+    (
+        "horizontal launch angle",
+        Meaning::Outcome(Outcome::LaunchDirection),
+    ),
     ("launch angle h", Meaning::Outcome(Outcome::LaunchDirection)),
     ("h launch angle", Meaning::Outcome(Outcome::LaunchDirection)),
     ("hla", Meaning::Outcome(Outcome::LaunchDirection)),
@@ -64,7 +76,10 @@ pub(super) const HEADS: &[(&str, Meaning)] = &[
     ("axis tilt", Meaning::Outcome(Outcome::SpinAxis)),
     ("carry", Meaning::Outcome(Outcome::CarryDistance)),
     ("carry distance", Meaning::Outcome(Outcome::CarryDistance)),
-    ("carry flat length", Meaning::Outcome(Outcome::CarryDistance)),
+    (
+        "carry flat length",
+        Meaning::Outcome(Outcome::CarryDistance),
+    ),
     ("carry length", Meaning::Outcome(Outcome::CarryDistance)),
     ("side", Meaning::Outcome(Outcome::Lateral)),
     ("carry side", Meaning::Outcome(Outcome::Lateral)),
@@ -72,7 +87,10 @@ pub(super) const HEADS: &[(&str, Meaning)] = &[
     ("carry lateral distance", Meaning::Outcome(Outcome::Lateral)),
     ("lateral landing", Meaning::Outcome(Outcome::Lateral)),
     ("carry flat side", Meaning::Outcome(Outcome::Lateral)),
-    ("carry deviation distance", Meaning::Outcome(Outcome::Lateral)),
+    (
+        "carry deviation distance",
+        Meaning::Outcome(Outcome::Lateral),
+    ),
     ("offline", Meaning::Outcome(Outcome::Lateral)),
     ("lateral", Meaning::Outcome(Outcome::Lateral)),
     ("apex", Meaning::Outcome(Outcome::ApexHeight)),
@@ -86,17 +104,26 @@ pub(super) const HEADS: &[(&str, Meaning)] = &[
     ("landing ang", Meaning::Outcome(Outcome::DescentAngle)),
     ("land ang", Meaning::Outcome(Outcome::DescentAngle)),
     ("land angle", Meaning::Outcome(Outcome::DescentAngle)),
-    ("carry flat land angle", Meaning::Outcome(Outcome::DescentAngle)),
+    (
+        "carry flat land angle",
+        Meaning::Outcome(Outcome::DescentAngle),
+    ),
     ("descent angle", Meaning::Outcome(Outcome::DescentAngle)),
     ("descent v", Meaning::Outcome(Outcome::DescentAngle)),
     ("descentv", Meaning::Outcome(Outcome::DescentAngle)),
     ("angle of descent", Meaning::Outcome(Outcome::DescentAngle)),
-    ("ball descent angle", Meaning::Outcome(Outcome::DescentAngle)),
+    (
+        "ball descent angle",
+        Meaning::Outcome(Outcome::DescentAngle),
+    ),
     ("vertical descent", Meaning::Outcome(Outcome::DescentAngle)),
     ("hang time", Meaning::Outcome(Outcome::FlightTime)),
     ("flight time", Meaning::Outcome(Outcome::FlightTime)),
     ("carry flat time", Meaning::Outcome(Outcome::FlightTime)),
-    ("carry flat ball speed", Meaning::Outcome(Outcome::LandingSpeed)),
+    (
+        "carry flat ball speed",
+        Meaning::Outcome(Outcome::LandingSpeed),
+    ),
     ("max height dist", Meaning::Outcome(Outcome::ApexDownrange)),
     // Garmin in German
     ("schl gsch", Meaning::Input("swing.speed")),
@@ -108,9 +135,15 @@ pub(super) const HEADS: &[(&str, Meaning)] = &[
     ("abflugrichtung", Meaning::Outcome(Outcome::LaunchDirection)),
     ("drehrate", Meaning::Outcome(Outcome::Spin)),
     ("drehachse", Meaning::Outcome(Outcome::SpinAxis)),
-    ("höhe des scheitelpunkts", Meaning::Outcome(Outcome::ApexHeight)),
+    (
+        "höhe des scheitelpunkts",
+        Meaning::Outcome(Outcome::ApexHeight),
+    ),
     ("carry distanz", Meaning::Outcome(Outcome::CarryDistance)),
-    ("carry abweichungsdistanz", Meaning::Outcome(Outcome::Lateral)),
+    (
+        "carry abweichungsdistanz",
+        Meaning::Outcome(Outcome::Lateral),
+    ),
 ];
 
 /// Heads of launch monitors that are known and not used: none of them is a slip of the pen.

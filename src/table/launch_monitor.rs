@@ -7,13 +7,19 @@ use super::numbers::is_unit;
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
-/// The meaning of a head without its unit; `None` for one of this program's own names, and for what it has no name for.
+/// The meaning of a head without its unit; `None` for one of this program's own names, and for what
+/// it has no name for.
 pub(super) fn meaning(name: &str) -> Option<Meaning> {
     let is_a_name = || Outcome::ALL.iter().any(|of| of.name() == name);
     if is_own(name) && (!name.contains('_') || is_a_name()) {
         return None;
     }
-    let known = |words: &str| HEADS.iter().find(|(head, _)| *head == words).map(|(_, meaning)| *meaning);
+    let known = |words: &str| {
+        HEADS
+            .iter()
+            .find(|(head, _)| *head == words)
+            .map(|(_, meaning)| *meaning)
+    };
     known(&words(name)).or_else(|| known(&words(&apart(name))))
 }
 
@@ -38,20 +44,31 @@ fn is_own(name: &str) -> bool {
 
 /// A head in small letters, without marks.
 pub(crate) fn words(name: &str) -> String {
-    let plain = |c: char| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { ' ' };
+    let plain = |c: char| {
+        if c.is_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            ' '
+        }
+    };
     let words: String = name.chars().map(plain).collect();
     words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The known head that one without a meaning differs from by a letter or two: "ball speed" for `Ball Sped [mph]`.
+/// The known head that one without a meaning differs from by a letter or two: "ball speed" for
+/// `Ball Sped [mph]`.
 pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     let words = words(split_unit(head).0);
-    let near = HEADS.iter().map(|(known, _)| (strsim::levenshtein(&words, known), *known)).min()?;
+    let near = HEADS
+        .iter()
+        .map(|(known, _)| (strsim::levenshtein(&words, known), *known))
+        .min()?;
     let is_known = NOT_USED.contains(&words.as_str());
     (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
 }
 
-/// The meaning of a head with its unit: `Ball (km/h)` is a speed, while `Ball` by itself may be a kind of ball.
+/// The meaning of a head with its unit: `Ball (km/h)` is a speed, while `Ball` by itself may be a
+/// kind of ball.
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
     let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
@@ -79,23 +96,37 @@ pub(crate) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
 /// Recognizes heads of launch monitors, also `ball_speed_mph`.
 fn is_known(head: &str) -> bool {
     let (name, unit) = split_unit(head);
-    meaning(name).is_some() || unit.is_some() && head.trim().starts_with(name) && head[name.len()..].starts_with('_')
+    meaning(name).is_some()
+        || unit.is_some() && head.trim().starts_with(name) && head[name.len()..].starts_with('_')
 }
 
-/// A head's name, and its unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`, `BallSpeedMph`, `ball_speed_mph`.
+/// A head's name, and its unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`,
+/// `BallSpeedMph`, `ball_speed_mph`.
 pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     let head = head.trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
-        if let Some((name, unit)) = head.split_once(open).filter(|(_, unit)| !is_simulated(unit)) {
-            return (name.trim(), Some(unit.trim_end().trim_end_matches(close).trim().to_owned()));
+        if let Some((name, unit)) = head
+            .split_once(open)
+            .filter(|(_, unit)| !is_simulated(unit))
+        {
+            return (
+                name.trim(),
+                Some(unit.trim_end().trim_end_matches(close).trim().to_owned()),
+            );
         }
     }
-    let capital = || head.char_indices().rfind(|(at, c)| *at > 0 && c.is_uppercase()).map(|(at, _)| head.split_at(at));
+    let capital = || {
+        head.char_indices()
+            .rfind(|(at, c)| *at > 0 && c.is_uppercase())
+            .map(|(at, _)| head.split_at(at))
+    };
     let is_of_heads = |name: &str| {
         let words = words(&apart(name));
         HEADS.iter().any(|(known, _)| *known == words)
     };
-    let last_word = [head.rsplit_once(' '), head.rsplit_once('_'), capital()].into_iter().flatten();
+    let last_word = [head.rsplit_once(' '), head.rsplit_once('_'), capital()]
+        .into_iter()
+        .flatten();
     for (name, word) in last_word {
         if is_unit(word) && is_of_heads(name) {
             return (name.trim(), Some(word.to_owned()));
@@ -106,11 +137,14 @@ pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
 
 /// Recognizes TrackMan's `Carry (Sim)`, whose brackets hold no unit.
 fn is_simulated(word: &str) -> bool {
-    word.trim_end_matches([')', ']']).trim().eq_ignore_ascii_case("sim")
+    word.trim_end_matches([')', ']'])
+        .trim()
+        .eq_ignore_ascii_case("sim")
 }
 
-/// The units of a line below the heads, `[mph]` each or nothing; `None` where the line is none of units. It is one where some cell under a known
-/// head is a unit, and none is a number, whatever stands under other heads. A word under a known head that is no unit is told as one.
+/// The units of a line below the heads, `[mph]` each or nothing; `None` where the line is none of
+/// units. It is one where some cell under a known head is a unit, and none is a number, whatever
+/// stands under other heads. A word under a known head that is no unit is told as one.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
     let is_known = |head: &str| {
         let name = split_unit(head).0;
@@ -118,13 +152,26 @@ pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option
     };
     let under_known: Vec<bool> = heads.iter().map(|head| is_known(head)).collect();
     let is_under_known = |at: usize| under_known.get(at).copied().unwrap_or_default();
-    let bare = |cell: &str| cell.trim().trim_matches(['[', ']', '(', ')']).trim().to_owned();
-    let is_in_brackets = |cell: &str| cell.trim().starts_with(['[', '(']) && cell.trim().ends_with([']', ')']);
+    let bare = |cell: &str| {
+        cell.trim()
+            .trim_matches(['[', ']', '(', ')'])
+            .trim()
+            .to_owned()
+    };
+    let is_in_brackets =
+        |cell: &str| cell.trim().starts_with(['[', '(']) && cell.trim().ends_with([']', ')']);
     let is_number = |cell: &str| cell_number(cell, true).is_some();
-    if cells.iter().enumerate().any(|(at, cell)| is_under_known(at) && is_number(cell)) {
+    if cells
+        .iter()
+        .enumerate()
+        .any(|(at, cell)| is_under_known(at) && is_number(cell))
+    {
         return None;
     }
-    let has_unit = cells.iter().enumerate().any(|(at, cell)| is_under_known(at) && is_unit(&bare(cell)));
+    let has_unit = cells
+        .iter()
+        .enumerate()
+        .any(|(at, cell)| is_under_known(at) && is_unit(&bare(cell)));
     let unit = |(at, cell): (usize, &String)| {
         let bare = bare(cell);
         let is_unit = is_under_known(at) || is_in_brackets(cell) || is_unit(&bare);
@@ -140,10 +187,15 @@ pub(super) fn is_head(text: &str, separator: u8) -> bool {
     if text.split(char::from(separator)).any(is_number) {
         return false;
     }
-    cells(text, separator).iter().filter(|cell| is_known(&cell.replace('\n', " "))).count() >= 2
+    cells(text, separator)
+        .iter()
+        .filter(|cell| is_known(&cell.replace('\n', " ")))
+        .count()
+        >= 2
 }
 
-/// The word that identifies a statistic of other rows, such as `Average`. Shots contain none of these words.
+/// The word that identifies a statistic of other rows, such as `Average`. Shots contain none of
+/// these words.
 pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     const WORDS: [&str; 17] = [
         "dev",
@@ -167,14 +219,24 @@ pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
     let mut cells = cells.map(str::trim);
     // most cells are none of them: that must cost next to nothing
     cells.find(|cell| {
-        let words = || cell.split(|c: char| c.is_whitespace() || c == '.' || c == ':').filter(|word| !word.is_empty());
+        let words = || {
+            cell.split(|c: char| c.is_whitespace() || c == '.' || c == ':')
+                .filter(|word| !word.is_empty())
+        };
         let is = |known: &&str| {
             let mut known = known.split(' ');
-            words().all(|word| known.next().is_some_and(|other| word.eq_ignore_ascii_case(other)))
-                && known.next().is_none()
+            words().all(|word| {
+                known
+                    .next()
+                    .is_some_and(|other| word.eq_ignore_ascii_case(other))
+            }) && known.next().is_none()
         };
-        let first = cell.bytes().find(|byte| !matches!(byte, b'.' | b':' | b' '));
-        let begins = |known: &&&str| first.is_some_and(|first| known.as_bytes()[0].eq_ignore_ascii_case(&first));
+        let first = cell
+            .bytes()
+            .find(|byte| !matches!(byte, b'.' | b':' | b' '));
+        let begins = |known: &&&str| {
+            first.is_some_and(|first| known.as_bytes()[0].eq_ignore_ascii_case(&first))
+        };
         WORDS.iter().filter(begins).any(is)
     })
 }
@@ -189,28 +251,100 @@ mod tests {
     #[test]
     fn heads_of_launch_monitors_are_known_and_own_names_are_left_to_the_table() {
         for (head, name, of) in [
-            ("Club Speed [mph]", "Club Speed", Meaning::Input("swing.speed")),
-            ("Carry Flat - Length [yds]", "Carry Flat - Length", Meaning::Outcome(Outcome::CarryDistance)),
-            ("Carry Flat - Land. Angle", "Carry Flat - Land. Angle", Meaning::Outcome(Outcome::DescentAngle)),
-            ("Ball Speed (mph)", "Ball Speed", Meaning::Outcome(Outcome::BallSpeed)),
-            ("Ball Speed MPH", "Ball Speed", Meaning::Outcome(Outcome::BallSpeed)),
-            ("Carry Yards", "Carry", Meaning::Outcome(Outcome::CarryDistance)),
-            ("BallSpeed", "BallSpeed", Meaning::Outcome(Outcome::BallSpeed)),
-            ("LaunchAngleDeg", "LaunchAngle", Meaning::Outcome(Outcome::LaunchAngle)),
-            ("spin_rate_rpm", "spin_rate", Meaning::Outcome(Outcome::Spin)),
-            ("Attack Ang. [deg]", "Attack Ang.", Meaning::Input("swing.attack_angle")),
-            ("Ballgeschwindigkeit", "Ballgeschwindigkeit", Meaning::Outcome(Outcome::BallSpeed)),
-            ("Launch V (°)", "Launch V", Meaning::Outcome(Outcome::LaunchAngle)),
+            (
+                "Club Speed [mph]",
+                "Club Speed",
+                Meaning::Input("swing.speed"),
+            ),
+            (
+                "Carry Flat - Length [yds]",
+                "Carry Flat - Length",
+                Meaning::Outcome(Outcome::CarryDistance),
+            ),
+            (
+                "Carry Flat - Land. Angle",
+                "Carry Flat - Land. Angle",
+                Meaning::Outcome(Outcome::DescentAngle),
+            ),
+            (
+                "Ball Speed (mph)",
+                "Ball Speed",
+                Meaning::Outcome(Outcome::BallSpeed),
+            ),
+            (
+                "Ball Speed MPH",
+                "Ball Speed",
+                Meaning::Outcome(Outcome::BallSpeed),
+            ),
+            (
+                "Carry Yards",
+                "Carry",
+                Meaning::Outcome(Outcome::CarryDistance),
+            ),
+            (
+                "BallSpeed",
+                "BallSpeed",
+                Meaning::Outcome(Outcome::BallSpeed),
+            ),
+            (
+                "LaunchAngleDeg",
+                "LaunchAngle",
+                Meaning::Outcome(Outcome::LaunchAngle),
+            ),
+            (
+                "spin_rate_rpm",
+                "spin_rate",
+                Meaning::Outcome(Outcome::Spin),
+            ),
+            (
+                "Attack Ang. [deg]",
+                "Attack Ang.",
+                Meaning::Input("swing.attack_angle"),
+            ),
+            (
+                "Ballgeschwindigkeit",
+                "Ballgeschwindigkeit",
+                Meaning::Outcome(Outcome::BallSpeed),
+            ),
+            (
+                "Launch V (°)",
+                "Launch V",
+                Meaning::Outcome(Outcome::LaunchAngle),
+            ),
         ] {
-            assert_eq!((split_unit(head).0, meaning(name)), (name, Some(of)), "{head}");
+            assert_eq!(
+                (split_unit(head).0, meaning(name)),
+                (name, Some(of)),
+                "{head}"
+            );
         }
-        assert_eq!(meaning_with("Ball", Some("km/h")), Some(Meaning::Outcome(Outcome::BallSpeed)));
-        assert_eq!((meaning_with("Ball", None), meaning_with("Club", Some("deg"))), (None, None));
-        assert_eq!((meaning("carry"), meaning("Total"), meaning("spin_axis")), (None, None, None));
-        assert!(is_export(["Ball Speed", "Launch Angle", "Player"].into_iter()));
-        assert!(is_export(["ball_speed_mph", "launch_angle_deg"].into_iter()));
-        assert!(!is_export(["carry [yd]", "club.loft [deg]", "Carry"].into_iter()));
-        assert!(!is_export(["ball_speed", "launch_angle [deg]", "spin_axis"].into_iter()));
+        assert_eq!(
+            meaning_with("Ball", Some("km/h")),
+            Some(Meaning::Outcome(Outcome::BallSpeed))
+        );
+        assert_eq!(
+            (
+                meaning_with("Ball", None),
+                meaning_with("Club", Some("deg"))
+            ),
+            (None, None)
+        );
+        assert_eq!(
+            (meaning("carry"), meaning("Total"), meaning("spin_axis")),
+            (None, None, None)
+        );
+        assert!(is_export(
+            ["Ball Speed", "Launch Angle", "Player"].into_iter()
+        ));
+        assert!(is_export(
+            ["ball_speed_mph", "launch_angle_deg"].into_iter()
+        ));
+        assert!(!is_export(
+            ["carry [yd]", "club.loft [deg]", "Carry"].into_iter()
+        ));
+        assert!(!is_export(
+            ["ball_speed", "launch_angle [deg]", "spin_axis"].into_iter()
+        ));
         let mut seen = HashSet::new();
         for (head, of) in super::HEADS.iter() {
             assert!(seen.insert(head), "{head} is listed twice");
@@ -224,11 +358,22 @@ mod tests {
     fn exact_lines_of_units() {
         let heads = ["Date", "Ball Speed", "Launch Angle", "Spin Rate"].map(String::from);
         let below = |cells: [&str; 4]| units_row(&heads, &cells.map(String::from));
-        let read = Some(vec![None, Some("mph".into()), Some("deg".into()), Some("rpm".into())]);
+        let read = Some(vec![
+            None,
+            Some("mph".into()),
+            Some("deg".into()),
+            Some("rpm".into()),
+        ]);
         assert_eq!(
-            (below([" ", "[mph]", "(deg)", "rpm"]), below(["yyyy-mm-dd", "mph", "deg", "rpm"])),
+            (
+                below([" ", "[mph]", "(deg)", "rpm"]),
+                below(["yyyy-mm-dd", "mph", "deg", "rpm"])
+            ),
             (read.clone(), read)
         );
-        assert_eq!((below(["", "1", "[deg]", ""]), below(["", "", "", ""])), (None, None));
+        assert_eq!(
+            (below(["", "1", "[deg]", ""]), below(["", "", "", ""])),
+            (None, None)
+        );
     }
 }

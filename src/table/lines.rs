@@ -9,7 +9,8 @@ use std::io::{self, BufRead, Read};
 /// The longest line, in bytes.
 const LONGEST: u64 = 1 << 20;
 
-/// A record goes on over at most so many lines: a quote that is still open then is a mistake in the first.
+/// A record goes on over at most so many lines: a quote that is still open then is a mistake in the
+/// first.
 const MOST_LINES: usize = 32;
 
 /// A record.
@@ -25,8 +26,12 @@ pub(crate) struct Record {
 impl Record {
     /// Refusal of a record with an unclosed quote.
     pub(crate) fn unclosed(&self) -> Option<Refusal> {
-        let reason =
-            || format!("line {} opens a quote (\") and does not close it; close it, or take it out", self.line);
+        let reason = || {
+            format!(
+                "line {} opens a quote (\") and does not close it; close it, or take it out",
+                self.line
+            )
+        };
         self.is_open.then(|| Refusal::new(Refusal::QUOTE, reason()))
     }
 }
@@ -46,8 +51,18 @@ pub(super) struct Lines {
 impl Lines {
     /// The lines of a text that begins like this.
     pub fn new(source: Box<dyn BufRead + Send>, beginning: &str, encoding: Encoding) -> Self {
-        let end = if beginning.contains('\r') && !beginning.contains('\n') { b'\r' } else { b'\n' };
-        Self { source, encoding, end, read: 0, held: VecDeque::new() }
+        let end = if beginning.contains('\r') && !beginning.contains('\n') {
+            b'\r'
+        } else {
+            b'\n'
+        };
+        Self {
+            source,
+            encoding,
+            end,
+            read: 0,
+            held: VecDeque::new(),
+        }
     }
 
     /// The next line, with its number.
@@ -56,10 +71,15 @@ impl Lines {
             return Ok(Some(held));
         }
         let mut bytes = vec![];
-        let count = (&mut self.source).take(LONGEST).read_until(self.end, &mut bytes)?;
+        let count = (&mut self.source)
+            .take(LONGEST)
+            .read_until(self.end, &mut bytes)?;
         self.read += 1;
         if count as u64 == LONGEST && bytes.last() != Some(&self.end) {
-            return Err(io::Error::other(format!("line {} is longer than 1 MiB; a table has shorter ones", self.read)));
+            return Err(io::Error::other(format!(
+                "line {} is longer than 1 MiB; a table has shorter ones",
+                self.read
+            )));
         }
         while matches!(bytes.last(), Some(b'\n' | b'\r')) {
             bytes.pop();
@@ -82,9 +102,13 @@ impl Lines {
     /// The next line other than blank lines, comments (`#`) and a separator declaration (`sep=;`).
     pub fn text_line(&mut self) -> io::Result<Option<(u64, String)>> {
         loop {
-            let Some((line, text)) = self.line()? else { return Ok(None) };
+            let Some((line, text)) = self.line()? else {
+                return Ok(None);
+            };
             let words = text.trim_start_matches('\u{feff}');
-            let is_none = words.trim().is_empty() || words.starts_with('#') || line == 1 && words.starts_with("sep=");
+            let is_none = words.trim().is_empty()
+                || words.starts_with('#')
+                || line == 1 && words.starts_with("sep=");
             if !is_none {
                 return Ok(Some((line, text)));
             }
@@ -93,9 +117,15 @@ impl Lines {
 
     /// The next record.
     pub fn record(&mut self, separator: u8) -> io::Result<Option<Record>> {
-        let Some((line, mut text)) = self.text_line()? else { return Ok(None) };
+        let Some((line, mut text)) = self.text_line()? else {
+            return Ok(None);
+        };
         if !is_open(&text, separator) {
-            return Ok(Some(Record { line, text, is_open: false }));
+            return Ok(Some(Record {
+                line,
+                text,
+                is_open: false,
+            }));
         }
         let first = text.clone();
         let mut more = vec![];
@@ -104,11 +134,19 @@ impl Lines {
             text = format!("{text}\n{}", next.1);
             more.push(next);
             if !is_open(&text, separator) {
-                return Ok(Some(Record { line, text, is_open: false }));
+                return Ok(Some(Record {
+                    line,
+                    text,
+                    is_open: false,
+                }));
             }
         }
         more.into_iter().rev().for_each(|line| self.give_back(line));
-        Ok(Some(Record { line, text: first, is_open: true }))
+        Ok(Some(Record {
+            line,
+            text: first,
+            is_open: true,
+        }))
     }
 }
 
@@ -127,9 +165,23 @@ mod tests {
         let row = |line, text: &str, is_open| (line, text.to_owned(), is_open);
         assert_eq!(
             rows("a,b\r\n\n# c\n\"d\ne\",f\ng"),
-            [row(1, "a,b", false), row(4, "\"d\ne\",f", false), row(6, "g", false)]
+            [
+                row(1, "a,b", false),
+                row(4, "\"d\ne\",f", false),
+                row(6, "g", false)
+            ]
         );
-        assert_eq!(rows("1,\"a\n2,b\n3,c\n"), [row(1, "1,\"a", true), row(2, "2,b", false), row(3, "3,c", false)]);
-        assert_eq!(rows("1,a\r2,b\r"), [row(1, "1,a", false), row(2, "2,b", false)]);
+        assert_eq!(
+            rows("1,\"a\n2,b\n3,c\n"),
+            [
+                row(1, "1,\"a", true),
+                row(2, "2,b", false),
+                row(3, "3,c", false)
+            ]
+        );
+        assert_eq!(
+            rows("1,a\r2,b\r"),
+            [row(1, "1,a", false), row(2, "2,b", false)]
+        );
     }
 }

@@ -8,12 +8,19 @@ use crate::units::Quantity;
 pub(crate) const ASSUMED_UNITS: &str = "heads without a unit are read as";
 
 /// The units of heads that state none, of an export: those of the makers' applications in the US.
-const USUAL: [(Quantity, &str); 4] =
-    [(Quantity::SPEED, "mph"), (Quantity::LENGTH, "yd"), (Quantity::ANGULAR_VELOCITY, "rpm"), (Quantity::TIME, "s")];
+const USUAL: [(Quantity, &str); 4] = [
+    (Quantity::SPEED, "mph"),
+    (Quantity::LENGTH, "yd"),
+    (Quantity::ANGULAR_VELOCITY, "rpm"),
+    (Quantity::TIME, "s"),
+];
 
-/// Reads the columns of an export that state no unit in the usual ones, and says which; angles are in degrees already. Where the cells of a column
-/// state their units, they are read in those.
-pub(crate) fn assume_units(columns: &mut [Column], states_unit: impl Fn(usize, &Column) -> bool) -> Option<String> {
+/// Reads the columns of an export that state no unit in the usual ones, and says which; angles are
+/// in degrees already. Where the cells of a column state their units, they are read in those.
+pub(crate) fn assume_units(
+    columns: &mut [Column],
+    states_unit: impl Fn(usize, &Column) -> bool,
+) -> Option<String> {
     let mut told = vec![];
     for (at, column) in columns.iter_mut().enumerate() {
         let is_untold = column.lacks_unit() || column.is_in_degrees_untold();
@@ -24,11 +31,21 @@ pub(crate) fn assume_units(columns: &mut [Column], states_unit: impl Fn(usize, &
         if !column.lacks_unit() {
             continue;
         }
-        let Some((_, unit)) = USUAL.iter().find(|(quantity, _)| column.kind() == Some(*quantity)) else { continue };
+        let Some((_, unit)) = USUAL
+            .iter()
+            .find(|(quantity, _)| column.kind() == Some(*quantity))
+        else {
+            continue;
+        };
         let is_height = column.holds == Holds::Outcome(Outcome::ApexHeight);
         let unit = if is_height { "ft" } else { unit };
         told.push(format!("{} in {unit}", column.head));
         *column = column.clone().in_unit(unit);
     }
-    (!told.is_empty()).then(|| format!("{ASSUMED_UNITS} {}; write other units into the heads", told.join(", ")))
+    (!told.is_empty()).then(|| {
+        format!(
+            "{ASSUMED_UNITS} {}; write other units into the heads",
+            told.join(", ")
+        )
+    })
 }

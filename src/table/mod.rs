@@ -1,7 +1,9 @@
-//! Tables that people, launch monitors and this program write, read once for all: encoding, records, heads with their units, sections, and
-//! the values of cells. Shots, calibration and sweeps ask for the columns that they want.
+//! Tables that people, launch monitors and this program write, read once for all: encoding,
+//! records, heads with their units, sections, and the values of cells. Shots, calibration and
+//! sweeps ask for the columns that they want.
 //!
-//! Points that stand in a file, as [`Points`](crate::batch::Points) of a batch: [`open_table`] reads CSV, Parquet and Arrow.
+//! Points that stand in a file, as [`Points`](crate::batch::Points) of a batch: [`open_table`]
+//! reads CSV, Parquet and Arrow.
 
 mod air;
 mod cell_number;
@@ -28,7 +30,9 @@ mod text;
 pub(crate) use air::{air_as_given, air_of_rows, air_of_setup, states_weather};
 pub(crate) use cells::{cells, quoted};
 pub(crate) use column::{Column, Format, Holds, OF_FLOWN};
-pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption};
+pub(crate) use conditions::{
+    Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption,
+};
 pub(crate) use decimal_marks::DecimalMarks;
 pub(crate) use decimals::Decimals;
 pub(crate) use head::{Head, Wanted};
@@ -39,7 +43,9 @@ pub(crate) use lines::Record;
 pub(crate) use missing_units::ASSUMED_UNITS;
 pub(crate) use missing_units::assume_units;
 pub(crate) use non_shot_rows::{NonShot, NonShotRows};
-pub(crate) use plausible::{implausible, implausible_club, implausible_launch, impossible, outside};
+pub(crate) use plausible::{
+    implausible, implausible_club, implausible_launch, impossible, outside,
+};
 pub use points::open_table;
 pub use refusal::Refusal;
 pub(crate) use text::{Entry, SourceName, Text, TextTable, miscounted};

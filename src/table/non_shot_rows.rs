@@ -19,7 +19,10 @@ impl<'a> NonShot<'a> {
         if let Some(word) = summary(row.iter().map(AsRef::as_ref)) {
             return Some(Self::Summary(word));
         }
-        let mut filled = row.iter().map(AsRef::as_ref).filter(|cell| !cell.is_empty());
+        let mut filled = row
+            .iter()
+            .map(AsRef::as_ref)
+            .filter(|cell| !cell.is_empty());
         let only = filled.next()?;
         let is_title = filled.next().is_none() && only.parse::<f64>().is_err();
         is_title.then_some(Self::Title(only))
@@ -28,8 +31,13 @@ impl<'a> NonShot<'a> {
     /// The refusal of the row.
     pub fn refusal(self) -> Refusal {
         match self {
-            Self::Summary(word) => Refusal::new(Refusal::SUMMARY, format!("the row sums up other rows ({word})")),
-            Self::Title(word) => Refusal::new(Refusal::TITLE, format!("the row is a title ({word})")),
+            Self::Summary(word) => Refusal::new(
+                Refusal::SUMMARY,
+                format!("the row sums up other rows ({word})"),
+            ),
+            Self::Title(word) => {
+                Refusal::new(Refusal::TITLE, format!("the row is a title ({word})"))
+            }
         }
     }
 }
@@ -53,11 +61,14 @@ impl NonShotRows {
 
     /// One message per kind of row.
     pub fn messages(&self) -> Vec<String> {
-        [(&self.summaries, "sum up other rows"), (&self.titles, "are titles")]
-            .into_iter()
-            .filter(|(rows, _)| !rows.is_empty())
-            .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
-            .collect()
+        [
+            (&self.summaries, "sum up other rows"),
+            (&self.titles, "are titles"),
+        ]
+        .into_iter()
+        .filter(|(rows, _)| !rows.is_empty())
+        .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
+        .collect()
     }
 
     /// The messages as remarks.

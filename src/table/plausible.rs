@@ -6,7 +6,8 @@ use crate::drive::Outcome;
 use crate::units::Quantity;
 use std::sync::LazyLock;
 
-/// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s); no driver gives topspin.
+/// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s); no
+/// driver gives topspin.
 const RANGES: &[(Outcome, f64, f64, &str)] = &[
     (Outcome::BallSpeed, 0.0, 270.0, "mph"),
     (Outcome::LaunchAngle, -90.0, 90.0, "deg"),
@@ -25,7 +26,8 @@ const RANGES: &[(Outcome, f64, f64, &str)] = &[
     (Outcome::LateralTotal, -800.0, 800.0, "yd"),
 ];
 
-/// The range of what is measured of a club, by its parameter. No club on record moved at 170 mph (76 m/s).
+/// The range of what is measured of a club, by its parameter. No club on record moved at 170 mph
+/// (76 m/s).
 const OF_CLUB: &[(&str, f64, f64, &str)] = &[
     ("swing.speed", 0.0, 170.0, "mph"),
     ("swing.attack_angle", -45.0, 45.0, "deg"),
@@ -35,7 +37,11 @@ const OF_CLUB: &[(&str, f64, f64, &str)] = &[
 
 /// The kind of a range of the club, by its unit.
 fn quantity_in(unit: &str) -> Quantity {
-    if unit == "mph" { Quantity::SPEED } else { Quantity::ANGLE }
+    if unit == "mph" {
+        Quantity::SPEED
+    } else {
+        Quantity::ANGLE
+    }
 }
 
 /// The ranges of the club in SI.
@@ -58,10 +64,15 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
         return None;
     }
     if is_still {
-        return Some(format!("{head}: a club that does not move counts as not measured"));
+        return Some(format!(
+            "{head}: a club that does not move counts as not measured"
+        ));
     }
     let shown = quantity_in(unit).show(value, unit);
-    Some(format!("{head}: {shown} is outside of what a club has, {low} to {high} {unit}; it counts as not measured"))
+    Some(format!(
+        "{head}: {shown} is outside of what a club has, {low} to {high} {unit}; it counts as not \
+         measured"
+    ))
 }
 
 /// Values that are above the lower end of their range: a 0 says that nothing was measured.
@@ -75,32 +86,47 @@ const ABOVE: &[Outcome] = &[
     Outcome::Total,
 ];
 
-/// The ranges in SI; the end of one that does not contain it is moved by nothing, any other by the rounding of a unit.
+/// The ranges in SI; the end of one that does not contain it is moved by nothing, any other by the
+/// rounding of a unit.
 static IN_SI: LazyLock<Vec<(Outcome, f64, f64)>> = LazyLock::new(|| {
     let range = |(of, low, high, unit): &(Outcome, f64, f64, &str)| {
         let size = of.quantity().size_of(unit).unwrap_or(1.0);
         let slack = 1e-9 * high;
-        let low = if ABOVE.contains(of) { f64::MIN_POSITIVE } else { low - slack };
+        let low = if ABOVE.contains(of) {
+            f64::MIN_POSITIVE
+        } else {
+            low - slack
+        };
         (*of, low * size, (high + slack) * size)
     };
     RANGES.iter().map(range).collect()
 });
 
 /// Message for values that no drive has; `name` is the head of the column.
-pub(crate) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String) -> Option<String> {
+pub(crate) fn implausible(
+    of: Outcome,
+    value: f64,
+    name: impl FnOnce() -> String,
+) -> Option<String> {
     outside(of, value).map(|why| format!("{}: {why}", name()))
 }
 
 /// Message without the head of the column.
 pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
-    let (at, (_, lowest, highest)) = IN_SI.iter().enumerate().find(|(_, (outcome, ..))| *outcome == of)?;
+    let (at, (_, lowest, highest)) = IN_SI
+        .iter()
+        .enumerate()
+        .find(|(_, (outcome, ..))| *outcome == of)?;
     if (*lowest..=*highest).contains(&value) {
         return None;
     }
     let (_, low, high, unit) = RANGES[at];
     let shown = of.quantity().show(value, unit);
     let from = if ABOVE.contains(&of) { "above " } else { "" };
-    Some(format!("{shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and its unit"))
+    Some(format!(
+        "{shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and \
+         its unit"
+    ))
 }
 
 /// Positive outcomes: negative values, and zero lengths and times, are errors of the table.
@@ -118,14 +144,36 @@ const POSITIVE: &[Outcome] = &[
 
 /// Message for values that no landed drive can have.
 pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
-    let is_possible = if of == Outcome::Spin { value >= 0.0 } else { !POSITIVE.contains(&of) || value > 0.0 };
-    let advice = if value == 0.0 { "leave the cell empty where nothing was measured" } else { "check its sign" };
-    let least = if of == Outcome::Spin { "0 or more" } else { "above 0" };
-    (!is_possible).then(|| format!("{} is no {} of a drive, which is {least}; {advice}", of.show(value), of.name()))
+    let is_possible = if of == Outcome::Spin {
+        value >= 0.0
+    } else {
+        !POSITIVE.contains(&of) || value > 0.0
+    };
+    let advice = if value == 0.0 {
+        "leave the cell empty where nothing was measured"
+    } else {
+        "check its sign"
+    };
+    let least = if of == Outcome::Spin {
+        "0 or more"
+    } else {
+        "above 0"
+    };
+    (!is_possible).then(|| {
+        format!(
+            "{} is no {} of a drive, which is {least}; {advice}",
+            of.show(value),
+            of.name()
+        )
+    })
 }
 
-/// Why the launch that a row states is none of a drive, in words: of what is taken of it, and of the spin that follows.
-pub(crate) fn implausible_launch(values: &Stated, name: impl Fn(Outcome) -> String) -> Option<String> {
+/// Why the launch that a row states is none of a drive, in words: of what is taken of it, and of
+/// the spin that follows.
+pub(crate) fn implausible_launch(
+    values: &Stated,
+    name: impl Fn(Outcome) -> String,
+) -> Option<String> {
     let used = taken(*values);
     let stated = |(of, value): (&Outcome, &Option<f64>)| implausible(*of, (*value)?, || name(*of));
     if let Some(reason) = CONDITIONS.iter().zip(&used).find_map(stated) {
@@ -134,10 +182,27 @@ pub(crate) fn implausible_launch(values: &Stated, name: impl Fn(Outcome) -> Stri
     let [.., (_, back), (_, side)] = conditions(used, |_| true).ok()?;
     // the tangent of an axis near 90° is large, and its cosine beyond 90° below 0
     [
-        (Outcome::Sidespin, side, Outcome::SpinAxis, "sidespin = backspin · tan(axis)"),
-        (Outcome::Backspin, back, Outcome::SpinAxis, "backspin = spin · cos(axis)"),
-        (Outcome::Spin, back.hypot(side), Outcome::Backspin, "spin = √(backspin² + sidespin²)"),
+        (
+            Outcome::Sidespin,
+            side,
+            Outcome::SpinAxis,
+            "sidespin = backspin · tan(axis)",
+        ),
+        (
+            Outcome::Backspin,
+            back,
+            Outcome::SpinAxis,
+            "backspin = spin · cos(axis)",
+        ),
+        (
+            Outcome::Spin,
+            back.hypot(side),
+            Outcome::Backspin,
+            "spin = √(backspin² + sidespin²)",
+        ),
     ]
     .into_iter()
-    .find_map(|(of, value, from, formula)| implausible(of, value, || format!("{} ({formula})", name(from))))
+    .find_map(|(of, value, from, formula)| {
+        implausible(of, value, || format!("{} ({formula})", name(from)))
+    })
 }

@@ -30,7 +30,11 @@ pub(crate) struct SourceName(pub String);
 
 impl SourceName {
     pub fn refused(&self, place: String, reason: impl Into<String>) -> Error {
-        Error::Table { file: self.0.clone(), place, reason: reason.into() }
+        Error::Table {
+            file: self.0.clone(),
+            place,
+            reason: reason.into(),
+        }
     }
 
     pub fn io<T>(&self, result: io::Result<T>) -> Result<T> {
@@ -61,7 +65,12 @@ impl Text {
         let encoding = Encoding::of(&bytes);
         let beginning = encoding.lossy(&bytes);
         let source = Box::new(Cursor::new(bytes).chain(source));
-        Ok(Self { name, beginning, source, encoding })
+        Ok(Self {
+            name,
+            beginning,
+            source,
+            encoding,
+        })
     }
 }
 
@@ -90,16 +99,34 @@ impl TextTable {
     /// Opens a table and reads its first head.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an empty table, a head that is not closed, an unknown column, and what the source returns.
+    /// [`Error::Table`](crate::Error::Table) for an empty table, a head that is not closed, an
+    /// unknown column, and what the source returns.
     pub fn open(text: Text, setup: &Setup<f64>, wanted: &Wanted) -> Result<(Self, Head)> {
-        let Text { name, beginning, source, encoding } = text;
+        let Text {
+            name,
+            beginning,
+            source,
+            encoding,
+        } = text;
         let Some(place) = HeadPlace::find(&beginning) else {
-            return Err(
-                name.refused(String::new(), "it is empty; give a head with the names of columns, and rows below it")
-            );
+            return Err(name.refused(
+                String::new(),
+                "it is empty; give a head with the names of columns, and rows below it",
+            ));
         };
-        let lines = Lines::new(Box::new(BufReader::with_capacity(PIECE, source)), &beginning, encoding);
-        let mut table = Self { name, lines, separator: place.separator, beginning, encoding, has_sections: false };
+        let lines = Lines::new(
+            Box::new(BufReader::with_capacity(PIECE, source)),
+            &beginning,
+            encoding,
+        );
+        let mut table = Self {
+            name,
+            lines,
+            separator: place.separator,
+            beginning,
+            encoding,
+            has_sections: false,
+        };
         let record = loop {
             match table.record()? {
                 None => {
@@ -128,7 +155,11 @@ impl TextTable {
         if let Some(refusal) = record.unclosed() {
             return Err(self.name.refused(String::new(), refusal.reason));
         }
-        let heads: Vec<String> = self.cells(record).into_iter().map(|head| head.replace(['\r', '\n'], " ")).collect();
+        let heads: Vec<String> = self
+            .cells(record)
+            .into_iter()
+            .map(|head| head.replace(['\r', '\n'], " "))
+            .collect();
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
         let head = Head::read(setup, heads, first, self.separator, wanted);
@@ -142,14 +173,20 @@ impl TextTable {
         Ok(head)
     }
 
-    /// Rows of the section below a head, as far as the first 64 KiB contain them, at most [`MOST_ROWS`].
+    /// Rows of the section below a head, as far as the first 64 KiB contain them, at most
+    /// [`MOST_ROWS`].
     pub fn rows_below(&self, head: u64) -> Vec<Vec<String>> {
         let has_returns = self.beginning.contains('\r') && !self.beginning.contains('\n');
         let end = if has_returns { '\r' } else { '\n' };
         let below = usize::try_from(head).unwrap_or(usize::MAX);
         let lines = self.beginning.split(end).skip(below);
         let rows = lines.take_while(|line| !(self.has_sections && is_head(line, self.separator)));
-        let cells = |line: &str| cells(line, self.separator).into_iter().map(String::from).collect();
+        let cells = |line: &str| {
+            cells(line, self.separator)
+                .into_iter()
+                .map(String::from)
+                .collect()
+        };
         rows.take(MOST_ROWS).map(cells).collect()
     }
 
@@ -159,10 +196,12 @@ impl TextTable {
     /// Errors of the source; lines that are not text, or too long.
     pub fn next_entry(&mut self) -> Result<Option<Entry>> {
         let record = self.record()?;
-        Ok(record.map(|record| match self.has_sections && is_head(&record.text, self.separator) {
-            true => Entry::Head(record),
-            false => Entry::Row(record),
-        }))
+        Ok(record.map(
+            |record| match self.has_sections && is_head(&record.text, self.separator) {
+                true => Entry::Head(record),
+                false => Entry::Row(record),
+            },
+        ))
     }
 
     /// Pushes a record back to the front of the input.
@@ -177,7 +216,10 @@ impl TextTable {
     /// The cells of a record.
     fn cells(&self, record: &Record) -> Vec<String> {
         let text = record.text.trim_start_matches('\u{feff}');
-        cells(text, self.separator).into_iter().map(Into::into).collect()
+        cells(text, self.separator)
+            .into_iter()
+            .map(Into::into)
+            .collect()
     }
 }
 
@@ -190,20 +232,35 @@ struct HeadPlace {
 impl HeadPlace {
     /// The first record with two known heads, else the first record.
     fn find(beginning: &str) -> Option<Self> {
-        let mut lines = Lines::new(Box::new(Cursor::new(beginning.to_owned())), beginning, Encoding::Utf8);
+        let mut lines = Lines::new(
+            Box::new(Cursor::new(beginning.to_owned())),
+            beginning,
+            Encoding::Utf8,
+        );
         let stated = separated(beginning);
-        let stated = (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
+        let stated =
+            (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
         let mut first = None;
         // the separator of a record is estimated from its first line
         for _ in 0..MOST_RECORDS {
-            let Ok(Some((line, text))) = lines.text_line() else { break };
+            let Ok(Some((line, text))) = lines.text_line() else {
+                break;
+            };
             let separator = stated.unwrap_or_else(|| separated(&text).0);
             lines.give_back((line, text));
-            let Ok(Some(record)) = lines.record(separator) else { break };
+            let Ok(Some(record)) = lines.record(separator) else {
+                break;
+            };
             if is_head(&record.text, separator) {
-                return Some(Self { separator, line: record.line });
+                return Some(Self {
+                    separator,
+                    line: record.line,
+                });
             }
-            first.get_or_insert(Self { separator, line: record.line });
+            first.get_or_insert(Self {
+                separator,
+                line: record.line,
+            });
         }
         first
     }
@@ -211,12 +268,23 @@ impl HeadPlace {
 
 /// Refusal of a row whose number of cells differs from that of the head.
 pub(crate) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
-    let filled = row.iter().rposition(|cell| !cell.as_ref().is_empty()).map_or(0, |at| at + 1);
+    let filled = row
+        .iter()
+        .rposition(|cell| !cell.as_ref().is_empty())
+        .map_or(0, |at| at + 1);
     if row.len() >= heads && filled <= heads {
         return None;
     }
-    let counted = |count: usize| if count == 1 { "1 cell".into() } else { format!("{count} cells") };
+    let counted = |count: usize| {
+        if count == 1 {
+            "1 cell".into()
+        } else {
+            format!("{count} cells")
+        }
+    };
     let (row, head) = (counted(row.len()), counted(heads));
-    let reason = format!("the row has {row}, but the head has {head}; give every row a cell for each column");
+    let reason = format!(
+        "the row has {row}, but the head has {head}; give every row a cell for each column"
+    );
     Some(Refusal::new(Refusal::CELLS, reason))
 }

@@ -16,39 +16,61 @@ impl Amount {
     /// # Errors
     /// What is wrong with it.
     pub fn read(text: &str) -> Result<Self, String> {
-        let (number, unit) = Quantity::NUMBER.split(text).map_err(|error| error.to_string())?;
+        let (number, unit) = Quantity::NUMBER
+            .split(text)
+            .map_err(|error| error.to_string())?;
         if !number.is_finite() {
             return Err(format!("'{text}' is not finite"));
         }
         if unit.is_empty() {
-            return Ok(Self { value: number, dimension: Dimension::NONE });
+            return Ok(Self {
+                value: number,
+                dimension: Dimension::NONE,
+            });
         }
-        let unit =
-            read_unit(unit).ok_or_else(|| format!("'{unit}' is no unit; write for example 12 cm^2 or 0.5 g/mm"))?;
-        Ok(Self { value: unit.difference(number), dimension: unit.dimension })
+        let unit = read_unit(unit)
+            .ok_or_else(|| format!("'{unit}' is no unit; write for example 12 cm^2 or 0.5 g/mm"))?;
+        Ok(Self {
+            value: unit.difference(number),
+            dimension: unit.dimension,
+        })
     }
 
     /// What it is times something of a kind: as much as one SI unit of that.
     pub fn times(self, by: Quantity) -> Self {
-        Self { dimension: self.dimension.times(by.dimension, 1), ..self }
+        Self {
+            dimension: self.dimension.times(by.dimension, 1),
+            ..self
+        }
     }
 
     /// Its kind, where it has a name.
     pub fn quantity(self) -> Option<Quantity> {
-        Quantity::ALL.iter().copied().find(|quantity| quantity.dimension == self.dimension)
+        Quantity::ALL
+            .iter()
+            .copied()
+            .find(|quantity| quantity.dimension == self.dimension)
     }
 }
 
 impl Quantity {
     /// The first of its usual units.
     pub(crate) fn usual_unit(self) -> &'static str {
-        if self.si.is_empty() { "" } else { self.usual.split(", ").next().unwrap_or_default() }
+        if self.si.is_empty() {
+            ""
+        } else {
+            self.usual.split(", ").next().unwrap_or_default()
+        }
     }
 
     /// The unit of this kind that is written so, where it is a usual one or a symbol.
     pub(crate) fn known_unit(self, written: &str) -> Option<&'static str> {
         let symbols = SYMBOLS.iter().flat_map(|symbol| symbol.names).copied();
-        let known = self.usual.split(", ").chain(symbols).find(|unit| *unit == written)?;
+        let known = self
+            .usual
+            .split(", ")
+            .chain(symbols)
+            .find(|unit| *unit == written)?;
         self.size_of(known).map(|_| known)
     }
 }

@@ -24,7 +24,8 @@ const DECIMALS: [(&str, usize); 13] = [
 /// Significant digits where the unit does not say how many decimals are right.
 const DIGITS: usize = 5;
 
-/// Below this part of a unit a number is the rounding of a computation: a thousandth of a millimetre in carry.
+/// Below this part of a unit a number is the rounding of a computation: a thousandth of a
+/// millimetre in carry.
 const NOISE: f64 = 1e-6;
 
 /// Above this a number is written with a power of ten.
@@ -74,14 +75,21 @@ impl Quantity {
     pub(super) fn difference(self, value: f64, unit: &str) -> String {
         self.with(value, unit, |number, decimals| {
             let size = number.abs();
-            let needed = if size < NOISE { 0 } else { (1.0 - size.log10().floor()).max(0.0) as usize };
+            let needed = if size < NOISE {
+                0
+            } else {
+                (1.0 - size.log10().floor()).max(0.0) as usize
+            };
             fixed(number, needed.max(decimals + 1))
         })
     }
 
     fn with(self, value: f64, unit: &str, write: impl Fn(f64, usize) -> String) -> String {
         let number = value / self.size_of(unit).unwrap_or(1.0);
-        let decimals = DECIMALS.iter().find(|(known, _)| *known == unit).map(|(_, decimals)| *decimals);
+        let decimals = DECIMALS
+            .iter()
+            .find(|(known, _)| *known == unit)
+            .map(|(_, decimals)| *decimals);
         match decimals {
             Some(decimals) if number.abs() < LARGE => write(number, decimals),
             _ => significant(number, DIGITS),
@@ -99,7 +107,8 @@ pub fn counted(count: u64, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
-/// Some of all things: "1 of 2 drives", and "the only drive" of one. Follow it with words that fit one thing and several.
+/// Some of all things: "1 of 2 drives", and "the only drive" of one. Follow it with words that fit
+/// one thing and several.
 ///
 /// ```
 /// use longdrive::units::counted_of;
@@ -117,17 +126,27 @@ pub fn counted_of(part: u64, all: u64, [one, several]: [&str; 2]) -> String {
 /// A number with these decimals; zero has no sign.
 pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");
-    if is_zero(&text) { text.trim_start_matches('-').to_owned() } else { text }
+    if is_zero(&text) {
+        text.trim_start_matches('-').to_owned()
+    } else {
+        text
+    }
 }
 
-/// A number as it was written, perhaps with its unit, with a plus where it is above 0; what is written as zero has no sign.
+/// A number as it was written, perhaps with its unit, with a plus where it is above 0; what is
+/// written as zero has no sign.
 pub(crate) fn signed(number: f64, text: String) -> String {
-    if number > 0.0 && !is_zero(leading_number(&text)) { format!("+{text}") } else { text }
+    if number > 0.0 && !is_zero(leading_number(&text)) {
+        format!("+{text}")
+    } else {
+        text
+    }
 }
 
 /// Whether nothing is left of a number in the digits that it is written with.
 fn is_zero(text: &str) -> bool {
-    text.bytes().all(|digit| matches!(digit, b'-' | b'.' | b'0'))
+    text.bytes()
+        .all(|digit| matches!(digit, b'-' | b'.' | b'0'))
 }
 
 #[cfg(test)]
@@ -155,7 +174,8 @@ mod tests {
         }
         assert_eq!(Quantity::ANGULAR_VELOCITY.read_off(-1e-14, "rpm"), "0 rpm");
         assert_eq!(Quantity::LENGTH.read_off_difference(-1e-9, "m"), "0.00 m");
-        let written = [0.004, -0.004, 0.006, -0.006].map(|number| signed(number, format!("{} yd", fixed(number, 2))));
+        let written = [0.004, -0.004, 0.006, -0.006]
+            .map(|number| signed(number, format!("{} yd", fixed(number, 2))));
         assert_eq!(written, ["0.00 yd", "0.00 yd", "+0.01 yd", "-0.01 yd"]);
         assert_eq!(Quantity::LENGTH.read_off(1e300, "m"), "1e300 m");
         assert_eq!(Quantity::LENGTH.read_off(f64::INFINITY, "mm"), "inf mm");

@@ -2,7 +2,10 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum UnitError {
     /// No number at the start.
-    #[error("\"{text}\" does not start with a number; write for example \"{}\"", example(unit))]
+    #[error(
+        "\"{text}\" does not start with a number; write for example \"{}\"",
+        example(unit)
+    )]
     NoNumber {
         /// The string.
         text: String,
@@ -55,5 +58,9 @@ pub enum UnitError {
 
 /// A text that would be right.
 fn example(unit: &str) -> String {
-    if unit.is_empty() { "0.5".into() } else { format!("10.5 {unit}") }
+    if unit.is_empty() {
+        "0.5".into()
+    } else {
+        format!("10.5 {unit}")
+    }
 }

@@ -5,8 +5,8 @@ use super::{Quantity, System, significant};
 use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// A sentence that keeps its quantities as numbers, so that it can be shown in the units of either system. `Display` and JSON
-/// show each in the unit that it was given in, spelled as it is typed.
+/// A sentence that keeps its quantities as numbers, so that it can be shown in the units of either
+/// system. `Display` and JSON show each in the unit that it was given in, spelled as it is typed.
 ///
 /// ```
 /// use longdrive::units::{Digits, Message, Quantity, System};
@@ -22,7 +22,12 @@ pub struct Message {
 #[derive(Clone, Debug, PartialEq)]
 enum Part {
     Words(String),
-    Quantity { quantity: Quantity, unit: &'static str, value: f64, digits: Digits },
+    Quantity {
+        quantity: Quantity,
+        unit: &'static str,
+        value: f64,
+        digits: Digits,
+    },
 }
 
 /// The digits of a quantity in a message.
@@ -47,10 +52,22 @@ impl Message {
         self
     }
 
-    /// The same with a quantity: its unit is shown in a system as [`System::unit`] says, its value is SI.
+    /// The same with a quantity: its unit is shown in a system as [`System::unit`] says, its value
+    /// is SI.
     #[must_use]
-    pub fn quantity(mut self, quantity: Quantity, unit: &'static str, value: f64, digits: Digits) -> Self {
-        self.parts.push(Part::Quantity { quantity, unit, value, digits });
+    pub fn quantity(
+        mut self,
+        quantity: Quantity,
+        unit: &'static str,
+        value: f64,
+        digits: Digits,
+    ) -> Self {
+        self.parts.push(Part::Quantity {
+            quantity,
+            unit,
+            value,
+            digits,
+        });
         self
     }
 
@@ -59,7 +76,12 @@ impl Message {
     pub fn message(self, other: Self) -> Self {
         other.parts.into_iter().fold(self, |all, part| match part {
             Part::Words(words) => all.words(words),
-            Part::Quantity { quantity, unit, value, digits } => all.quantity(quantity, unit, value, digits),
+            Part::Quantity {
+                quantity,
+                unit,
+                value,
+                digits,
+            } => all.quantity(quantity, unit, value, digits),
         })
     }
 
@@ -75,19 +97,37 @@ impl Message {
         self.text(|unit| system.unit(unit), with_unit)
     }
 
-    fn text(&self, of: impl Fn(&'static str) -> &'static str, spelled: fn(&str, &str) -> String) -> String {
-        self.parts.iter().map(|part| part.text(&of, spelled)).collect()
+    fn text(
+        &self,
+        of: impl Fn(&'static str) -> &'static str,
+        spelled: fn(&str, &str) -> String,
+    ) -> String {
+        self.parts
+            .iter()
+            .map(|part| part.text(&of, spelled))
+            .collect()
     }
 }
 
 impl Part {
-    fn text(&self, of: impl Fn(&'static str) -> &'static str, spelled: fn(&str, &str) -> String) -> String {
+    fn text(
+        &self,
+        of: impl Fn(&'static str) -> &'static str,
+        spelled: fn(&str, &str) -> String,
+    ) -> String {
         match self {
             Self::Words(words) => words.clone(),
-            Self::Quantity { quantity, unit, value, digits } => {
+            Self::Quantity {
+                quantity,
+                unit,
+                value,
+                digits,
+            } => {
                 let unit = of(unit);
                 let number = match digits {
-                    Digits::Significant(digits) => significant(value / quantity.size_of(unit).unwrap_or(1.0), *digits),
+                    Digits::Significant(digits) => {
+                        significant(value / quantity.size_of(unit).unwrap_or(1.0), *digits)
+                    }
                     Digits::Fine => quantity.finely(*value, unit),
                     Digits::Difference => quantity.difference(*value, unit),
                 };

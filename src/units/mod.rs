@@ -1,7 +1,9 @@
-//! Quantity strings to and from SI: `"110 mph"`, `"10.5 deg"`, `"5679 g cm^2"`. Nothing else converts.
+//! Quantity strings to and from SI: `"110 mph"`, `"10.5 deg"`, `"5679 g cm^2"`. Nothing else
+//! converts.
 //!
-//! The sizes of the units are their definitions; tests hold them against those that NIST prints and those of Python's library pint. Beside them there is the grammar that puts
-//! them together (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
+//! The sizes of the units are their definitions; tests hold them against those that NIST prints and
+//! those of Python's library pint. Beside them there is the grammar that puts them together
+//! (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
 
 mod amount;
 mod decimals;
@@ -87,7 +89,8 @@ quantities! {
     /// Rate of decay, 1/s.
     RATE = "a rate", "1/s", [0, 0, -1, 0, 0], "1/s, %/s";
     /// Per angular velocity, s/rad.
-    PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1, 0], "s/rad, 1/rpm";
+    PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1, 0], "s/rad, \
+        1/rpm";
     /// Per speed, s/m.
     PER_SPEED = "a quantity per speed", "s/m", [-1, 0, 1, 0, 0], "s/m, 1/mph";
     /// Area, m².
@@ -101,7 +104,8 @@ quantities! {
 }
 
 impl Quantity {
-    /// The SI value of a string with a unit. `inf` needs none, and a plain number may stand without.
+    /// The SI value of a string with a unit. `inf` needs none, and a plain number may stand
+    /// without.
     ///
     /// # Errors
     /// [`UnitError`]: no number, a missing or unknown unit, or a unit of another kind.
@@ -109,7 +113,8 @@ impl Quantity {
         self.read_as(text, Unit::value)
     }
 
-    /// The same of a difference of two such quantities, such as an uncertainty: it differs where a scale has a zero of its own.
+    /// The same of a difference of two such quantities, such as an uncertainty: it differs where a
+    /// scale has a zero of its own.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -126,7 +131,11 @@ impl Quantity {
     fn read_as(self, text: &str, of: fn(&Unit, f64) -> f64) -> Result<f64, UnitError> {
         match self.split(text)? {
             (number, "") if number.is_finite() && self.dimension != Dimension::NONE => {
-                Err(UnitError::NoUnit { text: text.into(), wanted: self.name, examples: self.units() })
+                Err(UnitError::NoUnit {
+                    text: text.into(),
+                    wanted: self.name,
+                    examples: self.units(),
+                })
             }
             (number, "") => Ok(number),
             (number, unit) => self.unit(unit, text).map(|unit| of(&unit, number)),
@@ -149,11 +158,21 @@ impl Quantity {
     /// # Errors
     /// [`UnitError::NoNumber`], [`UnitError::NotANumber`].
     pub fn split(self, text: &str) -> Result<(f64, &str), UnitError> {
-        let unit = if self == Self::NUMBER { "" } else { self.usual.split(',').next().unwrap_or_default() };
+        let unit = if self == Self::NUMBER {
+            ""
+        } else {
+            self.usual.split(',').next().unwrap_or_default()
+        };
         match split_number(text.trim()) {
-            Some((number, _)) if number.is_nan() => Err(UnitError::NotANumber { text: text.into(), unit }),
+            Some((number, _)) if number.is_nan() => Err(UnitError::NotANumber {
+                text: text.into(),
+                unit,
+            }),
             Some(found) => Ok(found),
-            None => Err(UnitError::NoNumber { text: text.into(), unit }),
+            None => Err(UnitError::NoNumber {
+                text: text.into(),
+                unit,
+            }),
         }
     }
 
@@ -182,10 +201,15 @@ impl Quantity {
     /// ```
     pub fn show(self, value: f64, unit: &str) -> String {
         let number = significant(value / self.size_of(unit).unwrap_or(1.0), 7);
-        if unit.is_empty() { number } else { format!("{number} {unit}") }
+        if unit.is_empty() {
+            number
+        } else {
+            format!("{number} {unit}")
+        }
     }
 
-    /// The units that a value may have, as messages list them: the usual ones, then the other symbols of its kind.
+    /// The units that a value may have, as messages list them: the usual ones, then the other
+    /// symbols of its kind.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -193,7 +217,9 @@ impl Quantity {
     /// ```
     pub fn units(self) -> String {
         let mut units: Vec<&str> = self.usual.split(", ").collect();
-        let of_its_kind = SYMBOLS.iter().filter(|symbol| symbol.dimension == self.dimension && symbol.names[0] != "1");
+        let of_its_kind = SYMBOLS
+            .iter()
+            .filter(|symbol| symbol.dimension == self.dimension && symbol.names[0] != "1");
         for symbol in of_its_kind {
             if !self.usual.ends_with(symbol.names[0]) && !units.contains(&symbol.names[0]) {
                 units.push(symbol.names[0]);
@@ -210,15 +236,27 @@ impl Quantity {
     /// assert_eq!(Quantity::NUMBER.head("smash_factor"), "smash_factor");
     /// ```
     pub fn head(self, name: &str) -> String {
-        if self.si.is_empty() { name.into() } else { format!("{name} [{}]", self.si) }
+        if self.si.is_empty() {
+            name.into()
+        } else {
+            format!("{name} [{}]", self.si)
+        }
     }
 
-    /// What is meant by an unknown unit: one in other letters, a degree without its sign, or a decimal comma before it.
+    /// What is meant by an unknown unit: one in other letters, a degree without its sign, or a
+    /// decimal comma before it.
     fn hint(self, unit: &str) -> String {
-        if unit.strip_prefix(',').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+        if unit
+            .strip_prefix(',')
+            .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+        {
             return " (write a decimal point, not a comma)".into();
         }
-        let is_meant = |known: &&str| [unit, &format!("deg{unit}")].iter().any(|text| known.eq_ignore_ascii_case(text));
+        let is_meant = |known: &&str| {
+            [unit, &format!("deg{unit}")]
+                .iter()
+                .any(|text| known.eq_ignore_ascii_case(text))
+        };
         let units = self.units();
         let meant = units.split(", ").find(is_meant);
         meant.map_or(String::new(), |known| format!(" (did you mean '{known}'?)"))
@@ -236,7 +274,11 @@ impl Quantity {
         if found.dimension == self.dimension {
             Ok(found)
         } else {
-            Err(UnitError::WrongKind { text: text.into(), wanted: self.name, examples: self.units() })
+            Err(UnitError::WrongKind {
+                text: text.into(),
+                wanted: self.name,
+                examples: self.units(),
+            })
         }
     }
 }
@@ -254,9 +296,15 @@ impl fmt::Display for Quantity {
 /// assert_eq!(longdrive::units::significant(1.81e-5, 7), "1.81e-5");
 /// ```
 pub fn significant(value: f64, digits: usize) -> String {
-    let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
+    let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1))
+        .parse()
+        .unwrap_or(value);
     let plain = rounded == 0.0 || !rounded.is_finite() || (1e-3..1e9).contains(&rounded.abs());
-    if plain { format!("{}", rounded + 0.0) } else { format!("{rounded:e}") }
+    if plain {
+        format!("{}", rounded + 0.0)
+    } else {
+        format!("{rounded:e}")
+    }
 }
 
 /// The longest number at the start of `text`, and what follows it.
@@ -306,7 +354,10 @@ mod tests {
             (Quantity::TEMPERATURE, "300 K", 300.0),
         ] {
             let value = quantity.read(text).unwrap();
-            assert!((value - si).abs() <= 2e-16 * si.abs(), "{text}: {value} != {si}");
+            assert!(
+                (value - si).abs() <= 2e-16 * si.abs(),
+                "{text}: {value} != {si}"
+            );
         }
         for (quantity, text, si) in [
             (Quantity::INERTIA, "5679 g cm^2", 5.679e-4),
@@ -322,19 +373,42 @@ mod tests {
 
     #[test]
     fn exact_temperatures_have_a_zero_and_their_differences_have_none() {
-        for (text, kelvin) in [("-40 degF", 233.15), ("32 °F", 273.15), ("212 °F", 373.15), ("-459.67 degF", 0.0)] {
-            assert!((Quantity::TEMPERATURE.read(text).unwrap() - kelvin).abs() < 1e-12, "{text}");
+        for (text, kelvin) in [
+            ("-40 degF", 233.15),
+            ("32 °F", 273.15),
+            ("212 °F", 373.15),
+            ("-459.67 degF", 0.0),
+        ] {
+            assert!(
+                (Quantity::TEMPERATURE.read(text).unwrap() - kelvin).abs() < 1e-12,
+                "{text}"
+            );
         }
         for (text, kelvin) in [("2 degC", 2.0), ("-9 degF", -5.0), ("3 K", 3.0)] {
-            assert!((Quantity::TEMPERATURE.read_difference(text).unwrap() - kelvin).abs() < 1e-15, "{text}");
+            assert!(
+                (Quantity::TEMPERATURE.read_difference(text).unwrap() - kelvin).abs() < 1e-15,
+                "{text}"
+            );
         }
-        assert_eq!(Quantity::SPEED.read_difference("110 mph"), Quantity::SPEED.read("110 mph"));
+        assert_eq!(
+            Quantity::SPEED.read_difference("110 mph"),
+            Quantity::SPEED.read("110 mph")
+        );
         // a scale with a zero of its own is no factor of a product
         for text in ["2 degC^1 1", "2 1/degC", "2 degF^2", "2 K degC/K"] {
-            assert!(matches!(Quantity::TEMPERATURE.read(text), Err(UnitError::UnknownUnit { .. })), "{text}");
+            assert!(
+                matches!(
+                    Quantity::TEMPERATURE.read(text),
+                    Err(UnitError::UnknownUnit { .. })
+                ),
+                "{text}"
+            );
         }
         let missing = Quantity::TEMPERATURE.read("20").unwrap_err().to_string();
-        assert!(missing.contains("\"20\" has no unit; a temperature takes degC, degF, K"), "{missing}");
+        assert!(
+            missing.contains("\"20\" has no unit; a temperature takes degC, degF, K"),
+            "{missing}"
+        );
     }
 
     #[test]
@@ -346,7 +420,11 @@ mod tests {
             (Quantity::NUMBER, "no unit, or %"),
         ] {
             assert_eq!(quantity.units(), units);
-            for unit in units.split(", ").filter(|unit| *unit != "no unit").map(|unit| unit.trim_start_matches("or ")) {
+            for unit in units
+                .split(", ")
+                .filter(|unit| *unit != "no unit")
+                .map(|unit| unit.trim_start_matches("or "))
+            {
                 assert!(quantity.size_of(unit).is_some(), "{unit}");
             }
             let said = quantity.read("1 fox").unwrap_err().to_string();
@@ -359,7 +437,11 @@ mod tests {
         for (quantity, text, meant) in [
             (Quantity::SPEED, "100 MPH", "'MPH' (did you mean 'mph'?)"),
             (Quantity::TEMPERATURE, "20 C", "'C' (did you mean 'degC'?)"),
-            (Quantity::ANGLE, "10,5 deg", "(write a decimal point, not a comma)"),
+            (
+                Quantity::ANGLE,
+                "10,5 deg",
+                "(write a decimal point, not a comma)",
+            ),
             (Quantity::ANGLE, "10 dg", "'dg'; an angle takes"),
         ] {
             let said = quantity.read(text).unwrap_err().to_string();
@@ -369,17 +451,47 @@ mod tests {
 
     #[test]
     fn wrong_missing_and_unknown_units_are_told_apart() {
-        assert!(matches!(Quantity::ANGLE.read("10 kg"), Err(UnitError::WrongKind { .. })));
-        assert!(matches!(Quantity::ANGLE.read("10"), Err(UnitError::NoUnit { .. })));
-        assert!(matches!(Quantity::ANGLE.read("10 dg"), Err(UnitError::UnknownUnit { .. })));
-        assert!(matches!(Quantity::ANGLE.read("ten deg"), Err(UnitError::NoNumber { .. })));
+        assert!(matches!(
+            Quantity::ANGLE.read("10 kg"),
+            Err(UnitError::WrongKind { .. })
+        ));
+        assert!(matches!(
+            Quantity::ANGLE.read("10"),
+            Err(UnitError::NoUnit { .. })
+        ));
+        assert!(matches!(
+            Quantity::ANGLE.read("10 dg"),
+            Err(UnitError::UnknownUnit { .. })
+        ));
+        assert!(matches!(
+            Quantity::ANGLE.read("ten deg"),
+            Err(UnitError::NoNumber { .. })
+        ));
         for text in ["NaN", "nan deg", "-nandeg"] {
-            assert!(matches!(Quantity::ANGLE.read(text), Err(UnitError::NotANumber { .. })), "{text}");
+            assert!(
+                matches!(
+                    Quantity::ANGLE.read(text),
+                    Err(UnitError::NotANumber { .. })
+                ),
+                "{text}"
+            );
         }
-        assert!(matches!(Quantity::ANGULAR_VELOCITY.read("10 1/s"), Err(UnitError::WrongKind { .. })));
-        assert!(matches!(Quantity::SPEED.read("10 m/"), Err(UnitError::UnknownUnit { .. })));
-        assert!(matches!(Quantity::SPEED.read("10 m//s"), Err(UnitError::UnknownUnit { .. })));
-        assert!(matches!(Quantity::SPEED.read("10 m^99 s"), Err(UnitError::UnknownUnit { .. })));
+        assert!(matches!(
+            Quantity::ANGULAR_VELOCITY.read("10 1/s"),
+            Err(UnitError::WrongKind { .. })
+        ));
+        assert!(matches!(
+            Quantity::SPEED.read("10 m/"),
+            Err(UnitError::UnknownUnit { .. })
+        ));
+        assert!(matches!(
+            Quantity::SPEED.read("10 m//s"),
+            Err(UnitError::UnknownUnit { .. })
+        ));
+        assert!(matches!(
+            Quantity::SPEED.read("10 m^99 s"),
+            Err(UnitError::UnknownUnit { .. })
+        ));
         assert_eq!(Quantity::ANGLE.read_bare("0.25"), Ok(0.25));
     }
 }

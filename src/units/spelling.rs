@@ -1,4 +1,5 @@
-//! How numbers and units are spelled for people. What is typed or read by a program keeps its spelling: `10.5 deg`, `kg/m^3`.
+//! How numbers and units are spelled for people. What is typed or read by a program keeps its
+//! spelling: `10.5 deg`, `kg/m^3`.
 
 /// A unit as people read it: `°`, `kg/m³`.
 ///
@@ -7,7 +8,9 @@
 /// assert_eq!(["deg", "degC", "kg/m^3", "g cm^2", "mph"].map(printed), ["°", "°C", "kg/m³", "g cm²", "mph"]);
 /// ```
 pub fn printed(unit: &str) -> String {
-    unit.replace("deg", "°").replace("^2", "²").replace("^3", "³")
+    unit.replace("deg", "°")
+        .replace("^2", "²")
+        .replace("^3", "³")
 }
 
 /// A number with its unit as people read it: "162.0 mph", "7.5°", "1.47".
@@ -41,7 +44,8 @@ pub fn one(unit: &str) -> String {
     }
 }
 
-/// The SI unit of a derivative as the heads of tables have it, from the SI units of what changes and of what it changes by; empty where it has none.
+/// The SI unit of a derivative as the heads of tables have it, from the SI units of what changes
+/// and of what it changes by; empty where it has none.
 ///
 /// ```
 /// use longdrive::units::ratio;
@@ -71,14 +75,18 @@ pub fn per(of: &str, by: &str) -> String {
     }
 }
 
-/// The number that a text begins with: "162.0" of "162.0 mph", "-7.5" of "-7.5°", "1e-9" of "1e-9 m".
+/// The number that a text begins with: "162.0" of "162.0 mph", "-7.5" of "-7.5°", "1e-9" of "1e-9
+/// m".
 pub(crate) fn leading_number(text: &str) -> &str {
-    let end = text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e'))).unwrap_or(text.len());
+    let end = text
+        .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e')))
+        .unwrap_or(text.len());
     &text[..end]
 }
 
-/// Words as pages and pictures print them: the sign of a number is a minus sign, `38 deg` is `38°`, `>=` is `≥`, `m^2` is `m²`. A terminal
-/// has the hyphen, so that a number can be copied into a command.
+/// Words as pages and pictures print them: the sign of a number is a minus sign, `38 deg` is `38°`,
+/// `>=` is `≥`, `m^2` is `m²`. A terminal has the hyphen, so that a number can be copied into a
+/// command.
 ///
 /// ```
 /// use longdrive::units::typeset;
@@ -94,7 +102,8 @@ pub fn typeset(text: &str) -> String {
     while let Some(c) = at(Some(i)) {
         let (before, after) = (at(i.checked_sub(1)), at(Some(i + 1)));
         let begins_a_number = is_digit(after) || (after == Some('.') && is_digit(at(Some(i + 2))));
-        let is_sign = before.is_none_or(|c| c.is_whitespace() || matches!(c, '(' | '[' | '±' | '…'))
+        let is_sign = before
+            .is_none_or(|c| c.is_whitespace() || matches!(c, '(' | '[' | '±' | '…'))
             || (before == Some('e') && is_digit(at(i.checked_sub(2))));
         let is_degree = || letters[i..].starts_with(&[' ', 'd', 'e', 'g']) && is_digit(before);
         let (put, length) = match (c, after) {
@@ -103,7 +112,11 @@ pub fn typeset(text: &str) -> String {
             ('<', Some('=')) => ('≤', 2),
             ('^', Some('2')) if before.is_some_and(char::is_alphabetic) => ('²', 2),
             ('^', Some('3')) if before.is_some_and(char::is_alphabetic) => ('³', 2),
-            (' ', Some('d')) if is_degree() && !at(Some(i + 4)).is_some_and(char::is_alphanumeric) => ('°', 4),
+            (' ', Some('d'))
+                if is_degree() && !at(Some(i + 4)).is_some_and(char::is_alphanumeric) =>
+            {
+                ('°', 4)
+            }
             _ => (c, 1),
         };
         printed.push(put);

@@ -21,12 +21,23 @@ pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
     SYMBOLS.iter().find(|known| known.names.contains(&name))
 }
 
-/// The sizes are definitions (SI brochure, 9th edition; the yard and the pound of 1959, from which inch, foot, mile and ounce follow; mercury of
-/// 13 595.1 kg/m³ at standard gravity), so that nothing is rounded but the last bit.
+/// The sizes are definitions (SI brochure, 9th edition; the yard and the pound of 1959, from which
+/// inch, foot, mile and ounce follow; mercury of 13 595.1 kg/m³ at standard gravity), so that
+/// nothing is rounded but the last bit.
 fn symbols() -> Vec<Symbol> {
     use Dimension as D;
-    let symbol = |names, size, dimension| Symbol { names, size, dimension, zero: None };
-    let scale = |names, size, zero| Symbol { names, size, dimension: D::TEMPERATURE, zero: Some(zero) };
+    let symbol = |names, size, dimension| Symbol {
+        names,
+        size,
+        dimension,
+        zero: None,
+    };
+    let scale = |names, size, zero| Symbol {
+        names,
+        size,
+        dimension: D::TEMPERATURE,
+        zero: Some(zero),
+    };
     let speed = D::LENGTH.times(D::TIME, -1);
     let force = speed.times(D::MASS, 1).times(D::TIME, -1);
     let pressure = force.times(D::LENGTH, -2);
@@ -67,7 +78,11 @@ fn symbols() -> Vec<Symbol> {
         symbol(&["kPa"], 1000.0, pressure),
         symbol(&["bar"], 1e5, pressure),
         symbol(&["mbar", "mb"], 100.0, pressure),
-        symbol(&["psi"], 0.453_592_37 * 9.80665 / (0.0254 * 0.0254), pressure),
+        symbol(
+            &["psi"],
+            0.453_592_37 * 9.80665 / (0.0254 * 0.0254),
+            pressure,
+        ),
         symbol(&["mmHg"], 133.322_387_415, pressure),
         symbol(&["inHg"], 3_386.388_640_341, pressure),
         symbol(&["K", "kelvin"], 1.0, D::TEMPERATURE),
@@ -88,8 +103,9 @@ mod tests {
     /// Half of the seventh digit.
     const SEVEN_DIGITS: f64 = 5e-7;
 
-    /// NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and appendix B.8. Each digit of what has no seven digits is held
-    /// against the library pint by a test of the Python package.
+    /// NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and appendix B.8. Each
+    /// digit of what has no seven digits is held against the library pint by a test of the Python
+    /// package.
     #[test]
     fn published_sizes_are_those_of_nist_sp_811() {
         let sizes = [
@@ -140,7 +156,10 @@ mod tests {
         assert_eq!(sizes.len(), SYMBOLS.len(), "every symbol is here");
         for (name, theirs, within) in sizes {
             let ours = symbol(name).unwrap().size;
-            assert!((ours - theirs).abs() <= within * theirs, "{name}: {ours:e} against {theirs:e}");
+            assert!(
+                (ours - theirs).abs() <= within * theirs,
+                "{name}: {ours:e} against {theirs:e}"
+            );
         }
     }
 
@@ -150,8 +169,17 @@ mod tests {
         let zeros = [("degC", 273.15), ("degF", 459.67 / 1.8)];
         for (name, theirs) in zeros {
             let ours = symbol(name).unwrap().zero.unwrap();
-            assert!((ours - theirs).abs() <= f64::EPSILON * theirs, "{name}: {ours:e} against {theirs:e}");
+            assert!(
+                (ours - theirs).abs() <= f64::EPSILON * theirs,
+                "{name}: {ours:e} against {theirs:e}"
+            );
         }
-        assert_eq!(SYMBOLS.iter().filter(|symbol| symbol.zero.is_some()).count(), zeros.len());
+        assert_eq!(
+            SYMBOLS
+                .iter()
+                .filter(|symbol| symbol.zero.is_some())
+                .count(),
+            zeros.len()
+        );
     }
 }

@@ -40,13 +40,20 @@ impl System {
         }
     }
 
-    /// The unit that stands in this system for a unit that golfers read: yards for metres, miles per hour for metres
-    /// per second, and the other way. Millimetres on the clubface are read everywhere and stay.
+    /// The unit that stands in this system for a unit that golfers read: yards for metres, miles
+    /// per hour for metres per second, and the other way. Millimetres on the clubface are read
+    /// everywhere and stay.
     pub fn unit(self, unit: &'static str) -> &'static str {
         match self {
-            Self::Metric => PAIRS.iter().find(|(_, us)| *us == unit).map_or(unit, |(metric, _)| metric),
+            Self::Metric => PAIRS
+                .iter()
+                .find(|(_, us)| *us == unit)
+                .map_or(unit, |(metric, _)| metric),
             Self::Us if unit == "mm" => unit,
-            Self::Us => PAIRS.iter().find(|(metric, _)| *metric == unit).map_or(unit, |(_, us)| us),
+            Self::Us => PAIRS
+                .iter()
+                .find(|(metric, _)| *metric == unit)
+                .map_or(unit, |(_, us)| us),
         }
     }
 }

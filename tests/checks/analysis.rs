@@ -3,22 +3,33 @@
 use crate::common::{LARGE_STEPS, close};
 use longdrive::optimize::{Bounds, Follow, Observer, Solution, Status};
 use longdrive::study::{
-    Change, Constraint, Fineness, Optimum, Search, Sense, Vary, change, chart, flatness, map, optima, optimum,
-    sensitivities, sensitivity,
+    Change, Constraint, Fineness, Optimum, Search, Sense, Vary, change, chart, flatness, map,
+    optima, optimum, sensitivities, sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Setup};
 
 fn search(setup: &Setup<f64>, vary: &[&str], subject_to: &[&str]) -> Search {
     Search {
-        vary: vary.iter().map(|text| Vary::read(setup, text).unwrap()).collect(),
-        subject_to: subject_to.iter().map(|text| Constraint::read(text).unwrap()).collect(),
+        vary: vary
+            .iter()
+            .map(|text| Vary::read(setup, text).unwrap())
+            .collect(),
+        subject_to: subject_to
+            .iter()
+            .map(|text| Constraint::read(text).unwrap())
+            .collect(),
         ..Search::longest_drive(setup).unwrap()
     }
 }
 
 fn best(setup: &Setup<f64>, search: &Search) -> Optimum {
     let best = optimum(setup, search.clone(), Observer::default()).unwrap();
-    assert_eq!(best.solution.status, Status::Converged, "{}", best.message());
+    assert_eq!(
+        best.solution.status,
+        Status::Converged,
+        "{}",
+        best.message()
+    );
     best
 }
 
@@ -47,42 +58,72 @@ fn askew() -> Setup<f64> {
     setup
 }
 
-/// d x*/dp and d f*/dp against central differences of optima searched anew, extrapolated once (Richardson).
+/// d x*/dp and d f*/dp against central differences of optima searched anew, extrapolated once
+/// (Richardson).
 fn differences_agree(setup: &Setup<f64>, search: &Search) {
     let best = best(setup, search);
     let parameters = best.setup.variables();
-    let wrt: Vec<_> =
-        parameters.into_iter().filter(|p| search.vary.iter().all(|vary| vary.parameter.name != p.name)).collect();
+    let wrt: Vec<_> = parameters
+        .into_iter()
+        .filter(|p| search.vary.iter().all(|vary| vary.parameter.name != p.name))
+        .collect();
     let mut compared = 0;
     for (parameter, sensitivity) in sensitivities(&best, &wrt, &mut |_, _| ()).unwrap() {
         let exact = sensitivity.unwrap_or_else(|e| panic!("{}: {e}", parameter.name));
         let value = best.setup.value(parameter).unwrap();
         // a change of the parameter that is small but far above rounding
         let unit = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
-        let size = if value == 0.0 { 0.1 * unit } else { value.abs() };
+        let size = if value == 0.0 {
+            0.1 * unit
+        } else {
+            value.abs()
+        };
         let moved = |delta: f64| {
             let mut setup = best.setup;
             setup.set_value(parameter, Some(value + delta)).ok()?;
             let mut tight = search.clone();
             tight.options.kkt_tolerance = 1e-13;
             let best = optimum(&setup, tight, Observer::default()).unwrap();
-            assert!(best.solution.kkt_residual < 1e-9, "{}: {}", parameter.name, best.message());
+            assert!(
+                best.solution.kkt_residual < 1e-9,
+                "{}: {}",
+                parameter.name,
+                best.message()
+            );
             Some((best.value().unwrap(), best.solution.x))
         };
         let central = |h: f64| {
             let ((above, x_above), (below, x_below)) = (moved(h)?, moved(-h)?);
-            let rates = x_above.iter().zip(&x_below).map(|(a, b)| (a - b) / (2.0 * h));
-            Some(std::iter::once((above - below) / (2.0 * h)).chain(rates).collect::<Vec<f64>>())
+            let rates = x_above
+                .iter()
+                .zip(&x_below)
+                .map(|(a, b)| (a - b) / (2.0 * h));
+            Some(
+                std::iter::once((above - below) / (2.0 * h))
+                    .chain(rates)
+                    .collect::<Vec<f64>>(),
+            )
         };
         let h = 2e-3 * size;
         // at the end of its range a parameter has one side only
-        let (Some(wide), Some(narrow)) = (central(h), central(0.5 * h)) else { continue };
-        let found: Vec<f64> = narrow.iter().zip(&wide).map(|(narrow, wide)| (4.0 * narrow - wide) / 3.0).collect();
+        let (Some(wide), Some(narrow)) = (central(h), central(0.5 * h)) else {
+            continue;
+        };
+        let found: Vec<f64> = narrow
+            .iter()
+            .zip(&wide)
+            .map(|(narrow, wide)| (4.0 * narrow - wide) / 3.0)
+            .collect();
         let f = best.value().unwrap();
-        let expected = std::iter::once((exact.value, f)).chain(exact.optimum.iter().map(|rate| (*rate, 1.0)));
+        let expected =
+            std::iter::once((exact.value, f)).chain(exact.optimum.iter().map(|rate| (*rate, 1.0)));
         for ((exact, scale), found) in expected.zip(found) {
             let allowed = 1e-5 * exact.abs() + 1e-8 * scale.abs() / size;
-            assert!((exact - found).abs() <= allowed, "{}: {exact:e} against {found:e}", parameter.name);
+            assert!(
+                (exact - found).abs() <= allowed,
+                "{}: {exact:e} against {found:e}",
+                parameter.name
+            );
         }
         compared += 1;
     }
@@ -100,8 +141,16 @@ fn differences_of_optima_searched_anew_agree_with_every_sensitivity_at_a_constra
     let setup = askew();
     let search = search(
         &setup,
-        &["club.loft=2deg..20deg", "swing.attack_angle=-5deg..8deg", "swing.face_angle=-6deg..6deg"],
-        &["descent_angle >= 40 deg", "lateral == 0 m", "apex_height <= 35 yd"],
+        &[
+            "club.loft=2deg..20deg",
+            "swing.attack_angle=-5deg..8deg",
+            "swing.face_angle=-6deg..6deg",
+        ],
+        &[
+            "descent_angle >= 40 deg",
+            "lateral == 0 m",
+            "apex_height <= 35 yd",
+        ],
     );
     differences_agree(&setup, &search);
 }
@@ -110,20 +159,45 @@ fn differences_of_optima_searched_anew_agree_with_every_sensitivity_at_a_constra
 fn exact_price_of_a_constraint_is_what_relaxing_it_brings() {
     let setup = Setup::default();
     let at = |limit: &str| {
-        best(&setup, &search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &[limit]))
+        best(
+            &setup,
+            &search(
+                &setup,
+                &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
+                &[limit],
+            ),
+        )
     };
     let held = at("apex_height <= 32 m");
     let constrained = &held.solution.constraints[0];
-    close(constrained.value, 32.0, 1.0, 1e-10, "the limit is met exactly");
-    let gain =
-        (at("apex_height <= 32.001 m").value().unwrap() - at("apex_height <= 31.999 m").value().unwrap()) / 0.002;
+    close(
+        constrained.value,
+        32.0,
+        1.0,
+        1e-10,
+        "the limit is met exactly",
+    );
+    let gain = (at("apex_height <= 32.001 m").value().unwrap()
+        - at("apex_height <= 31.999 m").value().unwrap())
+        / 0.002;
     close(constrained.multiplier, gain, 1.0, 1e-5, "price");
-    assert_eq!(names(&held).last().map(String::as_str), Some("apex_height <= 32 m"));
+    assert_eq!(
+        names(&held).last().map(String::as_str),
+        Some("apex_height <= 32 m")
+    );
     // a range, an equation, and the same turned round
-    for (text, value) in
-        [("30 m <= apex_height <= 32 m", 32.0), ("apex_height == 31 m", 31.0), ("31.5 m >= apex_height", 31.5)]
-    {
-        close(at(text).solution.constraints[0].value, value, 1.0, 1e-10, text);
+    for (text, value) in [
+        ("30 m <= apex_height <= 32 m", 32.0),
+        ("apex_height == 31 m", 31.0),
+        ("31.5 m >= apex_height", 31.5),
+    ] {
+        close(
+            at(text).solution.constraints[0].value,
+            value,
+            1.0,
+            1e-10,
+            text,
+        );
     }
 }
 
@@ -136,21 +210,44 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
         &["apex_height <= 30 m", "apex_height >= 31 m"],
     );
     let none = optimum(&setup, search.clone(), Observer::default()).unwrap();
-    assert_eq!((none.solution.status, none.status()), (Status::Infeasible, "infeasible"), "{}", none.message());
+    assert_eq!(
+        (none.solution.status, none.status()),
+        (Status::Infeasible, "infeasible"),
+        "{}",
+        none.message()
+    );
     let message = none.message().to_string();
-    assert!(message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"), "{message}");
+    assert!(
+        message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"),
+        "{message}"
+    );
     // the least sum of squares lies halfway, where γ is the same for both
-    let violations: Vec<f64> = none.solution.constraints.iter().map(|c| c.violation).collect();
+    let violations: Vec<f64> = none
+        .solution
+        .constraints
+        .iter()
+        .map(|c| c.violation)
+        .collect();
     close(violations[0], 0.5, 1.0, 1e-6, "too high");
     close(violations[1], -0.5, 1.0, 1e-6, "too low");
-    assert!(matches!(sensitivity(&none, setup.variable("gravity").unwrap()), Err(Error::NotConverged { .. })));
-    assert!(matches!(flatness(&none, 1.0), Err(Error::NotConverged { .. })));
+    assert!(matches!(
+        sensitivity(&none, setup.variable("gravity").unwrap()),
+        Err(Error::NotConverged { .. })
+    ));
+    assert!(matches!(
+        flatness(&none, 1.0),
+        Err(Error::NotConverged { .. })
+    ));
 }
 
 #[test]
 fn a_fixed_variable_beside_a_constraint_stays_where_it_is() {
     let setup = Setup::default();
-    let search = search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=2deg..2deg"], &["apex_height <= 30 m"]);
+    let search = search(
+        &setup,
+        &["club.loft=4deg..20deg", "swing.attack_angle=2deg..2deg"],
+        &["apex_height <= 30 m"],
+    );
     let best = best(&setup, &search);
     assert_eq!(best.solution.x[1], 2.0_f64.to_radians());
     close(best.solution.constraints[0].value, 30.0, 1.0, 1e-9, "apex");
@@ -160,7 +257,11 @@ fn a_fixed_variable_beside_a_constraint_stays_where_it_is() {
 #[test]
 fn every_mistake_in_a_constraint_points_into_it() {
     for (text, column, says) in [
-        ("descent_angel >= 38 deg", 0, "did you mean 'descent_angle'?"),
+        (
+            "descent_angel >= 38 deg",
+            0,
+            "did you mean 'descent_angle'?",
+        ),
         ("descent_angle >= 38 kg", 17, "not an angle"),
         ("descent_angle >= 38", 17, "has no unit"),
         ("descent_angle => 38 deg", 14, "comparison"),
@@ -169,39 +270,91 @@ fn every_mistake_in_a_constraint_points_into_it() {
         ("descent_angle", 0, "comparison"),
         ("", 0, "missing"),
         ("40 deg <= descent_angle <= 38 deg", 0, "reversed"),
-        ("40 deg <= descent_angle >= 38 deg", 24, "same comparison twice"),
+        (
+            "40 deg <= descent_angle >= 38 deg",
+            24,
+            "same comparison twice",
+        ),
         ("descent_angle <= inf", 17, "finite"),
         ("carry >= 1 m <= 3 m >= 4 m", 6, "comparison"),
     ] {
-        let Err(Error::Constraint { column: found, reason, .. }) = Constraint::read(text) else { panic!("{text}") };
-        assert!(found == column && reason.contains(says), "{text:?}: column {found}: {reason}");
+        let Err(Error::Constraint {
+            column: found,
+            reason,
+            ..
+        }) = Constraint::read(text)
+        else {
+            panic!("{text}")
+        };
+        assert!(
+            found == column && reason.contains(says),
+            "{text:?}: column {found}: {reason}"
+        );
     }
 }
 
 #[test]
 fn independent_mae494_optimum_is_the_best_of_every_batch_of_sixteen() {
     let setup = Setup::preset("mae494").unwrap();
-    // the box, and one twice as wide: its maximum is the corner at zero spin (model page: 38.53°, 170.574 m)
-    for (vary, value) in
-        [(BOX, 153.333_552_730_5), (["club.loft=-10deg..30deg", "swing.attack_angle=-20deg..20deg"], 0.0)]
-    {
+    // the box, and one twice as wide: its maximum is the corner at zero spin (model page: 38.53°,
+    // 170.574 m)
+    for (vary, value) in [
+        (BOX, 153.333_552_730_5),
+        (
+            [
+                "club.loft=-10deg..30deg",
+                "swing.attack_angle=-20deg..20deg",
+            ],
+            0.0,
+        ),
+    ] {
         let mut values = vec![];
         for batch in 0..4 {
             let mut start = setup;
-            // another first start shifts nothing but itself; the spread is the same: so vary the box a little instead
+            // another first start shifts nothing but itself; the spread is the same: so vary the
+            // box a little instead
             start.swing.attack_angle = f64::from(batch) * 0.02;
-            let found = optima(&start, &search(&start, &vary, &[]), 16, &Follow::default()).unwrap();
-            assert_eq!(found.locals.iter().map(|(_, starts)| starts.len()).sum::<usize>(), 16);
+            let found =
+                optima(&start, &search(&start, &vary, &[]), 16, &Follow::default()).unwrap();
+            assert_eq!(
+                found
+                    .locals
+                    .iter()
+                    .map(|(_, starts)| starts.len())
+                    .sum::<usize>(),
+                16
+            );
             let (first, _) = &found.locals[0];
-            assert!(matches!(first.solution.status, Status::Converged | Status::StalledAtKink), "{}", first.message());
+            assert!(
+                matches!(
+                    first.solution.status,
+                    Status::Converged | Status::StalledAtKink
+                ),
+                "{}",
+                first.message()
+            );
             values.push(first.value().unwrap());
-            let ordered: Vec<f64> = found.locals.iter().filter_map(|(local, _)| local.value()).collect();
-            assert!(ordered.windows(2).all(|pair| pair[0] >= pair[1] - 1e-9), "{ordered:?}");
+            let ordered: Vec<f64> = found
+                .locals
+                .iter()
+                .filter_map(|(local, _)| local.value())
+                .collect();
+            assert!(
+                ordered.windows(2).all(|pair| pair[0] >= pair[1] - 1e-9),
+                "{ordered:?}"
+            );
         }
         if value > 0.0 {
-            values.iter().for_each(|found| close(*found, value, 1.0, 1e-9, "best of sixteen"));
+            values
+                .iter()
+                .for_each(|found| close(*found, value, 1.0, 1e-9, "best of sixteen"));
         }
-        assert!(values.windows(2).all(|pair| (pair[0] - pair[1]).abs() < 1e-7), "{values:?}");
+        assert!(
+            values
+                .windows(2)
+                .all(|pair| (pair[0] - pair[1]).abs() < 1e-7),
+            "{values:?}"
+        );
     }
 }
 
@@ -216,15 +369,22 @@ fn exact_windows_lose_what_they_allow_and_no_more_within() {
         let flat = flatness(&best, 0.9144).unwrap();
         let lost = |i: usize, to: f64| {
             let mut moved = best.setup;
-            moved.set_value(best.search.vary[i].parameter, Some(to)).unwrap();
+            moved
+                .set_value(best.search.vary[i].parameter, Some(to))
+                .unwrap();
             best.value().unwrap() - Outcome::Carry.of(&Drive::new(&moved).unwrap()).unwrap()
         };
         for (i, window) in flat.windows.iter().enumerate() {
             let x = best.solution.x[i];
             assert!(window.low <= x && x <= window.high);
-            for (end, limit) in [(window.low, window.low_limit), (window.high, window.high_limit)] {
+            for (end, limit) in [
+                (window.low, window.low_limit),
+                (window.high, window.high_limit),
+            ] {
                 match limit {
-                    longdrive::study::Limit::Loss => close(lost(i, end), 0.9144, 1.0, 1e-9, "loss at the window's end"),
+                    longdrive::study::Limit::Loss => {
+                        close(lost(i, end), 0.9144, 1.0, 1e-9, "loss at the window's end")
+                    }
                     other => assert_eq!(other, longdrive::study::Limit::Bound),
                 }
                 for part in 1..20 {
@@ -244,18 +404,31 @@ fn exact_windows_lose_what_they_allow_and_no_more_within() {
 #[test]
 fn order_of_the_predicted_change_is_second_and_third() {
     let setup = Setup::default();
-    let best = best(&setup, &search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &[]));
+    let best = best(
+        &setup,
+        &search(
+            &setup,
+            &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
+            &[],
+        ),
+    );
     let error = |text: &str| {
         let changed = change(&best, Change::read(&setup, text).unwrap(), &Ok).unwrap();
         assert!(changed.event.is_none() && changed.differences.is_empty());
         let anew = changed.resolved.value().unwrap();
         let loft = (changed.predicted[0] - changed.resolved.solution.x[0]).abs();
-        [(changed.first_order - anew).abs(), (changed.second_order - anew).abs(), loft]
+        [
+            (changed.first_order - anew).abs(),
+            (changed.second_order - anew).abs(),
+            loft,
+        ]
     };
     let (wide, narrow) = (error("swing.speed=+2mph"), error("swing.speed=+1mph"));
     let orders = [0, 1, 2].map(|k| (wide[k] / narrow[k]).log2());
     assert!(
-        (orders[0] - 2.0).abs() < 0.1 && (orders[1] - 3.0).abs() < 0.15 && (orders[2] - 2.0).abs() < 0.15,
+        (orders[0] - 2.0).abs() < 0.1
+            && (orders[1] - 3.0).abs() < 0.15
+            && (orders[2] - 2.0).abs() < 0.15,
         "{orders:?}"
     );
 }
@@ -264,15 +437,28 @@ fn order_of_the_predicted_change_is_second_and_third() {
 fn a_change_that_moves_the_active_set_is_foreseen_and_seen() {
     let setup = Setup::default();
     // just inside the limit: more speed lifts the apex onto it
-    let search =
-        search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &["apex_height <= 39 yd"]);
+    let search = search(
+        &setup,
+        &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
+        &["apex_height <= 39 yd"],
+    );
     let best = best(&setup, &search);
     assert_eq!(names(&best), ["swing.attack_angle at its upper bound"]);
-    let changed = change(&best, Change::read(&setup, "swing.speed=+10mph").unwrap(), &Ok).unwrap();
+    let changed = change(
+        &best,
+        Change::read(&setup, "swing.speed=+10mph").unwrap(),
+        &Ok,
+    )
+    .unwrap();
     let (part, words) = changed.event.unwrap();
-    assert!(part > 0.0 && part < 1.0 && words.to_string() == "apex_height <= 39 yd becomes active", "{words}");
     assert!(
-        changed.differences.contains(&"apex_height <= 39 yd has become active".into()),
+        part > 0.0 && part < 1.0 && words.to_string() == "apex_height <= 39 yd becomes active",
+        "{words}"
+    );
+    assert!(
+        changed
+            .differences
+            .contains(&"apex_height <= 39 yd has become active".into()),
         "{:?}",
         changed.differences
     );
@@ -281,22 +467,47 @@ fn a_change_that_moves_the_active_set_is_foreseen_and_seen() {
 #[test]
 fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_changes() {
     let setup = Setup::default();
-    let search =
-        search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &["apex_height <= 35 yd"]);
+    let search = search(
+        &setup,
+        &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
+        &["apex_height <= 35 yd"],
+    );
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
     let chart = chart(&setup, &search, along, &mut |_| true).unwrap();
     assert!(chart.ended.is_none());
-    assert_eq!((chart.points[0].at, chart.points.last().unwrap().at), (along.low, along.high));
+    assert_eq!(
+        (chart.points[0].at, chart.points.last().unwrap().at),
+        (along.low, along.high)
+    );
     assert!(chart.points.windows(2).all(|pair| pair[0].at < pair[1].at));
     for point in chart.points.iter().step_by(3) {
         let mut fresh = setup;
         fresh.swing.speed = point.at;
         let anew = best(&fresh, &search);
-        close(point.best.value().unwrap(), anew.value().unwrap(), 1.0, 1e-8, "carry on the chart");
+        close(
+            point.best.value().unwrap(),
+            anew.value().unwrap(),
+            1.0,
+            1e-8,
+            "carry on the chart",
+        );
     }
     // the first event: the apex reaches its limit, just there
-    let event = chart.points.iter().find(|point| point.event.is_some()).unwrap();
-    assert!(event.event.as_ref().unwrap().to_string().contains("apex_height <= 35 yd begins"), "{:?}", event.event);
+    let event = chart
+        .points
+        .iter()
+        .find(|point| point.event.is_some())
+        .unwrap();
+    assert!(
+        event
+            .event
+            .as_ref()
+            .unwrap()
+            .to_string()
+            .contains("apex_height <= 35 yd begins"),
+        "{:?}",
+        event.event
+    );
     let mut before = setup;
     before.swing.speed = event.at - 1e-6;
     assert!(!names(&best(&before, &search)).contains(&"apex_height <= 35 yd".to_owned()));
@@ -313,7 +524,10 @@ fn independent_a_chart_begins_where_its_limit_can_just_be_met() {
     let mut setup = Setup::default();
     setup.set_all(LARGE_STEPS).unwrap();
     let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
-    let (free, limited) = (search(&setup, &vary, &[]), search(&setup, &vary, &["carry >= 280 yd"]));
+    let (free, limited) = (
+        search(&setup, &vary, &[]),
+        search(&setup, &vary, &["carry >= 280 yd"]),
+    );
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
     let chart = chart(&setup, &limited, along, &mut |_| true).unwrap();
     let begun = chart.points[0].at;
@@ -322,13 +536,27 @@ fn independent_a_chart_begins_where_its_limit_can_just_be_met() {
         setup.swing.speed = speed;
         setup
     };
-    close(best(&at(begun), &free).value().unwrap(), 280.0 * 0.9144, 1.0, 1e-6, "the largest carry at the beginning");
+    close(
+        best(&at(begun), &free).value().unwrap(),
+        280.0 * 0.9144,
+        1.0,
+        1e-6,
+        "the largest carry at the beginning",
+    );
     let below = optimum(&at(begun * (1.0 - 1e-6)), limited, Observer::default()).unwrap();
-    assert_eq!(below.solution.status, Status::Infeasible, "{}", below.message());
+    assert_eq!(
+        below.solution.status,
+        Status::Infeasible,
+        "{}",
+        below.message()
+    );
     assert!(chart.ended.is_none());
     let said = chart.begun.unwrap().to_string();
     assert!(
-        said.contains("no optimum was found at 80 mph: infeasible: no point was found that meets the constraints"),
+        said.contains(
+            "no optimum was found at 80 mph: infeasible: no point was found that meets \
+                       the constraints"
+        ),
         "{said}"
     );
     assert_eq!(said.matches("no optimum was found").count(), 1, "{said}");
@@ -338,23 +566,42 @@ fn independent_a_chart_begins_where_its_limit_can_just_be_met() {
 fn a_saddle_is_left_for_a_maximum() {
     // by symmetry the landing speed is stationary without cross wind, and lowest there
     let setup = Setup::default();
-    let search = Search { of: Outcome::LandingSpeed, ..search(&setup, &["wind.right=-20m/s..20m/s"], &[]) };
+    let search = Search {
+        of: Outcome::LandingSpeed,
+        ..search(&setup, &["wind.right=-20m/s..20m/s"], &[])
+    };
     let best = best(&setup, &search);
     assert_eq!(best.solution.x[0].abs(), 20.0);
     let bounds = Bounds::new(vec![0.0], vec![1.0]).unwrap();
-    assert_eq!((bounds.excess(0, 1.5), bounds.excess(0, -1.0), bounds.excess(0, 0.5)), (0.5, -1.0, 0.0));
+    assert_eq!(
+        (
+            bounds.excess(0, 1.5),
+            bounds.excess(0, -1.0),
+            bounds.excess(0, 0.5)
+        ),
+        (0.5, -1.0, 0.0)
+    );
 }
 
-/// The head is pitched by its attack angle: the impact is the same in its own frame, so that the spin depends on the loft alone.
+/// The head is pitched by its attack angle: the impact is the same in its own frame, so that the
+/// spin depends on the loft alone.
 #[test]
 fn exact_optimum_that_does_not_depend_on_a_variable_is_told_and_has_no_sensitivity() {
     let setup = Setup::default();
     let vary = ["club.loft=4deg..20deg", BOX[1]];
-    let search = Search { of: Outcome::Spin, sense: Sense::Minimize, ..search(&setup, &vary, &[]) };
+    let search = Search {
+        of: Outcome::Spin,
+        sense: Sense::Minimize,
+        ..search(&setup, &vary, &[])
+    };
     let found = best(&setup, &search);
     assert!(!found.is_idle(0) && found.is_idle(1));
     let message = found.message().to_string();
-    assert!(message.ends_with("spin does not depend on swing.attack_angle: every value is equally good"), "{message}");
+    assert!(
+        message
+            .ends_with("spin does not depend on swing.attack_angle: every value is equally good"),
+        "{message}"
+    );
     let spin = |attack: f64| {
         let mut setup = found.setup;
         setup.swing.attack_angle = attack;
@@ -367,43 +614,91 @@ fn exact_optimum_that_does_not_depend_on_a_variable_is_told_and_has_no_sensitivi
     assert!(error.to_string().contains("not isolated"), "{error}");
 }
 
-/// Which of the points that searches from many starts end at is nearest to the constraints has nothing to do with the objective.
+/// Which of the points that searches from many starts end at is nearest to the constraints has
+/// nothing to do with the objective.
 #[test]
 fn exact_nearest_point_of_many_starts_is_the_same_for_both_senses() {
     let setup = Setup::default();
     let limits = ["descent_angle >= 45 deg", "apex_height <= 30 yd"];
     let nearest = [Sense::Maximize, Sense::Minimize].map(|sense| {
-        let search =
-            Search { sense, ..search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &limits) };
+        let search = Search {
+            sense,
+            ..search(
+                &setup,
+                &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
+                &limits,
+            )
+        };
         let found = optima(&setup, &search, 8, &Follow::default()).unwrap();
-        let ends: Vec<_> = found.locals.iter().map(|(local, _)| &local.solution).collect();
+        let ends: Vec<_> = found
+            .locals
+            .iter()
+            .map(|(local, _)| &local.solution)
+            .collect();
         assert!(ends.len() > 1 && ends.iter().all(|end| end.status == Status::Infeasible));
         // each limit over its slope by the loft, which moves both
         let missed = |end: &&Solution| -> f64 {
             let slope = |j: usize| {
                 ends.iter()
-                    .map(|end| end.jacobian[j][0].abs().max(end.jacobian[j][1].abs() * 0.625))
+                    .map(|end| {
+                        end.jacobian[j][0]
+                            .abs()
+                            .max(end.jacobian[j][1].abs() * 0.625)
+                    })
                     .fold(0.0, f64::max)
             };
-            end.constraints.iter().enumerate().map(|(j, limit)| (limit.violation / slope(j)).powi(2)).sum()
+            end.constraints
+                .iter()
+                .enumerate()
+                .map(|(j, limit)| (limit.violation / slope(j)).powi(2))
+                .sum()
         };
         let least = ends.iter().map(missed).fold(f64::INFINITY, f64::min);
-        close(missed(&ends[0]), least, 1.0, 1e-12, "the nearest comes first");
+        close(
+            missed(&ends[0]),
+            least,
+            1.0,
+            1e-12,
+            "the nearest comes first",
+        );
         ends[0].x.clone()
     });
-    nearest[0].iter().zip(&nearest[1]).for_each(|(a, b)| close(*a, *b, 1.0, 1e-6, "nearest point"));
+    nearest[0]
+        .iter()
+        .zip(&nearest[1])
+        .for_each(|(a, b)| close(*a, *b, 1.0, 1e-6, "nearest point"));
 }
 
 /// No start and no node is nothing to answer from: neither is made one without a word.
 #[test]
 fn no_starts_and_no_nodes_are_refused() {
     let setup = Setup::default();
-    let search = search(&setup, &["club.loft=8deg..12deg", "swing.attack_angle=-2deg..2deg"], &[]);
-    let error = optima(&setup, &search, 0, &Follow::default()).unwrap_err().to_string();
+    let search = search(
+        &setup,
+        &["club.loft=8deg..12deg", "swing.attack_angle=-2deg..2deg"],
+        &[],
+    );
+    let error = optima(&setup, &search, 0, &Follow::default())
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("at least one start"), "{error}");
-    let nodes = |nodes| map(&setup, Outcome::BallSpeed, search.vary[0], search.vary[1], Fineness { nodes, slopes: 0 });
+    let nodes = |nodes| {
+        map(
+            &setup,
+            Outcome::BallSpeed,
+            search.vary[0],
+            search.vary[1],
+            Fineness { nodes, slopes: 0 },
+        )
+    };
     for count in [0, 1] {
-        assert!(nodes(count).unwrap_err().to_string().contains("2 nodes or more"), "{count}");
+        assert!(
+            nodes(count)
+                .unwrap_err()
+                .to_string()
+                .contains("2 nodes or more"),
+            "{count}"
+        );
     }
     assert_eq!(nodes(2).unwrap().values.len(), 4);
 }

@@ -1,4 +1,5 @@
-//! Calibration: known truths found again, honest intervals, exact Jacobians, Winfield & Tan's paper, and bad input.
+//! Calibration: known truths found again, honest intervals, exact Jacobians, Winfield & Tan's
+//! paper, and bad input.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::panic_of;
@@ -16,7 +17,8 @@ use std::io::Write as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// Random numbers with a fixed seed (Steele, Lea & Flood 2014), and normal ones by Box & Muller's transform.
+/// Random numbers with a fixed seed (Steele, Lea & Flood 2014), and normal ones by Box & Muller's
+/// transform.
 struct Noise(u64);
 
 impl Noise {
@@ -38,27 +40,49 @@ impl Noise {
 fn truth() -> Setup<f64> {
     let mut setup = Setup::default();
     setup
-        .set_all([("aero.law", "linear"), ("aero.cd", "0.27"), ("aero.cl_slope", "1.3"), ("flight.step", "0.02 s")])
+        .set_all([
+            ("aero.law", "linear"),
+            ("aero.cd", "0.27"),
+            ("aero.cl_slope", "1.3"),
+            ("flight.step", "0.02 s"),
+        ])
         .unwrap();
     setup
 }
 
 const SIGMA: [f64; 2] = [2.0, 0.5];
 
-/// Shots of the truth from a launch monitor, with noise of known size in carry and apex, as a table.
+/// Shots of the truth from a launch monitor, with noise of known size in carry and apex, as a
+/// table.
 fn shots(noise: &mut Noise, size: f64) -> String {
     let mut text =
-        "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m],sigma carry [m],apex_height [m],sigma apex_height [m]\n".to_owned();
+        "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m],sigma carry [m],apex_height \
+         [m],sigma apex_height [m]\n"
+            .to_owned();
     for k in 0..12 {
-        let (speed, angle, spin) =
-            (55.0 + 1.7 * f64::from(k), 9.0 + f64::from(k * 5 % 7), 1800.0 + 150.0 * f64::from(k * 7 % 12));
+        let (speed, angle, spin) = (
+            55.0 + 1.7 * f64::from(k),
+            9.0 + f64::from(k * 5 % 7),
+            1800.0 + 150.0 * f64::from(k * 7 % 12),
+        );
         let mut setup = truth();
         let given = &mut setup.launch;
         (given.ball_speed, given.launch_angle) = (Some(speed), Some(angle.to_radians()));
         given.backspin = Some(spin * std::f64::consts::TAU / 60.0);
-        let values = evaluate(&setup, &[Outcome::Carry, Outcome::ApexHeight], &[], Order::Value).unwrap();
+        let values = evaluate(
+            &setup,
+            &[Outcome::Carry, Outcome::ApexHeight],
+            &[],
+            Order::Value,
+        )
+        .unwrap();
         let [carry, apex] = [0, 1].map(|i| values[i].value + size * SIGMA[i] * noise.normal());
-        writeln!(text, "{speed},{angle},{spin},{carry},{},{apex},{}", SIGMA[0], SIGMA[1]).unwrap();
+        writeln!(
+            text,
+            "{speed},{angle},{spin},{carry},{},{apex},{}",
+            SIGMA[0], SIGMA[1]
+        )
+        .unwrap();
     }
     text
 }
@@ -85,15 +109,30 @@ const LAW: [&str; 2] = ["aero.cd", "aero.cl_slope"];
 
 fn elsewhere() -> Setup<f64> {
     let mut setup = truth();
-    setup.set_all([("aero.cd", "0.2"), ("aero.cl_slope", "2")]).unwrap();
+    setup
+        .set_all([("aero.cd", "0.2"), ("aero.cl_slope", "2")])
+        .unwrap();
     setup
 }
 
 #[test]
 fn exact_truth_is_found_again_from_shots_without_noise() {
-    let found = fitted(&shots(&mut Noise(1), 0.0), &elsewhere(), &LAW, Loss::Squares);
-    assert!((found.estimates[0].value - 0.27).abs() < 1e-9, "{:?}", found.estimates);
-    assert!((found.estimates[1].value - 1.3).abs() < 1e-9, "{:?}", found.estimates);
+    let found = fitted(
+        &shots(&mut Noise(1), 0.0),
+        &elsewhere(),
+        &LAW,
+        Loss::Squares,
+    );
+    assert!(
+        (found.estimates[0].value - 0.27).abs() < 1e-9,
+        "{:?}",
+        found.estimates
+    );
+    assert!(
+        (found.estimates[1].value - 1.3).abs() < 1e-9,
+        "{:?}",
+        found.estimates
+    );
 }
 
 #[test]
@@ -109,11 +148,15 @@ fn exact_coverage_of_intervals_over_200_draws_of_noise() {
         assert_eq!(found.statistics.degrees_of_freedom, 22);
         chi_square += found.statistics.chi_square / 200.0;
     }
-    // 95 % of 400 intervals, and the mean of χ² with 22 degrees of freedom within four of its standard errors
+    // 95 % of 400 intervals, and the mean of χ² with 22 degrees of freedom within four of its
+    // standard errors
     let share = (covered[0] + covered[1]) as f64 / 400.0;
     println!("coverage {covered:?} of 200 each, mean chi-square {chi_square}");
     assert!((0.93..=0.97).contains(&share), "{covered:?}");
-    assert!((chi_square - 22.0).abs() < 4.0 * (44.0_f64 / 200.0).sqrt(), "{chi_square}");
+    assert!(
+        (chi_square - 22.0).abs() < 4.0 * (44.0_f64 / 200.0).sqrt(),
+        "{chi_square}"
+    );
 }
 
 #[test]
@@ -125,37 +168,66 @@ fn exact_outlier_is_borne_by_hubers_loss() {
     cells[3] = format!("{}", cells[3].parse::<f64>().unwrap() + 60.0);
     lines[6] = cells.join(",");
     let text = lines.join("\n");
-    let [squares, huber] =
-        [Loss::Squares, Loss::HUBER].map(|loss| fitted(&text, &elsewhere(), &LAW, loss).estimates[0].value);
-    assert!((huber - 0.27).abs() < 0.2 * (squares - 0.27).abs(), "{squares} {huber}");
+    let [squares, huber] = [Loss::Squares, Loss::HUBER]
+        .map(|loss| fitted(&text, &elsewhere(), &LAW, loss).estimates[0].value);
+    assert!(
+        (huber - 0.27).abs() < 0.2 * (squares - 0.27).abs(),
+        "{squares} {huber}"
+    );
 }
 
 #[test]
 fn exact_parameters_that_cannot_be_told_apart_are_named() {
-    // density and viscosity: the law knows no Reynolds number; drag and lift go with density, so that it trades with both
+    // density and viscosity: the law knows no Reynolds number; drag and lift go with density, so
+    // that it trades with both
     let names = ["aero.cd", "aero.cl_slope", "air.density", "air.viscosity"];
     let found = fitted(&shots(&mut Noise(3), 1.0), &truth(), &names, Loss::Squares);
-    let named: Vec<Vec<usize>> =
-        found.statistics.undetermined.iter().map(|u| u.parts.iter().map(|(at, _)| *at).collect()).collect();
+    let named: Vec<Vec<usize>> = found
+        .statistics
+        .undetermined
+        .iter()
+        .map(|u| u.parts.iter().map(|(at, _)| *at).collect())
+        .collect();
     assert_eq!(named.len(), 2, "{named:?}");
-    assert!(named.contains(&vec![0, 1, 2]) || named.iter().flatten().any(|at| *at == 2), "{named:?}");
+    assert!(
+        named.contains(&vec![0, 1, 2]) || named.iter().flatten().any(|at| *at == 2),
+        "{named:?}"
+    );
     assert!(named.iter().flatten().any(|at| *at == 3), "{named:?}");
-    assert!(found.estimates.iter().all(|estimate| estimate.standard_error.is_none()), "{:?}", found.estimates);
+    assert!(
+        found
+            .estimates
+            .iter()
+            .all(|estimate| estimate.standard_error.is_none()),
+        "{:?}",
+        found.estimates
+    );
 }
 
-/// With as many data as parameters nothing is left over, and what a datum's standard uncertainty moves is a column of J⁻¹, of which (JᵀJ)⁻¹ is
-/// made. No derivative enters the fits that this compares the covariance with: they only have to end where nothing is left over.
+/// With as many data as parameters nothing is left over, and what a datum's standard uncertainty
+/// moves is a column of J⁻¹, of which (JᵀJ)⁻¹ is made. No derivative enters the fits that this
+/// compares the covariance with: they only have to end where nothing is left over.
 #[test]
 fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() {
-    let head = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry [yd],sigma carry [yd],\
+    let head = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry \
+                [yd],sigma carry [yd],\
                 flight_time [s],sigma flight_time [s]";
-    let (setup, names) = (Setup::preset("winfield-tan").unwrap(), ["aero.cd0", "aero.cl_hill", "aero.spin_decay"]);
+    let (setup, names) = (
+        Setup::preset("winfield-tan").unwrap(),
+        ["aero.cd0", "aero.cl_hill", "aero.spin_decay"],
+    );
     let fit = |[attack, carry, time]: [f64; 3]| {
-        let rows = format!("12,{attack},swing.attack_angle,0.05,{carry},2,,\n9,13,,,,,{time},0.1\n");
-        let table = ShotTable::read(&setup, "optima.csv", format!("{head}\n{rows}").as_bytes()).unwrap();
+        let rows =
+            format!("12,{attack},swing.attack_angle,0.05,{carry},2,,\n9,13,,,,,{time},0.1\n");
+        let table =
+            ShotTable::read(&setup, "optima.csv", format!("{head}\n{rows}").as_bytes()).unwrap();
         let plan = Plan::read(&setup, &names.map(str::to_owned)).unwrap();
         let found = calibrate(&setup, &table, &plan, &Follow::default()).unwrap();
-        assert!(found.statistics.is_exact, "{attack} {carry} {time}: {:?}", found.remainders);
+        assert!(
+            found.statistics.is_exact,
+            "{attack} {carry} {time}: {:?}",
+            found.remainders
+        );
         found
     };
     let computed = |outcome: Outcome, loft: f64, attack: f64| {
@@ -164,25 +236,40 @@ fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() 
         evaluate(&setup, &[outcome], &[], Order::Value).unwrap()[0].value
     };
     let carry = yards(computed(Outcome::CarryDistance, 12.0, 8.3));
-    let (data, sigmas) = ([8.3, carry, computed(Outcome::FlightTime, 9.0, 13.0)], [0.05, 2.0, 0.1]);
+    let (data, sigmas) = (
+        [8.3, carry, computed(Outcome::FlightTime, 9.0, 13.0)],
+        [0.05, 2.0, 0.1],
+    );
     let part = 1e-3;
     let columns: Vec<Vec<f64>> = (0..3)
         .map(|k| {
             let at = |by: f64| {
                 let mut moved = data;
                 moved[k] += by * sigmas[k];
-                fit(moved).estimates.into_iter().map(|estimate| estimate.value)
+                fit(moved)
+                    .estimates
+                    .into_iter()
+                    .map(|estimate| estimate.value)
             };
-            at(part).zip(at(-part)).map(|(above, below)| (above - below) / (2.0 * part)).collect()
+            at(part)
+                .zip(at(-part))
+                .map(|(above, below)| (above - below) / (2.0 * part))
+                .collect()
         })
         .collect();
     let found = fit(data);
     for a in 0..3 {
         for b in 0..3 {
             let difference: f64 = columns.iter().map(|column| column[a] * column[b]).sum();
-            let size = [a, b].map(|i| found.statistics.standard_error(i).unwrap()).iter().product::<f64>();
+            let size = [a, b]
+                .map(|i| found.statistics.standard_error(i).unwrap())
+                .iter()
+                .product::<f64>();
             let covariance = found.statistics.covariance[a][b].unwrap();
-            assert!((difference - covariance).abs() < 1e-5 * size, "{a} {b}: {difference} {covariance}");
+            assert!(
+                (difference - covariance).abs() < 1e-5 * size,
+                "{a} {b}: {difference} {covariance}"
+            );
         }
     }
 }
@@ -199,13 +286,25 @@ fn paper_winfield_tan_comes_out_of_the_preset() {
     let printed = &found["printed"];
     let off = |part: &str, key: &str| number(&found[part][key]) - number(&printed[part][key]);
     assert!(yards(off("shot", "carry")).abs() <= 0.3 && off("shot", "flight_time").abs() <= 0.02);
-    assert!(yards(off("shot", "apex_height")).abs() <= 0.2 && off("shot", "apex_time").abs() <= 0.1);
+    assert!(
+        yards(off("shot", "apex_height")).abs() <= 0.2 && off("shot", "apex_time").abs() <= 0.1
+    );
     assert!(yards(off("optimum", "carry")).abs() <= 0.3);
-    assert_eq!(number(&printed["optimum"]["club.loft"]), 2.74_f64.to_radians());
-    assert_eq!(number(&printed["table2"][3]["club.loft"]), 13.55_f64.to_radians());
+    assert_eq!(
+        number(&printed["optimum"]["club.loft"]),
+        2.74_f64.to_radians()
+    );
+    assert_eq!(
+        number(&printed["table2"][3]["club.loft"]),
+        13.55_f64.to_radians()
+    );
     let (mut carries, mut angles) = (vec![], vec![]);
     for (table, angle) in [("table1", "swing.attack_angle"), ("table2", "club.loft")] {
-        let rows = found[table].as_array().unwrap().iter().zip(printed[table].as_array().unwrap());
+        let rows = found[table]
+            .as_array()
+            .unwrap()
+            .iter()
+            .zip(printed[table].as_array().unwrap());
         for (row, print) in rows {
             carries.push(yards(number(&row["carry"]) - number(&print["carry"])));
             angles.push((number(&row[angle]) - number(&print[angle])).to_degrees());
@@ -214,13 +313,27 @@ fn paper_winfield_tan_comes_out_of_the_preset() {
     assert_eq!(carries.len(), 22);
     let rms = |all: &[f64]| (all.iter().map(|x| x * x).sum::<f64>() / all.len() as f64).sqrt();
     let worst = |all: &[f64]| all.iter().copied().map(f64::abs).fold(0.0, f64::max);
-    assert!(rms(&carries) <= 0.2 && worst(&carries) <= 0.5, "{carries:?}");
+    assert!(
+        rms(&carries) <= 0.2 && worst(&carries) <= 0.5,
+        "{carries:?}"
+    );
     assert!(rms(&angles) <= 0.05 && worst(&angles) <= 0.2, "{angles:?}");
     // the average had no part in the fit: it tells how well the law carries over
-    assert!(yards(off("average", "carry")).abs() <= 0.5, "{}", yards(off("average", "carry")));
-    assert!(off("average", "club.loft").to_degrees().abs() <= 0.35, "{}", off("average", "club.loft").to_degrees());
+    assert!(
+        yards(off("average", "carry")).abs() <= 0.5,
+        "{}",
+        yards(off("average", "carry"))
+    );
+    assert!(
+        off("average", "club.loft").to_degrees().abs() <= 0.35,
+        "{}",
+        off("average", "club.loft").to_degrees()
+    );
     let decay = &found["aero.spin_decay"];
-    assert!(number(&decay["value"]) < 0.3 && number(&decay["standard_uncertainty"]) > 0.0, "{decay}");
+    assert!(
+        number(&decay["value"]) < 0.3 && number(&decay["standard_uncertainty"]) > 0.0,
+        "{decay}"
+    );
 }
 
 fn table(text: &str) -> tempfile::NamedTempFile {
@@ -237,8 +350,14 @@ fn exact_truth_from_the_command_line_with_missing_cells_and_a_setup_file() {
     let cells: Vec<&str> = lines[4].split(',').collect();
     let without = [&cells[..5], &["", ""]].concat().join(",");
     lines[4] = &without;
-    let (data, output) = (table(&lines.join("\n")), tempfile::Builder::new().suffix(".toml").tempfile().unwrap());
-    let (data, output) = (data.path().to_str().unwrap(), output.path().to_str().unwrap());
+    let (data, output) = (
+        table(&lines.join("\n")),
+        tempfile::Builder::new().suffix(".toml").tempfile().unwrap(),
+    );
+    let (data, output) = (
+        data.path().to_str().unwrap(),
+        output.path().to_str().unwrap(),
+    );
     let law = [
         "--set",
         "aero.law=linear",
@@ -250,11 +369,38 @@ fn exact_truth_from_the_command_line_with_missing_cells_and_a_setup_file() {
         "aero.cl_slope=0..5",
     ];
     let (status, found) = json(
-        &[&["calibrate", data, "--overwrite", "-o", output, "--folds", "3", "--starts", "3"], law.as_slice()].concat(),
+        &[
+            &[
+                "calibrate",
+                data,
+                "--overwrite",
+                "-o",
+                output,
+                "--folds",
+                "3",
+                "--starts",
+                "3",
+            ],
+            law.as_slice(),
+        ]
+        .concat(),
     );
-    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
-    let others = found["starts"]["elsewhere"].as_object().unwrap().values().map(|count| count.as_u64().unwrap());
-    assert_eq!(found["starts"]["same"].as_u64().unwrap() + others.sum::<u64>(), 3, "{}", found["starts"]);
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (0, Some("converged")),
+        "{found}"
+    );
+    let others = found["starts"]["elsewhere"]
+        .as_object()
+        .unwrap()
+        .values()
+        .map(|count| count.as_u64().unwrap());
+    assert_eq!(
+        found["starts"]["same"].as_u64().unwrap() + others.sum::<u64>(),
+        3,
+        "{}",
+        found["starts"]
+    );
     assert_eq!(found["data"]["values"], 23);
     assert!((number(&found["estimates"]["aero.cd"]["value"]) - 0.27).abs() < 1e-9);
     assert!(number(&found["held_out"][0]["rms_standardized"]) < 1e-6);
@@ -267,58 +413,140 @@ fn exact_truth_from_the_command_line_with_missing_cells_and_a_setup_file() {
 fn bad_tables_and_plans_are_refused_with_row_and_column() {
     let fit = ["--fit", "aero.cd0", "--fit", "aero.cl_max"];
     for (text, fit, words) in [
-        ("carry [yd],club.loft [deg]\n200,ten\n", &fit[..], vec!["row 1", "column club.loft", "'ten' is not a number"]),
-        ("cary [yd]\n200\n", &fit, vec!["column 1", "did you mean 'carry'"]),
-        ("carry [kg]\n200\n", &fit, vec!["column 1", "carry", "200"].into_iter().take(2).collect()),
-        ("carry [yd],carry [m]\n200,180\n", &fit, vec!["column 2", "two columns"]),
-        ("carry [yd]\n200\n", &fit, vec!["1 measured value, fewer than the 2 parameters"]),
-        ("carry [yd],club.loft [deg]\n200,10\n210,95\n", &fit, vec!["row 2", "column club.loft", "outside its range"]),
-        ("carry [yd],club.loft [deg]\n200,10\n,11\n", &fit, vec!["row 2", "nothing is measured"]),
+        (
+            "carry [yd],club.loft [deg]\n200,ten\n",
+            &fit[..],
+            vec!["row 1", "column club.loft", "'ten' is not a number"],
+        ),
+        (
+            "cary [yd]\n200\n",
+            &fit,
+            vec!["column 1", "did you mean 'carry'"],
+        ),
+        (
+            "carry [kg]\n200\n",
+            &fit,
+            vec!["column 1", "carry", "200"]
+                .into_iter()
+                .take(2)
+                .collect(),
+        ),
+        (
+            "carry [yd],carry [m]\n200,180\n",
+            &fit,
+            vec!["column 2", "two columns"],
+        ),
+        (
+            "carry [yd]\n200\n",
+            &fit,
+            vec!["1 measured value, fewer than the 2 parameters"],
+        ),
+        (
+            "carry [yd],club.loft [deg]\n200,10\n210,95\n",
+            &fit,
+            vec!["row 2", "column club.loft", "outside its range"],
+        ),
+        (
+            "carry [yd],club.loft [deg]\n200,10\n,11\n",
+            &fit,
+            vec!["row 2", "nothing is measured"],
+        ),
         (
             "carry [yd],club.loft [deg]\n200,10\n201,\n",
             &fit,
             vec!["left out", "row 2 (club.loft)", "1 measured value, fewer"],
         ),
-        ("carry [yd],club.loft [deg]\n201,\n", &fit, vec!["row 1", "column club.loft", "empty"]),
-        ("carry [yd],sigma carry [yd]\n200,0\n201,1\n", &fit, vec!["row 1", "sigma carry", "above 0"]),
+        (
+            "carry [yd],club.loft [deg]\n201,\n",
+            &fit,
+            vec!["row 1", "column club.loft", "empty"],
+        ),
+        (
+            "carry [yd],sigma carry [yd]\n200,0\n201,1\n",
+            &fit,
+            vec!["row 1", "sigma carry", "above 0"],
+        ),
         (
             "carry [yd],sigma lateral [yd]\n200,3\n",
             &fit,
-            vec!["column 2", "'sigma lateral' is the uncertainty of what has no"],
+            vec![
+                "column 2",
+                "'sigma lateral' is the uncertainty of what has no",
+            ],
         ),
-        ("carry [yd]\n200\n-201\n", &fit, vec!["row 2", "column carry", "above 0", "check its sign"]),
-        ("flight_time [s]\n6\n0\n", &fit, vec!["row 2", "column flight_time", "leave the cell empty"]),
+        (
+            "carry [yd]\n200\n-201\n",
+            &fit,
+            vec!["row 2", "column carry", "above 0", "check its sign"],
+        ),
+        (
+            "flight_time [s]\n6\n0\n",
+            &fit,
+            vec!["row 2", "column flight_time", "leave the cell empty"],
+        ),
         ("carry [yd]\n", &fit, vec!["no rows"]),
-        ("carry [yd],aero.cd0\n200,0.2\n210,0.2\n", &fit, vec!["aero.cd0", "cannot be fitted"]),
-        ("carry [yd]\n200\n", &["--fit", "aero.cd00"], vec!["did you mean 'aero.cd0'"]),
+        (
+            "carry [yd],aero.cd0\n200,0.2\n210,0.2\n",
+            &fit,
+            vec!["aero.cd0", "cannot be fitted"],
+        ),
+        (
+            "carry [yd]\n200\n",
+            &["--fit", "aero.cd00"],
+            vec!["did you mean 'aero.cd0'"],
+        ),
     ] {
         let file = table(text);
         let said = longdrive(&[&["calibrate", file.path().to_str().unwrap()], fit].concat());
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{text}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{text}: {}",
+            said.err
+        );
         for word in words {
-            assert!(said.err.contains(word), "{text}: '{word}' is not in {}", said.err);
+            assert!(
+                said.err.contains(word),
+                "{text}: '{word}' is not in {}",
+                said.err
+            );
         }
     }
 }
 
-/// Some of a launch by dotted names and the rest without: the launch of the rows all the same, in fits and in sweeps.
+/// Some of a launch by dotted names and the rest without: the launch of the rows all the same, in
+/// fits and in sweeps.
 #[test]
 fn a_launch_by_names_of_both_kinds_is_read_whole() {
     let rest = "launch_angle [deg],backspin [rpm],carry [yd]\n150,9,2500,230\n";
-    let tables = ["launch.ball_speed [mph]", "ball_speed [mph]"].map(|head| table(&format!("{head},{rest}")));
-    let files = tables.each_ref().map(|table| table.path().to_str().unwrap());
+    let tables = ["launch.ball_speed [mph]", "ball_speed [mph]"]
+        .map(|head| table(&format!("{head},{rest}")));
+    let files = tables
+        .each_ref()
+        .map(|table| table.path().to_str().unwrap());
     let [mixed, plain] = files.map(|file| json(&["calibrate", file, "--fit", "aero.cd0"]).1);
-    assert!(mixed["data"]["launch_conditions"] == true && mixed["estimates"] == plain["estimates"], "{mixed}");
+    assert!(
+        mixed["data"]["launch_conditions"] == true && mixed["estimates"] == plain["estimates"],
+        "{mixed}"
+    );
     let swept = files.map(|file| longdrive(&["sweep", "--points", file]).out);
-    let rows = swept.each_ref().map(|out| out.lines().nth(1).unwrap_or_default());
-    assert!(rows[0] == rows[1] && rows[0].contains(",landed,"), "{swept:?}");
+    let rows = swept
+        .each_ref()
+        .map(|out| out.lines().nth(1).unwrap_or_default());
+    assert!(
+        rows[0] == rows[1] && rows[0].contains(",landed,"),
+        "{swept:?}"
+    );
 }
 
-/// As Foresight writes it: a spin axis without a unit, with its side; a summary below, and a shot whose ball was not seen.
+/// As Foresight writes it: a spin axis without a unit, with its side; a summary below, and a shot
+/// whose ball was not seen.
 #[test]
 fn exact_exports_leave_out_summaries_and_incomplete_rows_by_name_and_read_angles_in_degrees() {
-    let head = "Shot,Ball Speed (mph),Launch Angle,Side Angle,Total Spin (rpm),Spin Axis,Carry (yd)\n";
-    let shots = "1,160,12.0,1.5 R,2500,6.8 L,262\n2,,11.0,0.5 L,2400,2.0 R,\n3,150,13.0,0.5 L,2600,2.0 R,240\n4,151,13.0,0,2600,0,\n";
+    let head =
+        "Shot,Ball Speed (mph),Launch Angle,Side Angle,Total Spin (rpm),Spin Axis,Carry (yd)\n";
+    let shots = "1,160,12.0,1.5 R,2500,6.8 L,262\n2,,11.0,0.5 L,2400,2.0 R,\n3,150,13.0,0.5 \
+                 L,2600,2.0 R,240\n4,151,13.0,0,2600,0,\n";
     let below = "Average,155,12.5,0.5 R,2550,2.4 L,251\nStd. Dev.,5,0.5,1,50,4.4,11\n";
     let setup = Setup::default();
     let read = |text: &str| ShotTable::read(&setup, "export.csv", text.as_bytes());
@@ -326,28 +554,64 @@ fn exact_exports_leave_out_summaries_and_incomplete_rows_by_name_and_read_angles
     let rows: Vec<usize> = table.shots.iter().map(|shot| shot.row).collect();
     assert_eq!(rows, [1, 3]);
     let (launch, degree) = (launch(&table.shots[0]), 1.0_f64.to_radians());
-    for (angle, degrees) in
-        [(launch.launch_angle(), 12.0), (launch.launch_direction(), 1.5), (launch.spin_axis(), -6.8)]
-    {
-        assert!((angle - degrees * degree).abs() < 1e-12, "{angle} {degrees}");
+    for (angle, degrees) in [
+        (launch.launch_angle(), 12.0),
+        (launch.launch_direction(), 1.5),
+        (launch.spin_axis(), -6.8),
+    ] {
+        assert!(
+            (angle - degrees * degree).abs() < 1e-12,
+            "{angle} {degrees}"
+        );
     }
     for told in [
         "rows left out, since they sum up other rows: row 5 (Average), row 6 (Std. Dev.)",
-        "rows left out, since they lack a value that every shot needs: row 2 (Ball Speed), row 4 (nothing is measured)",
+        "rows left out, since they lack a value that every shot needs: row 2 (Ball Speed), row 4 \
+         (nothing is measured)",
         "Launch Angle, Side Angle, Spin Axis are read in degrees",
     ] {
-        assert!(table.remarks.iter().any(|remark| remark.to_string().contains(told)), "{told}: {:?}", table.remarks);
+        assert!(
+            table
+                .remarks
+                .iter()
+                .any(|remark| remark.to_string().contains(told)),
+            "{told}: {:?}",
+            table.remarks
+        );
     }
-    // nothing but a summary is no table; and of a table of one's own of which no row is left, the first says why
+    // nothing but a summary is no table; and of a table of one's own of which no row is left, the
+    // first says why
     let error = read(&[head, below].concat()).unwrap_err().to_string();
-    assert!(error.contains("no shot is left in it (rows left out, since they sum up other rows: "), "{error}");
-    let error = read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n,12,2500,262\n").unwrap_err();
-    assert!(error.to_string().contains("row 1, column ball_speed: the cell is empty"), "{error}");
+    assert!(
+        error.contains("no shot is left in it (rows left out, since they sum up other rows: "),
+        "{error}"
+    );
     let error =
-        read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\nAverage,12,2500,262\n").unwrap_err();
-    assert!(error.to_string().contains("'Average' is not a number"), "{error}");
-    let error = read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n3000,12,2500,262\n").unwrap_err();
-    assert!(error.to_string().contains("row 1: ball_speed: 3000 mph is outside of what a drive has"), "{error}");
+        read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n,12,2500,262\n")
+            .unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("row 1, column ball_speed: the cell is empty"),
+        "{error}"
+    );
+    let error = read(
+        "ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\nAverage,12,2500,262\n",
+    )
+    .unwrap_err();
+    assert!(
+        error.to_string().contains("'Average' is not a number"),
+        "{error}"
+    );
+    let error =
+        read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n3000,12,2500,262\n")
+            .unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("row 1: ball_speed: 3000 mph is outside of what a drive has"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -355,15 +619,27 @@ fn what_stands_for_an_uncertainty_has_a_source_or_says_that_it_is_assumed() {
     use longdrive::study::calibrate::instrument;
     for outcome in Outcome::ALL {
         let source = instrument(*outcome).unwrap().0.source().to_string();
-        let is_read = ["golflaunchlab.com", "docs/sources.md"].iter().any(|place| source.contains(place));
-        assert!(is_read || source.starts_with("assumed: "), "{}: {source}", outcome.name());
+        let is_read = ["golflaunchlab.com", "docs/sources.md"]
+            .iter()
+            .any(|place| source.contains(place));
+        assert!(
+            is_read || source.starts_with("assumed: "),
+            "{}: {source}",
+            outcome.name()
+        );
     }
 }
 
-/// Deliveries of the default setup at several club speeds, flown exactly: carry, and with it what else is asked for.
+/// Deliveries of the default setup at several club speeds, flown exactly: carry, and with it what
+/// else is asked for.
 fn flown(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> String {
-    let sigmas = |outcome: &Outcome| sigma.map_or(String::new(), |_| format!(",sigma {}", with_unit(*outcome)));
-    let heads: Vec<String> = of.iter().map(|outcome| with_unit(*outcome) + &sigmas(outcome)).collect();
+    let sigmas = |outcome: &Outcome| {
+        sigma.map_or(String::new(), |_| format!(",sigma {}", with_unit(*outcome)))
+    };
+    let heads: Vec<String> = of
+        .iter()
+        .map(|outcome| with_unit(*outcome) + &sigmas(outcome))
+        .collect();
     let mut text = format!("swing.speed [m/s],{}\n", heads.join(","));
     for speed in speeds {
         let mut setup = Setup::default();
@@ -389,13 +665,20 @@ fn with_unit(outcome: Outcome) -> String {
 /// The program's answer in text and JSON.
 fn asked(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
     let file = table(text);
-    let question = [&["calibrate", file.path().to_str().unwrap(), "modern-driver"], arguments].concat();
+    let question = [
+        &["calibrate", file.path().to_str().unwrap(), "modern-driver"],
+        arguments,
+    ]
+    .concat();
     let (status, found) = json(&question);
     let said = longdrive(&question);
     assert_eq!(said.status, status, "{}", said.err);
     let out = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
     for word in ["NaN", " inf"] {
-        assert!(!out.contains(word) && !found.to_string().contains(word), "{out}");
+        assert!(
+            !out.contains(word) && !found.to_string().contains(word),
+            "{out}"
+        );
     }
     (status, out, found)
 }
@@ -419,21 +702,48 @@ fn exact_fits_with_nothing_left_over_are_converged_and_say_so() {
         (&[45.0, 50.0][..], &[Outcome::Carry][..], Some(0.5)),
         (&[45.0, 50.0], &[Outcome::Carry], None),
         (&[50.0], &[Outcome::Carry, Outcome::ApexHeight], None),
-        (&[42.0, 45.0, 48.0, 52.0], &[Outcome::Carry, Outcome::ApexHeight], Some(1.0)),
-        (&[42.0, 45.0, 48.0, 52.0], &[Outcome::Carry, Outcome::ApexHeight], None),
+        (
+            &[42.0, 45.0, 48.0, 52.0],
+            &[Outcome::Carry, Outcome::ApexHeight],
+            Some(1.0),
+        ),
+        (
+            &[42.0, 45.0, 48.0, 52.0],
+            &[Outcome::Carry, Outcome::ApexHeight],
+            None,
+        ),
     ] {
         let (status, text, found) = asked(&flown(speeds, outcomes, sigma), &fit);
-        assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{text}");
+        assert_eq!(
+            (status, found["status"].as_str()),
+            (0, Some("converged")),
+            "{text}"
+        );
         for name in ["aero.cd0", "aero.cl_max"] {
             let estimate = &found["estimates"][name];
-            let truth = Setup::default().value(Setup::default().variable(name).unwrap()).unwrap();
-            assert!((number(&estimate["value"]) - truth).abs() < 1e-9, "{estimate} {truth}");
+            let truth = Setup::default()
+                .value(Setup::default().variable(name).unwrap())
+                .unwrap();
+            assert!(
+                (number(&estimate["value"]) - truth).abs() < 1e-9,
+                "{estimate} {truth}"
+            );
             assert_eq!(estimate["determined"], true, "{text}");
         }
         assert_eq!(found["undetermined"].as_array().unwrap().len(), 0);
-        assert!(!text.contains("not determined") && text.contains("met to rounding"), "{text}");
-        assert!(!text.contains("since not every uncertainty is stated"), "{text}");
-        assert_eq!(text.contains("follow from the stated uncertainties"), sigma.is_some(), "{text}");
+        assert!(
+            !text.contains("not determined") && text.contains("met to rounding"),
+            "{text}"
+        );
+        assert!(
+            !text.contains("since not every uncertainty is stated"),
+            "{text}"
+        );
+        assert_eq!(
+            text.contains("follow from the stated uncertainties"),
+            sigma.is_some(),
+            "{text}"
+        );
     }
 }
 
@@ -444,26 +754,67 @@ fn exact_confounded_parameters_are_no_answer() {
     let text = flown(&[42.0, 46.0, 50.0, 54.0], &launch, Some(0.3));
     for start in ["0deg", "4deg"] {
         let lean = format!("swing.shaft_lean={start}");
-        let (status, said, found) = asked(&text, &["--fit", "swing.shaft_lean", "--fit", "club.loft", "--set", &lean]);
-        assert_eq!((status, found["status"].as_str()), (1, Some("undetermined")), "{said}");
+        let (status, said, found) = asked(
+            &text,
+            &[
+                "--fit",
+                "swing.shaft_lean",
+                "--fit",
+                "club.loft",
+                "--set",
+                &lean,
+            ],
+        );
+        assert_eq!(
+            (status, found["status"].as_str()),
+            (1, Some("undetermined")),
+            "{said}"
+        );
         let message = found["message"].as_str().unwrap();
-        assert!(message.contains("the data do not determine swing.shaft_lean and club.loft separately"), "{message}");
+        assert!(
+            message.contains("the data do not determine swing.shaft_lean and club.loft separately"),
+            "{message}"
+        );
         for name in ["swing.shaft_lean", "club.loft"] {
             let estimate = &found["estimates"][name];
-            assert!(estimate["standard_uncertainty"].is_null() && estimate["determined"] == false, "{estimate}");
-            assert!(number(&estimate["value"]).abs() < 45.0_f64.to_radians(), "{name} ran off: {estimate}");
+            assert!(
+                estimate["standard_uncertainty"].is_null() && estimate["determined"] == false,
+                "{estimate}"
+            );
+            assert!(
+                number(&estimate["value"]).abs() < 45.0_f64.to_radians(),
+                "{name} ran off: {estimate}"
+            );
         }
         assert!(said.contains("not determined by the data"), "{said}");
     }
-    // nothing measured depends on the air's viscosity under a law without a Reynolds number, alone or on a bound of its range
+    // nothing measured depends on the air's viscosity under a law without a Reynolds number, alone
+    // or on a bound of its range
     for range in ["air.viscosity", "air.viscosity=1e-5Pas..1.837e-5Pas"] {
         let (status, said, found) = asked(
             &flown(&[45.0, 50.0], &[Outcome::Carry], None),
-            &["--set", "aero.law=linear", "--fit", "aero.cd", "--fit", &range.replace("Pas", " Pa s")],
+            &[
+                "--set",
+                "aero.law=linear",
+                "--fit",
+                "aero.cd",
+                "--fit",
+                &range.replace("Pas", " Pa s"),
+            ],
         );
-        assert_eq!((status, found["status"].as_str()), (1, Some("undetermined")), "{said}");
-        assert!(said.contains("the data do not determine air.viscosity"), "{said}");
-        assert!(number(&found["estimates"]["aero.cd"]["standard_uncertainty"]) > 0.0, "{said}");
+        assert_eq!(
+            (status, found["status"].as_str()),
+            (1, Some("undetermined")),
+            "{said}"
+        );
+        assert!(
+            said.contains("the data do not determine air.viscosity"),
+            "{said}"
+        );
+        assert!(
+            number(&found["estimates"]["aero.cd"]["standard_uncertainty"]) > 0.0,
+            "{said}"
+        );
     }
 }
 
@@ -477,7 +828,11 @@ fn exact_one_datum_and_parameters_all_on_bounds() {
     assert_ne!(long, text);
     let (status, said, found) = asked(&long, &["--fit", "aero.cd0=0.2..0.3"]);
     // and misses what is measured by 85 of its standard uncertainties
-    assert_eq!((status, found["status"].as_str()), (1, Some("misfit")), "{said}");
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (1, Some("misfit")),
+        "{said}"
+    );
     assert_eq!(found["estimates"]["aero.cd0"]["at_bound"], true);
     assert!(said.contains("on the bound of its range"), "{said}");
 }
@@ -486,13 +841,24 @@ fn exact_one_datum_and_parameters_all_on_bounds() {
 fn rows_that_no_sum_of_squares_can_hold_are_named() {
     let row = |apex: &str, sigma: &str| {
         format!(
-            "swing.speed [m/s],apex_downrange [m],sigma apex_downrange [m]\n45,120,1\n50,{apex},{sigma}\n55,160,1\n"
+            "swing.speed [m/s],apex_downrange [m],sigma apex_downrange \
+             [m]\n45,120,1\n50,{apex},{sigma}\n55,160,1\n"
         )
     };
     let fit = ["--fit", "aero.cd0"];
     for (text, words) in [
-        (row("1e300", "1"), ["row 2", "apex_downrange", "outside its range"]),
-        (row("140", "1e-300"), ["row 2", "standard uncertainty", "correct the value or its sigma"]),
+        (
+            row("1e300", "1"),
+            ["row 2", "apex_downrange", "outside its range"],
+        ),
+        (
+            row("140", "1e-300"),
+            [
+                "row 2",
+                "standard uncertainty",
+                "correct the value or its sigma",
+            ],
+        ),
     ] {
         let file = table(&text);
         let said = longdrive(&[&["calibrate", file.path().to_str().unwrap()], &fit[..]].concat());
@@ -501,10 +867,21 @@ fn rows_that_no_sum_of_squares_can_hold_are_named() {
             assert!(said.err.contains(word), "'{word}' is not in {}", said.err);
         }
     }
-    // finite, but beside it the others vanish: the least drag possible is still 1e9 standard uncertainties off
+    // finite, but beside it the others vanish: the least drag possible is still 1e9 standard
+    // uncertainties off
     let (status, said, found) = asked(&row("9e8", "1e-2"), &["--fit", "aero.cd0=0.1..0.4"]);
-    assert_eq!((status, found["status"].as_str()), (1, Some("outweighed")), "{said}");
-    assert!(found["message"].as_str().unwrap().contains("row 2: apex_downrange differs by"), "{said}");
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (1, Some("outweighed")),
+        "{said}"
+    );
+    assert!(
+        found["message"]
+            .as_str()
+            .unwrap()
+            .contains("row 2: apex_downrange differs by"),
+        "{said}"
+    );
 }
 
 /// A follower that interrupts after some iterations, of whichever fit they are.
@@ -516,7 +893,10 @@ fn interrupting(after: u64) -> Follow {
             flag.store(true, Ordering::Relaxed);
         }
     };
-    Follow { iteration: Some(Arc::new(count)), interrupt }
+    Follow {
+        iteration: Some(Arc::new(count)),
+        interrupt,
+    }
 }
 
 #[test]
@@ -526,10 +906,20 @@ fn exact_interrupted_folds_are_left_out_and_counted() {
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = Plan::read(&setup, &LAW.map(str::to_owned)).unwrap();
     let whole = held_out(&setup, &table, &plan, 4, &Follow::default()).unwrap();
-    assert_eq!((whole.count(Status::Converged), whole.is_interrupted(), whole.remainders.len()), (4, false, 24));
+    assert_eq!(
+        (
+            whole.count(Status::Converged),
+            whole.is_interrupted(),
+            whole.remainders.len()
+        ),
+        (4, false, 24)
+    );
 
     let at_once = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
-    assert_eq!((at_once.count(Status::Interrupted), at_once.mean_square()), (4, None));
+    assert_eq!(
+        (at_once.count(Status::Interrupted), at_once.mean_square()),
+        (4, None)
+    );
     let mut partly = 0;
     for after in 2..40 {
         let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
@@ -537,7 +927,10 @@ fn exact_interrupted_folds_are_left_out_and_counted() {
         assert_eq!(part.remainders.len(), 6 * done, "after {after}");
         // what is told is what the whole would have told
         for remainder in &part.remainders {
-            let same = whole.remainders.iter().find(|r| (r.row, r.outcome) == (remainder.row, remainder.outcome));
+            let same = whole
+                .remainders
+                .iter()
+                .find(|r| (r.row, r.outcome) == (remainder.row, remainder.outcome));
             assert_eq!(same.unwrap().residual, remainder.residual);
         }
         partly += usize::from(done > 0 && part.is_interrupted());
@@ -545,14 +938,29 @@ fn exact_interrupted_folds_are_left_out_and_counted() {
     assert!(partly > 0);
 
     let found = calibrate(&setup, &table, &plan, &interrupting(2)).unwrap();
-    assert_eq!(found.fit.status, Status::Interrupted, "{}", found.fit.message);
+    assert_eq!(
+        found.fit.status,
+        Status::Interrupted,
+        "{}",
+        found.fit.message
+    );
 }
 
 /// Searches that end elsewhere are told with how they ended, and what to do about it.
 #[test]
 fn starts_that_end_at_larger_sums_are_told() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
-    let fit = ["calibrate", shots, "modern-driver", "--fit", "aero.cd0", "--fit", "aero.cl_max", "--starts", "6"];
+    let fit = [
+        "calibrate",
+        shots,
+        "modern-driver",
+        "--fit",
+        "aero.cd0",
+        "--fit",
+        "aero.cl_max",
+        "--starts",
+        "6",
+    ];
     let (_, found) = json(&fit);
     let others: Vec<(&str, u64)> = found["starts"]["elsewhere"]
         .as_object()
@@ -561,45 +969,102 @@ fn starts_that_end_at_larger_sums_are_told() {
         .map(|(status, count)| (status.as_str(), count.as_u64().unwrap()))
         .collect();
     let same = found["starts"]["same"].as_u64().unwrap();
-    assert_eq!(same + others.iter().map(|(_, count)| count).sum::<u64>(), 6, "{}", found["starts"]);
-    let said = longdrive(&fit).out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(
+        same + others.iter().map(|(_, count)| count).sum::<u64>(),
+        6,
+        "{}",
+        found["starts"]
+    );
+    let said = longdrive(&fit)
+        .out
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
     assert_eq!(others, [("undefined", 5)], "{found}");
     let told = "1 of 6 starts ended at this sum; 5 could not begin, for not every row flies there.";
     assert!(said.contains(told), "{said}");
-    assert!(said.contains("with narrower ones, --fit NAME=LOW..HIGH, more of them come to a minimum"), "{said}");
+    assert!(
+        said.contains("with narrower ones, --fit NAME=LOW..HIGH, more of them come to a minimum"),
+        "{said}"
+    );
 }
 
 #[test]
 fn iterations_of_several_searches_tell_of_which_they_are() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
-    let told = |starts| longdrive(&["calibrate", shots, "--fit", "aero.cd0=0.2..0.25", "--starts", starts]).err;
+    let told = |starts| {
+        longdrive(&[
+            "calibrate",
+            shots,
+            "--fit",
+            "aero.cd0=0.2..0.25",
+            "--starts",
+            starts,
+        ])
+        .err
+    };
     let first = |said: &str| said.lines().next().unwrap().to_owned();
     let (one, two) = (told("1"), told("2"));
     assert!(first(&one).starts_with("iteration   0  half"), "{one}");
-    assert!(first(&two).starts_with("search 1  iteration   0  half"), "{two}");
-    assert_eq!(two.matches("search 2  iteration   0  half").count(), 1, "{two}");
+    assert!(
+        first(&two).starts_with("search 1  iteration   0  half"),
+        "{two}"
+    );
+    assert_eq!(
+        two.matches("search 2  iteration   0  half").count(),
+        1,
+        "{two}"
+    );
 }
 
-/// What ended at a minimum is not called the contrary because other searches were stopped, and these are not counted as ended.
+/// What ended at a minimum is not called the contrary because other searches were stopped, and
+/// these are not counted as ended.
 #[test]
 fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
     let setup = elsewhere();
     let text = shots(&mut Noise(11), 1.0);
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
-    let plan = Plan { starts: 60, ..Plan::read(&setup, &LAW.map(str::to_owned)).unwrap() };
+    let plan = Plan {
+        starts: 60,
+        ..Plan::read(&setup, &LAW.map(str::to_owned)).unwrap()
+    };
     let partly = (1..40).map(|k| calibrate(&setup, &table, &plan, &interrupting(25 * k)).unwrap());
-    let found = partly.into_iter().find(|found| found.is_minimum && found.stopped > 0).unwrap();
+    let found = partly
+        .into_iter()
+        .find(|found| found.is_minimum && found.stopped > 0)
+        .unwrap();
     let ended = 60 - found.stopped;
     assert_eq!(found.fit.status, Status::Interrupted);
     assert!(found.starts.1 <= ended, "{:?} of {ended}", found.starts);
-    let report = CalibrationReport { table: &table, found: &found, held_out: &[] };
-    let text = calibration_document(&report, System::Us).text().split_whitespace().collect::<Vec<_>>().join(" ");
-    let says = format!("interrupted: {ended} of 60 searches ended, and {} were stopped", found.stopped);
-    assert!(text.contains(&says) && text.contains("these values are a minimum"), "{text}");
-    assert!(text.contains("came to their end ended at this sum") && !text.contains("not a minimum"), "{text}");
+    let report = CalibrationReport {
+        table: &table,
+        found: &found,
+        held_out: &[],
+    };
+    let text = calibration_document(&report, System::Us)
+        .text()
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    let says = format!(
+        "interrupted: {ended} of 60 searches ended, and {} were stopped",
+        found.stopped
+    );
+    assert!(
+        text.contains(&says) && text.contains("these values are a minimum"),
+        "{text}"
+    );
+    assert!(
+        text.contains("came to their end ended at this sum") && !text.contains("not a minimum"),
+        "{text}"
+    );
     // and where it stood, where it was the best that was stopped
     let at_once = calibrate(&setup, &table, &plan, &interrupting(1)).unwrap();
-    assert!(!at_once.is_minimum && at_once.fit.status == Status::Interrupted, "{}", at_once.fit.message);
+    assert!(
+        !at_once.is_minimum && at_once.fit.status == Status::Interrupted,
+        "{}",
+        at_once.fit.message
+    );
 }
 
 #[test]
@@ -609,39 +1074,76 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = Plan::read(&setup, &LAW.map(str::to_owned)).unwrap();
     let found = calibrate(&setup, &table, &plan, &Follow::default()).unwrap();
-    let partly = (2..60).map(|after| held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap());
-    let held = partly.into_iter().find(|held| (1..4).contains(&held.count(Status::Interrupted))).unwrap();
+    let partly =
+        (2..60).map(|after| held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap());
+    let held = partly
+        .into_iter()
+        .find(|held| (1..4).contains(&held.count(Status::Interrupted)))
+        .unwrap();
     let stopped = held.count(Status::Interrupted);
     let never = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
-    let held = [("linear, fitted as above".to_owned(), held), ("robinson, all coefficients fitted".into(), never)];
-    let report = CalibrationReport { table: &table, found: &found, held_out: &held };
+    let held = [
+        ("linear, fitted as above".to_owned(), held),
+        ("robinson, all coefficients fitted".into(), never),
+    ];
+    let report = CalibrationReport {
+        table: &table,
+        found: &found,
+        held_out: &held,
+    };
     assert!(report.is_interrupted() && !report.is_found());
-    let text = calibration_document(&report, System::Us).text().split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(text.contains(&format!("linear, fitted as above: interrupted, {stopped} of 4 fits left out")), "{text}");
-    assert!(text.contains("robinson, all coefficients fitted: interrupted, nothing was fitted"), "{text}");
+    let text = calibration_document(&report, System::Us)
+        .text()
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert!(
+        text.contains(&format!(
+            "linear, fitted as above: interrupted, {stopped} of 4 fits left out"
+        )),
+        "{text}"
+    );
+    assert!(
+        text.contains("robinson, all coefficients fitted: interrupted, nothing was fitted"),
+        "{text}"
+    );
     let json = serde_json::to_value(calibration_reply(&report, vec![])).unwrap();
     assert_eq!(json["status"], "interrupted");
-    assert_eq!((&json["interrupted"], &json["held_out"][1]["fits"]["interrupted"]), (&true.into(), &4.into()));
+    assert_eq!(
+        (
+            &json["interrupted"],
+            &json["held_out"][1]["fits"]["interrupted"]
+        ),
+        (&true.into(), &4.into())
+    );
     assert!(json["held_out"][1]["rms_in_sigma"].is_null());
 }
 
 #[test]
 fn a_launch_monitors_export_is_read_as_it_is_written() {
-    // the same three shots as four makers' programs write them; the launch flies, and the rest is told
-    let trackman = "sep=;\nDate;Club Speed;Ball Speed;Smash Factor;Launch Angle;Launch Direction;Spin Rate;Spin Axis;Carry Flat - Length;\
+    // the same three shots as four makers' programs write them; the launch flies, and the rest is
+    // told
+    let trackman = "sep=;\nDate;Club Speed;Ball Speed;Smash Factor;Launch Angle;Launch \
+                    Direction;Spin Rate;Spin Axis;Carry Flat - Length;\
                     Carry Flat - Side;Est. Total Flat - Length\n\
                     ;[mph];[mph];;[deg];[deg];[rpm];[deg];[yds];[yds];[yds]\n\
                     1.1.;105,0;153,5;1,46;10,5;-1,2;2500;3,0;241,0;-2,0;260\n1.1.;104,0;152,0;1,46;11,5;0,5;2600;-2,0;238,0;1,0;255\n\
                     1.1.;106,0;155,0;1,46;9,5;0,0;2400;0,0;243,0;0,0;262\n";
-    let garmin = "Club Type,Club Speed,Club Path,Ball Speed,Launch Angle,Launch Direction,Backspin,Sidespin,Spin Rate,Spin Axis,Carry Distance,\
-                  Carry Deviation Distance,Note\n,[mph],[deg],[mph],[deg],[deg],[rpm],[rpm],[rpm],[deg],[yd],[yd],\n\
+    let garmin = "Club Type,Club Speed,Club Path,Ball Speed,Launch Angle,Launch \
+                  Direction,Backspin,Sidespin,Spin Rate,Spin Axis,Carry Distance,\
+                  Carry Deviation \
+                  Distance,Note\n,[mph],[deg],[mph],[deg],[deg],[rpm],[rpm],[rpm],[deg],[yd],[yd],\n\
                   Driver,105,1,153.5,10.5,-1.2,2496,131,2500,3.0,241.0,-2.0,\nDriver,104,1,152,11.5,0.5,2598,-91,2600,-2.0,238.0,1.0,\n\
                   Driver,106,1,155,9.5,0,2400,0,2400,0,243.0,0,\n";
-    let foresight = "Ball Speed (mph)\tLaunch Angle (deg)\tSide Angle (deg)\tTotal Spin (rpm)\tSpin Axis (deg)\tCarry (yds)\tOffline (yds)\n\
-                     153.5\t10.5\t1.2 L\t2500\t3.0 R\t241.0\t2.0L\n152\t11.5\t0.5R\t2600\t2.0 L\t238.0\t1.0 R\n155\t9.5\t0\t2400\t0\t243.0\t0\n";
-    let words = "Ball Speed MPH,Launch V (°),Launch H (°),Spin Rate rpm,Spin Axis (°),Carry Yards,Lateral Yards\n\
+    let foresight = "Ball Speed (mph)\tLaunch Angle (deg)\tSide Angle (deg)\tTotal Spin \
+                     (rpm)\tSpin Axis (deg)\tCarry (yds)\tOffline (yds)\n\
+                     153.5\t10.5\t1.2 L\t2500\t3.0 R\t241.0\t2.0L\n152\t11.5\t0.5R\t2600\t2.0 \
+                     L\t238.0\t1.0 R\n155\t9.5\t0\t2400\t0\t243.0\t0\n";
+    let words = "Ball Speed MPH,Launch V (°),Launch H (°),Spin Rate rpm,Spin Axis (°),Carry \
+                 Yards,Lateral Yards\n\
                  153.5,10.5,-1.2,2500,3,241,-2\n152,11.5,0.5,2600,-2,238,1\n155,9.5,0,2400,0,243,0\n";
-    let own = "ball_speed [mph],launch_angle [deg],launch_direction [deg],spin [rpm],spin_axis [deg],carry [yd],lateral [yd]\n\
+    let own = "ball_speed [mph],launch_angle [deg],launch_direction [deg],spin [rpm],spin_axis \
+               [deg],carry [yd],lateral [yd]\n\
                153.5,10.5,-1.2,2500,3,241,-2\n152,11.5,0.5,2600,-2,238,1\n155,9.5,0,2400,0,243,0\n";
     let setup = Setup::default();
     let read = |text: &str| ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
@@ -651,38 +1153,71 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         let table = read(text);
         assert!(table.is_launched && table.shots.len() == 3, "{table:?}");
         for (shot, other) in table.shots.iter().zip(&expected.shots) {
-            assert_eq!((&shot.measured, shot.inputs.len()), (&other.measured, other.inputs.len()), "{text}");
+            assert_eq!(
+                (&shot.measured, shot.inputs.len()),
+                (&other.measured, other.inputs.len()),
+                "{text}"
+            );
             let (launch, same) = (launch(shot), launch(other));
             assert!(
-                (launch.spin_axis() - same.spin_axis()).abs() < 1e-12 && launch.velocity == same.velocity,
+                (launch.spin_axis() - same.spin_axis()).abs() < 1e-12
+                    && launch.velocity == same.velocity,
                 "{text}"
             );
         }
     }
-    // a measured carry is the distance to the landing point, and its uncertainty that of the instruments
+    // a measured carry is the distance to the landing point, and its uncertainty that of the
+    // instruments
     let carry = expected.shots[0].measured[0];
-    assert_eq!((carry.outcome, carry.sigma), (Outcome::CarryDistance, 3.0 * 0.9144));
-    let told = read(trackman).remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    for words in
-        ["left out: Date, Est. Total Flat - Length", "left out: Club Speed, Smash Factor", "3 yd is taken for each"]
-    {
+    assert_eq!(
+        (carry.outcome, carry.sigma),
+        (Outcome::CarryDistance, 3.0 * 0.9144)
+    );
+    let told = read(trackman)
+        .remarks
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("\n");
+    for words in [
+        "left out: Date, Est. Total Flat - Length",
+        "left out: Club Speed, Smash Factor",
+        "3 yd is taken for each",
+    ] {
         assert!(told.contains(words), "'{words}' is not in {told}");
     }
     // without a launch the club is an input
-    let club = read("Club Speed (mph),Club Path (deg),Face Angle (deg),Carry (yds)\n105,2.0 L,1 R,240\n103,0,0,236\n");
-    let names: Vec<&str> = club.shots[0].inputs.iter().map(|(parameter, _)| parameter.name).collect();
-    assert_eq!((club.is_launched, names), (false, vec!["swing.speed", "swing.path", "swing.face_angle"]));
+    let club = read(
+        "Club Speed (mph),Club Path (deg),Face Angle (deg),Carry (yds)\n105,2.0 L,1 \
+         R,240\n103,0,0,236\n",
+    );
+    let names: Vec<&str> = club.shots[0]
+        .inputs
+        .iter()
+        .map(|(parameter, _)| parameter.name)
+        .collect();
+    assert_eq!(
+        (club.is_launched, names),
+        (false, vec!["swing.speed", "swing.path", "swing.face_angle"])
+    );
     assert!((club.shots[0].inputs[1].1 + 2.0_f64.to_radians()).abs() < 1e-15);
-    // what is spelled as here, but wrong, stays an error, as does a quantity of this program's name without a unit
+    // what is spelled as here, but wrong, stays an error, as does a quantity of this program's name
+    // without a unit
     for (text, words) in [
-        ("Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm),cary_distance [yd]\n153,10,2500,240\n", "column 4"),
+        (
+            "Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm),cary_distance \
+             [yd]\n153,10,2500,240\n",
+            "column 4",
+        ),
         ("carry,club.loft [deg]\n220,10\n", "'carry [yd]'"),
         (
             "Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm),Carry (yds)\n153,10,2500,-3 L\n",
             "'-3 L' is not a number",
         ),
     ] {
-        let error = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap_err().to_string();
+        let error = ShotTable::read(&setup, "shots.csv", text.as_bytes())
+            .unwrap_err()
+            .to_string();
         assert!(error.contains(words), "'{words}' is not in {error}");
     }
 }
@@ -690,99 +1225,192 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
 #[test]
 fn the_sample_of_shots_is_fitted() {
     let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
-    let (status, found) = json(&["calibrate", sample, "--fit", "aero.cd0", "--fit", "aero.cl_max"]);
-    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
-    // made with these coefficients: the noise in launch and flight leaves the estimates within three of their standard errors
+    let (status, found) = json(&[
+        "calibrate",
+        sample,
+        "--fit",
+        "aero.cd0",
+        "--fit",
+        "aero.cl_max",
+    ]);
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (0, Some("converged")),
+        "{found}"
+    );
+    // made with these coefficients: the noise in launch and flight leaves the estimates within
+    // three of their standard errors
     for name in ["aero.cd0", "aero.cl_max"] {
-        let truth = Setup::default().value(Setup::default().variable(name).unwrap()).unwrap();
+        let truth = Setup::default()
+            .value(Setup::default().variable(name).unwrap())
+            .unwrap();
         let estimate = &found["estimates"][name];
         let error = number(&estimate["standard_uncertainty"]);
-        assert!((number(&estimate["value"]) - truth).abs() < 3.0 * error && error < 0.1, "{name}: {estimate} {truth}");
+        assert!(
+            (number(&estimate["value"]) - truth).abs() < 3.0 * error && error < 0.1,
+            "{name}: {estimate} {truth}"
+        );
     }
-    assert_eq!((&found["data"]["shots"], &found["data"]["launch_conditions"]), (&12.into(), &true.into()));
+    assert_eq!(
+        (&found["data"]["shots"], &found["data"]["launch_conditions"]),
+        (&12.into(), &true.into())
+    );
 }
 
-/// Carries of a ball whose drag is 0.27, and 40 yd more: beyond what is allowed to be fitted. The command says it on standard error and in JSON.
+/// Carries of a ball whose drag is 0.27, and 40 yd more: beyond what is allowed to be fitted. The
+/// command says it on standard error and in JSON.
 #[test]
 fn a_fit_that_describes_nothing_or_ends_on_a_bound_is_warned_of() {
     let flown = |launch: [f64; 3]| {
         let [speed, angle, spin] = launch;
         let launch = format!("ball_speed={speed}m/s,launch_angle={angle}deg,backspin={spin}rpm");
         let law = ["--set", "aero.law=robinson", "--set", "aero.cd0=0.27"];
-        let (_, drive) = json(&[&["simulate", "modern-driver", "--launch", &launch], &law[..]].concat());
+        let (_, drive) = json(
+            &[
+                &["simulate", "modern-driver", "--launch", &launch],
+                &law[..],
+            ]
+            .concat(),
+        );
         number(&drive["flight"]["carry"]) / 0.9144
     };
-    let launches = [[66.0, 11.0, 2600.0], [70.0, 13.0, 2300.0], [73.0, 9.5, 3100.0], [75.0, 12.0, 2500.0]];
+    let launches = [
+        [66.0, 11.0, 2600.0],
+        [70.0, 13.0, 2300.0],
+        [73.0, 9.5, 3100.0],
+        [75.0, 12.0, 2500.0],
+    ];
     let rows = |more: f64| {
-        let row =
-            |launch: &[f64; 3]| format!("{},{},{},{},1\n", launch[0], launch[1], launch[2], flown(*launch) + more);
+        let row = |launch: &[f64; 3]| {
+            format!(
+                "{},{},{},{},1\n",
+                launch[0],
+                launch[1],
+                launch[2],
+                flown(*launch) + more
+            )
+        };
         launches.iter().map(row).collect::<String>()
     };
     let head = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [yd],sigma carry [yd]\n";
     let told = |rows: &str, fit: &str| {
         let file = table(&format!("{head}{rows}"));
-        let asked =
-            ["calibrate", file.path().to_str().unwrap(), "modern-driver", "--set", "aero.law=robinson", "--fit", fit];
+        let asked = [
+            "calibrate",
+            file.path().to_str().unwrap(),
+            "modern-driver",
+            "--set",
+            "aero.law=robinson",
+            "--fit",
+            fit,
+        ];
         let (_, found) = json(&asked);
-        let in_words = longdrive(&asked).err.split_whitespace().collect::<Vec<_>>().join(" ");
-        let warnings = found["warnings"].as_array().unwrap().iter().map(|one| one.as_str().unwrap().to_owned());
+        let in_words = longdrive(&asked)
+            .err
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        let warnings = found["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|one| one.as_str().unwrap().to_owned());
         let warnings: Vec<_> = warnings.collect();
         for warning in &warnings {
-            assert!(in_words.contains(&format!("warning: {warning}")), "{warning}: {in_words}");
+            assert!(
+                in_words.contains(&format!("warning: {warning}")),
+                "{warning}: {in_words}"
+            );
         }
         (found, warnings.join("\n"))
     };
     let (found, warnings) = told(&rows(0.0), "aero.cd0");
     assert!(
-        warnings.is_empty() && (number(&found["estimates"]["aero.cd0"]["value"]) - 0.27).abs() < 1e-6,
+        warnings.is_empty()
+            && (number(&found["estimates"]["aero.cd0"]["value"]) - 0.27).abs() < 1e-6,
         "{warnings}"
     );
     let (found, warnings) = told(&rows(40.0), "aero.cd0=0.25..0.6");
     // 40 yd of 1 yd each, but for what the bound gives: √(χ²/ν) of the answer
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
     assert!(
-        off > 20.0 && warnings.contains(&format!("the values miss the fit by {off:.1} of their standard")),
+        off > 20.0
+            && warnings.contains(&format!(
+                "the values miss the fit by {off:.1} of their standard"
+            )),
         "{off}: {warnings}"
     );
-    assert!(warnings.contains("aero.cd0 ended at 0.25, the end of its range"), "{warnings}");
+    assert!(
+        warnings.contains("aero.cd0 ended at 0.25, the end of its range"),
+        "{warnings}"
+    );
 }
 
 /// What a table of shots cannot hold is refused also where it was made by hand, with its row.
 #[test]
 fn measured_values_made_by_hand_that_are_none_are_refused_with_their_row() {
     let setup = Setup::default();
-    let text = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m]\n60,12,2500,180\n70,11,2500,220\n";
+    let text = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry \
+                [m]\n60,12,2500,180\n70,11,2500,220\n";
     let read = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = Plan::read(&setup, &["aero.cd0".to_owned()]).unwrap();
-    for (value, sigma, says) in
-        [(f64::NAN, 1.0, "measured as NaN"), (180.0, 0.0, "uncertainty of 0"), (180.0, -1.0, "uncertainty of -1.09")]
-    {
+    for (value, sigma, says) in [
+        (f64::NAN, 1.0, "measured as NaN"),
+        (180.0, 0.0, "uncertainty of 0"),
+        (180.0, -1.0, "uncertainty of -1.09"),
+    ] {
         let mut table = read.clone();
-        (table.shots[1].measured[0].value, table.shots[1].measured[0].sigma) = (value, sigma);
-        let error = calibrate(&setup, &table, &plan, &Follow::default()).unwrap_err().to_string();
-        assert!(error.contains("row 2: carry") && error.contains(says), "{error}");
+        (
+            table.shots[1].measured[0].value,
+            table.shots[1].measured[0].sigma,
+        ) = (value, sigma);
+        let error = calibrate(&setup, &table, &plan, &Follow::default())
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains("row 2: carry") && error.contains(says),
+            "{error}"
+        );
     }
 }
 
-/// Wrong lengths are mistakes of a program: they panic, with both lengths. What is not finite is an error.
+/// Wrong lengths are mistakes of a program: they panic, with both lengths. What is not finite is an
+/// error.
 #[test]
 fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
-    let fitted = [Fitted { is_free: true, width: 1.0 }; 2];
+    let fitted = [Fitted {
+        is_free: true,
+        width: 1.0,
+    }; 2];
     let of = |residuals: &[f64], jacobian: &[&[f64]]| {
         let jacobian = jacobian.iter().map(|row| row.to_vec()).collect();
-        let rows = Rows { residuals: residuals.to_vec(), jacobian };
+        let rows = Rows {
+            residuals: residuals.to_vec(),
+            jacobian,
+        };
         Statistics::new(&rows, &fitted, Uncertainties::Stated, 0.0, Loss::Squares)
     };
-    for (jacobian, rows) in [(&[&[1.0, 0.0][..]][..], "[2]"), (&[&[1.0, 0.0], &[1.0]], "[2, 1]")] {
+    for (jacobian, rows) in [
+        (&[&[1.0, 0.0][..]][..], "[2]"),
+        (&[&[1.0, 0.0], &[1.0]], "[2, 1]"),
+    ] {
         let said = panic_of(|| of(&[1.0, 2.0], jacobian));
-        assert!(said.contains("2 residuals of 2 parameters") && said.contains(rows), "{said}");
+        assert!(
+            said.contains("2 residuals of 2 parameters") && said.contains(rows),
+            "{said}"
+        );
     }
     let found = of(&[1.0, 2.0], &[&[1.0, 0.0], &[0.0, 1.0]]).unwrap();
     assert!(found.standard_error(1).is_some());
     panic_of(|| found.standard_error(2));
     panic_of(|| found.correlation(0, 2));
-    for (residuals, jacobian) in [([f64::NAN, 1.0], [1.0, 0.0]), ([1.0, 1.0], [f64::INFINITY, 0.0])] {
-        let error = of(&residuals, &[&jacobian, &[0.0, 1.0]]).unwrap_err().to_string();
+    for (residuals, jacobian) in [
+        ([f64::NAN, 1.0], [1.0, 0.0]),
+        ([1.0, 1.0], [f64::INFINITY, 0.0]),
+    ] {
+        let error = of(&residuals, &[&jacobian, &[0.0, 1.0]])
+            .unwrap_err()
+            .to_string();
         assert!(error.contains("must be finite"), "{error}");
     }
 }

@@ -1,4 +1,5 @@
-//! The point of the head whose speed, attack angle and path the swing states: its centre of mass, or the centre of its face.
+//! The point of the head whose speed, attack angle and path the swing states: its centre of mass,
+//! or the centre of its face.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -14,10 +15,16 @@ fn cross([ax, ay, az]: Vector, [bx, by, bz]: Vector) -> Vector {
 }
 
 fn sum(parts: &[(f64, Vector)]) -> Vector {
-    std::array::from_fn(|i| parts.iter().map(|(weight, vector)| weight * vector[i]).sum())
+    std::array::from_fn(|i| {
+        parts
+            .iter()
+            .map(|(weight, vector)| weight * vector[i])
+            .sum()
+    })
 }
 
-/// A head that turns about all axes, with its centre of mass beside the centre of the face and a weight on it.
+/// A head that turns about all axes, with its centre of mass beside the centre of the face and a
+/// weight on it.
 fn turning() -> Setup<f64> {
     let mut setup = Setup::preset("tour-average").unwrap();
     let given = [
@@ -42,7 +49,8 @@ fn turning() -> Setup<f64> {
     setup
 }
 
-/// The motion of the centre of mass behind that of the face's centre, v − ω × r, with the axes and the centre of mass written out by hand.
+/// The motion of the centre of mass behind that of the face's centre, v − ω × r, with the axes and
+/// the centre of mass written out by hand.
 fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     let (swing, club) = (&stated.swing, &stated.club);
     let (sin, cos) = (swing.attack_angle - swing.shaft_lean).sin_cos();
@@ -51,23 +59,38 @@ fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     let toe = [0.0, cos_yaw, -sin_yaw];
     let forward = [sin, cos * sin_yaw, cos * cos_yaw];
     let (sin, cos) = club.loft.sin_cos();
-    let (up, forward) = (sum(&[(cos, up), (-sin, forward)]), sum(&[(cos, forward), (sin, up)]));
+    let (up, forward) = (
+        sum(&[(cos, up), (-sin, forward)]),
+        sum(&[(cos, forward), (sin, up)]),
+    );
     // from the centre of the face: up it, towards the toe, behind it
     let [own, weight] = [
-        (club.mass, [club.cg_high.unwrap_or_default(), club.cg_toe.unwrap_or_default(), club.cg_depth]),
+        (
+            club.mass,
+            [
+                club.cg_high.unwrap_or_default(),
+                club.cg_toe.unwrap_or_default(),
+                club.cg_depth,
+            ],
+        ),
         (
             club.weight_1_mass.unwrap_or_default(),
-            [club.weight_1_high, club.weight_1_toe, club.weight_1_depth].map(Option::unwrap_or_default),
+            [club.weight_1_high, club.weight_1_toe, club.weight_1_depth]
+                .map(Option::unwrap_or_default),
         ),
     ];
     let [high, across, depth]: Vector =
         std::array::from_fn(|i| (own.0 * own.1[i] + weight.0 * weight.1[i]) / (own.0 + weight.0));
     let centre = sum(&[(-high, up), (-across, toe), (depth, forward)]);
     let (sin, cos) = swing.attack_angle.sin_cos();
-    let velocity = [sin, cos * swing.path.sin(), cos * swing.path.cos()].map(|part| part * swing.speed);
+    let velocity =
+        [sin, cos * swing.path.sin(), cos * swing.path.cos()].map(|part| part * swing.speed);
     let turn = cross([swing.closure_x, swing.closure_y, swing.closure_z], centre);
     let [x, y, z] = sum(&[(1.0, velocity), (-1.0, turn)]);
-    let mut other = Setup { speed_of: SpeedOf::CentreOfMass, ..*stated };
+    let mut other = Setup {
+        speed_of: SpeedOf::CentreOfMass,
+        ..*stated
+    };
     other.swing.speed = (x * x + y * y + z * z).sqrt();
     other.swing.attack_angle = (x / other.swing.speed).asin();
     other.swing.path = y.atan2(z);
@@ -78,20 +101,33 @@ fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
 
 #[test]
 fn exact_face_centre_moves_as_a_point_of_a_rigid_head() {
-    let stated = Setup { speed_of: SpeedOf::FaceCentre, ..turning() };
+    let stated = Setup {
+        speed_of: SpeedOf::FaceCentre,
+        ..turning()
+    };
     let other = of_the_centre_of_mass(&stated);
-    assert!((other.swing.path - stated.swing.path).abs().to_degrees() > 1.0, "the case is no test");
+    assert!(
+        (other.swing.path - stated.swing.path).abs().to_degrees() > 1.0,
+        "the case is no test"
+    );
     let [stated_drive, other_drive] = [stated, other].map(|setup| Drive::new(&setup).unwrap());
     for of in Outcome::ALL {
-        let (Some(found), Some(expected)) = (of.value(&stated_drive), of.value(&other_drive)) else { continue };
+        let (Some(found), Some(expected)) = (of.value(&stated_drive), of.value(&other_drive))
+        else {
+            continue;
+        };
         // the ratio is by the speed that is stated
-        let expected =
-            if *of == Outcome::SmashFactor { expected * other.swing.speed / stated.swing.speed } else { expected };
+        let expected = if *of == Outcome::SmashFactor {
+            expected * other.swing.speed / stated.swing.speed
+        } else {
+            expected
+        };
         close(found, expected, expected.abs().max(1e-3), 1e-11, of.name());
     }
 }
 
-/// A head without loft that closes at ω, its centre of mass d behind the centre of the face, moves there ω d more from in to out.
+/// A head without loft that closes at ω, its centre of mass d behind the centre of the face, moves
+/// there ω d more from in to out.
 #[test]
 fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -105,11 +141,22 @@ fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
     let (speed, across) = (setup.swing.speed, 40.0 * setup.club.cg_depth);
     let mut same = setup;
     (same.swing.speed, same.swing.path) = (speed.hypot(across), (across / speed).atan());
-    let launches = [Setup { speed_of: SpeedOf::FaceCentre, ..setup }, same].map(|setup| {
+    let launches = [
+        Setup {
+            speed_of: SpeedOf::FaceCentre,
+            ..setup
+        },
+        same,
+    ]
+    .map(|setup| {
         let launch = longdrive::impact::strike(&setup).unwrap().launch;
         [launch.velocity, launch.spin].map(longdrive::number::Vector::to_array)
     });
-    for (found, expected) in launches[0].as_flattened().iter().zip(launches[1].as_flattened()) {
+    for (found, expected) in launches[0]
+        .as_flattened()
+        .iter()
+        .zip(launches[1].as_flattened())
+    {
         close(*found, *expected, 70.0, 1e-13, "launch");
     }
     // TrackMan tells of about 3° between the two points of a driver: 65 rad/s at 50 m/s and 40 mm
@@ -119,17 +166,31 @@ fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
 #[test]
 fn exact_both_points_are_one_where_the_head_does_not_turn() {
     let mut setup = turning();
-    (setup.swing.closure_x, setup.swing.closure_y, setup.swing.closure_z) = (0.0, 0.0, 0.0);
-    let [one, other] = SpeedOf::ALL else { panic!("two points") };
-    let carries =
-        [*one, *other].map(|speed_of| Drive::new(&Setup { speed_of, ..setup }).unwrap().landed().unwrap().carry);
+    (
+        setup.swing.closure_x,
+        setup.swing.closure_y,
+        setup.swing.closure_z,
+    ) = (0.0, 0.0, 0.0);
+    let [one, other] = SpeedOf::ALL else {
+        panic!("two points")
+    };
+    let carries = [*one, *other].map(|speed_of| {
+        Drive::new(&Setup { speed_of, ..setup })
+            .unwrap()
+            .landed()
+            .unwrap()
+            .carry
+    });
     assert_eq!(carries[0].to_bits(), carries[1].to_bits());
 }
 
 /// By loft, depth, closure and weight, on which the way from the one point to the other depends.
 #[test]
 fn differences_of_the_lateral_by_what_turns_and_places_the_face_centre() {
-    let setup = Setup { speed_of: SpeedOf::FaceCentre, ..turning() };
+    let setup = Setup {
+        speed_of: SpeedOf::FaceCentre,
+        ..turning()
+    };
     for (name, h) in [
         ("club.loft", 1e-4),
         ("club.cg_depth", 1e-5),
@@ -148,12 +209,20 @@ fn differences_of_the_lateral_by_what_turns_and_places_the_face_centre() {
             let exact = gradient(&setup, of, &[parameter]).unwrap().gradient[0];
             let at = |by: f64| {
                 let mut moved = setup;
-                moved.set_value(parameter, Some(setup.value(parameter).unwrap() + by)).unwrap();
+                moved
+                    .set_value(parameter, Some(setup.value(parameter).unwrap() + by))
+                    .unwrap();
                 of.of(&Drive::new(&moved).unwrap()).unwrap()
             };
             // of the fourth order
             let slope = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
-            close(exact, slope, slope.abs().max(1e-3), 2e-6, &format!("{} by {name}", of.name()));
+            close(
+                exact,
+                slope,
+                slope.abs().max(1e-3),
+                2e-6,
+                &format!("{} by {name}", of.name()),
+            );
         }
     }
 }
@@ -162,24 +231,50 @@ fn differences_of_the_lateral_by_what_turns_and_places_the_face_centre() {
 fn the_point_is_read_written_and_compared() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("camera.toml").display().to_string();
-    let text = "preset = 'tour-average'\n[swing]\nspeed_of = 'face-centre'\nclosure = { x = '40 rad/s' }\n";
+    let text = "preset = 'tour-average'\n[swing]\nspeed_of = 'face-centre'\nclosure = \
+                { x = '40 rad/s' }\n";
     std::fs::write(&file, text).unwrap();
     let (_, own) = json(&["simulate", &file]);
-    let set = ["--set", "swing.closure.x=40rad/s", "--set", "swing.speed_of=face-centre"];
+    let set = [
+        "--set",
+        "swing.closure.x=40rad/s",
+        "--set",
+        "swing.speed_of=face-centre",
+    ];
     let (_, same) = json(&[&["simulate", "tour-average"][..], &set].concat());
     let (_, other) = json(&[&["simulate", "tour-average"][..], &set[..2]].concat());
-    assert_eq!((&own["flight"], &own["setup"]["swing.speed_of"]), (&same["flight"], &"face-centre".into()));
+    assert_eq!(
+        (&own["flight"], &own["setup"]["swing.speed_of"]),
+        (&same["flight"], &"face-centre".into())
+    );
     assert_eq!(other["setup"]["swing.speed_of"], "centre-of-mass");
     let lateral = [&own, &other].map(|answer| number(&answer["flight"]["lateral"]));
     assert!((lateral[0] - lateral[1]).abs() > 0.1, "{lateral:?}");
     let best = folder.path().join("best.toml").display().to_string();
     assert_eq!(longdrive(&["optimize", &file, "-o", &best]).status, 0);
-    assert_eq!(Setup::from_file(best.as_ref()).unwrap().speed_of, SpeedOf::FaceCentre);
+    assert_eq!(
+        Setup::from_file(best.as_ref()).unwrap().speed_of,
+        SpeedOf::FaceCentre
+    );
 
     for (args, said) in [
-        (&["simulate", "--set", "swing.speed_of=face-center"][..], "did you mean 'face-centre'"),
-        (&["optimize", "--vary", "swing.speed_of=0..1"], "it is a choice"),
-        (&["simulate", "tour-average", "--set", "swing.sped_of=face-centre"], "did you mean 'swing.speed_of'"),
+        (
+            &["simulate", "--set", "swing.speed_of=face-center"][..],
+            "did you mean 'face-centre'",
+        ),
+        (
+            &["optimize", "--vary", "swing.speed_of=0..1"],
+            "it is a choice",
+        ),
+        (
+            &[
+                "simulate",
+                "tour-average",
+                "--set",
+                "swing.sped_of=face-centre",
+            ],
+            "did you mean 'swing.speed_of'",
+        ),
         (
             &[
                 "simulate",
@@ -193,11 +288,30 @@ fn the_point_is_read_written_and_compared() {
     ] {
         let told = longdrive(args);
         let words = told.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(told.status == 2 && words.contains(said), "{args:?}: {words}");
+        assert!(
+            told.status == 2 && words.contains(said),
+            "{args:?}: {words}"
+        );
     }
     let setup = Setup::from_file(file.as_ref()).unwrap();
-    let there = Comparison::new(&setup, &Setup { speed_of: SpeedOf::CentreOfMass, ..setup }).unwrap();
+    let there = Comparison::new(
+        &setup,
+        &Setup {
+            speed_of: SpeedOf::CentreOfMass,
+            ..setup
+        },
+    )
+    .unwrap();
     let shares = there.of(Outcome::Lateral).unwrap().by_parameter.shares;
-    assert!(shares.len() == 1 && shares[0].cause.name() == "swing.speed_of", "{shares:?}");
-    close(shares[0].amount, lateral[1] - lateral[0], 1.0, 1e-5, "share");
+    assert!(
+        shares.len() == 1 && shares[0].cause.name() == "swing.speed_of",
+        "{shares:?}"
+    );
+    close(
+        shares[0].amount,
+        lateral[1] - lateral[0],
+        1.0,
+        1e-5,
+        "share",
+    );
 }

@@ -1,4 +1,5 @@
-//! `calibrate` as a user meets it: its tolerance, rows that do not fly or decide alone, and options that are refused before the work.
+//! `calibrate` as a user meets it: its tolerance, rows that do not fly or decide alone, and options
+//! that are refused before the work.
 
 use crate::command_line::{json, longdrive};
 
@@ -22,16 +23,32 @@ fn a_tolerance_is_honoured() {
     assert!(status == 0 && setup["flight.method"] == "dp8", "{setup}");
     let said = with(&["--tolerance=0m"]);
     assert!(
-        said.status == 2 && said.err.contains("--tolerance: \"0m\" is no tolerance; give a length above 0"),
+        said.status == 2
+            && said
+                .err
+                .contains("--tolerance: \"0m\" is no tolerance; give a length above 0"),
         "{}",
         said.err
     );
     // a range that was given to the fit is flown at its ends
-    assert_eq!(with(&["--fit", "aero.cl_max=0.2..1", "--tolerance=1mm"]).status, 0);
+    assert_eq!(
+        with(&["--fit", "aero.cl_max=0.2..1", "--tolerance=1mm"]).status,
+        0
+    );
     let deliveries = "club.loft [deg],swing.speed [mph],carry [yd]\n9,100,240\n11,110,270\n";
     let (_folder, path) = crate::sweep::table("deliveries.csv", deliveries);
-    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0", "--tolerance"]);
-    assert!(said.status == 0 && said.err.contains("lengths are within"), "{}", said.err);
+    let said = longdrive(&[
+        "calibrate",
+        path.to_str().unwrap(),
+        "--fit",
+        "aero.cd0",
+        "--tolerance",
+    ]);
+    assert!(
+        said.status == 0 && said.err.contains("lengths are within"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
@@ -40,71 +57,162 @@ fn rows_that_diverge_alike_are_told_once_with_the_advice_that_fits() {
     assert_eq!(said.status, 1);
     assert_eq!(said.err.matches("diverge").count(), 1, "{}", said.err);
     assert!(
-        said.err.contains("rows 1 to 12: the flight diverges; the step is long; reduce flight.step"),
+        said.err
+            .contains("rows 1 to 12: the flight diverges; the step is long; reduce flight.step"),
         "{}",
         said.err
     );
-    assert!(!said.err.contains("out"), "no row is to blame: {}", said.err);
-    let said = longdrive(&[&SHOTS[..], &["--own-step", "--set", "air.density=900kg/m^3"]].concat());
-    assert!(said.err.contains("air.density") && !said.err.contains("flight.step"), "{}", said.err);
+    assert!(
+        !said.err.contains("out"),
+        "no row is to blame: {}",
+        said.err
+    );
+    let said = longdrive(
+        &[
+            &SHOTS[..],
+            &["--own-step", "--set", "air.density=900kg/m^3"],
+        ]
+        .concat(),
+    );
+    assert!(
+        said.err.contains("air.density") && !said.err.contains("flight.step"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
 fn a_range_of_one_value_is_refused() {
-    let said = longdrive(&["calibrate", "examples/shots.csv", "--fit", "aero.cd0=0.2..0.2"]);
-    assert!(said.status == 2 && said.err.contains("aero.cd0 is the single value 0.2"), "{}", said.err);
+    let said = longdrive(&[
+        "calibrate",
+        "examples/shots.csv",
+        "--fit",
+        "aero.cd0=0.2..0.2",
+    ]);
+    assert!(
+        said.status == 2 && said.err.contains("aero.cd0 is the single value 0.2"),
+        "{}",
+        said.err
+    );
 }
 
 /// A table of deliveries with stated uncertainties, the last row's carry as given.
 fn deliveries(carry: &str) -> (tempfile::TempDir, std::path::PathBuf) {
     let head = "swing.speed [mph],club.loft [deg],carry [yd],sigma carry [yd]";
-    crate::sweep::table("deliveries.csv", format!("{head}\n100,10.5,240,3\n105,10.5,251,3\n110,10.5,{carry},3\n"))
+    crate::sweep::table(
+        "deliveries.csv",
+        format!("{head}\n100,10.5,240,3\n105,10.5,251,3\n110,10.5,{carry},3\n"),
+    )
 }
 
 #[test]
 fn rows_that_do_not_fly_are_no_answer_and_not_bad_input() {
     let (_folder, path) = deliveries("262");
     let asked = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
-    for (set, status) in [("flight.step=2s", "diverged"), ("swing.attack_angle=-60deg", "no-flight")] {
+    for (set, status) in [
+        ("flight.step=2s", "diverged"),
+        ("swing.attack_angle=-60deg", "no-flight"),
+    ] {
         let (code, answer) = json(&[&asked[..], &["--set", set]].concat());
-        assert_eq!((code, answer["status"].as_str()), (1, Some(status)), "{answer}");
-        assert!(answer["message"].as_str().unwrap().contains("rows 1 to 3"), "{answer}");
+        assert_eq!(
+            (code, answer["status"].as_str()),
+            (1, Some(status)),
+            "{answer}"
+        );
+        assert!(
+            answer["message"].as_str().unwrap().contains("rows 1 to 3"),
+            "{answer}"
+        );
     }
     // one row among others, by its number
-    let (_folder, path) = crate::sweep::table("one.csv", "carry [yd],swing.attack_angle [deg]\n200,2\n10,-60\n");
+    let (_folder, path) = crate::sweep::table(
+        "one.csv",
+        "carry [yd],swing.attack_angle [deg]\n200,2\n10,-60\n",
+    );
     let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
-    assert!(said.status == 1 && said.err.contains("row 2: no flight"), "{}", said.err);
+    assert!(
+        said.status == 1 && said.err.contains("row 2: no flight"),
+        "{}",
+        said.err
+    );
 }
 
-/// The wind and the size of the ball change the carries of three deliveries alike: a search stalls along the direction that is left.
+/// The wind and the size of the ball change the carries of three deliveries alike: a search stalls
+/// along the direction that is left.
 #[test]
 fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
     let (_folder, path) = deliveries("262");
-    let (status, answer) =
-        json(&["calibrate", path.to_str().unwrap(), "--fit", "wind.downrange", "--fit", "ball.radius"]);
-    assert_eq!((status, answer["status"].as_str()), (1, Some("undetermined")), "{}", answer["message"]);
-    let warning = answer["warnings"].as_array().unwrap().last().unwrap().as_str().unwrap();
-    assert!(warning.starts_with("the fit ended as 'undetermined': the data do not determine"), "{warning}");
+    let (status, answer) = json(&[
+        "calibrate",
+        path.to_str().unwrap(),
+        "--fit",
+        "wind.downrange",
+        "--fit",
+        "ball.radius",
+    ]);
+    assert_eq!(
+        (status, answer["status"].as_str()),
+        (1, Some("undetermined")),
+        "{}",
+        answer["message"]
+    );
+    let warning = answer["warnings"]
+        .as_array()
+        .unwrap()
+        .last()
+        .unwrap()
+        .as_str()
+        .unwrap();
+    assert!(
+        warning.starts_with("the fit ended as 'undetermined': the data do not determine"),
+        "{warning}"
+    );
     let told = answer["message"].as_str().unwrap();
-    assert!(told.contains("the data do not determine wind.downrange and ball.radius separately"), "{told}");
+    assert!(
+        told.contains("the data do not determine wind.downrange and ball.radius separately"),
+        "{told}"
+    );
 }
 
 #[test]
 fn a_row_that_decides_alone_outweighs_the_others() {
     let apexes = |last: &str| {
-        let head = "swing.speed [mph],club.loft [deg],apex_downrange [yd],sigma apex_downrange [yd]";
-        crate::sweep::table("apexes.csv", format!("{head}\n100,10.5,155,3\n105,10.5,162,3\n110,10.5,{last},3\n"))
+        let head =
+            "swing.speed [mph],club.loft [deg],apex_downrange [yd],sigma apex_downrange [yd]";
+        crate::sweep::table(
+            "apexes.csv",
+            format!("{head}\n100,10.5,155,3\n105,10.5,162,3\n110,10.5,{last},3\n"),
+        )
     };
     for (apex, huber, ends) in [("1e9", false, "outweighed"), ("1e9", true, "converged")] {
         let (_folder, path) = apexes(apex);
         let loss = if huber { &["--huber"][..] } else { &[] };
-        let (_, answer) = json(&[&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"], loss].concat());
-        assert_eq!(answer["status"], ends, "{apex} {huber}: {}", answer["message"]);
-        assert_eq!(answer["message"].as_str().unwrap().contains("row 3: apex_downrange differs by 3.3e8"), !huber);
+        let (_, answer) = json(
+            &[
+                &["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"],
+                loss,
+            ]
+            .concat(),
+        );
+        assert_eq!(
+            answer["status"], ends,
+            "{apex} {huber}: {}",
+            answer["message"]
+        );
+        assert_eq!(
+            answer["message"]
+                .as_str()
+                .unwrap()
+                .contains("row 3: apex_downrange differs by 3.3e8"),
+            !huber
+        );
     }
     // an ordinary outlier is seen in χ², and the others still count
     for (_folder, path) in [deliveries("300"), apexes("190")] {
-        assert_eq!(json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]).1["status"], "converged");
+        assert_eq!(
+            json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]).1["status"],
+            "converged"
+        );
     }
 }
 
@@ -113,10 +221,26 @@ fn options_of_the_cross_validation_are_refused_before_any_fit() {
     let (_folder, path) = deliveries("262");
     let few = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
     for (asked, more, told) in [
-        (&SHOTS[..], &["--folds", "5", "--compare", "nosuch"][..], "unknown aerodynamic law 'nosuch'"),
-        (&SHOTS, &["--folds", "13"], "13 folds cannot be made of 12 rows; cross-validation needs 2 folds or more"),
-        (&SHOTS, &["--folds", "1"], "1 fold cannot be made of 12 rows"),
-        (&few, &["--compare", "smits-smith"], "--compare smits-smith: calibration: "),
+        (
+            &SHOTS[..],
+            &["--folds", "5", "--compare", "nosuch"][..],
+            "unknown aerodynamic law 'nosuch'",
+        ),
+        (
+            &SHOTS,
+            &["--folds", "13"],
+            "13 folds cannot be made of 12 rows; cross-validation needs 2 folds or more",
+        ),
+        (
+            &SHOTS,
+            &["--folds", "1"],
+            "1 fold cannot be made of 12 rows",
+        ),
+        (
+            &few,
+            &["--compare", "smits-smith"],
+            "--compare smits-smith: calibration: ",
+        ),
         (
             &few,
             &["--fit", "aero.cd1", "--fit", "aero.cd2", "--folds", "3"],
@@ -124,7 +248,11 @@ fn options_of_the_cross_validation_are_refused_before_any_fit() {
         ),
     ] {
         let said = longdrive(&[asked, more].concat());
-        assert!(said.status == 2 && said.err.contains(told), "{more:?}: {}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(told),
+            "{more:?}: {}",
+            said.err
+        );
         assert!(!said.err.contains("iteration"), "{more:?}: {}", said.err);
     }
 }
@@ -135,9 +263,16 @@ fn a_parameter_that_every_row_gives_is_not_set() {
     let asked = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
     let said = longdrive(&[&asked[..], &["--set", "swing.speed=80mph"]].concat());
     let told = "has a value of its own, so this one is not used";
-    assert!(said.status == 2 && said.err.contains("--set swing.speed: ") && said.err.contains(told), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("--set swing.speed: ") && said.err.contains(told),
+        "{}",
+        said.err
+    );
     // what is fitted begins there
-    assert_eq!(longdrive(&[&asked[..], &["--set", "aero.cd0=0.3"]].concat()).status, 0);
+    assert_eq!(
+        longdrive(&[&asked[..], &["--set", "aero.cd0=0.3"]].concat()).status,
+        0
+    );
 }
 
 #[test]
@@ -145,8 +280,17 @@ fn the_ends_of_an_interval_are_shown_apart_however_small_it_is() {
     let head = "ball_speed [m/s],launch_angle [rad],backspin [rad/s],carry [m]";
     let text = format!("{head}\n70,0.17,260,234.2245103735799\n60,0.2,300,191.61067820714257\n");
     let (_folder, path) = crate::sweep::table("exact.csv", text);
-    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "air.viscosity"]);
-    let row = said.out.lines().find(|line| line.contains("air.viscosity  ")).unwrap();
+    let said = longdrive(&[
+        "calibrate",
+        path.to_str().unwrap(),
+        "--fit",
+        "air.viscosity",
+    ]);
+    let row = said
+        .out
+        .lines()
+        .find(|line| line.contains("air.viscosity  "))
+        .unwrap();
     let (before, after) = row.split_once(" .. ").unwrap();
     let low = before.rsplit("  ").next().unwrap();
     assert!(said.status == 0 && low.trim() != after.trim(), "{row}");
@@ -155,44 +299,83 @@ fn the_ends_of_an_interval_are_shown_apart_however_small_it_is() {
 #[test]
 fn rows_that_do_not_fly_are_told_by_an_example_and_without_a_club_that_is_not_there() {
     let head = "ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]";
-    let text = format!("{head}\n160,10,2500,250\n150,11,2500,240\n160,-3,2500,250\n150,-4,2500,240\n");
+    let text =
+        format!("{head}\n160,10,2500,250\n150,11,2500,240\n160,-3,2500,250\n150,-4,2500,240\n");
     let (_folder, path) = crate::sweep::table("down.csv", text);
     let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
     let words = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.contains("rows 3, 4, for example row 3: no flight"), "{words}");
-    assert!(words.contains("increase the launch angle (with a club: by more loft or attack angle)"), "{words}");
+    assert!(
+        words.contains("rows 3, 4, for example row 3: no flight"),
+        "{words}"
+    );
+    assert!(
+        words.contains("increase the launch angle (with a club: by more loft or attack angle)"),
+        "{words}"
+    );
 }
 
 /// A table of launches with another column, three of its rows alike, and the last as given.
 fn launches(head: &str, usual: &str, last: &str) -> (tempfile::TempDir, std::path::PathBuf) {
     let rows = format!("150,12,2500,{usual}\n155,12,2500,{usual}\n160,12,2500,{usual}\n{last}\n");
-    crate::sweep::table("launches.csv", format!("ball_speed [mph],launch_angle [deg],spin [rpm],{head}\n{rows}"))
+    crate::sweep::table(
+        "launches.csv",
+        format!("ball_speed [mph],launch_angle [deg],spin [rpm],{head}\n{rows}"),
+    )
 }
 
 #[test]
 fn what_no_drive_has_is_refused_with_row_column_value_and_range() {
     let carry = ["carry [yd]", "246"];
     for ([head, usual], last, says) in [
-        (carry, "160,12,2500,825", "row 4, column carry: 825 yd is outside of what a drive has, above 0 to 600 yd"),
+        (
+            carry,
+            "160,12,2500,825",
+            "row 4, column carry: 825 yd is outside of what a drive has, above 0 to 600 yd",
+        ),
         (
             ["descent_angle [deg]", "38"],
             "160,12,2500,195",
-            "row 4, column descent_angle: 195 deg is outside of what a drive has, above 0 to 90 deg",
+            "row 4, column descent_angle: 195 deg is outside of what a drive has, above 0 to 90 \
+             deg",
         ),
-        (["flight_time [s]", "6"], "160,12,2500,65", "row 4, column flight_time: 65 s is outside"),
+        (
+            ["flight_time [s]", "6"],
+            "160,12,2500,65",
+            "row 4, column flight_time: 65 s is outside",
+        ),
         (
             ["carry [yd],spin_axis [deg]", "246,1"],
             "160,12,2500,250,195",
             "row 4: spin_axis: 195 deg is outside of what a drive has, -180 to 180 deg",
         ),
-        (carry, "160,195,2500,250", "row 4: launch_angle: 195 deg is outside of what a drive has, -90 to 90 deg"),
-        (carry, "420,12,2500,250", "row 4: ball_speed: 420 mph is outside of what a drive has, above 0 to 270 mph"),
-        (carry, "160,12,25000,250", "row 4: spin: 25000 rpm is outside"),
+        (
+            carry,
+            "160,195,2500,250",
+            "row 4: launch_angle: 195 deg is outside of what a drive has, -90 to 90 deg",
+        ),
+        (
+            carry,
+            "420,12,2500,250",
+            "row 4: ball_speed: 420 mph is outside of what a drive has, above 0 to 270 mph",
+        ),
+        (
+            carry,
+            "160,12,25000,250",
+            "row 4: spin: 25000 rpm is outside",
+        ),
     ] {
         let (_folder, path) = launches(head, usual, last);
         let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
-        assert!(said.status == 2 && said.err.contains(says), "{says}: {}", said.err);
-        assert!(said.err.contains("check the value and its unit"), "{}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(says),
+            "{says}: {}",
+            said.err
+        );
+        assert!(
+            said.err.contains("check the value and its unit"),
+            "{}",
+            said.err
+        );
     }
     // a ball that does not spin may be measured, of which an export says that nothing was
     let (_folder, path) = launches("carry [yd]", "246", "160,20,0,200");
@@ -202,25 +385,55 @@ fn what_no_drive_has_is_refused_with_row_column_value_and_range() {
 
 #[test]
 fn a_table_without_a_swing_says_which_swing_all_its_rows_are_compared_with() {
-    let (_folder, path) = crate::sweep::table("carries.csv", "carry [yd],apex_height [yd]\n280,33\n285,34\n282,32\n");
+    let (_folder, path) = crate::sweep::table(
+        "carries.csv",
+        "carry [yd],apex_height [yd]\n280,33\n285,34\n282,32\n",
+    );
     let file = path.to_str().unwrap();
     let (_, found) = json(&["calibrate", file, "--fit", "aero.cd0"]);
     let told = found["warnings"][0].as_str().unwrap();
     for says in [
-        "has neither a whole launch (ball_speed, launch_angle, and spin or backspin) nor a column of swing, club",
-        "all 3 rows are compared with one drive, that of the setup: swing.speed 115 mph, swing.attack_angle -0.9 deg, club.loft 9.5 deg",
+        "has neither a whole launch (ball_speed, launch_angle, and spin or backspin) nor a column \
+         of swing, club",
+        "all 3 rows are compared with one drive, that of the setup: swing.speed 115 mph, \
+         swing.attack_angle -0.9 deg, club.loft 9.5 deg",
     ] {
         assert!(told.contains(says), "{says}: {told}");
     }
-    let said = longdrive(&["calibrate", file, "--fit", "aero.cd0", "--fit", "swing.speed=100mph..120mph"]);
-    assert!(said.err.contains("swing.speed as it is fitted, swing.attack_angle"), "{}", said.err);
+    let said = longdrive(&[
+        "calibrate",
+        file,
+        "--fit",
+        "aero.cd0",
+        "--fit",
+        "swing.speed=100mph..120mph",
+    ]);
+    assert!(
+        said.err
+            .contains("swing.speed as it is fitted, swing.attack_angle"),
+        "{}",
+        said.err
+    );
     // a launch without its spin is none: it is compared with the launch of the setup's swing
-    let (_folder, path) =
-        crate::sweep::table("shots.csv", "ball_speed [mph],launch_angle [deg],carry [yd]\n165,12,270\n170,11,280\n");
+    let (_folder, path) = crate::sweep::table(
+        "shots.csv",
+        "ball_speed [mph],launch_angle [deg],carry [yd]\n165,12,270\n170,11,280\n",
+    );
     let (_, found) = json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
-    assert!(found["warnings"].to_string().contains("all 2 rows are compared with one drive"), "{found}");
-    for whole in [launches("carry [yd]", "246", "160,12,2500,255"), deliveries("262")] {
+    assert!(
+        found["warnings"]
+            .to_string()
+            .contains("all 2 rows are compared with one drive"),
+        "{found}"
+    );
+    for whole in [
+        launches("carry [yd]", "246", "160,12,2500,255"),
+        deliveries("262"),
+    ] {
         let (_, found) = json(&["calibrate", whole.1.to_str().unwrap(), "--fit", "aero.cd0"]);
-        assert!(!found["warnings"].to_string().contains("one drive"), "{found}");
+        assert!(
+            !found["warnings"].to_string().contains("one drive"),
+            "{found}"
+        );
     }
 }

@@ -6,83 +6,213 @@ use crate::program;
 
 #[test]
 fn exact_derivatives_are_certified_as_json() {
-    let (status, found) = json(&["verify", "mae494", "--of", "carry", "--wrt", "club.loft,swing.speed"]);
+    let (status, found) = json(&[
+        "verify",
+        "mae494",
+        "--of",
+        "carry",
+        "--wrt",
+        "club.loft,swing.speed",
+    ]);
     assert_eq!(
-        (status, found["passed"].as_bool(), found["negative_control"]["caught"].as_bool()),
+        (
+            status,
+            found["passed"].as_bool(),
+            found["negative_control"]["caught"].as_bool()
+        ),
         (0, Some(true), Some(true))
     );
     let rows = found["rows"].as_array().unwrap();
     assert_eq!(rows.len(), 2);
-    let loft = rows.iter().find(|row| row["of"] == "carry" && row["parameter"] == "club.loft").unwrap();
+    let loft = rows
+        .iter()
+        .find(|row| row["of"] == "carry" && row["parameter"] == "club.loft")
+        .unwrap();
     assert_eq!(loft["verdict"], "pass");
     close(number(&loft["exact"]), 336.769746388603, 1.0, 1e-8, "exact");
-    close(number(&loft["best_difference"]), 336.769746388603, 1.0, 1e-6, "difference");
+    close(
+        number(&loft["best_difference"]),
+        336.769746388603,
+        1.0,
+        1e-6,
+        "difference",
+    );
     assert!(number(&loft["error"]) <= number(&loft["tolerance"]));
     assert_eq!(loft["curve"]["steps"].as_array().unwrap().len(), 25);
-    assert!(found["landing"].as_array().unwrap().len() == 6 && !found["continuity"].as_array().unwrap().is_empty());
+    assert!(
+        found["landing"].as_array().unwrap().len() == 6
+            && !found["continuity"].as_array().unwrap().is_empty()
+    );
     let said = longdrive(&["verify", "mae494", "--wrt", "club.loft"]);
-    assert!(said.status == 0 && said.out.contains("passed: 0 fail, 0 corner, 2 pass"), "{}", said.out);
+    assert!(
+        said.status == 0 && said.out.contains("passed: 0 fail, 0 corner, 2 pass"),
+        "{}",
+        said.out
+    );
 }
 
 #[test]
 fn exact_corners_are_neither_pass_nor_fail_and_no_flight_is_no_pass() {
-    let corner = ["verify", "mae494", "--set", "club.loft=0deg", "--set", "swing.attack_angle=20deg"];
-    let (status, found) = json(&[corner.as_slice(), &["--of", "carry", "--wrt", "club.loft"]].concat());
-    let carry = found["rows"].as_array().unwrap().iter().find(|row| row["of"] == "carry").unwrap();
+    let corner = [
+        "verify",
+        "mae494",
+        "--set",
+        "club.loft=0deg",
+        "--set",
+        "swing.attack_angle=20deg",
+    ];
+    let (status, found) =
+        json(&[corner.as_slice(), &["--of", "carry", "--wrt", "club.loft"]].concat());
+    let carry = found["rows"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|row| row["of"] == "carry")
+        .unwrap();
     assert_eq!((status, carry["verdict"].as_str()), (0, Some("corner")));
     let [below, above] = [0, 1].map(|side| number(&carry["sides"][side]));
     assert!(below > above + 10.0, "{below} {above}");
-    let (status, found) = json(&["verify", "mae494", "--set", "swing.attack_angle=-20deg", "--wrt", "club.loft"]);
+    let (status, found) = json(&[
+        "verify",
+        "mae494",
+        "--set",
+        "swing.attack_angle=-20deg",
+        "--wrt",
+        "club.loft",
+    ]);
     assert_eq!((status, found["status"].as_str()), (1, Some("no-flight")));
-    assert!(found["message"].as_str().unwrap().starts_with("no flight: "), "{found}");
+    assert!(
+        found["message"]
+            .as_str()
+            .unwrap()
+            .starts_with("no flight: "),
+        "{found}"
+    );
 }
 
 #[test]
 fn exact_nothing_is_left_once_the_only_uncertain_parameter_is_known() {
-    let args = ["uncertainty", "--sigma", "swing.speed=1mph", "--of", "carry", "--seed", "1", "--samples", "256"];
+    let args = [
+        "uncertainty",
+        "--sigma",
+        "swing.speed=1mph",
+        "--of",
+        "carry",
+        "--seed",
+        "1",
+        "--samples",
+        "256",
+    ];
     let text = longdrive(&args).out;
     let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(told.contains("once it is known exactly, the standard deviation falls to 0.00 yd"), "{text}");
-    assert!(told.contains("100.0 % (100.0 to 100.0)") && !told.contains("<="), "{text}");
+    assert!(
+        told.contains("once it is known exactly, the standard deviation falls to 0.00 yd"),
+        "{text}"
+    );
+    assert!(
+        told.contains("100.0 % (100.0 to 100.0)") && !told.contains("<="),
+        "{text}"
+    );
     let (_, found) = json(&args);
     let outcome = &found["outcomes"][0];
-    assert_eq!(number(&outcome["measure_first"]["standard_uncertainty"]), 0.0);
+    assert_eq!(
+        number(&outcome["measure_first"]["standard_uncertainty"]),
+        0.0
+    );
     // the carry is nearly a straight line of a normal number: the bound is nearly the whole
     let bound = &outcome["indices"][0]["bound"];
-    assert!(number(&bound["low"]) < 1.0 && 1.0 < number(&bound["high"]), "{bound}");
+    assert!(
+        number(&bound["low"]) < 1.0 && 1.0 < number(&bound["high"]),
+        "{bound}"
+    );
 }
 
 #[test]
 fn why_no_drive_is_flown_off_by_an_uncertainty_is_told() {
-    let args = ["sensitivity", "--sigma", "swing.speed=500 mph", "--no-defaults"];
+    let args = [
+        "sensitivity",
+        "--sigma",
+        "swing.speed=500 mph",
+        "--no-defaults",
+    ];
     let (status, found) = json(&args);
-    assert_eq!((status, &found["outcomes"][0]["effects"][0]["flown"]), (0, &serde_json::json!([null, null])));
+    assert_eq!(
+        (status, &found["outcomes"][0]["effects"][0]["flown"]),
+        (0, &serde_json::json!([null, null]))
+    );
     let told = found["warnings"].to_string();
     assert!(
-        told.contains("no drive at −σ of swing.speed: swing.speed = ") && told.contains("outside its range"),
+        told.contains("no drive at −σ of swing.speed: swing.speed = ")
+            && told.contains("outside its range"),
         "{told}"
     );
-    assert!(told.contains("no drive at +σ of swing.speed: the club does not strike the ball"), "{told}");
+    assert!(
+        told.contains("no drive at +σ of swing.speed: the club does not strike the ball"),
+        "{told}"
+    );
     let said = longdrive(&args);
-    assert!(said.status == 0 && !said.out.contains("have in them"), "{}", said.out);
-    assert!(longdrive(&["sensitivity"]).out.split_whitespace().collect::<Vec<_>>().join(" ").contains("have in them"));
+    assert!(
+        said.status == 0 && !said.out.contains("have in them"),
+        "{}",
+        said.out
+    );
+    assert!(
+        longdrive(&["sensitivity"])
+            .out
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .contains("have in them")
+    );
 }
 
 #[test]
 fn exact_effects_and_the_sensitivity_of_an_optimum_as_json() {
-    let (status, found) = json(&["sensitivity", "--sigma", "swing.speed=1 mph", "--no-defaults"]);
+    let (status, found) = json(&[
+        "sensitivity",
+        "--sigma",
+        "swing.speed=1 mph",
+        "--no-defaults",
+    ]);
     let carry = &found["outcomes"][0];
     let first = &carry["effects"][0];
-    assert_eq!((status, first["parameter"].as_str()), (0, Some("swing.speed")));
-    close(number(&first["effect"]), number(&first["derivative"]) * 0.44704, 1.0, 1e-12, "effect");
-    close(number(&carry["standard_uncertainty"]), number(&first["effect"]), 1.0, 1e-12, "together");
+    assert_eq!(
+        (status, first["parameter"].as_str()),
+        (0, Some("swing.speed"))
+    );
+    close(
+        number(&first["effect"]),
+        number(&first["derivative"]) * 0.44704,
+        1.0,
+        1e-12,
+        "effect",
+    );
+    close(
+        number(&carry["standard_uncertainty"]),
+        number(&first["effect"]),
+        1.0,
+        1e-12,
+        "together",
+    );
     assert!(carry["effects"][1]["standard_uncertainty"].is_null());
 
-    let (status, found) = json(&["sensitivity", "mae494", "--at-optimum", "--vary", "club.loft=0deg..40deg"]);
+    let (status, found) = json(&[
+        "sensitivity",
+        "mae494",
+        "--at-optimum",
+        "--vary",
+        "club.loft=0deg..40deg",
+    ]);
     assert_eq!(status, 0);
     let effects = found["outcomes"][0]["effects"].as_array().unwrap();
-    let of = |name: &str| effects.iter().find(|effect| effect["parameter"] == name).unwrap();
-    // a free optimum: the envelope theorem makes the total slope that of the drive, and there is none by what is varied
+    let of = |name: &str| {
+        effects
+            .iter()
+            .find(|effect| effect["parameter"] == name)
+            .unwrap()
+    };
+    // a free optimum: the envelope theorem makes the total slope that of the drive, and there is
+    // none by what is varied
     close(
         number(&of("swing.speed")["derivative_of_optimum"]),
         number(&of("swing.speed")["derivative"]),
@@ -90,7 +220,10 @@ fn exact_effects_and_the_sensitivity_of_an_optimum_as_json() {
         1e-7,
         "envelope",
     );
-    assert!(of("club.loft")["derivative_of_optimum"].is_null() && number(&of("club.loft")["derivative"]).abs() < 1e-6);
+    assert!(
+        of("club.loft")["derivative_of_optimum"].is_null()
+            && number(&of("club.loft")["derivative"]).abs() < 1e-6
+    );
 }
 
 #[test]
@@ -105,7 +238,14 @@ fn exact_uncertainty_as_json_is_the_same_for_the_same_seed() {
         "200",
     ];
     let (status, found) = json(&asked);
-    assert_eq!((status, number(&found["drives"]), number(&found["statuses"]["landed"])), (0, 800.0, 800.0));
+    assert_eq!(
+        (
+            status,
+            number(&found["drives"]),
+            number(&found["statuses"]["landed"])
+        ),
+        (0, 800.0, 800.0)
+    );
     let carry = &found["outcomes"][0];
     let deviation = &carry["monte_carlo"]["standard_uncertainty"];
     assert!(
@@ -121,9 +261,19 @@ fn exact_uncertainty_as_json_is_the_same_for_the_same_seed() {
     );
     assert_eq!(carry["measure_first"]["parameter"], "swing.speed");
     assert_eq!(found["ellipses"].as_array().unwrap().len(), 4);
-    let one_thread = program::command().args(asked).arg("--json").env("RAYON_NUM_THREADS", "1").output();
-    assert_eq!(serde_json::from_slice::<serde_json::Value>(&one_thread.unwrap().stdout).unwrap(), found);
-    assert_ne!(json(&[asked.as_slice(), &["--seed", "1"]].concat()).1["outcomes"], found["outcomes"]);
+    let one_thread = program::command()
+        .args(asked)
+        .arg("--json")
+        .env("RAYON_NUM_THREADS", "1")
+        .output();
+    assert_eq!(
+        serde_json::from_slice::<serde_json::Value>(&one_thread.unwrap().stdout).unwrap(),
+        found
+    );
+    assert_ne!(
+        json(&[asked.as_slice(), &["--seed", "1"]].concat()).1["outcomes"],
+        found["outcomes"]
+    );
 }
 
 #[test]
@@ -140,7 +290,9 @@ fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
     ];
     let said = longdrive(&partly);
     assert!(
-        said.status == 0 && said.out.contains("no-flight") && said.out.contains("these shares leave out"),
+        said.status == 0
+            && said.out.contains("no-flight")
+            && said.out.contains("these shares leave out"),
         "{}",
         said.out
     );
@@ -157,7 +309,10 @@ fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
         "carry",
     ];
     let (status, found) = json(&never);
-    assert_eq!((status, number(&found["statuses"]["no-flight"])), (1, 150.0));
+    assert_eq!(
+        (status, number(&found["statuses"]["no-flight"])),
+        (1, 150.0)
+    );
     assert!(found["outcomes"][0]["monte_carlo"].is_null());
 }
 
@@ -165,45 +320,117 @@ fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
 fn mistakes_are_bad_input_and_say_what_to_write() {
     for (args, says) in [
         (vec!["verify", "--of", "cary"], "did you mean 'carry'?"),
-        (vec!["verify", "--wrt", "flight.step"], "setting of the computation"),
-        (vec!["sensitivity", "--sigma", "swing.speed"], "write NAME=AMOUNT"),
-        (vec!["sensitivity", "--sigma", "swing.speed=-1mph"], "above 0"),
-        (vec!["sensitivity", "--sigma", "swing.speed=1mph", "--sigma", "swing.speed=2mph"], "given twice"),
-        (vec!["uncertainty", "--distribution", "club.loft=gauss(1deg,2deg)"], "write NAME=normal(MEAN,DEVIATION)"),
-        (vec!["uncertainty", "--distribution", "club.loft=beta(1,2)"], "there is no distribution \"beta\"; write"),
-        (vec!["gradient", "--wrt", "launch.launch_angle"], "it is unset here; give it a value with --set"),
+        (
+            vec!["verify", "--wrt", "flight.step"],
+            "setting of the computation",
+        ),
+        (
+            vec!["sensitivity", "--sigma", "swing.speed"],
+            "write NAME=AMOUNT",
+        ),
+        (
+            vec!["sensitivity", "--sigma", "swing.speed=-1mph"],
+            "above 0",
+        ),
+        (
+            vec![
+                "sensitivity",
+                "--sigma",
+                "swing.speed=1mph",
+                "--sigma",
+                "swing.speed=2mph",
+            ],
+            "given twice",
+        ),
+        (
+            vec![
+                "uncertainty",
+                "--distribution",
+                "club.loft=gauss(1deg,2deg)",
+            ],
+            "write NAME=normal(MEAN,DEVIATION)",
+        ),
+        (
+            vec!["uncertainty", "--distribution", "club.loft=beta(1,2)"],
+            "there is no distribution \"beta\"; write",
+        ),
+        (
+            vec!["gradient", "--wrt", "launch.launch_angle"],
+            "it is unset here; give it a value with --set",
+        ),
         (
             vec!["chart", "--along", "swing.speed"],
             "write NAME=LOW..HIGH, for example swing.speed=80mph..130mph, or give",
         ),
-        (vec!["optimize", "--vary", "aero.cd0=0.1"], "'0.1' is not LOW..HIGH; write aero.cd0=LOW..HIGH"),
-        (vec!["optimize", "--vary", "club.loft=4deg.."], "upper end is missing; write club.loft=LOW deg..HIGH deg"),
-        (vec!["simulate", "--tolerance=0mm"], "--tolerance: \"0mm\" is no tolerance; give a length above 0"),
+        (
+            vec!["optimize", "--vary", "aero.cd0=0.1"],
+            "'0.1' is not LOW..HIGH; write aero.cd0=LOW..HIGH",
+        ),
+        (
+            vec!["optimize", "--vary", "club.loft=4deg.."],
+            "upper end is missing; write club.loft=LOW deg..HIGH deg",
+        ),
+        (
+            vec!["simulate", "--tolerance=0mm"],
+            "--tolerance: \"0mm\" is no tolerance; give a length above 0",
+        ),
         (
             vec!["optimize", "--tolerance=1um", "--set", "flight.method=dp8"],
             "--tolerance: it chooses method and step, and --set flight.method gives one of them",
         ),
-        (vec!["uncertainty", "--distribution", "club.loft=uniform(12deg,9deg)"], "must rise"),
-        (vec!["uncertainty", "--sigma", "club.lofft=1deg"], "did you mean 'club.loft'?"),
-        (vec!["uncertainty", "--samples", "1"], "a whole number from 2 to 1000000"),
+        (
+            vec![
+                "uncertainty",
+                "--distribution",
+                "club.loft=uniform(12deg,9deg)",
+            ],
+            "must rise",
+        ),
+        (
+            vec!["uncertainty", "--sigma", "club.lofft=1deg"],
+            "did you mean 'club.loft'?",
+        ),
+        (
+            vec!["uncertainty", "--samples", "1"],
+            "a whole number from 2 to 1000000",
+        ),
     ] {
         let said = longdrive(&args);
-        assert!(said.status == 2 && said.err.contains(says), "{args:?}: {} {}", said.status, said.err);
+        assert!(
+            said.status == 2 && said.err.contains(says),
+            "{args:?}: {} {}",
+            said.status,
+            said.err
+        );
         assert!(said.out.is_empty(), "{}", said.out);
     }
 }
 
-/// Of a normal distribution with mean 115 and deviation 200 mph 28 % lie below 0; of the sample of seed 0, 29 %.
+/// Of a normal distribution with mean 115 and deviation 200 mph 28 % lie below 0; of the sample of
+/// seed 0, 29 %.
 #[test]
 fn a_distribution_that_reaches_far_beyond_the_range_of_its_parameter_is_warned_of() {
-    let said = |text| longdrive(&["uncertainty", "--distribution", text]).err.replace("\n  ", " ");
-    let (wide, cut) =
-        (said("swing.speed=normal(115mph,200mph)"), said("swing.speed=truncated(115mph,200mph,60mph,130mph)"));
-    assert!(wide.contains("warning: 29 % of the drives have a value outside of what is allowed"), "{wide}");
-    assert!(wide.contains("as in truncated(MEAN,DEVIATION,LOW,HIGH)") && !cut.contains("left out"), "{wide} {cut}");
+    let said = |text| {
+        longdrive(&["uncertainty", "--distribution", text])
+            .err
+            .replace("\n  ", " ")
+    };
+    let (wide, cut) = (
+        said("swing.speed=normal(115mph,200mph)"),
+        said("swing.speed=truncated(115mph,200mph,60mph,130mph)"),
+    );
+    assert!(
+        wide.contains("warning: 29 % of the drives have a value outside of what is allowed"),
+        "{wide}"
+    );
+    assert!(
+        wide.contains("as in truncated(MEAN,DEVIATION,LOW,HIGH)") && !cut.contains("left out"),
+        "{wide} {cut}"
+    );
 }
 
-/// What rounding leaves of derivatives that are 0 is shown as 0, without a sign; JSON keeps its digits.
+/// What rounding leaves of derivatives that are 0 is shown as 0, without a sign; JSON keeps its
+/// digits.
 #[test]
 fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
     let of_zero = |word: &str| {
@@ -212,7 +439,9 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
         is_zero && digits.len() < word.len()
     };
     let is_rounding = |word: &str| {
-        let power = word.rsplit_once("e-").filter(|_| word.starts_with(|c: char| c.is_ascii_digit() || c == '-'));
+        let power = word
+            .rsplit_once("e-")
+            .filter(|_| word.starts_with(|c: char| c.is_ascii_digit() || c == '-'));
         power.is_some_and(|(_, power)| power.parse().is_ok_and(|power: u32| power >= 13))
     };
     for args in [
@@ -224,60 +453,148 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
         let said = longdrive(&args);
         assert_eq!(said.status, 0, "{args:?} {}", said.err);
         // how small the residual of the search is, is no derivative
-        let lines = said.out.lines().filter(|line| !line.contains("KKT residual"));
+        let lines = said
+            .out
+            .lines()
+            .filter(|line| !line.contains("KKT residual"));
         let words = lines.flat_map(str::split_whitespace);
-        let wrong: Vec<_> = words.filter(|word| of_zero(word) || is_rounding(word)).collect();
+        let wrong: Vec<_> = words
+            .filter(|word| of_zero(word) || is_rounding(word))
+            .collect();
         assert!(wrong.is_empty(), "{args:?}: {wrong:?}");
     }
-    let text = longdrive(&["gradient", "--of", "backspin", "--wrt", "swing.attack_angle,club.loft"]).out;
-    assert!(text.contains("0 rpm per deg") && !text.contains("e-"), "{text}");
-    let (_, answer) = json(&["gradient", "--of", "backspin", "--wrt", "swing.attack_angle"]);
-    let kept = answer["outcomes"][0]["gradient"]["swing.attack_angle"].as_f64().unwrap();
+    let text = longdrive(&[
+        "gradient",
+        "--of",
+        "backspin",
+        "--wrt",
+        "swing.attack_angle,club.loft",
+    ])
+    .out;
+    assert!(
+        text.contains("0 rpm per deg") && !text.contains("e-"),
+        "{text}"
+    );
+    let (_, answer) = json(&[
+        "gradient",
+        "--of",
+        "backspin",
+        "--wrt",
+        "swing.attack_angle",
+    ]);
+    let kept = answer["outcomes"][0]["gradient"]["swing.attack_angle"]
+        .as_f64()
+        .unwrap();
     assert!(kept != 0.0 && kept.abs() < 1e-9, "{kept}");
 }
 
 #[test]
 fn a_certificate_that_fails_names_what_failed() {
-    let ground = ["--set", "ground.height=-10000m", "--wrt", "ground.height", "--of", "landing_speed"];
-    let wind = ["verify", "modern-driver", "--set", "aero.law=ferguson", "--set", "wind.roughness=10000mm"];
+    let ground = [
+        "--set",
+        "ground.height=-10000m",
+        "--wrt",
+        "ground.height",
+        "--of",
+        "landing_speed",
+    ];
+    let wind = [
+        "verify",
+        "modern-driver",
+        "--set",
+        "aero.law=ferguson",
+        "--set",
+        "wind.roughness=10000mm",
+    ];
     let said = longdrive(&[&wind[..], &ground].concat());
     let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(said.status, 1);
     assert!(words.contains("fail (second)"), "{words}");
-    assert!(words.contains("fail: the second derivative of landing_speed by ground.height is "), "{words}");
-    let ending = "FAILED: second derivatives (landing_speed by ground.height); derivatives: 1 fail, 0 corner, 0 pass";
+    assert!(
+        words.contains("fail: the second derivative of landing_speed by ground.height is "),
+        "{words}"
+    );
+    let ending = "FAILED: second derivatives (landing_speed by ground.height); derivatives: 1 \
+                  fail, 0 corner, 0 pass";
     assert!(words.ends_with(ending), "{words}");
-    assert!(words.contains("not checked: the planted error \"sign\": there is no row"), "{words}");
+    assert!(
+        words.contains("not checked: the planted error \"sign\": there is no row"),
+        "{words}"
+    );
 }
 
 #[test]
 fn the_order_of_convergence_does_not_depend_on_the_step_of_the_setup() {
-    let asked = ["verify", "--set", "aero.law=linear", "--of", "landing_speed", "--wrt", "club.loft,swing.speed"];
+    let asked = [
+        "verify",
+        "--set",
+        "aero.law=linear",
+        "--of",
+        "landing_speed",
+        "--wrt",
+        "club.loft,swing.speed",
+    ];
     for step in ["flight.step=0.5s", "flight.step=10ms"] {
         let (status, found) = json(&[&asked[..], &["--set", step]].concat());
-        let [value, gradient] = [0, 1].map(|which| number(&found["convergence"][0]["orders"][which]));
-        assert!(status == 0 && value > 3.25 && gradient > 3.25, "{step}: {value} {gradient}");
+        let [value, gradient] =
+            [0, 1].map(|which| number(&found["convergence"][0]["orders"][which]));
+        assert!(
+            status == 0 && value > 3.25 && gradient > 3.25,
+            "{step}: {value} {gradient}"
+        );
     }
 }
 
 #[test]
 fn an_uncertainty_without_effect_is_told_apart_from_one_that_is_too_small() {
-    let without = ["sensitivity", "--of", "ball_speed", "--sigma", "air.density=1%", "--no-defaults"];
+    let without = [
+        "sensitivity",
+        "--of",
+        "ball_speed",
+        "--sigma",
+        "air.density=1%",
+        "--no-defaults",
+    ];
     let said = longdrive(&without);
-    assert!(said.status == 0 && said.out.contains("ball_speed does not depend on air.density here"), "{}", said.out);
+    assert!(
+        said.status == 0
+            && said
+                .out
+                .contains("ball_speed does not depend on air.density here"),
+        "{}",
+        said.out
+    );
     let small = ["--of", "carry", "--sigma", "swing.speed=1e-13mph"];
     let said = longdrive(&[&["sensitivity", "--no-defaults"], &small[..]].concat());
-    assert!(said.status == 0 && !said.out.contains("does not depend"), "{}", said.out);
+    assert!(
+        said.status == 0 && !said.out.contains("does not depend"),
+        "{}",
+        said.out
+    );
     let said = longdrive(&[&["uncertainty", "--samples", "50"], &small[..]].concat());
-    assert!(said.status == 0 && said.out.contains("it varies by less than rounding"), "{}", said.out);
+    assert!(
+        said.status == 0 && said.out.contains("it varies by less than rounding"),
+        "{}",
+        said.out
+    );
     assert!(!said.out.contains("does not depend"), "{}", said.out);
 }
 
 #[test]
 fn a_parameter_that_is_unset_is_named_with_what_that_means() {
-    let launch = ["--launch", "ball_speed=160mph,launch_angle=10deg,backspin=2500rpm"];
+    let launch = [
+        "--launch",
+        "ball_speed=160mph,launch_angle=10deg,backspin=2500rpm",
+    ];
     let said = longdrive(&[&["verify", "--wrt", "launch.sidespin"], &launch[..]].concat());
-    assert!(said.status == 2 && said.err.contains("unset here, which means: 0; give it a value"), "{}", said.err);
+    assert!(
+        said.status == 2
+            && said
+                .err
+                .contains("unset here, which means: 0; give it a value"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
@@ -286,8 +603,15 @@ fn the_while_loop_is_compared_only_where_it_has_a_difference() {
     for wrt in ["launch.spin", "launch.spin,aero.s_cap,launch.ball_speed"] {
         let said = longdrive(&[&["verify", "--wrt", wrt], &launch[..]].concat());
         let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(!words.contains("– at a step of") && !words.contains("is by aero.s_cap"), "{words}");
-        assert_eq!(words.contains("the largest error is by launch.ball_speed"), wrt.contains("ball_speed"), "{words}");
+        assert!(
+            !words.contains("– at a step of") && !words.contains("is by aero.s_cap"),
+            "{words}"
+        );
+        assert_eq!(
+            words.contains("the largest error is by launch.ball_speed"),
+            wrt.contains("ball_speed"),
+            "{words}"
+        );
     }
 }
 
@@ -295,8 +619,25 @@ fn the_while_loop_is_compared_only_where_it_has_a_difference() {
 fn a_number_without_a_unit_is_not_told_where_the_command_line_replaces_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mine.toml");
-    std::fs::write(&path, "[launch]\nball_speed = 70\nlaunch_angle = 0.2\nbackspin = 250\n").unwrap();
-    let said = longdrive(&["simulate", path.to_str().unwrap(), "--launch", "ball_speed=160mph,spin=2500rpm"]);
-    assert!(said.status == 0 && said.err.contains("launch.launch_angle = 0.2 rad"), "{}", said.err);
-    assert!(!said.err.contains("launch.ball_speed") && !said.err.contains("launch.backspin"), "{}", said.err);
+    std::fs::write(
+        &path,
+        "[launch]\nball_speed = 70\nlaunch_angle = 0.2\nbackspin = 250\n",
+    )
+    .unwrap();
+    let said = longdrive(&[
+        "simulate",
+        path.to_str().unwrap(),
+        "--launch",
+        "ball_speed=160mph,spin=2500rpm",
+    ]);
+    assert!(
+        said.status == 0 && said.err.contains("launch.launch_angle = 0.2 rad"),
+        "{}",
+        said.err
+    );
+    assert!(
+        !said.err.contains("launch.ball_speed") && !said.err.contains("launch.backspin"),
+        "{}",
+        said.err
+    );
 }

@@ -1,5 +1,5 @@
-//! What the program does to files: nothing that exists is replaced unless asked for, no input is an output, and what is
-//! written is whole.
+//! What the program does to files: nothing that exists is replaced unless asked for, no input is an
+//! output, and what is written is whole.
 
 use crate::command_line::{json, longdrive, wait_until};
 use crate::program;
@@ -10,14 +10,19 @@ use std::io::Write;
 use std::path::Path;
 use std::process::Stdio;
 
-const SHOTS: &str = "club.loft [deg],swing.speed [mph],carry [yd]\n9,100,220\n10,105,235\n11,110,250\n";
+const SHOTS: &str =
+    "club.loft [deg],swing.speed [mph],carry [yd]\n9,100,220\n10,105,235\n11,110,250\n";
 const POINTS: &str = "club.loft [deg],swing.speed [mph]\n9,100\n10,105\n";
 
 /// Every file of a folder, with its bytes.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let read = |entry: std::io::Result<fs::DirEntry>| {
         let entry = entry.unwrap();
-        let bytes = if entry.path().is_dir() { vec![] } else { fs::read(entry.path()).unwrap() };
+        let bytes = if entry.path().is_dir() {
+            vec![]
+        } else {
+            fs::read(entry.path()).unwrap()
+        };
         (entry.file_name().into_string().unwrap(), bytes)
     };
     fs::read_dir(folder).unwrap().map(read).collect()
@@ -38,7 +43,11 @@ fn folder() -> (tempfile::TempDir, impl Fn(&str) -> String) {
 fn no_command_replaces_its_own_input_even_with_overwrite() {
     let (folder, name) = folder();
     #[cfg(unix)]
-    for (target, link) in [("points.csv", "link.csv"), ("shots.csv", "link.toml"), ("mine.toml", "mine.svg")] {
+    for (target, link) in [
+        ("points.csv", "link.csv"),
+        ("shots.csv", "link.toml"),
+        ("mine.toml", "mine.svg"),
+    ] {
         std::os::unix::fs::symlink(name(target), name(link)).unwrap();
     }
     let before = files(folder.path());
@@ -51,7 +60,16 @@ fn no_command_replaces_its_own_input_even_with_overwrite() {
         vec!["sweep", "--points", &points, "-o", &link],
         #[cfg(unix)]
         vec!["sweep", "--points", &link, "-o", &points],
-        vec!["sweep", &mine, "--over", "club.loft=5deg..15deg:3", "--format", "csv", "-o", &mine],
+        vec![
+            "sweep",
+            &mine,
+            "--over",
+            "club.loft=5deg..15deg:3",
+            "--format",
+            "csv",
+            "-o",
+            &mine,
+        ],
         [&calibrate[..], &["-o", &shots]].concat(),
         #[cfg(unix)]
         [&calibrate[..], &["-o", &link_toml]].concat(),
@@ -59,8 +77,18 @@ fn no_command_replaces_its_own_input_even_with_overwrite() {
         vec!["plot", "trajectory", &mine, "-o", &picture],
     ] {
         let said = longdrive(&[&args[..], &["--overwrite"]].concat());
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
-        assert!(said.err.contains("it is also an input or another output of this command"), "{args:?}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{args:?}: {}",
+            said.err
+        );
+        assert!(
+            said.err
+                .contains("it is also an input or another output of this command"),
+            "{args:?}: {}",
+            said.err
+        );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
 }
@@ -68,7 +96,13 @@ fn no_command_replaces_its_own_input_even_with_overwrite() {
 #[test]
 fn a_file_that_exists_is_replaced_only_when_asked_for() {
     let (folder, name) = folder();
-    for file in ["theirs.svg", "theirs.toml", "theirs.csv", "index.html", "report.md"] {
+    for file in [
+        "theirs.svg",
+        "theirs.toml",
+        "theirs.csv",
+        "index.html",
+        "report.md",
+    ] {
         fs::write(folder.path().join(file), "not ours").unwrap();
     }
     let (shots, here) = (name("shots.csv"), folder.path().display().to_string());
@@ -77,14 +111,27 @@ fn a_file_that_exists_is_replaced_only_when_asked_for() {
     for (args, written) in [
         (vec!["plot", "trajectory", "-o", &svg], "theirs.svg"),
         (vec!["plot", "trajectory", "-o", &csv], "theirs.csv"),
-        (vec!["sweep", "--over", "club.loft=5deg..15deg:3", "-o", &csv], "theirs.csv"),
+        (
+            vec!["sweep", "--over", "club.loft=5deg..15deg:3", "-o", &csv],
+            "theirs.csv",
+        ),
         ([&calibrate[..], &["-o", &toml]].concat(), "theirs.toml"),
         ([&calibrate[..], &["--plot", &here]].concat(), "report.md"),
     ] {
         let before = files(folder.path());
         let said = longdrive(&args);
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
-        assert!(said.err.contains("it already exists; use --overwrite to replace it"), "{args:?}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{args:?}: {}",
+            said.err
+        );
+        assert!(
+            said.err
+                .contains("it already exists; use --overwrite to replace it"),
+            "{args:?}: {}",
+            said.err
+        );
         assert_eq!(files(folder.path()), before, "{args:?}");
         let said = longdrive(&[&args[..], &["--overwrite"]].concat());
         assert_ne!(said.status, 2, "{args:?}: {}", said.err);
@@ -92,10 +139,18 @@ fn a_file_that_exists_is_replaced_only_when_asked_for() {
         fs::write(folder.path().join(written), "not ours").unwrap();
     }
     let before = files(folder.path());
-    for args in [vec!["report", "-o", &here], vec!["reproduce", "mae494", "-o", &here]] {
+    for args in [
+        vec!["report", "-o", &here],
+        vec!["reproduce", "mae494", "-o", &here],
+    ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 2, "{args:?}: {}", said.err);
-        assert!(said.err.contains("it already exists; use --overwrite to replace it"), "{args:?}: {}", said.err);
+        assert!(
+            said.err
+                .contains("it already exists; use --overwrite to replace it"),
+            "{args:?}: {}",
+            said.err
+        );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
 }
@@ -111,11 +166,26 @@ fn a_place_that_cannot_be_written_is_told_before_the_work() {
         vec!["plot", "contour", "-o", "/nowhere/at/all.svg"],
         vec!["report", "-o", "/dev/null/folder"],
         vec!["reproduce", "mae494", "-o", "/dev/null/folder"],
-        vec!["sweep", "--over", "club.loft=5deg..15deg:3", "-o", "/nowhere/at/all.csv"],
+        vec![
+            "sweep",
+            "--over",
+            "club.loft=5deg..15deg:3",
+            "-o",
+            "/nowhere/at/all.csv",
+        ],
     ] {
         let said = longdrive(&args);
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
-        assert!(said.err.contains("it cannot be written"), "{args:?}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{args:?}: {}",
+            said.err
+        );
+        assert!(
+            said.err.contains("it cannot be written"),
+            "{args:?}: {}",
+            said.err
+        );
         // one line: no iteration, no part of the work came before it
         assert_eq!(said.err.lines().count(), 1, "{args:?}: {}", said.err);
     }
@@ -125,15 +195,38 @@ fn a_place_that_cannot_be_written_is_told_before_the_work() {
 fn two_outputs_of_one_command_are_kept_apart() {
     let (folder, name) = folder();
     fs::create_dir(folder.path().join("plots")).unwrap();
-    let (shots, plots, page, kept) = (name("shots.csv"), name("plots"), name("plots/index.html"), name("kept.json"));
+    let (shots, plots, page, kept) = (
+        name("shots.csv"),
+        name("plots"),
+        name("plots/index.html"),
+        name("kept.json"),
+    );
     for args in [
-        vec!["calibrate", &shots, "--fit", "aero.cd0", "--plot", &plots, "-o", &page],
+        vec![
+            "calibrate",
+            &shots,
+            "--fit",
+            "aero.cd0",
+            "--plot",
+            &plots,
+            "-o",
+            &page,
+        ],
         vec!["optimize", "--checkpoint", &kept, "-o", &kept],
     ] {
         let before = files(folder.path());
         let said = longdrive(&args);
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
-        assert!(said.err.contains("another output of this command"), "{args:?}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{args:?}: {}",
+            said.err
+        );
+        assert!(
+            said.err.contains("another output of this command"),
+            "{args:?}: {}",
+            said.err
+        );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
 }
@@ -145,11 +238,22 @@ fn files_beside_a_sweep_that_no_sweep_wrote_stay_as_they_are() {
     for beside in ["out.csv.part", "out.csv.resume"] {
         fs::write(folder.path().join(beside), "mine").unwrap();
         for more in [&[][..], &["--overwrite"], &["--resume"]] {
-            let args = [&["sweep", "--over", "club.loft=5deg..15deg:3", "-o", &out], more].concat();
+            let args = [
+                &["sweep", "--over", "club.loft=5deg..15deg:3", "-o", &out],
+                more,
+            ]
+            .concat();
             let said = longdrive(&args);
             assert_eq!(said.status, 2, "{beside} {more:?}: {}", said.err);
-            assert!(said.err.contains(beside) && said.err.contains("move it away"), "{beside} {more:?}: {}", said.err);
-            assert_eq!(fs::read_to_string(folder.path().join(beside)).unwrap(), "mine");
+            assert!(
+                said.err.contains(beside) && said.err.contains("move it away"),
+                "{beside} {more:?}: {}",
+                said.err
+            );
+            assert_eq!(
+                fs::read_to_string(folder.path().join(beside)).unwrap(),
+                "mine"
+            );
         }
         fs::remove_file(folder.path().join(beside)).unwrap();
     }
@@ -163,13 +267,33 @@ fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
     // a cell that is no number is met after some rows: nothing of it reaches the file
     let bad = format!("{POINTS}ten,100\n");
     fs::write(folder.path().join("bad.csv"), bad).unwrap();
-    let said = longdrive(&["sweep", "--points", &name("bad.csv"), "-o", &out, "--overwrite"]);
+    let said = longdrive(&[
+        "sweep",
+        "--points",
+        &name("bad.csv"),
+        "-o",
+        &out,
+        "--overwrite",
+    ]);
     assert_eq!(said.status, 2, "{}", said.err);
     assert_eq!(fs::read_to_string(&out).unwrap(), "the old one");
-    let said = longdrive(&["sweep", "--points", &name("points.csv"), "-o", &out, "--overwrite"]);
+    let said = longdrive(&[
+        "sweep",
+        "--points",
+        &name("points.csv"),
+        "-o",
+        &out,
+        "--overwrite",
+    ]);
     assert_eq!(said.status, 0, "{}", said.err);
     assert_eq!(fs::read_to_string(&out).unwrap().lines().count(), 3);
-    assert_eq!(files(folder.path()).keys().filter(|name| name.starts_with("out.csv")).count(), 1);
+    assert_eq!(
+        files(folder.path())
+            .keys()
+            .filter(|name| name.starts_with("out.csv"))
+            .count(),
+        1
+    );
 }
 
 #[cfg(unix)]
@@ -179,19 +303,35 @@ fn a_file_that_is_made_while_a_command_runs_stays() {
     let out = name("out.csv");
     let mut program = program::command();
     program.args(["fly", "-", "-o", &out, "-q"]);
-    let mut child = program.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = program
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
     let mut input = child.stdin.take().unwrap();
     // enough that it need not wait for the head
     let rows = "150,12,2700\n".repeat(20_000);
-    input.write_all(format!("Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n{rows}").as_bytes()).unwrap();
+    input
+        .write_all(
+            format!("Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n{rows}").as_bytes(),
+        )
+        .unwrap();
     // where it may write has been looked at by then
-    let is_begun = || files(folder.path()).keys().any(|name| name.starts_with(".longdrive-"));
+    let is_begun = || {
+        files(folder.path())
+            .keys()
+            .any(|name| name.starts_with(".longdrive-"))
+    };
     wait_until(&mut child, is_begun);
     fs::write(&out, "theirs").unwrap();
     drop(input);
     let output = child.wait_with_output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.code() == Some(2) && said.contains("made by another program while"), "{said}");
+    assert!(
+        output.status.code() == Some(2) && said.contains("made by another program while"),
+        "{said}"
+    );
     assert_eq!(fs::read_to_string(&out).unwrap(), "theirs");
     assert!(!is_begun());
 }
@@ -204,13 +344,26 @@ fn of_two_searches_at_once_with_one_checkpoint_one_is_refused() {
         let start = |preset: &str| {
             let mut program = program::command();
             program.args(["optimize", preset, "--checkpoint", &kept, "-q"]);
-            program.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+            program
+                .stdout(Stdio::null())
+                .stderr(Stdio::piped())
+                .spawn()
+                .unwrap()
         };
-        let outputs = ["mae494", "modern-driver"].map(start).map(|child| child.wait_with_output().unwrap());
-        let refused: Vec<_> = outputs.iter().filter(|output| output.status.code() == Some(2)).collect();
+        let outputs = ["mae494", "modern-driver"]
+            .map(start)
+            .map(|child| child.wait_with_output().unwrap());
+        let refused: Vec<_> = outputs
+            .iter()
+            .filter(|output| output.status.code() == Some(2))
+            .collect();
         assert_eq!(refused.len(), 1, "{outputs:?}");
         let said = String::from_utf8_lossy(&refused[0].stderr);
-        assert!(said.contains("another search has begun it") || said.contains("belongs to another question"), "{said}");
+        assert!(
+            said.contains("another search has begun it")
+                || said.contains("belongs to another question"),
+            "{said}"
+        );
     }
 }
 
@@ -226,7 +379,10 @@ fn a_file_through_a_link_is_replaced_and_keeps_its_permissions() {
     assert_eq!(said.status, 0, "{}", said.err);
     assert!(folder.path().join("link.svg").is_symlink());
     assert!(fs::read_to_string(&real).unwrap().starts_with("<svg"));
-    assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+    assert_eq!(
+        fs::metadata(&real).unwrap().permissions().mode() & 0o777,
+        0o640
+    );
 }
 
 /// A misspelt path is told, and no folder is made on the way to an output, whatever the command.
@@ -247,7 +403,11 @@ fn the_folder_that_an_output_is_in_must_exist() {
     ] {
         let said = longdrive(&args);
         let told = format!("there is no folder '{}'", name("missing"));
-        assert!(said.status == 2 && said.err.contains(&told), "{args:?}: {}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(&told),
+            "{args:?}: {}",
+            said.err
+        );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
     // the folder that is named is made
@@ -259,27 +419,74 @@ fn a_place_that_cannot_be_written_is_told_in_own_words() {
     let (folder, name) = folder();
     let (shots, points, mine) = (name("shots.csv"), name("points.csv"), name("mine.toml"));
     let nowhere = "it cannot be written: there is no folder '/nowhere'";
-    let sweep = ["sweep", "--over", "club.loft=5deg..15deg:3", "--format", "csv"];
+    let sweep = [
+        "sweep",
+        "--over",
+        "club.loft=5deg..15deg:3",
+        "--format",
+        "csv",
+    ];
     for (args, words) in [
         (vec!["optimize", "--checkpoint", "/nowhere/c.json"], nowhere),
         #[cfg(target_os = "linux")]
-        (vec!["optimize", "--checkpoint", "/proc/c.json"], "it cannot be written (no file can be made there)"),
+        (
+            vec!["optimize", "--checkpoint", "/proc/c.json"],
+            "it cannot be written (no file can be made there)",
+        ),
         #[cfg(target_os = "linux")]
-        (vec!["plot", "trajectory", "-o", "/proc/x.svg"], "it cannot be written (no file can be made there)"),
-        (vec!["optimize", &mine, "--checkpoint", &mine], "it is not a checkpoint of a search"),
-        (vec!["optimize", "--checkpoint", &shots], "it is not a checkpoint of a search"),
-        (vec!["optimize", "-o", "-"], "does not write to standard output; name a file, as in -o mine.toml"),
-        (vec!["calibrate", &shots, "--fit", "aero.cd0", "-o", "-"], "does not write to standard output; name a file"),
-        (vec!["report", "-o", "-"], "does not write to standard output; name a folder"),
-        ([&sweep[..], &["-o", "/dev/stdout"]].concat(), "it is standard output; write -o -"),
-        ([&sweep[..], &["--overwrite"]].concat(), "--overwrite replaces a file, and the rows go to standard output"),
-        (vec!["calibrate", &shots, "--fit", "aero.cd0", "--overwrite"], "--output <FILE>|--plot <DIR>"),
-        (vec!["man", "optimize", "--overwrite"], "cannot be used with '--overwrite'"),
-        (vec!["sweep", "--points", &points, "--seed", "7"], "'--points <FILE>' cannot be used with '--seed <SEED>'"),
+        (
+            vec!["plot", "trajectory", "-o", "/proc/x.svg"],
+            "it cannot be written (no file can be made there)",
+        ),
+        (
+            vec!["optimize", &mine, "--checkpoint", &mine],
+            "it is not a checkpoint of a search",
+        ),
+        (
+            vec!["optimize", "--checkpoint", &shots],
+            "it is not a checkpoint of a search",
+        ),
+        (
+            vec!["optimize", "-o", "-"],
+            "does not write to standard output; name a file, as in -o mine.toml",
+        ),
+        (
+            vec!["calibrate", &shots, "--fit", "aero.cd0", "-o", "-"],
+            "does not write to standard output; name a file",
+        ),
+        (
+            vec!["report", "-o", "-"],
+            "does not write to standard output; name a folder",
+        ),
+        (
+            [&sweep[..], &["-o", "/dev/stdout"]].concat(),
+            "it is standard output; write -o -",
+        ),
+        (
+            [&sweep[..], &["--overwrite"]].concat(),
+            "--overwrite replaces a file, and the rows go to standard output",
+        ),
+        (
+            vec!["calibrate", &shots, "--fit", "aero.cd0", "--overwrite"],
+            "--output <FILE>|--plot <DIR>",
+        ),
+        (
+            vec!["man", "optimize", "--overwrite"],
+            "cannot be used with '--overwrite'",
+        ),
+        (
+            vec!["sweep", "--points", &points, "--seed", "7"],
+            "'--points <FILE>' cannot be used with '--seed <SEED>'",
+        ),
     ] {
         let before = files(folder.path());
         let said = longdrive(&args);
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{args:?}: {}",
+            said.err
+        );
         assert!(said.err.contains(words), "{args:?}: {}", said.err);
         for foreign in ["os error", "entity not found", "expected value", "at path"] {
             assert!(!said.err.contains(foreign), "{args:?}: {}", said.err);
@@ -295,9 +502,15 @@ fn values_that_no_fit_came_to_are_not_written_as_fitted() {
     let (shots, fitted) = (name("shots.csv"), name("fitted.toml"));
     let args = ["calibrate", &shots, "--fit", "aero.cd0", "-o", &fitted];
     let (status, stopped) = json(&[&args[..], &["--max-iterations", "0"]].concat());
-    assert_eq!((status, &stopped["status"], &stopped["file"]), (1, &"iteration-limit".into(), &Value::Null));
+    assert_eq!(
+        (status, &stopped["status"], &stopped["file"]),
+        (1, &"iteration-limit".into(), &Value::Null)
+    );
     let warnings = stopped["warnings"].to_string();
-    assert!(warnings.contains("fitted.toml is not written: the fit ended before it came to a minimum"), "{warnings}");
+    assert!(
+        warnings.contains("fitted.toml is not written: the fit ended before it came to a minimum"),
+        "{warnings}"
+    );
     assert!(!Path::new(&fitted).exists());
     assert_eq!(json(&args).1["file"], Value::from(fitted.as_str()));
     assert!(Path::new(&fitted).exists());

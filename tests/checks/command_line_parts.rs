@@ -1,5 +1,5 @@
-//! `longdrive sweep` in parts as a user meets it: the same bytes from whoever writes a part, kills, full disks, and what a check of a
-//! folder finds.
+//! `longdrive sweep` in parts as a user meets it: the same bytes from whoever writes a part, kills,
+//! full disks, and what a check of a folder finds.
 
 use crate::command_line::{json, longdrive, number};
 use crate::program;
@@ -15,7 +15,12 @@ use std::process::{Command, Stdio};
 use std::sync::LazyLock;
 
 const PARTS: u64 = 4;
-const NAMES: [&str; 4] = ["part-00001.parquet", "part-00002.parquet", "part-00003.parquet", "part-00004.parquet"];
+const NAMES: [&str; 4] = [
+    "part-00001.parquet",
+    "part-00002.parquet",
+    "part-00003.parquet",
+    "part-00004.parquet",
+];
 
 /// Eight thousand drives in steps so coarse that they take no time, of which some do not fly.
 const DRIVES: [&str; 10] = [
@@ -30,7 +35,14 @@ const DRIVES: [&str; 10] = [
     "carry,launch_angle",
     "--gradient",
 ];
-const SUMMARY: [&str; 6] = ["--histogram", "carry=150..290m:7", "--highest", "carry:5", "--lowest", "launch_angle:3"];
+const SUMMARY: [&str; 6] = [
+    "--histogram",
+    "carry=150..290m:7",
+    "--highest",
+    "carry:5",
+    "--lowest",
+    "launch_angle:3",
+];
 
 fn question() -> Vec<&'static str> {
     [&DRIVES[..], &SUMMARY[..]].concat()
@@ -39,7 +51,14 @@ fn question() -> Vec<&'static str> {
 /// Writes a part; what it answers.
 fn write(question: &[&str], part: u64, parts: u64, folder: &Path, more: &[&str]) -> (i32, Value) {
     let part = format!("{part}/{parts}");
-    json(&[question, &["-o", folder.to_str().unwrap(), "--part", &part], more].concat())
+    json(
+        &[
+            question,
+            &["-o", folder.to_str().unwrap(), "--part", &part],
+            more,
+        ]
+        .concat(),
+    )
 }
 
 /// All parts, written in order by one thread.
@@ -56,7 +75,10 @@ impl Set {
             assert_eq!((status, &answer["status"]), (0, &"done".into()), "{answer}");
             answer
         });
-        Self { answers: answers.collect(), folder }
+        Self {
+            answers: answers.collect(),
+            folder,
+        }
     }
 
     fn path(&self) -> &Path {
@@ -76,7 +98,10 @@ impl Set {
 static SET: LazyLock<Set> = LazyLock::new(|| Set::new(&question()));
 
 fn bytes(folder: &Path) -> Vec<Vec<u8>> {
-    NAMES.iter().map(|name| fs::read(folder.join(name)).unwrap()).collect()
+    NAMES
+        .iter()
+        .map(|name| fs::read(folder.join(name)).unwrap())
+        .collect()
 }
 
 /// The rows of a file: numbers as their bits.
@@ -88,7 +113,13 @@ fn rows(path: &Path) -> Vec<Vec<Option<String>>> {
         other => Some(other.to_string()),
     };
     let rows = file.get_row_iter(None).unwrap();
-    rows.map(|row| row.unwrap().get_column_iter().map(|(_, field)| cell(field)).collect()).collect()
+    rows.map(|row| {
+        row.unwrap()
+            .get_column_iter()
+            .map(|(_, field)| cell(field))
+            .collect()
+    })
+    .collect()
 }
 
 fn checked(folder: &Path, more: &[&str]) -> (i32, Value) {
@@ -99,8 +130,17 @@ fn checked(folder: &Path, more: &[&str]) -> (i32, Value) {
 fn exact_a_part_has_the_same_bytes_whoever_writes_it_and_in_whatever_order() {
     let folder = tempfile::tempdir().unwrap();
     for (part, threads) in [(3, "3"), (1, "2"), (4, "1"), (2, "2")] {
-        let (status, answer) = write(&question(), part, PARTS, folder.path(), &["--threads", threads]);
-        assert_eq!((status, &answer["file"]), (0, &NAMES[part as usize - 1].into()));
+        let (status, answer) = write(
+            &question(),
+            part,
+            PARTS,
+            folder.path(),
+            &["--threads", threads],
+        );
+        assert_eq!(
+            (status, &answer["file"]),
+            (0, &NAMES[part as usize - 1].into())
+        );
         let mut before = SET.answers[part as usize - 1].clone();
         before["folder"] = answer["folder"].clone();
         assert_eq!(answer, before);
@@ -110,13 +150,28 @@ fn exact_a_part_has_the_same_bytes_whoever_writes_it_and_in_whatever_order() {
     let folder = tempfile::tempdir().unwrap();
     let program = |part: u64| {
         let mut program = program::command();
-        program.args(question()).arg("-o").arg(folder.path().join("made")).args(["--part", &format!("{part}/{PARTS}")]);
-        program.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+        program
+            .args(question())
+            .arg("-o")
+            .arg(folder.path().join("made"))
+            .args(["--part", &format!("{part}/{PARTS}")]);
+        program
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap()
     };
     let programs: Vec<_> = (1..=PARTS).chain(1..=PARTS).map(program).collect();
-    assert!(programs.into_iter().all(|mut program| program.wait().unwrap().success()));
+    assert!(
+        programs
+            .into_iter()
+            .all(|mut program| program.wait().unwrap().success())
+    );
     assert!(bytes(&folder.path().join("made")) == bytes(SET.path()));
-    assert_eq!(fs::read_dir(folder.path().join("made")).unwrap().count(), NAMES.len());
+    assert_eq!(
+        fs::read_dir(folder.path().join("made")).unwrap().count(),
+        NAMES.len()
+    );
 }
 
 #[test]
@@ -125,7 +180,10 @@ fn exact_the_rows_of_all_parts_are_those_of_the_sweep_into_one_file() {
     let whole = folder.path().join("whole.parquet");
     let said = longdrive(&[&DRIVES[..], &["-o", whole.to_str().unwrap()]].concat());
     assert_eq!(said.status, 0, "{}", said.err);
-    let parts: Vec<_> = NAMES.iter().flat_map(|name| rows(&SET.path().join(name))).collect();
+    let parts: Vec<_> = NAMES
+        .iter()
+        .flat_map(|name| rows(&SET.path().join(name)))
+        .collect();
     assert_eq!(parts.len(), 41 * 200);
     assert!(parts == rows(&whole));
 }
@@ -141,56 +199,114 @@ fn mean_and_squares(values: &[f64]) -> (f64, f64) {
         }
     }
     let mean = sum(values) / values.len() as f64;
-    (mean, sum(&values.iter().map(|value| (value - mean) * (value - mean)).collect::<Vec<_>>()))
+    (
+        mean,
+        sum(&values
+            .iter()
+            .map(|value| (value - mean) * (value - mean))
+            .collect::<Vec<_>>()),
+    )
 }
 
 #[test]
 fn independent_summary_of_a_set_is_that_of_its_rows() {
     let (status, answer) = checked(SET.path(), &[]);
-    assert_eq!((status, &answer["status"], &answer["message"]), (0, &"done".into(), &Value::Null));
-    let all: Vec<_> = NAMES.iter().flat_map(|name| rows(&SET.path().join(name))).collect();
-    let columns = ["carry", "launch_angle", "d_carry/d_club.loft", "d_carry/d_swing.attack_angle"];
+    assert_eq!(
+        (status, &answer["status"], &answer["message"]),
+        (0, &"done".into(), &Value::Null)
+    );
+    let all: Vec<_> = NAMES
+        .iter()
+        .flat_map(|name| rows(&SET.path().join(name)))
+        .collect();
+    let columns = [
+        "carry",
+        "launch_angle",
+        "d_carry/d_club.loft",
+        "d_carry/d_swing.attack_angle",
+    ];
     let value = |text: &String| f64::from_bits(u64::from_str_radix(text, 16).unwrap());
-    let column = |at: usize| all.iter().filter_map(|row| row[3 + at].as_ref().map(value)).collect::<Vec<_>>();
+    let column = |at: usize| {
+        all.iter()
+            .filter_map(|row| row[3 + at].as_ref().map(value))
+            .collect::<Vec<_>>()
+    };
     for (at, name) in columns.iter().enumerate() {
         let (values, found) = (column(at), &answer["moments"][name]);
         let (mean, squares) = mean_and_squares(&values);
         assert_eq!(found["count"], values.len(), "{name}");
-        assert!((number(&found["mean"]) / mean - 1.0).abs() < 1e-13, "{name}: {found}, {mean}");
-        assert!((number(&found["m2"]) / squares - 1.0).abs() < 1e-12, "{name}: {found}, {squares}");
-        assert_eq!(number(&found["min"]), values.iter().copied().fold(f64::INFINITY, f64::min));
-        assert_eq!(number(&found["max"]), values.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+        assert!(
+            (number(&found["mean"]) / mean - 1.0).abs() < 1e-13,
+            "{name}: {found}, {mean}"
+        );
+        assert!(
+            (number(&found["m2"]) / squares - 1.0).abs() < 1e-12,
+            "{name}: {found}, {squares}"
+        );
+        assert_eq!(
+            number(&found["min"]),
+            values.iter().copied().fold(f64::INFINITY, f64::min)
+        );
+        assert_eq!(
+            number(&found["max"]),
+            values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+        );
     }
     let mut statuses = BTreeMap::new();
-    all.iter().for_each(|row| *statuses.entry(row[2].clone().unwrap().replace('"', "")).or_insert(0) += 1);
+    all.iter().for_each(|row| {
+        *statuses
+            .entry(row[2].clone().unwrap().replace('"', ""))
+            .or_insert(0) += 1
+    });
     assert!(statuses.len() > 1, "{statuses:?}");
     for (status, count) in statuses {
         assert_eq!(answer["statuses"][&status], count, "{status}");
     }
     let carries = column(0);
     let histogram = &answer["histograms"][0];
-    let within = |low: f64, high: f64| carries.iter().filter(|carry| (low..high).contains(*carry)).count();
+    let within = |low: f64, high: f64| {
+        carries
+            .iter()
+            .filter(|carry| (low..high).contains(*carry))
+            .count()
+    };
     assert_eq!(histogram["below"], within(f64::NEG_INFINITY, 150.0));
     assert_eq!(histogram["above"], within(290.0, f64::INFINITY));
     for bin in 0..7 {
         // edges 150, 170, … are exact, and no carry is on one
         let low = 150.0 + 20.0 * f64::from(bin);
-        assert_eq!(histogram["counts"][bin as usize], within(low, low + 20.0), "{bin}");
+        assert_eq!(
+            histogram["counts"][bin as usize],
+            within(low, low + 20.0),
+            "{bin}"
+        );
     }
     for (which, (at, sign, most)) in [(0, -1.0, 5), (1, 1.0, 3)].into_iter().enumerate() {
-        let mut ranked: Vec<_> =
-            all.iter().enumerate().filter_map(|(row, cells)| Some((value(cells[3 + at].as_ref()?), row))).collect();
+        let mut ranked: Vec<_> = all
+            .iter()
+            .enumerate()
+            .filter_map(|(row, cells)| Some((value(cells[3 + at].as_ref()?), row)))
+            .collect();
         ranked.sort_by(|a, b| (sign * a.0).total_cmp(&(sign * b.0)).then(a.1.cmp(&b.1)));
         let best = &answer["best"][which]["rows"];
         assert_eq!(best.as_array().unwrap().len(), most);
         for (found, (value_of, row)) in best.as_array().unwrap().iter().zip(ranked) {
-            assert_eq!((number(&found["value"]), &found["row"]), (value_of, &row.into()));
-            assert_eq!(number(&found["point"]["club.loft"]), value(all[row][0].as_ref().unwrap()));
+            assert_eq!(
+                (number(&found["value"]), &found["row"]),
+                (value_of, &row.into())
+            );
+            assert_eq!(
+                number(&found["point"]["club.loft"]),
+                value(all[row][0].as_ref().unwrap())
+            );
         }
     }
     // merged from what the parts answered, in any order and one of them twice
-    let mut manifests: Vec<Manifest> =
-        SET.answers.iter().map(|answer| serde_json::from_value(answer.clone()).unwrap()).collect();
+    let mut manifests: Vec<Manifest> = SET
+        .answers
+        .iter()
+        .map(|answer| serde_json::from_value(answer.clone()).unwrap())
+        .collect();
     manifests.reverse();
     manifests.push(manifests[2].clone());
     let merged = serde_json::to_value(merge(&manifests).unwrap()).unwrap();
@@ -205,13 +321,25 @@ fn independent_sha256sum_of_the_set_is_that_of_its_files() {
     let (status, answer) = checked(SET.path(), &["--hash"]);
     assert_eq!(status, 0, "{answer}");
     let mut program = Command::new("bash");
-    program.args(["-c", "sha256sum part-*.parquet | tee /dev/stderr | sha256sum"]).current_dir(SET.path());
+    program
+        .args([
+            "-c",
+            "sha256sum part-*.parquet | tee /dev/stderr | sha256sum",
+        ])
+        .current_dir(SET.path());
     let output = program.output().unwrap();
     let set = String::from_utf8(output.stdout).unwrap();
     assert_eq!(answer["sha256"].as_str(), set.split(' ').next());
     let files = String::from_utf8(output.stderr).unwrap();
     for (line, answer) in files.lines().zip(&SET.answers) {
-        assert_eq!(line, format!("{}  {}", answer["sha256"].as_str().unwrap(), answer["file"].as_str().unwrap()));
+        assert_eq!(
+            line,
+            format!(
+                "{}  {}",
+                answer["sha256"].as_str().unwrap(),
+                answer["file"].as_str().unwrap()
+            )
+        );
     }
     assert_eq!(checked(SET.path(), &[]).1["sha256"], Value::Null);
 }
@@ -222,7 +350,10 @@ fn a_file_that_is_no_part_beside_all_parts_is_told_as_such() {
     fs::write(copy.path().join("part-00005.parquet"), "notes").unwrap();
     let said = longdrive(&["sweep", "--check", copy.path().to_str().unwrap()]);
     assert!(
-        said.status == 1 && said.out.contains("4 parts are there and sound, but not alone"),
+        said.status == 1
+            && said
+                .out
+                .contains("4 parts are there and sound, but not alone"),
         "{} {}",
         said.out,
         said.err
@@ -232,12 +363,27 @@ fn a_file_that_is_no_part_beside_all_parts_is_told_as_such() {
 #[test]
 fn a_part_that_is_there_stays_and_one_of_another_question_is_refused() {
     let copy = SET.copy();
-    let before = fs::metadata(copy.path().join(NAMES[1])).unwrap().modified().unwrap();
+    let before = fs::metadata(copy.path().join(NAMES[1]))
+        .unwrap()
+        .modified()
+        .unwrap();
     let (status, answer) = write(&question(), 2, PARTS, copy.path(), &[]);
     assert_eq!(status, 0);
-    assert!(answer["message"].as_str().unwrap().contains("there already"), "{answer}");
+    assert!(
+        answer["message"]
+            .as_str()
+            .unwrap()
+            .contains("there already"),
+        "{answer}"
+    );
     assert_eq!(answer["sha256"], SET.answers[1]["sha256"]);
-    assert_eq!(fs::metadata(copy.path().join(NAMES[1])).unwrap().modified().unwrap(), before);
+    assert_eq!(
+        fs::metadata(copy.path().join(NAMES[1]))
+            .unwrap()
+            .modified()
+            .unwrap(),
+        before
+    );
 
     let refused = |more: &[&str], why: &str| {
         let (status, answer) = write(&question(), 2, PARTS, copy.path(), more);
@@ -246,12 +392,25 @@ fn a_part_that_is_there_stays_and_one_of_another_question_is_refused() {
     };
     refused(&["--set", "swing.speed=100mph"], "different setups");
     refused(&["--wrt", "air.density"], "different derivatives");
-    refused(&["--highest", "launch_angle:2"], "different histograms or best rows");
+    refused(
+        &["--highest", "launch_angle:2"],
+        "different histograms or best rows",
+    );
     // no part is written beside those of another sweep either
     fs::remove_file(copy.path().join(NAMES[1])).unwrap();
-    refused(&["--set", "swing.speed=100mph"], "a folder holds the parts of one");
+    refused(
+        &["--set", "swing.speed=100mph"],
+        "a folder holds the parts of one",
+    );
     let (status, answer) = write(&question(), 2, 5, copy.path(), &[]);
-    assert!(status == 2 && answer["message"].as_str().unwrap().contains("numbers of parts 5 and 4"), "{answer}");
+    assert!(
+        status == 2
+            && answer["message"]
+                .as_str()
+                .unwrap()
+                .contains("numbers of parts 5 and 4"),
+        "{answer}"
+    );
     assert!(!copy.path().join(NAMES[1]).exists());
     assert_eq!(write(&question(), 2, PARTS, copy.path(), &[]).0, 0);
     assert!(bytes(copy.path()) == bytes(SET.path()));
@@ -260,12 +419,18 @@ fn a_part_that_is_there_stays_and_one_of_another_question_is_refused() {
 /// The file as another version of longdrive would have written it.
 fn of_other_version(path: &Path) {
     let text = fs::read(path).unwrap();
-    let find = |text: &[u8], part: &str| text.windows(part.len()).position(|window| window == part.as_bytes());
+    let find = |text: &[u8], part: &str| {
+        text.windows(part.len())
+            .position(|window| window == part.as_bytes())
+    };
     let at = find(&text, "{\"version\"").unwrap();
     let mut questions = serde_json::Deserializer::from_slice(&text[at..]).into_iter::<Question>();
     let question = questions.next().unwrap().unwrap();
     let length = questions.byte_offset();
-    let other = Question { version: "0.0.9".into(), ..question.clone() };
+    let other = Question {
+        version: "0.0.9".into(),
+        ..question.clone()
+    };
     let mut text = text;
     text[at..at + length].copy_from_slice(serde_json::to_string(&other).unwrap().as_bytes());
     let hash = question.hash();
@@ -280,9 +445,15 @@ fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
         let copy = SET.copy();
         spoil(copy.path());
         let (status, answer) = checked(copy.path(), more);
-        assert_eq!((status, &answer["status"]), (1, &"partial".into()), "{answer}");
+        assert_eq!(
+            (status, &answer["status"]),
+            (1, &"partial".into()),
+            "{answer}"
+        );
         let faults = answer["faults"].as_array().unwrap().iter();
-        let faults: Vec<_> = faults.map(|fault| (fault["file"].clone(), fault["kind"].clone())).collect();
+        let faults: Vec<_> = faults
+            .map(|fault| (fault["file"].clone(), fault["kind"].clone()))
+            .collect();
         (answer["missing"].clone(), faults, answer)
     };
     let none: Vec<(Value, Value)> = vec![];
@@ -297,11 +468,20 @@ fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
         &[],
     );
     assert_eq!((missing, faults), (serde_json::json!([1, 3, 4]), none));
-    assert!(answer["message"].as_str().unwrap().contains("missing: 1,3-4"), "{answer}");
+    assert!(
+        answer["message"]
+            .as_str()
+            .unwrap()
+            .contains("missing: 1,3-4"),
+        "{answer}"
+    );
     assert_eq!(answer["rows"], 2048);
 
     let cut = |folder: &Path| {
-        let file = fs::OpenOptions::new().write(true).open(place(folder)).unwrap();
+        let file = fs::OpenOptions::new()
+            .write(true)
+            .open(place(folder))
+            .unwrap();
         file.set_len(file.metadata().unwrap().len() - 9).unwrap();
     };
     assert_eq!(spoilt(&cut, &[]).0, serde_json::json!([3]));
@@ -310,9 +490,16 @@ fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
         fs::copy(place(folder), folder.join("part-00003 (1).parquet")).unwrap();
     };
     assert_eq!(spoilt(&doubled, &[]).0, serde_json::json!([]));
-    assert_eq!(spoilt(&doubled, &[]).1, fault("part-00003 (1).parquet", "doubled"));
-    let swapped = |folder: &Path| fs::rename(place(folder), folder.join("part-00007.parquet")).unwrap();
-    assert_eq!(spoilt(&swapped, &[]).1, fault("part-00007.parquet", "foreign"));
+    assert_eq!(
+        spoilt(&doubled, &[]).1,
+        fault("part-00003 (1).parquet", "doubled")
+    );
+    let swapped =
+        |folder: &Path| fs::rename(place(folder), folder.join("part-00007.parquet")).unwrap();
+    assert_eq!(
+        spoilt(&swapped, &[]).1,
+        fault("part-00007.parquet", "foreign")
+    );
     let strange = |folder: &Path| fs::write(folder.join("mine.parquet"), "PAR1").unwrap();
     assert_eq!(spoilt(&strange, &[]).1, fault("mine.parquet", "foreign"));
     let other = |folder: &Path| {
@@ -324,9 +511,19 @@ fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
     };
     assert_eq!(spoilt(&other, &[]).1, fault(NAMES[2], "other-question"));
     let (missing, faults, answer) = spoilt(&|folder| of_other_version(&place(folder)), &[]);
-    assert_eq!((missing, faults), (serde_json::json!([3]), fault(NAMES[2], "other-version")));
-    let versions = concat!("versions of longdrive ", env!("CARGO_PKG_VERSION"), " and 0.0.9");
-    assert!(answer["message"].as_str().unwrap().contains(versions), "{answer}");
+    assert_eq!(
+        (missing, faults),
+        (serde_json::json!([3]), fault(NAMES[2], "other-version"))
+    );
+    let versions = concat!(
+        "versions of longdrive ",
+        env!("CARGO_PKG_VERSION"),
+        " and 0.0.9"
+    );
+    assert!(
+        answer["message"].as_str().unwrap().contains(versions),
+        "{answer}"
+    );
     // a bit of a row: only a look at the rows finds it
     let flipped = |folder: &Path| {
         let mut bytes = fs::read(place(folder)).unwrap();
@@ -342,11 +539,28 @@ fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
     let folder = SET.path().to_str().unwrap();
     let (status, answer) = json(&[&question()[..], &["--check", folder]].concat());
     assert_eq!((status, &answer["rows"]), (0, &8200.into()), "{answer}");
-    let (status, answer) = json(&[&question()[..], &["--check", folder, "--set", "gravity=9.8 m/s^2"]].concat());
-    assert_eq!((status, answer["missing"].as_array().unwrap().len()), (1, 4), "{answer}");
+    let (status, answer) = json(
+        &[
+            &question()[..],
+            &["--check", folder, "--set", "gravity=9.8 m/s^2"],
+        ]
+        .concat(),
+    );
+    assert_eq!(
+        (status, answer["missing"].as_array().unwrap().len()),
+        (1, 4),
+        "{answer}"
+    );
     let empty = tempfile::tempdir().unwrap();
     let (status, answer) = checked(empty.path(), &[]);
-    assert!(status == 2 && answer["message"].as_str().unwrap().contains("no part of a sweep in it"), "{answer}");
+    assert!(
+        status == 2
+            && answer["message"]
+                .as_str()
+                .unwrap()
+                .contains("no part of a sweep in it"),
+        "{answer}"
+    );
     assert_eq!(checked(Path::new("/nowhere/at/all"), &[]).0, 2);
 }
 
@@ -360,16 +574,27 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     let most = fs::metadata(SET.path().join(NAMES[2])).unwrap().len() / 1024 / 2;
     let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
     let mut program = Command::new("bash");
-    program.args(["-c", &limited, "bash"]).arg(program::path()).args(question()).args(part);
+    program
+        .args(["-c", &limited, "bash"])
+        .arg(program::path())
+        .args(question())
+        .args(part);
     let output = program.output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.code() == Some(2) && said.contains("ask for part 3 again"), "{said}");
+    assert!(
+        output.status.code() == Some(2) && said.contains("ask for part 3 again"),
+        "{said}"
+    );
     assert_eq!(fs::read_dir(copy.path()).unwrap().count(), 3);
 
     // killed at several moments of its short life
     for wait in [5, 50, 100, 200, 300] {
         let mut program = program::command();
-        let quiet = program.args(question()).args(part).stdout(Stdio::null()).stderr(Stdio::null());
+        let quiet = program
+            .args(question())
+            .args(part)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
         let mut child = quiet.spawn().unwrap();
         std::thread::sleep(std::time::Duration::from_millis(wait));
         let _ = child.kill();
@@ -384,7 +609,12 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     fs::write(copy.path().join(".longdrive-abc"), "PAR1").unwrap();
     let (status, answer) = checked(copy.path(), &[]);
     assert_eq!(status, 0, "{answer}");
-    assert!(answer["unfinished"].as_array().unwrap().contains(&".longdrive-abc".into()));
+    assert!(
+        answer["unfinished"]
+            .as_array()
+            .unwrap()
+            .contains(&".longdrive-abc".into())
+    );
 }
 
 #[test]
@@ -398,39 +628,69 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
         let named = format!("{} {instructions}", std::env::consts::ARCH);
         let (_, answer) = checked(set.path(), &[]);
         assert_eq!(answer["question"]["instructions"], named.as_str());
-        assert_eq!(bytes(set.path()) == bytes(SET.path()), instructions == most, "the most is what is taken");
-        sets.push(NAMES.iter().map(|name| rows(&set.path().join(name))).collect());
+        assert_eq!(
+            bytes(set.path()) == bytes(SET.path()),
+            instructions == most,
+            "the most is what is taken"
+        );
+        sets.push(
+            NAMES
+                .iter()
+                .map(|name| rows(&set.path().join(name)))
+                .collect(),
+        );
         // a mixture is refused where it would be made, and found where it was
         if instructions < most {
             fs::remove_file(set.path().join(NAMES[3])).unwrap();
             let (status, answer) = write(&question(), 4, PARTS, set.path(), &[]);
-            assert!(status == 2 && answer["message"].as_str().unwrap().contains("instructions"), "{answer}");
+            assert!(
+                status == 2 && answer["message"].as_str().unwrap().contains("instructions"),
+                "{answer}"
+            );
             fs::copy(SET.path().join(NAMES[3]), set.path().join(NAMES[3])).unwrap();
             let (status, answer) = checked(set.path(), &[]);
-            assert_eq!((status, &answer["faults"][0]["kind"]), (1, &"other-instructions".into()), "{answer}");
-            let more = ["--check", set.path().to_str().unwrap(), "--instructions", most.name()];
+            assert_eq!(
+                (status, &answer["faults"][0]["kind"]),
+                (1, &"other-instructions".into()),
+                "{answer}"
+            );
+            let more = [
+                "--check",
+                set.path().to_str().unwrap(),
+                "--instructions",
+                most.name(),
+            ];
             assert_eq!(json(&[&question()[..], &more].concat()).0, 2);
         }
     }
     // they agree to rounding
-    let value = |cell: &Option<String>| f64::from_bits(u64::from_str_radix(cell.as_ref().unwrap(), 16).unwrap());
+    let value = |cell: &Option<String>| {
+        f64::from_bits(u64::from_str_radix(cell.as_ref().unwrap(), 16).unwrap())
+    };
     for set in &sets[1..] {
         for (row, first) in set.iter().flatten().zip(sets[0].iter().flatten()) {
             assert_eq!(row[2], first[2]);
             if row[2].as_deref() == Some("\"landed\"") {
-                assert!((value(&row[3]) - value(&first[3])).abs() < 1e-9, "{row:?} {first:?}");
+                assert!(
+                    (value(&row[3]) - value(&first[3])).abs() < 1e-9,
+                    "{row:?} {first:?}"
+                );
             }
         }
     }
     for lacking in Level::ALL.into_iter().filter(|known| !known.is_here()) {
         let said = longdrive(&[&DRIVES[..], &["--instructions", lacking.name()]].concat());
         assert_eq!(said.status, 2);
-        assert!(said.err.contains(&format!("the most it has is {most}")), "{}", said.err);
+        assert!(
+            said.err.contains(&format!("the most it has is {most}")),
+            "{}",
+            said.err
+        );
     }
 }
 
-/// The C library has variants of its functions for processors with FMA, which round differently: a machine that has others computes another
-/// question, even with the same instructions.
+/// The C library has variants of its functions for processors with FMA, which round differently: a
+/// machine that has others computes another question, even with the same instructions.
 #[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
 #[test]
 fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has_the_same_bytes() {
@@ -451,7 +711,11 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has
     ];
     let of = |tunables: &str, part: &str, to: &str| {
         let mut program = program::command();
-        program.args(asked).args(["--part", part, "-o"]).arg(folder.path().join(to)).env("GLIBC_TUNABLES", tunables);
+        program
+            .args(asked)
+            .args(["--part", part, "-o"])
+            .arg(folder.path().join(to))
+            .env("GLIBC_TUNABLES", tunables);
         let output = program.output().unwrap();
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
         (output.status.code().unwrap(), answer)
@@ -463,12 +727,21 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has
         assert_eq!(here["sha256"], there["sha256"]);
         return;
     }
-    assert_ne!(here["data"], there["data"], "the rows do not tell: the fingerprint is stricter than need be here");
+    assert_ne!(
+        here["data"], there["data"],
+        "the rows do not tell: the fingerprint is stricter than need be here"
+    );
     let (status, answer) = of(without, "2/2", "here");
-    assert!(status == 2 && answer["message"].as_str().unwrap().contains("C libraries"), "{answer}");
+    assert!(
+        status == 2 && answer["message"].as_str().unwrap().contains("C libraries"),
+        "{answer}"
+    );
     // a machine of each kind agrees with its like
     let again = of(without, "1/2", "again").1;
-    assert_eq!((&again["question"], &again["sha256"]), (&there["question"], &there["sha256"]));
+    assert_eq!(
+        (&again["question"], &again["sha256"]),
+        (&there["question"], &there["sha256"])
+    );
 }
 
 #[test]
@@ -477,7 +750,11 @@ fn a_question_that_cannot_be_divided_is_refused_with_what_can() {
     let into = folder.path().join("parts");
     let refused = |more: &[&str], why: &str| {
         let said = longdrive(&[&DRIVES[..], &["-o", into.to_str().unwrap()], more].concat());
-        assert!(said.status == 2 && said.err.contains(why), "{more:?}: {}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(why),
+            "{more:?}: {}",
+            said.err
+        );
         assert!(!into.exists());
     };
     // 8200 rows are eight blocks and a bit
@@ -485,17 +762,52 @@ fn a_question_that_cannot_be_divided_is_refused_with_what_can() {
     refused(&["--part", "0/4"], "from 1");
     refused(&["--part", "5/4"], "give one from 1/4 to 4/4");
     refused(&["--part", "x"], "--part 17/1000");
-    refused(&["--part", "1/4", "--histogram", "carry=3m..2m"], "the lower one below the upper one");
-    refused(&["--part", "1/4", "--histogram", "apex_height=3m..20m"], "add it to --outcomes");
-    refused(&["--part", "1/4", "--highest", "carry:0"], "from 1 to 10000");
-    refused(&["--part", "1/4", "--highest", "carry:1", "--highest", "carry:2"], "asked for twice");
+    refused(
+        &["--part", "1/4", "--histogram", "carry=3m..2m"],
+        "the lower one below the upper one",
+    );
+    refused(
+        &["--part", "1/4", "--histogram", "apex_height=3m..20m"],
+        "add it to --outcomes",
+    );
+    refused(
+        &["--part", "1/4", "--highest", "carry:0"],
+        "from 1 to 10000",
+    );
+    refused(
+        &[
+            "--part",
+            "1/4",
+            "--highest",
+            "carry:1",
+            "--highest",
+            "carry:2",
+        ],
+        "asked for twice",
+    );
     refused(&["--highest", "carry:3"], "add --part 1/1");
     refused(&["--part", "1/4", "--resume"], "--resume");
-    let said =
-        longdrive(&[&DRIVES[..], &["--part", "1/4", "-o", folder.path().join("no/parts").to_str().unwrap()]].concat());
-    assert!(said.status == 2 && said.err.contains("no/parts"), "{}", said.err);
+    let said = longdrive(
+        &[
+            &DRIVES[..],
+            &[
+                "--part",
+                "1/4",
+                "-o",
+                folder.path().join("no/parts").to_str().unwrap(),
+            ],
+        ]
+        .concat(),
+    );
+    assert!(
+        said.status == 2 && said.err.contains("no/parts"),
+        "{}",
+        said.err
+    );
     // the names sort in the order of the parts
-    let names: Vec<_> = [9, 10, 99_999].map(|part| file_name(part, 123_456)).to_vec();
+    let names: Vec<_> = [9, 10, 99_999]
+        .map(|part| file_name(part, 123_456))
+        .to_vec();
     assert!(names.is_sorted(), "{names:?}");
     assert!(check(SET.path(), None, false).unwrap().is_complete());
 }

@@ -1,4 +1,5 @@
-//! The commands that search, as a user meets them: constraints, many starts, sensitivities, charts, and bad input.
+//! The commands that search, as a user meets them: constraints, many starts, sensitivities, charts,
+//! and bad input.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -19,18 +20,51 @@ fn exact_constraints_and_starts_as_json() {
     assert_eq!((status, &found["status"]), (0, &Value::from("converged")));
     let constraints = found["constraints"].as_array().unwrap();
     assert_eq!(constraints[0]["expression"], "descent_angle >= 38 deg");
-    close(number(&constraints[0]["value"]), 38.0_f64.to_radians(), 1.0, 1e-9, "descent angle");
-    close(number(&constraints[1]["value"]), 35.0 * 0.9144, 1.0, 1e-9, "apex");
-    assert!(constraints.iter().all(|constraint| number(&constraint["multiplier"]) > 0.0));
+    close(
+        number(&constraints[0]["value"]),
+        38.0_f64.to_radians(),
+        1.0,
+        1e-9,
+        "descent angle",
+    );
+    close(
+        number(&constraints[1]["value"]),
+        35.0 * 0.9144,
+        1.0,
+        1e-9,
+        "apex",
+    );
+    assert!(
+        constraints
+            .iter()
+            .all(|constraint| number(&constraint["multiplier"]) > 0.0)
+    );
     let optima = found["optima"].as_array().unwrap();
-    assert_eq!(optima.iter().map(|local| number(&local["starts"])).sum::<f64>(), 32.0);
+    assert_eq!(
+        optima
+            .iter()
+            .map(|local| number(&local["starts"]))
+            .sum::<f64>(),
+        32.0
+    );
     let one_thread = program::command()
-        .args(["optimize", "--starts", "32", "--json", "--subject-to", "descent_angle >= 38 deg"])
+        .args([
+            "optimize",
+            "--starts",
+            "32",
+            "--json",
+            "--subject-to",
+            "descent_angle >= 38 deg",
+        ])
         .args(["--subject-to", "apex_height <= 35 yd"])
         .env("RAYON_NUM_THREADS", "1")
         .output()
         .unwrap();
-    assert_eq!(serde_json::from_slice::<Value>(&one_thread.stdout).unwrap(), found, "whatever the number of threads");
+    assert_eq!(
+        serde_json::from_slice::<Value>(&one_thread.stdout).unwrap(),
+        found,
+        "whatever the number of threads"
+    );
 }
 
 /// What is set and varied too is where the search begins, within its range.
@@ -39,26 +73,61 @@ fn a_value_that_is_set_of_a_variable_is_told_as_the_start() {
     let notes = |args: &[&str]| -> Vec<String> {
         let said = longdrive(args);
         assert!([0, 1].contains(&said.status), "{}", said.err);
-        said.err.lines().filter(|line| line.contains("begins at")).map(str::to_owned).collect()
+        said.err
+            .lines()
+            .filter(|line| line.contains("begins at"))
+            .map(str::to_owned)
+            .collect()
     };
-    for (set, start, moved) in [("club.loft=10deg", "10°", ""), ("club.loft=25deg", "20°", ", the end of its range")]
-    {
+    for (set, start, moved) in [
+        ("club.loft=10deg", "10°", ""),
+        ("club.loft=25deg", "20°", ", the end of its range"),
+    ] {
         let args = ["optimize", "--set", set, "--max-iterations", "1"];
         assert_eq!(
             notes(&args),
-            [format!("note: club.loft is varied; the search from the setup begins at {start}{moved}")]
+            [format!(
+                "note: club.loft is varied; the search from the setup begins at {start}{moved}"
+            )]
         );
         // the first line of the progress has the point that the search begins at
         let first = format!("club.loft {}.000000°", start.trim_end_matches('°'));
         assert!(longdrive(&args).err.contains(&first), "{set}");
     }
-    assert_eq!(notes(&["optimize", "--set", "swing.speed=100mph", "--max-iterations", "1"]), [""; 0]);
+    assert_eq!(
+        notes(&[
+            "optimize",
+            "--set",
+            "swing.speed=100mph",
+            "--max-iterations",
+            "1"
+        ]),
+        [""; 0]
+    );
     // as of every search
     let loft = "--vary=club.loft=4deg..20deg";
     for args in [
-        &["robust", "--set=club.loft=10deg", loft, "--model=ball.mass=44g"][..],
-        &["pareto", "--set=club.loft=10deg", loft, "--maximize=carry", "--minimize=apex_height", "--points=3"],
-        &["design", "--set=club.loft=10deg", loft, "--scenarios=4", "--max-iterations=1"],
+        &[
+            "robust",
+            "--set=club.loft=10deg",
+            loft,
+            "--model=ball.mass=44g",
+        ][..],
+        &[
+            "pareto",
+            "--set=club.loft=10deg",
+            loft,
+            "--maximize=carry",
+            "--minimize=apex_height",
+            "--points=3",
+        ],
+        &[
+            "design",
+            "--set=club.loft=10deg",
+            loft,
+            "--scenarios=4",
+            "--max-iterations=1",
+        ],
         &[
             "optimize",
             "--set=club.loft=10deg",
@@ -67,7 +136,11 @@ fn a_value_that_is_set_of_a_variable_is_told_as_the_start() {
             "--max-iterations=1",
         ],
     ] {
-        assert_eq!(notes(args), ["note: club.loft is varied; the search from the setup begins at 10°"], "{args:?}");
+        assert_eq!(
+            notes(args),
+            ["note: club.loft is varied; the search from the setup begins at 10°"],
+            "{args:?}"
+        );
     }
 }
 
@@ -77,10 +150,24 @@ fn a_wind_is_whole_whose_direction_is_varied() {
     let range = "--vary=wind.from=0deg..180deg";
     let (status, found) = json(&["optimize", range, "--set=wind.speed=10mph"]);
     // a tail wind carries farthest
-    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
-    close(number(&found["optimum"]["wind.from"]), std::f64::consts::PI, 1.0, 1e-9, "direction");
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (0, Some("converged")),
+        "{found}"
+    );
+    close(
+        number(&found["optimum"]["wind.from"]),
+        std::f64::consts::PI,
+        1.0,
+        1e-9,
+        "direction",
+    );
     let said = longdrive(&["optimize", "--set=wind.speed=10mph"]);
-    assert!(said.status == 2 && said.err.contains("wind.speed is given without wind.from"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("wind.speed is given without wind.from"),
+        "{}",
+        said.err
+    );
 }
 
 /// An equation that nothing moves has no price: lateral is 0 for every straight drive.
@@ -91,15 +178,20 @@ fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
         out.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let free = told("lateral == 0 yd");
-    let words = "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, and nothing that is varied moves it";
+    let words =
+        "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, and nothing that is varied moves it";
     assert!(free.contains(words), "{free}");
     let held = told("apex_height == 30 yd");
     assert!(
-        held.contains("equality: off by 0.00 yd, +") && held.contains("yd for each yard that the value is raised"),
+        held.contains("equality: off by 0.00 yd, +")
+            && held.contains("yd for each yard that the value is raised"),
         "{held}"
     );
     let idle = told("apex_height <= 60 yd");
-    assert!(idle.contains("apex height ≤ 60 yd") && idle.contains("not active"), "{idle}");
+    assert!(
+        idle.contains("apex height ≤ 60 yd") && idle.contains("not active"),
+        "{idle}"
+    );
 }
 
 #[test]
@@ -115,34 +207,62 @@ fn exact_equation_that_holds_already_converges_with_its_multiplier() {
         };
         let equation = format!("{of} == {:?} {unit}", number(&drive["flight"][of]));
         let (status, found) = json(&["optimize", "--maximize", of, "--subject-to", &equation]);
-        assert_eq!((status, &found["status"]), (0, &Value::from("converged")), "{equation}: {found}");
-        close(number(&found["constraints"][0]["multiplier"]), 1.0, 1.0, 1e-9, &equation);
+        assert_eq!(
+            (status, &found["status"]),
+            (0, &Value::from("converged")),
+            "{equation}: {found}"
+        );
+        close(
+            number(&found["constraints"][0]["multiplier"]),
+            1.0,
+            1.0,
+            1e-9,
+            &equation,
+        );
     }
 }
 
 #[test]
 fn infeasible_is_an_answer_with_status_1_and_says_by_what() {
-    let limits = ["--subject-to", "descent_angle >= 60 deg", "--subject-to", "apex_height <= 35 yd"];
+    let limits = [
+        "--subject-to",
+        "descent_angle >= 60 deg",
+        "--subject-to",
+        "apex_height <= 35 yd",
+    ];
     let (status, found) = json(&[&["optimize"], limits.as_slice()].concat());
     assert_eq!((status, &found["status"]), (1, &Value::from("infeasible")));
     let message = found["message"].as_str().unwrap();
     assert!(
-        message.contains("descent_angle >= 60 deg (its value is ") && message.contains(", outside by "),
+        message.contains("descent_angle >= 60 deg (its value is ")
+            && message.contains(", outside by "),
         "{message}"
     );
     // no optimum, no sensitivity
     let (status, found) = json(&[&["optimum-sensitivity"], limits.as_slice()].concat());
     assert_eq!((status, &found["status"]), (1, &Value::from("infeasible")));
     // nor a price in the text
-    assert!(!longdrive(&[&["optimize"], limits.as_slice()].concat()).out.contains("relaxed"));
+    assert!(
+        !longdrive(&[&["optimize"], limits.as_slice()].concat())
+            .out
+            .contains("relaxed")
+    );
 }
 
 #[test]
 fn a_change_says_where_the_parameter_goes() {
-    for (change, title) in [("120mph", "swing.speed +120 mph to 235 mph"), ("-10mph", "swing.speed -10 mph to 105 mph")]
-    {
+    for (change, title) in [
+        ("120mph", "swing.speed +120 mph to 235 mph"),
+        ("-10mph", "swing.speed -10 mph to 105 mph"),
+    ] {
         let change = format!("--change=swing.speed={change}");
-        let said = longdrive(&["optimum-sensitivity", "tour-average", "--wrt", "gravity", &change]);
+        let said = longdrive(&[
+            "optimum-sensitivity",
+            "tour-average",
+            "--wrt",
+            "gravity",
+            &change,
+        ]);
         assert!(said.status == 0 && said.out.contains(title), "{}", said.out);
     }
 }
@@ -162,7 +282,8 @@ fn exact_sensitivity_and_windows_as_json() {
     let names: Vec<&String> = found["sensitivity"].as_object().unwrap().keys().collect();
     assert_eq!(names, ["swing.speed", "gravity"]);
     let speed = &found["sensitivity"]["swing.speed"];
-    let best = |speed: &str| number(&json(&["optimize", "modern-driver", "--set", speed]).1["value"]);
+    let best =
+        |speed: &str| number(&json(&["optimize", "modern-driver", "--set", speed]).1["value"]);
     let slope = (best("swing.speed=49.2744m/s") - best("swing.speed=49.0744m/s")) / 0.2;
     close(number(&speed["value"]), slope, 1.0, 1e-4, "d f*/d speed");
     assert_eq!(number(&speed["optimum"]["swing.attack_angle"]), 0.0);
@@ -171,34 +292,71 @@ fn exact_sensitivity_and_windows_as_json() {
     assert!(number(&window["low"]) < x && x < number(&window["high"]));
     for end in ["low", "high"] {
         let loft = format!("club.loft={:?}rad", number(&window[end]));
-        let drive = json(&["simulate", "modern-driver", "--set", &loft, "--set", "swing.attack_angle=5deg"]).1;
-        close(number(&found["value"]) - number(&drive["flight"]["carry"]), 0.9144, 1.0, 1e-9, "a yard");
+        let drive = json(&[
+            "simulate",
+            "modern-driver",
+            "--set",
+            &loft,
+            "--set",
+            "swing.attack_angle=5deg",
+        ])
+        .1;
+        close(
+            number(&found["value"]) - number(&drive["flight"]["carry"]),
+            0.9144,
+            1.0,
+            1e-9,
+            "a yard",
+        );
     }
     assert_eq!(found["window"]["swing.attack_angle"]["high_limit"], "bound");
     let change = &found["changes"][0];
-    let (predicted, anew) = (number(&change["predicted"]["value"]), number(&change["resolved"]["value"]));
+    let (predicted, anew) = (
+        number(&change["predicted"]["value"]),
+        number(&change["resolved"]["value"]),
+    );
     assert!((predicted - anew).abs() < 1e-2, "{change}");
     let text = longdrive(&["optimum-sensitivity"]);
     assert_eq!(text.status, 0);
-    for words in ["swing.speed [mph]", "alone, for a loss of 1.00 yd", "together", "by the quadratic"] {
+    for words in [
+        "swing.speed [mph]",
+        "alone, for a loss of 1.00 yd",
+        "together",
+        "by the quadratic",
+    ] {
         assert!(text.out.contains(words), "{words}: {}", text.out);
     }
 }
 
 #[test]
 fn exact_chart_as_json_csv_and_table() {
-    let args = ["chart", "--along", "swing.speed=80mph..130mph", "--subject-to", "apex_height <= 35 yd"];
+    let args = [
+        "chart",
+        "--along",
+        "swing.speed=80mph..130mph",
+        "--subject-to",
+        "apex_height <= 35 yd",
+    ];
     let (status, chart) = json(&args);
     let points = chart["points"].as_array().unwrap();
     assert_eq!(status, 0);
     assert_eq!(number(&points[0]["at"]), 80.0 * 0.44704);
     assert_eq!(number(&points.last().unwrap()["at"]), 130.0 * 0.44704);
-    assert_eq!(points[0]["active"], serde_json::json!(["swing.attack_angle"]));
-    assert!(points.last().unwrap()["active"].as_array().unwrap().contains(&Value::from("apex_height <= 35 yd")));
+    assert_eq!(
+        points[0]["active"],
+        serde_json::json!(["swing.attack_angle"])
+    );
+    assert!(
+        points.last().unwrap()["active"]
+            .as_array()
+            .unwrap()
+            .contains(&Value::from("apex_height <= 35 yd"))
+    );
     let csv = longdrive(&[&args, ["--csv"].as_slice()].concat());
     assert!(
         csv.out.starts_with(
-            "swing.speed [m/s],carry [m],club.loft [rad],swing.attack_angle [rad],ball_speed [m/s],launch_angle [rad],\
+            "swing.speed [m/s],carry [m],club.loft [rad],swing.attack_angle [rad],ball_speed \
+             [m/s],launch_angle [rad],\
              backspin [rad/s],active,event\n"
         ),
         "{}",
@@ -206,41 +364,95 @@ fn exact_chart_as_json_csv_and_table() {
     );
     assert_eq!(csv.out.lines().count(), points.len() + 1);
     let text = longdrive(&args).out;
-    assert!(text.contains("<- apex height ≤ 35 yd begins") && text.contains("launch_angle"), "{text}");
+    assert!(
+        text.contains("<- apex height ≤ 35 yd begins") && text.contains("launch_angle"),
+        "{text}"
+    );
     // the ball at an optimum leaves as that drive's does
-    let [loft, attack] = ["club.loft", "swing.attack_angle"].map(|name| number(&points[0]["optimum"][name]));
-    let set = [format!("club.loft={loft} rad"), format!("swing.attack_angle={attack} rad")];
-    let (_, drive) = json(&["simulate", "--set", "swing.speed=80mph", "--set", &set[0], "--set", &set[1]]);
+    let [loft, attack] =
+        ["club.loft", "swing.attack_angle"].map(|name| number(&points[0]["optimum"][name]));
+    let set = [
+        format!("club.loft={loft} rad"),
+        format!("swing.attack_angle={attack} rad"),
+    ];
+    let (_, drive) = json(&[
+        "simulate",
+        "--set",
+        "swing.speed=80mph",
+        "--set",
+        &set[0],
+        "--set",
+        &set[1],
+    ]);
     for of in ["ball_speed", "launch_angle", "backspin"] {
-        let (ours, theirs) = (number(&points[0]["launch"][of]), number(&drive["launch"][of]));
-        assert!((ours - theirs).abs() < 1e-9 * theirs, "{of}: {ours}, {theirs}");
+        let (ours, theirs) = (
+            number(&points[0]["launch"][of]),
+            number(&drive["launch"][of]),
+        );
+        assert!(
+            (ours - theirs).abs() < 1e-9 * theirs,
+            "{of}: {ours}, {theirs}"
+        );
     }
 
     // part of the range without an optimum: what there is, and status 1
-    let low = ["chart", "--along", "swing.speed=80mph..130mph", "--subject-to", "apex_height >= 36 yd"];
+    let low = [
+        "chart",
+        "--along",
+        "swing.speed=80mph..130mph",
+        "--subject-to",
+        "apex_height >= 36 yd",
+    ];
     let (status, chart) = json(&low);
     assert_eq!(status, 1);
     assert!(chart["points"].as_array().unwrap().len() > 5);
-    assert!(chart["begun"].as_str().unwrap().contains("no optimum was found at 80 mph"), "{}", chart["begun"]);
-    let (status, chart) = json(&["chart", "--along", "swing.speed=80mph..130mph", "--max-iterations", "0"]);
+    assert!(
+        chart["begun"]
+            .as_str()
+            .unwrap()
+            .contains("no optimum was found at 80 mph"),
+        "{}",
+        chart["begun"]
+    );
+    let (status, chart) = json(&[
+        "chart",
+        "--along",
+        "swing.speed=80mph..130mph",
+        "--max-iterations",
+        "0",
+    ]);
     assert_eq!((status, chart["points"].as_array().unwrap().len()), (1, 0));
     assert!(chart["ended"].as_str().unwrap().contains("iteration-limit"));
 }
 
 const VARYING: [&str; 2] = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
 
-/// A changed optimum is that of a search of its own there, with the step that such a search chooses: that of the drive as set up would be too
-/// long for a drive more than three times as fast.
+/// A changed optimum is that of a search of its own there, with the step that such a search
+/// chooses: that of the drive as set up would be too long for a drive more than three times as
+/// fast.
 #[test]
 fn independent_a_changed_optimum_is_that_of_a_search_of_the_changed_setup() {
-    for (change, set) in [("swing.speed=+300mph", "swing.speed=415mph"), ("air.density=-20%", "air.density=0.98kg/m^3")]
-    {
-        let asked =
-            ["optimum-sensitivity", "--set", "air.density=1.225kg/m^3", "--wrt", "swing.speed", "--change", change];
+    for (change, set) in [
+        ("swing.speed=+300mph", "swing.speed=415mph"),
+        ("air.density=-20%", "air.density=0.98kg/m^3"),
+    ] {
+        let asked = [
+            "optimum-sensitivity",
+            "--set",
+            "air.density=1.225kg/m^3",
+            "--wrt",
+            "swing.speed",
+            "--change",
+            change,
+        ];
         let (_, found) = json(&asked);
         let resolved = &found["changes"][0]["resolved"];
         let anew = ["optimize", "--set", "air.density=1.225kg/m^3", "--set", set];
-        let anew = if set.starts_with("air") { [&anew[..1], &anew[3..]].concat() } else { anew.to_vec() };
+        let anew = if set.starts_with("air") {
+            [&anew[..1], &anew[3..]].concat()
+        } else {
+            anew.to_vec()
+        };
         let (_, best) = json(&anew);
         assert_eq!(
             (&resolved["status"], &best["status"]),
@@ -248,49 +460,116 @@ fn independent_a_changed_optimum_is_that_of_a_search_of_the_changed_setup() {
             "{resolved} {best}"
         );
         // both within a micrometre of the exact carry
-        close(number(&resolved["value"]), number(&best["value"]), 1.0, 1e-5, change);
+        close(
+            number(&resolved["value"]),
+            number(&best["value"]),
+            1.0,
+            1e-5,
+            change,
+        );
     }
 }
 
 #[test]
 fn what_is_varied_is_refused_without_a_contradiction() {
-    let said = longdrive(&["optimum-sensitivity", "--change", "swing.attack_angle=+1deg"]);
+    let said = longdrive(&[
+        "optimum-sensitivity",
+        "--change",
+        "swing.attack_angle=+1deg",
+    ]);
     let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    let words = "the sensitivity of the optimum to swing.attack_angle: swing.attack_angle is one of the parameters varied, so that the search \
+    let words = "the sensitivity of the optimum to swing.attack_angle: swing.attack_angle is one \
+                 of the parameters varied, so that the search \
                  chooses it; ask about another parameter";
-    assert!(said.status == 2 && told.contains(words) && !told.contains("cannot be varied"), "{told}");
+    assert!(
+        said.status == 2 && told.contains(words) && !told.contains("cannot be varied"),
+        "{told}"
+    );
 }
 
 #[test]
 fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
     for (args, says) in [
-        (vec!["optimize", "--subject-to", "descent_angel >= 38 deg"], "did you mean 'descent_angle'?"),
-        (vec!["optimize", "--subject-to", "descent_angle >= 38"], "has no unit"),
-        (vec!["optimize", "--subject-to", "descent_angle"], "no comparison"),
+        (
+            vec!["optimize", "--subject-to", "descent_angel >= 38 deg"],
+            "did you mean 'descent_angle'?",
+        ),
+        (
+            vec!["optimize", "--subject-to", "descent_angle >= 38"],
+            "has no unit",
+        ),
+        (
+            vec!["optimize", "--subject-to", "descent_angle"],
+            "no comparison",
+        ),
         (vec!["optimize", "--starts", "0"], "--starts"),
         (vec!["optimize", "--starts", "70000"], "at most 65536"),
-        (vec!["optimize", "--checkpoint", "/nowhere/at/all.json"], "cannot be written"),
+        (
+            vec!["optimize", "--checkpoint", "/nowhere/at/all.json"],
+            "cannot be written",
+        ),
         (vec!["optimize", "--checkpoint", "."], "it is not a file"),
-        (vec!["optimum-sensitivity", "--wrt", "club.loft"], "one of the parameters varied"),
-        (vec!["optimum-sensitivity", "--wrt", "swing.sped"], "did you mean 'swing.speed'?"),
-        (vec!["optimum-sensitivity", "--change", "club.loft=+1deg"], "one of the parameters varied"),
-        (vec!["optimum-sensitivity", "--change", "swing.speed=+5kg"], "not a speed"),
-        (vec!["optimum-sensitivity", "--change", "swing.speed"], "write NAME=AMOUNT"),
-        (vec!["optimum-sensitivity", "--change", "air.density=-5 kg/m^3"], "outside its range"),
+        (
+            vec!["optimum-sensitivity", "--wrt", "club.loft"],
+            "one of the parameters varied",
+        ),
+        (
+            vec!["optimum-sensitivity", "--wrt", "swing.sped"],
+            "did you mean 'swing.speed'?",
+        ),
+        (
+            vec!["optimum-sensitivity", "--change", "club.loft=+1deg"],
+            "one of the parameters varied",
+        ),
+        (
+            vec!["optimum-sensitivity", "--change", "swing.speed=+5kg"],
+            "not a speed",
+        ),
+        (
+            vec!["optimum-sensitivity", "--change", "swing.speed"],
+            "write NAME=AMOUNT",
+        ),
+        (
+            vec!["optimum-sensitivity", "--change", "air.density=-5 kg/m^3"],
+            "outside its range",
+        ),
         (
             vec!["optimum-sensitivity", "--change", "swing.path=+20%"],
             "swing.path is 0, of which no part changes anything",
         ),
         (vec!["optimum-sensitivity", "--loss", "0 yd"], "above 0"),
-        (vec!["optimum-sensitivity", "--loss", "-5yd"], "--loss -5yd: it must be above 0"),
+        (
+            vec!["optimum-sensitivity", "--loss", "-5yd"],
+            "--loss -5yd: it must be above 0",
+        ),
         (
             vec!["optimize", "--subject-to", "weights: club.mass <= 200 g"],
             "a relation of parameters is a limit over many",
         ),
-        (vec!["optimize", "--subject-to", "club.loft <= 8deg"], "--vary club.loft=LOW..HIGH"),
-        (vec!["optimize", "--subject-to", "aero.cd0 <= 0.3"], "--vary aero.cd0=LOW..HIGH"),
-        ([&["optimize", "--subject-to", "club.loft <= 8deg"], &VARYING[..]].concat(), "--vary club.loft=LOW..HIGH"),
-        ([&["optimize", "--maximize", "mean(carry) - 0.5 std(carry)"], &VARYING[..]].concat(), "write 0.5*std(carry)"),
+        (
+            vec!["optimize", "--subject-to", "club.loft <= 8deg"],
+            "--vary club.loft=LOW..HIGH",
+        ),
+        (
+            vec!["optimize", "--subject-to", "aero.cd0 <= 0.3"],
+            "--vary aero.cd0=LOW..HIGH",
+        ),
+        (
+            [
+                &["optimize", "--subject-to", "club.loft <= 8deg"],
+                &VARYING[..],
+            ]
+            .concat(),
+            "--vary club.loft=LOW..HIGH",
+        ),
+        (
+            [
+                &["optimize", "--maximize", "mean(carry) - 0.5 std(carry)"],
+                &VARYING[..],
+            ]
+            .concat(),
+            "write 0.5*std(carry)",
+        ),
         (
             vec!["optimize", "--swings", "nofile.toml"],
             "the swings in nofile.toml: it cannot be read (there is no such file)",
@@ -299,30 +578,77 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
             vec!["optimize", "-o", "best.json"],
             "a setup file is written in TOML, and .json is the ending of another kind",
         ),
-        (vec!["robust", "-o", "best.csv"], "a setup file is written in TOML"),
-        (vec!["optimum-sensitivity", "--loss", "1 kg"], "not a length"),
-        (vec!["chart", "--along", "swing.speed=130mph..80mph"], "the range is reversed"),
-        (vec!["chart", "--along", "club.loft=5deg..6deg"], "one of the parameters varied"),
-        (vec!["chart", "--along", "swing.speed=80mph.."], "upper end is missing"),
+        (
+            vec!["robust", "-o", "best.csv"],
+            "a setup file is written in TOML",
+        ),
+        (
+            vec!["optimum-sensitivity", "--loss", "1 kg"],
+            "not a length",
+        ),
+        (
+            vec!["chart", "--along", "swing.speed=130mph..80mph"],
+            "the range is reversed",
+        ),
+        (
+            vec!["chart", "--along", "club.loft=5deg..6deg"],
+            "one of the parameters varied",
+        ),
+        (
+            vec!["chart", "--along", "swing.speed=80mph.."],
+            "upper end is missing",
+        ),
         (vec!["chart"], "--along"),
-        (vec!["simulate", "--set", "flight.step=1e-9s"], "it must be at least 6e-6 s"),
-        (vec!["simulate", "--set", "flight.step=6e-6s", "--set", "flight.time_limit=1e3s"], "at most 1e8 steps"),
+        (
+            vec!["simulate", "--set", "flight.step=1e-9s"],
+            "it must be at least 6e-6 s",
+        ),
+        (
+            vec![
+                "simulate",
+                "--set",
+                "flight.step=6e-6s",
+                "--set",
+                "flight.time_limit=1e3s",
+            ],
+            "at most 1e8 steps",
+        ),
     ] {
         let said = longdrive(&args);
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{args:?}: {}",
+            said.err
+        );
         assert!(said.err.contains(says), "{args:?}: {}", said.err);
     }
 }
 
 #[test]
 fn each_outcome_of_a_gradient_answers_for_itself() {
-    let (status, rows) =
-        json(&["gradient", "modern-driver", "--of", "launch_angle,carry", "--set", "club.loft=-20deg"]);
+    let (status, rows) = json(&[
+        "gradient",
+        "modern-driver",
+        "--of",
+        "launch_angle,carry",
+        "--set",
+        "club.loft=-20deg",
+    ]);
     assert_eq!(status, 1);
-    close(number(&rows["outcomes"][0]["value"]).to_degrees(), -17.87, 1.0, 1e-2, "launch angle");
+    close(
+        number(&rows["outcomes"][0]["value"]).to_degrees(),
+        -17.87,
+        1.0,
+        1e-2,
+        "launch angle",
+    );
     assert!(
         rows["outcomes"][1]["value"].is_null()
-            && rows["outcomes"][1]["message"].as_str().unwrap().contains("no flight")
+            && rows["outcomes"][1]["message"]
+                .as_str()
+                .unwrap()
+                .contains("no flight")
     );
     let (status, rows) = json(&[
         "gradient",
@@ -350,21 +676,67 @@ fn a_full_disk_is_an_error() {
 
 #[test]
 fn exact_least_value_has_the_price_of_its_bound() {
-    // ball speed falls with loft all the way: the least is at the upper bound, and its price is the slope there
+    // ball speed falls with loft all the way: the least is at the upper bound, and its price is the
+    // slope there
     let vary = ["--vary", "club.loft=4deg..20deg"];
-    let (status, found) = json(&[&["optimize", "modern-driver", "--minimize", "ball_speed"], &vary[..]].concat());
-    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
-    assert_eq!(number(&found["optimum"]["club.loft"]), 20.0_f64.to_radians());
-    let at = ["--of", "ball_speed", "--wrt", "club.loft", "--set", "club.loft=20deg"];
+    let (status, found) = json(
+        &[
+            &["optimize", "modern-driver", "--minimize", "ball_speed"],
+            &vary[..],
+        ]
+        .concat(),
+    );
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (0, Some("converged")),
+        "{found}"
+    );
+    assert_eq!(
+        number(&found["optimum"]["club.loft"]),
+        20.0_f64.to_radians()
+    );
+    let at = [
+        "--of",
+        "ball_speed",
+        "--wrt",
+        "club.loft",
+        "--set",
+        "club.loft=20deg",
+    ];
     let mut setup = longdrive::Setup::default();
     setup.set("club.loft", "20 deg").unwrap();
     let loft = setup.variable("club.loft").unwrap();
-    let slope = longdrive::derivative::gradient(&setup, longdrive::Outcome::BallSpeed, &[loft]).unwrap();
+    let slope =
+        longdrive::derivative::gradient(&setup, longdrive::Outcome::BallSpeed, &[loft]).unwrap();
     assert!(slope.gradient[0] < 0.0, "{at:?}");
-    close(number(&found["value"]), slope.value, slope.value, 1e-14, "value");
-    close(number(&found["gradient"]["club.loft"]), slope.gradient[0], 1.0, 1e-9, "gradient");
-    close(number(&found["multipliers"]["club.loft"]["upper"]), -slope.gradient[0], 1.0, 1e-9, "price");
-    let said = longdrive(&[&["optimize", "modern-driver", "--minimize", "ball_speed"], &vary[..]].concat());
+    close(
+        number(&found["value"]),
+        slope.value,
+        slope.value,
+        1e-14,
+        "value",
+    );
+    close(
+        number(&found["gradient"]["club.loft"]),
+        slope.gradient[0],
+        1.0,
+        1e-9,
+        "gradient",
+    );
+    close(
+        number(&found["multipliers"]["club.loft"]["upper"]),
+        -slope.gradient[0],
+        1.0,
+        1e-9,
+        "price",
+    );
+    let said = longdrive(
+        &[
+            &["optimize", "modern-driver", "--minimize", "ball_speed"],
+            &vary[..],
+        ]
+        .concat(),
+    );
     assert!(said.out.contains("at its upper bound: -"), "{}", said.out);
     let both = longdrive(&["optimize", "--minimize", "carry", "--maximize", "carry"]);
     assert_eq!(both.status, 2, "{}", both.err);
@@ -373,68 +745,149 @@ fn exact_least_value_has_the_price_of_its_bound() {
 #[test]
 fn differences_of_least_values_are_their_sensitivities() {
     // the landing speed is least at a descent between flat and steep
-    let asked = ["--minimize", "landing_speed", "--vary", "club.loft=4deg..25deg", "--own-step"];
-    let (status, found) =
-        json(&[&["optimum-sensitivity", "modern-driver", "--wrt", "air.density"], &asked[..]].concat());
+    let asked = [
+        "--minimize",
+        "landing_speed",
+        "--vary",
+        "club.loft=4deg..25deg",
+        "--own-step",
+    ];
+    let (status, found) = json(
+        &[
+            &[
+                "optimum-sensitivity",
+                "modern-driver",
+                "--wrt",
+                "air.density",
+            ],
+            &asked[..],
+        ]
+        .concat(),
+    );
     assert_eq!(status, 0, "{found}");
     let best = |density: &str| {
-        let (_, found) = json(&[&["optimize", "modern-driver", "--set", density], &asked[..]].concat());
+        let (_, found) =
+            json(&[&["optimize", "modern-driver", "--set", density], &asked[..]].concat());
         number(&found["value"])
     };
     let slope = (best("air.density=1.185 kg/m^3") - best("air.density=1.183 kg/m^3")) / 0.002;
     let exact = number(&found["sensitivity"]["air.density"]["value"]);
     close(slope, exact, exact.abs(), 1e-5, "d f*/d density");
     let loss = |end: &str| {
-        let loft = format!("club.loft={:?}rad", number(&found["window"]["club.loft"][end]));
+        let loft = format!(
+            "club.loft={:?}rad",
+            number(&found["window"]["club.loft"][end])
+        );
         let (_, drive) = json(&["simulate", "modern-driver", "--set", &loft]);
         number(&drive["flight"]["landing_speed"]) - number(&found["value"])
     };
     // the optimum stands at the upper bound: there nothing is lost but rounding
-    assert!(loss("low") > 0.1 && found["window"]["club.loft"]["high_limit"] == "bound", "{found}");
-    close(loss("high"), 0.0, number(&found["value"]), 1e-14, "loss at the optimum");
+    assert!(
+        loss("low") > 0.1 && found["window"]["club.loft"]["high_limit"] == "bound",
+        "{found}"
+    );
+    close(
+        loss("high"),
+        0.0,
+        number(&found["value"]),
+        1e-14,
+        "loss at the optimum",
+    );
 }
 
 #[test]
 fn exact_setup_at_an_optimum_reads_back_and_gives_the_same_drive() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml").display().to_string();
-    let asked = ["optimize", "modern-driver", "--set", "swing.speed=100mph", "-o", &file, "--overwrite"];
+    let asked = [
+        "optimize",
+        "modern-driver",
+        "--set",
+        "swing.speed=100mph",
+        "-o",
+        &file,
+        "--overwrite",
+    ];
     let (status, found) = json(&asked);
     assert_eq!(status, 0);
     let text = std::fs::read_to_string(&file).unwrap();
-    for words in
-        ["preset = \"modern-driver\"", "speed = \"100 mph\" # as given", "# optimum: 1", "mass = \"204 g\" # Caldwell"]
-    {
+    for words in [
+        "preset = \"modern-driver\"",
+        "speed = \"100 mph\" # as given",
+        "# optimum: 1",
+        "mass = \"204 g\" # Caldwell",
+    ] {
         assert!(text.contains(words), "no '{words}' in {text}");
     }
-    // method and step were chosen for the search: who reads the file may choose others, within a micrometre
-    assert!(!text.contains("\nmethod = ") && !text.contains("\nstep = "), "{text}");
+    // method and step were chosen for the search: who reads the file may choose others, within a
+    // micrometre
+    assert!(
+        !text.contains("\nmethod = ") && !text.contains("\nstep = "),
+        "{text}"
+    );
     let carry = || number(&json(&["simulate", &file]).1["flight"]["carry"]);
     close(carry(), number(&found["value"]), 1.0, 1e-6, "carry");
     // those that were stated are in it, and give the same drive to the last digits
     for stated in [&["--own-step"][..], &["--set", "flight.step=0.02s"]] {
         let (_, found) = json(&[&asked[..], stated].concat());
-        close(carry(), number(&found["value"]), number(&found["value"]), 1e-14, "carry");
+        close(
+            carry(),
+            number(&found["value"]),
+            number(&found["value"]),
+            1e-14,
+            "carry",
+        );
     }
-    // those of a tolerance serve this search alone: in place of them it has those that the setup states, or none
+    // those of a tolerance serve this search alone: in place of them it has those that the setup
+    // states, or none
     let within = |setup: &str, file: &str| {
-        let asked = ["optimize", setup, "--tolerance=1mm", "-o", file, "--overwrite"];
+        let asked = [
+            "optimize",
+            setup,
+            "--tolerance=1mm",
+            "-o",
+            file,
+            "--overwrite",
+        ];
         assert_eq!(longdrive(&asked).status, 0);
         let text = std::fs::read_to_string(file).unwrap();
-        text.lines().filter(|line| line.starts_with("step = ")).map(str::to_owned).collect::<Vec<_>>()
+        text.lines()
+            .filter(|line| line.starts_with("step = "))
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
     };
-    assert_eq!(within(&file, &format!("{file}.2")), ["step = \"0.02 s\" # as given, instead of 0.01 s"]);
+    assert_eq!(
+        within(&file, &format!("{file}.2")),
+        ["step = \"0.02 s\" # as given, instead of 0.01 s"]
+    );
     assert!(within("modern-driver", &file).is_empty());
     let said = longdrive(&["optimize", "-o", &file]);
-    assert!(said.status == 2 && said.err.contains("--overwrite to replace it"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("--overwrite to replace it"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
 fn options_of_a_search_that_is_not_asked_for_are_refused() {
-    for option in [&["--maximize", "carry"][..], &["--vary", "club.loft=4deg..20deg"], &["--max-iterations", "9"]] {
+    for option in [
+        &["--maximize", "carry"][..],
+        &["--vary", "club.loft=4deg..20deg"],
+        &["--max-iterations", "9"],
+    ] {
         let said = longdrive(&[&["sensitivity"], option].concat());
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{option:?}: {}", said.err);
-        assert!(said.err.contains(option[0]) && said.err.contains("--at-optimum"), "{}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{option:?}: {}",
+            said.err
+        );
+        assert!(
+            said.err.contains(option[0]) && said.err.contains("--at-optimum"),
+            "{}",
+            said.err
+        );
     }
 }
 
@@ -442,28 +895,66 @@ fn options_of_a_search_that_is_not_asked_for_are_refused() {
 fn numbers_without_a_unit_in_a_setup_file_are_said_to_be_read_as_si() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.toml").display().to_string();
-    std::fs::write(&file, "[swing]\nspeed = 50\n[impact]\nrestitution = 0.8\n[club]\nbulge_radius = inf\n").unwrap();
+    std::fs::write(
+        &file,
+        "[swing]\nspeed = 50\n[impact]\nrestitution = 0.8\n[club]\nbulge_radius = inf\n",
+    )
+    .unwrap();
     let said = longdrive(&["simulate", &file]);
     assert_eq!(said.status, 0, "{}", said.err);
-    let notes: Vec<_> = said.err.lines().filter(|line| line.starts_with("note: ")).collect();
+    let notes: Vec<_> = said
+        .err
+        .lines()
+        .filter(|line| line.starts_with("note: "))
+        .collect();
     assert_eq!(notes.len(), 1, "{}", said.err);
-    assert!(notes[0].contains("swing.speed = 50 m/s") && !notes[0].contains("restitution"), "{}", said.err);
+    assert!(
+        notes[0].contains("swing.speed = 50 m/s") && !notes[0].contains("restitution"),
+        "{}",
+        said.err
+    );
     assert!(!notes[0].contains("bulge"), "{}", said.err);
 }
 
 #[test]
 fn exact_optima_at_the_points_one_chooses() {
-    let (status, chart) = json(&["chart", "modern-driver", "--along", "swing.speed", "--at", "110mph,90mph,100mph"]);
+    let (status, chart) = json(&[
+        "chart",
+        "modern-driver",
+        "--along",
+        "swing.speed",
+        "--at",
+        "110mph,90mph,100mph",
+    ]);
     assert_eq!(status, 0, "{chart}");
     let points = chart["points"].as_array().unwrap();
     let speeds: Vec<f64> = points.iter().map(|point| number(&point["at"])).collect();
     assert_eq!(speeds, [90.0 * 0.44704, 100.0 * 0.44704, 110.0 * 0.44704]);
     for (point, speed) in points.iter().zip(["90mph", "100mph", "110mph"]) {
-        let (_, alone) = json(&["optimize", "modern-driver", "--set", &format!("swing.speed={speed}")]);
-        close(number(&point["value"]), number(&alone["value"]), 1.0, 1e-9, speed);
+        let (_, alone) = json(&[
+            "optimize",
+            "modern-driver",
+            "--set",
+            &format!("swing.speed={speed}"),
+        ]);
+        close(
+            number(&point["value"]),
+            number(&alone["value"]),
+            1.0,
+            1e-9,
+            speed,
+        );
     }
     for (args, says) in [
-        (["--along", "swing.speed=80mph..100mph", "--at", "90mph,110mph"], "110 mph is outside 80 mph .. 100 mph"),
+        (
+            [
+                "--along",
+                "swing.speed=80mph..100mph",
+                "--at",
+                "90mph,110mph",
+            ],
+            "110 mph is outside 80 mph .. 100 mph",
+        ),
         (["--along", "swing.speed", "--at", "90"], "has no unit"),
         (["--along", "club.loft", "--at", "9deg"], "varied"),
     ] {
@@ -476,9 +967,18 @@ fn exact_optima_at_the_points_one_chooses() {
 #[test]
 fn values_of_a_chart_out_of_order_or_given_twice_are_told() {
     const TOLD: &str = "the values of --at are taken in rising order, each once";
-    for (at, is_told) in [("90mph,100mph", false), ("100mph,90mph", true), ("90mph,90mph,100mph", true)] {
+    for (at, is_told) in [
+        ("90mph,100mph", false),
+        ("100mph,90mph", true),
+        ("90mph,90mph,100mph", true),
+    ] {
         let said = longdrive(&["chart", "--along", "swing.speed", "--at", at, "--csv"]);
-        assert_eq!((said.status, said.out.lines().count()), (0, 3), "{at}: {}", said.out);
+        assert_eq!(
+            (said.status, said.out.lines().count()),
+            (0, 3),
+            "{at}: {}",
+            said.out
+        );
         assert_eq!(said.err.contains(TOLD), is_told, "{at}: {}", said.err);
     }
 }
@@ -486,10 +986,15 @@ fn values_of_a_chart_out_of_order_or_given_twice_are_told() {
 #[test]
 fn progress_of_a_chart_shows_the_points_that_were_asked_for() {
     let said = longdrive(&["chart", "--along", "swing.speed", "--at", "100mph,120mph"]);
-    let shown: Vec<&str> = said.err.lines().filter(|line| line.starts_with("swing.speed ")).collect();
+    let shown: Vec<&str> = said
+        .err
+        .lines()
+        .filter(|line| line.starts_with("swing.speed "))
+        .collect();
     assert!(said.status == 0 && shown.len() == 2, "{}", said.err);
     assert!(
-        shown[0].starts_with("swing.speed 100 mph: carry") && shown[1].starts_with("swing.speed 120 mph: carry"),
+        shown[0].starts_with("swing.speed 100 mph: carry")
+            && shown[1].starts_with("swing.speed 120 mph: carry"),
         "{shown:?}"
     );
 }
@@ -498,40 +1003,98 @@ fn progress_of_a_chart_shows_the_points_that_were_asked_for() {
 fn a_setup_that_is_not_written_is_told_even_where_it_is_to_be_quiet() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml");
-    let said = longdrive(&["optimize", "-q", "--max-iterations", "1", "-o", file.to_str().unwrap()]);
-    assert!(said.status == 1 && said.err.contains("is not written: there is no optimum"), "{}", said.err);
+    let said = longdrive(&[
+        "optimize",
+        "-q",
+        "--max-iterations",
+        "1",
+        "-o",
+        file.to_str().unwrap(),
+    ]);
+    assert!(
+        said.status == 1 && said.err.contains("is not written: there is no optimum"),
+        "{}",
+        said.err
+    );
     assert!(!file.exists());
 }
 
-/// A value that another option gives for every drive would not be used; one that is a start, a mean or needed at all is.
+/// A value that another option gives for every drive would not be used; one that is a start, a mean
+/// or needed at all is.
 #[test]
 fn a_setting_that_has_no_effect_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let plot = folder.path().join("a.svg").to_str().unwrap().to_owned();
     let along = ["--along", "swing.speed=100mph..101mph"];
     for (args, why) in [
-        ([&["chart", "--set", "swing.speed=90mph"], &along[..]].concat(), "--along gives its values"),
         (
-            [&["plot", "chart", "-o", &plot, "--set", "swing.speed=90mph"], &along[..]].concat(),
+            [&["chart", "--set", "swing.speed=90mph"], &along[..]].concat(),
             "--along gives its values",
         ),
         (
-            vec!["uncertainty", "--set", "swing.speed=90mph", "--distribution", "swing.speed=normal(100mph,1mph)"],
+            [
+                &["plot", "chart", "-o", &plot, "--set", "swing.speed=90mph"],
+                &along[..],
+            ]
+            .concat(),
+            "--along gives its values",
+        ),
+        (
+            vec![
+                "uncertainty",
+                "--set",
+                "swing.speed=90mph",
+                "--distribution",
+                "swing.speed=normal(100mph,1mph)",
+            ],
             "--distribution gives its values",
         ),
     ] {
         let said = longdrive(&args);
         let told = format!("--set swing.speed: {why}, so this one is not used; leave it out");
-        assert!(said.status == 2 && said.err.contains(&told), "{args:?}: {}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(&told),
+            "{args:?}: {}",
+            said.err
+        );
     }
     // without the setting this preset has no friction to vary
-    let friction = ["--set", "impact.friction=0.3", "--along", "impact.friction=0.4..0.41"];
+    let friction = [
+        "--set",
+        "impact.friction=0.3",
+        "--along",
+        "impact.friction=0.4..0.41",
+    ];
     assert_eq!(longdrive(&[&["chart"], &friction[..]].concat()).status, 0);
     let start = |loft: &str| {
-        let said = longdrive(&["optimize", "--set", loft, "--vary", "club.loft=4deg..20deg", "--max-iterations", "0"]);
-        said.err.lines().find(|line| line.starts_with("  0 ")).unwrap().to_owned()
+        let said = longdrive(&[
+            "optimize",
+            "--set",
+            loft,
+            "--vary",
+            "club.loft=4deg..20deg",
+            "--max-iterations",
+            "0",
+        ]);
+        said.err
+            .lines()
+            .find(|line| line.starts_with("  0 "))
+            .unwrap()
+            .to_owned()
     };
-    assert!(start("club.loft=8deg").ends_with("club.loft 8.000000°"), "{}", start("club.loft=8deg"));
-    let asked = ["uncertainty", "--set", "swing.speed=90mph", "--sigma", "swing.speed=1mph", "--samples", "16"];
+    assert!(
+        start("club.loft=8deg").ends_with("club.loft 8.000000°"),
+        "{}",
+        start("club.loft=8deg")
+    );
+    let asked = [
+        "uncertainty",
+        "--set",
+        "swing.speed=90mph",
+        "--sigma",
+        "swing.speed=1mph",
+        "--samples",
+        "16",
+    ];
     assert!(longdrive(&asked).out.contains("normal: 90 mph ± 1 mph"));
 }

@@ -1,4 +1,5 @@
-//! `longdrive sweep` as a user meets it: files, kills and resumes, full disks, closed pipes, and bad input.
+//! `longdrive sweep` as a user meets it: files, kills and resumes, full disks, closed pipes, and
+//! bad input.
 
 use crate::command_line::{json, longdrive, wait_until};
 use crate::program;
@@ -11,22 +12,49 @@ use std::sync::OnceLock;
 
 const FORMATS: [&str; 3] = ["csv", "jsonl", "parquet"];
 
-/// Some sixty thousand drives with steps so coarse that they take half a second, of a table so wide that they are three row groups.
-/// Some of them do not fly.
+/// Some sixty thousand drives with steps so coarse that they take half a second, of a table so wide
+/// that they are three row groups. Some of them do not fly.
 fn many() -> Vec<&'static str> {
-    let over = ["--over", "club.loft=1deg..15deg:64", "--over", "swing.attack_angle=-5deg..5deg:1024"];
-    [&["sweep", "--set", "flight.step=1s", "--outcomes", "all", "--gradient"], &over[..]].concat()
+    let over = [
+        "--over",
+        "club.loft=1deg..15deg:64",
+        "--over",
+        "swing.attack_angle=-5deg..5deg:1024",
+    ];
+    [
+        &[
+            "sweep",
+            "--set",
+            "flight.step=1s",
+            "--outcomes",
+            "all",
+            "--gradient",
+        ],
+        &over[..],
+    ]
+    .concat()
 }
 
 fn start(args: &[&str], file: &Path, more: &[&str]) -> Child {
     let mut program = program::command();
-    program.args(args).arg("-o").arg(file).args(more).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+    program
+        .args(args)
+        .arg("-o")
+        .arg(file)
+        .args(more)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
 }
 
 /// Runs to the end: exit status, and what it said on standard error.
 fn finish(child: Child) -> (Option<i32>, String) {
     let output = child.wait_with_output().unwrap();
-    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    (
+        output.status.code(),
+        String::from_utf8(output.stderr).unwrap(),
+    )
 }
 
 fn sidecar(file: &Path) -> PathBuf {
@@ -50,10 +78,20 @@ fn promises(file: &Path) -> usize {
 
 /// The same, of the points of a table.
 fn many_of(table: &str) -> Vec<&str> {
-    vec!["sweep", "--set", "flight.step=1s", "--outcomes", "all", "--gradient", "--points", table]
+    vec![
+        "sweep",
+        "--set",
+        "flight.step=1s",
+        "--outcomes",
+        "all",
+        "--gradient",
+        "--points",
+        table,
+    ]
 }
 
-/// A sweep that nothing disturbs: its file, and how many drives it says lie beyond what the law was fitted to.
+/// A sweep that nothing disturbs: its file, and how many drives it says lie beyond what the law was
+/// fitted to.
 struct Whole {
     bytes: Vec<u8>,
     beyond: String,
@@ -66,7 +104,10 @@ impl Whole {
         let (status, said) = finish(start(many, &file, &["--threads", "1"]));
         assert_eq!(status, Some(0), "{said}");
         assert!(!sidecar(&file).exists());
-        Self { bytes: fs::read(file).unwrap(), beyond: beyond(&said).unwrap_or_else(|| panic!("{said}")) }
+        Self {
+            bytes: fs::read(file).unwrap(),
+            beyond: beyond(&said).unwrap_or_else(|| panic!("{said}")),
+        }
     }
 
     /// That of `many`, computed once for all tests.
@@ -78,7 +119,9 @@ impl Whole {
 }
 
 fn beyond(said: &str) -> Option<String> {
-    said.lines().find(|line| line.contains("drives that landed: ")).map(str::to_owned)
+    said.lines()
+        .find(|line| line.contains("drives that landed: "))
+        .map(str::to_owned)
 }
 
 fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
@@ -92,7 +135,12 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
     if sidecar(&part).exists() {
         // what a kill may cut short: a row, a row group, a line of the sidecar
         let append = |path: &Path, bytes: &[u8]| {
-            fs::OpenOptions::new().append(true).open(path).unwrap().write_all(bytes).unwrap();
+            fs::OpenOptions::new()
+                .append(true)
+                .open(path)
+                .unwrap()
+                .write_all(bytes)
+                .unwrap();
         };
         assert!(!part.exists(), "half a file under the name of a whole one");
         append(&so_far(&part), b"0.1,0.2,lan");
@@ -102,9 +150,16 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
         let (status, said) = finish(start(many, &part, &[]));
         assert_eq!(status, Some(2));
         assert!(said.contains("--resume continues it"), "{said}");
-        let (status, said) = finish(start(many, &part, &["--resume", "--set", "swing.speed=100mph"]));
+        let (status, said) = finish(start(
+            many,
+            &part,
+            &["--resume", "--set", "swing.speed=100mph"],
+        ));
         assert_eq!(status, Some(2));
-        assert!(said.contains("another command (the setups differ)"), "{said}");
+        assert!(
+            said.contains("another command (the setups differ)"),
+            "{said}"
+        );
         let (status, said) = finish(start(many, &part, &["--resume", "--wrt", "air.density"]));
         assert_eq!(status, Some(2));
         assert!(said.contains("the derivatives differ"), "{said}");
@@ -114,14 +169,22 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
         let mut child = start(many, &part, &["--resume"]);
         wait_until(&mut child, || promises(&part) > before);
         if child.try_wait().unwrap().is_none() {
-            let _ = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+            let _ = Command::new("kill")
+                .args(["-INT", &child.id().to_string()])
+                .status();
         }
         let (status, said) = finish(child);
         assert!(status == Some(0) || status == Some(1), "{status:?} {said}");
         if status == Some(1) {
-            assert!(said.contains("--resume") && said.contains("stopped: "), "{said}");
+            assert!(
+                said.contains("--resume") && said.contains("stopped: "),
+                "{said}"
+            );
             // what it promises to continue after is what it continues after
-            promised = said.split("continues after ").nth(1).map(|rest| rest.trim().to_owned());
+            promised = said
+                .split("continues after ")
+                .nth(1)
+                .map(|rest| rest.trim().to_owned());
             readable(&so_far(&part), format);
         }
     }
@@ -129,14 +192,24 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
         let (status, said) = finish(start(many, &part, &["--resume", "--threads", "3"]));
         assert_eq!(status, Some(0), "{said}");
         assert!(said.contains("resuming after "), "{said}");
-        assert_eq!(beyond(&said).as_ref(), Some(&whole.beyond), "another count than that of an undisturbed run");
+        assert_eq!(
+            beyond(&said).as_ref(),
+            Some(&whole.beyond),
+            "another count than that of an undisturbed run"
+        );
         if let Some(promised) = promised {
             let rows = promised.split(' ').next().unwrap_or_default();
-            assert!(said.contains(&format!("resuming after {rows} ")), "{promised}: {said}");
+            assert!(
+                said.contains(&format!("resuming after {rows} ")),
+                "{promised}: {said}"
+            );
         }
     }
     assert!(!sidecar(&part).exists() && !so_far(&part).exists());
-    assert!(fs::read(&part).unwrap() == whole.bytes, "another file than that of an undisturbed run");
+    assert!(
+        fs::read(&part).unwrap() == whole.bytes,
+        "another file than that of an undisturbed run"
+    );
     let (status, said) = finish(start(many, &part, &["--resume"]));
     assert_eq!(status, Some(2));
     assert!(said.contains("nothing to resume"), "{said}");
@@ -147,17 +220,25 @@ fn readable(path: &Path, format: &str) -> usize {
     match format {
         "csv" => {
             let mut reader = csv::Reader::from_path(path).unwrap();
-            reader.records().map(|row| assert_eq!(row.unwrap().len(), 3 + 3 * longdrive::Outcome::ALL.len())).count()
+            reader
+                .records()
+                .map(|row| assert_eq!(row.unwrap().len(), 3 + 3 * longdrive::Outcome::ALL.len()))
+                .count()
         }
         "jsonl" => {
             let text = fs::read_to_string(path).unwrap();
             assert!(text.is_empty() || text.ends_with('\n'));
-            text.lines().filter(|line| serde_json::from_str::<serde_json::Value>(line).is_ok()).count()
+            text.lines()
+                .filter(|line| serde_json::from_str::<serde_json::Value>(line).is_ok())
+                .count()
         }
         _ => {
             use parquet::file::reader::{FileReader, SerializedFileReader};
             let file = SerializedFileReader::new(fs::File::open(path).unwrap()).unwrap();
-            file.get_row_iter(None).unwrap().filter(Result::is_ok).count()
+            file.get_row_iter(None)
+                .unwrap()
+                .filter(Result::is_ok)
+                .count()
         }
     }
 }
@@ -186,14 +267,21 @@ fn exact_rows_of_an_arrow_table_killed_and_resumed() {
     let batches: Vec<_> = (0..64)
         .map(|loft| {
             let lofts: Float64Array = (0..1024).map(|_| 0.01 + 0.0045 * f64::from(loft)).collect();
-            let angles: Float64Array = (0..1024).map(|angle| -0.09 + 0.00017 * f64::from(angle)).collect();
-            let columns = [("club.loft", Arc::new(lofts) as ArrayRef), ("swing.attack_angle", Arc::new(angles))];
+            let angles: Float64Array = (0..1024)
+                .map(|angle| -0.09 + 0.00017 * f64::from(angle))
+                .collect();
+            let columns = [
+                ("club.loft", Arc::new(lofts) as ArrayRef),
+                ("swing.attack_angle", Arc::new(angles)),
+            ];
             RecordBatch::try_from_iter(columns).unwrap()
         })
         .collect();
     let target = fs::File::create(&path).unwrap();
     let mut writer = arrow_ipc::writer::FileWriter::try_new(target, &batches[0].schema()).unwrap();
-    batches.iter().for_each(|batch| writer.write(batch).unwrap());
+    batches
+        .iter()
+        .for_each(|batch| writer.write(batch).unwrap());
     writer.finish().unwrap();
     let many = many_of(path.to_str().unwrap());
     killed_and_resumed(&many, "csv", &Whole::new(&many, "csv"));
@@ -203,25 +291,85 @@ fn exact_rows_of_an_arrow_table_killed_and_resumed() {
 #[test]
 fn independent_tables_in_every_format_give_the_same_bytes() {
     let table = |name: &str| format!("{}/data/tables/{name}", env!("CARGO_MANIFEST_DIR"));
-    let sweep = |name: &str| longdrive(&["sweep", "--gradient", "--outcomes", "all", "--points", &table(name)]);
+    let sweep = |name: &str| {
+        longdrive(&[
+            "sweep",
+            "--gradient",
+            "--outcomes",
+            "all",
+            "--points",
+            &table(name),
+        ])
+    };
     let csv = sweep("points.csv");
-    assert_eq!((csv.status, csv.out.lines().count()), (0, 12), "{}", csv.err);
-    assert!(csv.out.lines().skip(1).all(|row| row.split(',').nth(3) == Some("landed")), "{}", csv.out);
-    for name in ["points.parquet", "points.arrow", "points.arrows", "zstd.feather", "lz4.feather", "gaps.arrows"] {
+    assert_eq!(
+        (csv.status, csv.out.lines().count()),
+        (0, 12),
+        "{}",
+        csv.err
+    );
+    assert!(
+        csv.out
+            .lines()
+            .skip(1)
+            .all(|row| row.split(',').nth(3) == Some("landed")),
+        "{}",
+        csv.out
+    );
+    for name in [
+        "points.parquet",
+        "points.arrow",
+        "points.arrows",
+        "zstd.feather",
+        "lz4.feather",
+        "gaps.arrows",
+    ] {
         let other = sweep(name);
-        assert_eq!((other.status, &other.out), (0, &csv.out), "{name}: {}", other.err);
+        assert_eq!(
+            (other.status, &other.out),
+            (0, &csv.out),
+            "{name}: {}",
+            other.err
+        );
     }
     let none = sweep("no_rows.arrow");
     assert_eq!((none.status, none.out.as_str()), (2, ""), "{}", none.err);
-    assert!(none.err.contains("no_rows.arrow: it has a head and no rows"), "{}", none.err);
+    assert!(
+        none.err
+            .contains("no_rows.arrow: it has a head and no rows"),
+        "{}",
+        none.err
+    );
     let said = sweep("text.arrow");
     assert_eq!((said.status, said.out.as_str()), (2, ""), "{}", said.err);
-    assert!(said.err.contains("column air.density: its type is Utf8"), "{}", said.err);
+    assert!(
+        said.err.contains("column air.density: its type is Utf8"),
+        "{}",
+        said.err
+    );
     // a row without a value is none of the others' business
-    let said = longdrive(&["sweep", "--points", &table("null.arrow"), "--units", "metric"]);
+    let said = longdrive(&[
+        "sweep",
+        "--points",
+        &table("null.arrow"),
+        "--units",
+        "metric",
+    ]);
     assert_eq!(said.status, 0, "{}", said.err);
-    assert!(said.err.contains("row 3: air.density is missing"), "{}", said.err);
-    assert_eq!(said.out.lines().filter(|row| row.contains(",out-of-range,")).count(), 1, "{}", said.out);
+    assert!(
+        said.err.contains("row 3: air.density is missing"),
+        "{}",
+        said.err
+    );
+    assert_eq!(
+        said.out
+            .lines()
+            .filter(|row| row.contains(",out-of-range,"))
+            .count(),
+        1,
+        "{}",
+        said.out
+    );
 }
 
 #[cfg(unix)]
@@ -229,17 +377,37 @@ fn independent_tables_in_every_format_give_the_same_bytes() {
 fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
     let folder = tempfile::tempdir().unwrap();
     for format in FORMATS {
-        let (whole, part) = (&Whole::of_many(format).bytes, folder.path().join(format!("part.{format}")));
-        // a file may not grow beyond this many KiB; the signal that says so is ignored, and writing fails
+        let (whole, part) = (
+            &Whole::of_many(format).bytes,
+            folder.path().join(format!("part.{format}")),
+        );
+        // a file may not grow beyond this many KiB; the signal that says so is ignored, and writing
+        // fails
         let most = whole.len() / 1024 * 3 / 5;
         let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
         let mut program = Command::new("bash");
-        program.args(["-c", &limited, "bash"]).arg(program::path()).args(many()).arg("-o").arg(&part);
+        program
+            .args(["-c", &limited, "bash"])
+            .arg(program::path())
+            .args(many())
+            .arg("-o")
+            .arg(&part);
         let output = program.output().unwrap();
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{said}");
-        let rows: usize = said.split("its first ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-        assert!(rows > 10_000 && said.contains("complete rows; make room"), "{said}");
+        let rows: usize = said
+            .split("its first ")
+            .nth(1)
+            .unwrap()
+            .split(' ')
+            .next()
+            .unwrap()
+            .parse()
+            .unwrap();
+        assert!(
+            rows > 10_000 && said.contains("complete rows; make room"),
+            "{said}"
+        );
         assert_eq!(readable(&so_far(&part), format), rows);
         assert!(!part.exists());
         assert_eq!(finish(start(&many(), &part, &["--resume"])).0, Some(0));
@@ -249,40 +417,86 @@ fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
 
 #[test]
 fn drives_that_all_diverge_are_told_with_where_the_advice_is() {
-    let said = longdrive(&["sweep", "--set", "flight.step=2s", "--over", "club.loft=5deg..15deg:3"]);
+    let said = longdrive(&[
+        "sweep",
+        "--set",
+        "flight.step=2s",
+        "--over",
+        "club.loft=5deg..15deg:3",
+    ]);
     assert_eq!(said.status, 1, "{}", said.err);
     let told = said.err.replace("\n  ", " ");
-    assert!(told.contains("3 diverged; simulate with the values of one that diverged says what to change"), "{told}");
+    assert!(
+        told.contains(
+            "3 diverged; simulate with the values of one that diverged says what to change"
+        ),
+        "{told}"
+    );
 }
 
 #[test]
 fn a_full_device_and_a_closed_pipe() {
-    let rows = ["sweep", "--set", "flight.step=1s", "--over", "club.loft=5deg..15deg:20000"];
+    let rows = [
+        "sweep",
+        "--set",
+        "flight.step=1s",
+        "--over",
+        "club.loft=5deg..15deg:20000",
+    ];
     if Path::new("/dev/full").exists() {
         let said = longdrive(&[&rows[..], &["-o", "/dev/full", "--format", "csv"]].concat());
         assert_eq!(said.status, 2);
-        assert!(said.err.contains("cannot write the answer: the disk is full; written before: "), "{}", said.err);
+        assert!(
+            said.err
+                .contains("cannot write the answer: the disk is full; written before: "),
+            "{}",
+            said.err
+        );
         assert!(!Path::new("/dev/full.resume").exists());
     }
     let mut program = program::command();
-    let mut child = program.args(rows).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = program
+        .args(rows)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
     let mut line = String::new();
-    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    BufReader::new(child.stdout.take().unwrap())
+        .read_line(&mut line)
+        .unwrap();
     assert_eq!(line, "club.loft [rad],status,carry [m]\n");
     let output = child.wait_with_output().unwrap();
-    assert_eq!((output.status.code(), String::from_utf8(output.stderr).unwrap().as_str()), (Some(0), ""));
+    assert_eq!(
+        (
+            output.status.code(),
+            String::from_utf8(output.stderr).unwrap().as_str()
+        ),
+        (Some(0), "")
+    );
 }
 
 #[test]
 fn a_pipe_that_is_closed_before_the_first_row_is_no_failure() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
-    for args in [&["fly", shots, "-q"][..], &["sweep", "--over", "club.loft=5deg..15deg:100", "-q"]] {
+    for args in [
+        &["fly", shots, "-q"][..],
+        &["sweep", "--over", "club.loft=5deg..15deg:100", "-q"],
+    ] {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let mut program = program::command();
-        let child = program.args(args).stdout(writer).stderr(Stdio::piped()).spawn().unwrap();
+        let child = program
+            .args(args)
+            .stdout(writer)
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
         let (status, said) = finish(child);
-        assert!(status == Some(0) && !said.contains("error"), "{args:?}: {said}");
+        assert!(
+            status == Some(0) && !said.contains("error"),
+            "{args:?}: {said}"
+        );
     }
 }
 
@@ -290,21 +504,43 @@ fn a_pipe_that_is_closed_before_the_first_row_is_no_failure() {
 fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
     let folder = tempfile::tempdir().unwrap();
     let over = ["sweep", "--over", "club.loft=5deg..15deg:3000", "-q"];
-    let questions = [over.to_vec(), [&over[..], &["--outcomes", "carry,spin"]].concat()];
+    let questions = [
+        over.to_vec(),
+        [&over[..], &["--outcomes", "carry,spin"]].concat(),
+    ];
     let whole = |question: &Vec<&str>, name: &str| {
         let path = folder.path().join(name);
         assert_eq!(finish(start(question, &path, &[])).0, Some(0));
         fs::read(&path).unwrap()
     };
-    let wholes = [whole(&questions[0], "first.csv"), whole(&questions[1], "second.csv")];
+    let wholes = [
+        whole(&questions[0], "first.csv"),
+        whole(&questions[1], "second.csv"),
+    ];
     for round in 0..8 {
         let file = folder.path().join(format!("{round}.csv"));
-        let sweeps = questions.each_ref().map(|question| start(question, &file, &[]));
+        let sweeps = questions
+            .each_ref()
+            .map(|question| start(question, &file, &[]));
         let [first, second] = sweeps.map(finish);
-        let (winner, (_, said)) = if first.0 == Some(0) { (0, second.clone()) } else { (1, first.clone()) };
-        assert_eq!([first.0, second.0].iter().filter(|status| **status == Some(2)).count(), 1, "{first:?} {second:?}");
+        let (winner, (_, said)) = if first.0 == Some(0) {
+            (0, second.clone())
+        } else {
+            (1, first.clone())
+        };
+        assert_eq!(
+            [first.0, second.0]
+                .iter()
+                .filter(|status| **status == Some(2))
+                .count(),
+            1,
+            "{first:?} {second:?}"
+        );
         // it met the other at work, or its file
-        assert!(said.contains("another sweep is writing it") || said.contains("already exists"), "{said}");
+        assert!(
+            said.contains("another sweep is writing it") || said.contains("already exists"),
+            "{said}"
+        );
         assert!(fs::read(&file).unwrap() == wholes[winner]);
         assert!(!so_far(&file).exists() && !sidecar(&file).exists());
     }
@@ -318,18 +554,37 @@ fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
     wait_until(&mut child, || so_far(&file).exists());
     fs::write(&file, "theirs").unwrap();
     // a sweep that comes later is told what is at work
-    let (status, said) = finish(start(&["sweep", "--over", "club.loft=5deg..15deg:3"], &file, &["--overwrite"]));
-    assert!(status == Some(2) && said.contains("another sweep is writing it"), "{said}");
+    let (status, said) = finish(start(
+        &["sweep", "--over", "club.loft=5deg..15deg:3"],
+        &file,
+        &["--overwrite"],
+    ));
+    assert!(
+        status == Some(2) && said.contains("another sweep is writing it"),
+        "{said}"
+    );
     let (status, said) = finish(child);
     assert_eq!(status, Some(2), "{said}");
-    assert!(said.contains("move the other file away, then repeat the same command with --resume"), "{said}");
+    assert!(
+        said.contains("move the other file away, then repeat the same command with --resume"),
+        "{said}"
+    );
     let (status, said) = finish(start(&many(), &file, &["--resume"]));
-    assert!(status == Some(2) && said.contains("was begun without --overwrite"), "{said}");
+    assert!(
+        status == Some(2) && said.contains("was begun without --overwrite"),
+        "{said}"
+    );
     assert_eq!(fs::read_to_string(&file).unwrap(), "theirs");
     fs::remove_file(&file).unwrap();
-    let other: Vec<_> = many().into_iter().map(|word| if word == "all" { "carry" } else { word }).collect();
+    let other: Vec<_> = many()
+        .into_iter()
+        .map(|word| if word == "all" { "carry" } else { word })
+        .collect();
     let (status, said) = finish(start(&other, &file, &["--resume"]));
-    assert!(status == Some(2) && said.contains("the outcomes differ"), "{said}");
+    assert!(
+        status == Some(2) && said.contains("the outcomes differ"),
+        "{said}"
+    );
     assert_eq!(finish(start(&many(), &file, &["--resume"])).0, Some(0));
     assert!(fs::read(&file).unwrap() == Whole::of_many("csv").bytes);
 }
@@ -338,36 +593,89 @@ fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
 fn a_batch_without_room_is_refused_with_its_size() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("grid.csv");
-    let rows = ["sweep", "--over", "club.loft=5deg..15deg:1000001", "--over", "swing.path=-5deg..5deg:1000001"];
+    let rows = [
+        "sweep",
+        "--over",
+        "club.loft=5deg..15deg:1000001",
+        "--over",
+        "swing.path=-5deg..5deg:1000001",
+    ];
     let said = longdrive(&[&rows[..], &["-o", file.to_str().unwrap()]].concat());
     assert_eq!(said.status, 2);
-    for words in ["1000002000001 drives would take ", " TB and about ", "that are free in", "--sample"] {
+    for words in [
+        "1000002000001 drives would take ",
+        " TB and about ",
+        "that are free in",
+        "--sample",
+    ] {
         assert!(said.err.contains(words), "{words}: {}", said.err);
     }
-    let said = longdrive(&["sweep", "--over", "club.loft=5deg..15deg:1001", "--max-size", "10kB"]);
+    let said = longdrive(&[
+        "sweep",
+        "--over",
+        "club.loft=5deg..15deg:1001",
+        "--max-size",
+        "10kB",
+    ]);
     assert_eq!(said.status, 2);
-    assert!(said.err.contains("more than --max-size 10kB"), "{}", said.err);
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "nothing was begun");
+    assert!(
+        said.err.contains("more than --max-size 10kB"),
+        "{}",
+        said.err
+    );
+    assert_eq!(
+        fs::read_dir(folder.path()).unwrap().count(),
+        0,
+        "nothing was begun"
+    );
 }
 
 #[test]
 fn exact_table_and_sample_on_the_command_line() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    fs::write(file("points.csv"), "club.loft [deg],swing.speed [mph]\n10,110\n-20,100\n").unwrap();
+    fs::write(
+        file("points.csv"),
+        "club.loft [deg],swing.speed [mph]\n10,110\n-20,100\n",
+    )
+    .unwrap();
     let out = file("out.jsonl");
-    let (status, summary) = json(&["sweep", "--own-step", "--points", &file("points.csv"), "-o", &out, "--gradient"]);
-    assert_eq!((status, &summary["rows"], &summary["written"]), (0, &2.into(), &2.into()));
-    assert_eq!((&summary["statuses"]["landed"], &summary["statuses"]["no-flight"]), (&1.into(), &1.into()));
+    let (status, summary) = json(&[
+        "sweep",
+        "--own-step",
+        "--points",
+        &file("points.csv"),
+        "-o",
+        &out,
+        "--gradient",
+    ]);
+    assert_eq!(
+        (status, &summary["rows"], &summary["written"]),
+        (0, &2.into(), &2.into())
+    );
+    assert_eq!(
+        (
+            &summary["statuses"]["landed"],
+            &summary["statuses"]["no-flight"]
+        ),
+        (&1.into(), &1.into())
+    );
     let text = fs::read_to_string(&out).unwrap();
-    let rows: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let rows: Vec<serde_json::Value> = text
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
     let at = ["--set", "club.loft=10deg", "--set", "swing.speed=110mph"];
     let (_, drive) = json(&[&["gradient", "--wrt", "club.loft,swing.speed"], &at[..]].concat());
     let drive = &drive["outcomes"][0];
     // drives side by side round otherwise than one alone
-    for (ours, theirs) in
-        [(&rows[0]["carry"], &drive["value"]), (&rows[0]["d_carry/d_swing.speed"], &drive["gradient"]["swing.speed"])]
-    {
+    for (ours, theirs) in [
+        (&rows[0]["carry"], &drive["value"]),
+        (
+            &rows[0]["d_carry/d_swing.speed"],
+            &drive["gradient"]["swing.speed"],
+        ),
+    ] {
         let (ours, theirs) = (ours.as_f64().unwrap(), theirs.as_f64().unwrap());
         assert!((ours / theirs - 1.0).abs() < 1e-12, "{ours} {theirs}");
     }
@@ -375,15 +683,41 @@ fn exact_table_and_sample_on_the_command_line() {
 
     // the same rows on standard output are counted beside them
     let said = longdrive(&["sweep", "--own-step", "--points", &file("points.csv")]);
-    assert!(said.status == 0 && said.err.ends_with("2 drives: 1 landed, 1 no-flight\n"), "{}", said.err);
+    assert!(
+        said.status == 0 && said.err.ends_with("2 drives: 1 landed, 1 no-flight\n"),
+        "{}",
+        said.err
+    );
 
-    let sample = ["sweep", "--sample", "8", "--over", "club.loft=5deg..15deg", "--wrt", "air.density"];
+    let sample = [
+        "sweep",
+        "--sample",
+        "8",
+        "--over",
+        "club.loft=5deg..15deg",
+        "--wrt",
+        "air.density",
+    ];
     let said = longdrive(&sample);
-    assert_eq!((said.status, said.out.lines().count()), (0, 9), "{}", said.err);
+    assert_eq!(
+        (said.status, said.out.lines().count()),
+        (0, 9),
+        "{}",
+        said.err
+    );
     assert!(!said.err.contains("8 landed"), "all landed: {}", said.err);
-    assert!(said.out.starts_with("club.loft [rad],status,carry [m],d_carry/d_air.density [m/(kg/m^3)]\n"));
-    assert_eq!(said.out, longdrive(&[&sample[..], &["--threads", "1"]].concat()).out);
-    assert_ne!(said.out, longdrive(&[&sample[..], &["--seed", "1"]].concat()).out);
+    assert!(
+        said.out
+            .starts_with("club.loft [rad],status,carry [m],d_carry/d_air.density [m/(kg/m^3)]\n")
+    );
+    assert_eq!(
+        said.out,
+        longdrive(&[&sample[..], &["--threads", "1"]].concat()).out
+    );
+    assert_ne!(
+        said.out,
+        longdrive(&[&sample[..], &["--seed", "1"]].concat()).out
+    );
 }
 
 #[test]
@@ -392,30 +726,68 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
     let with = |more: &[&'static str]| [&over[..], more].concat();
     for (args, says) in [
         (vec![], "--over club.loft=5deg..15deg:101"),
-        (vec!["--over", "club.loft=15deg..5deg:3"], "the range is reversed"),
-        (vec!["--over", "club.loft=5deg..15deg:0"], "the number of values must be at least 1"),
-        (vec!["--over", "club.loft=5deg..15deg"], "the number of values is missing"),
-        (vec!["--over", "club.lofft=5deg..15deg:3"], "did you mean 'club.loft'?"),
+        (
+            vec!["--over", "club.loft=15deg..5deg:3"],
+            "the range is reversed",
+        ),
+        (
+            vec!["--over", "club.loft=5deg..15deg:0"],
+            "the number of values must be at least 1",
+        ),
+        (
+            vec!["--over", "club.loft=5deg..15deg"],
+            "the number of values is missing",
+        ),
+        (
+            vec!["--over", "club.lofft=5deg..15deg:3"],
+            "did you mean 'club.loft'?",
+        ),
         (with(&over), "club.loft: it is given twice"),
         (with(&["--outcomes", "cary"]), "did you mean 'carry'?"),
         (with(&["--outcomes", ","]), "name at least one outcome"),
-        (with(&["--wrt", "swing.sped"]), "did you mean 'swing.speed'?"),
-        (with(&["-o", "grid.xlsx"]), "must end in .csv, .jsonl or .parquet"),
-        (with(&["-o", "grid"]), "must end in .csv, .jsonl or .parquet"),
+        (
+            with(&["--wrt", "swing.sped"]),
+            "did you mean 'swing.speed'?",
+        ),
+        (
+            with(&["-o", "grid.xlsx"]),
+            "must end in .csv, .jsonl or .parquet",
+        ),
+        (
+            with(&["-o", "grid"]),
+            "must end in .csv, .jsonl or .parquet",
+        ),
         (with(&["-o", "/nowhere/at/all.csv"]), "cannot be written"),
         (with(&["-o", "src", "--format", "csv"]), "it is a folder"),
-        (with(&["-o", "Cargo.toml", "--format", "csv"]), "it already exists; use --overwrite to replace it"),
-        (with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]), "nothing to resume"),
+        (
+            with(&["-o", "Cargo.toml", "--format", "csv"]),
+            "it already exists; use --overwrite to replace it",
+        ),
+        (
+            with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]),
+            "nothing to resume",
+        ),
         (with(&["--format", "parquet"]), "Parquet needs a file"),
         (with(&["--resume"]), "only a file can be resumed"),
         (with(&["--max-size", "much"]), "write a size like"),
         (with(&["--sample", "0"]), "--sample"),
-        (with(&["--sample", "5"]), "--sample says how many points there are"),
+        (
+            with(&["--sample", "5"]),
+            "--sample says how many points there are",
+        ),
         (with(&["--points", "points.csv"]), "--points"),
-        (vec!["--points", "points.csv"], "points.csv: it cannot be read"),
+        (
+            vec!["--points", "points.csv"],
+            "points.csv: it cannot be read",
+        ),
     ] {
         let said = longdrive(&[&["sweep"], args.as_slice()].concat());
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{args:?}: {}",
+            said.err
+        );
         assert!(said.err.contains(says), "{args:?}: {}", said.err);
     }
 }
@@ -424,38 +796,83 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
 fn a_sweep_without_any_answer_says_so_with_status_one() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("none.csv");
-    let command = ["sweep", "--over", "club.loft=-40deg..-30deg:3", "-o", file.to_str().unwrap(), "--overwrite"];
+    let command = [
+        "sweep",
+        "--over",
+        "club.loft=-40deg..-30deg:3",
+        "-o",
+        file.to_str().unwrap(),
+        "--overwrite",
+    ];
     let said = longdrive(&command);
     let told = "no drive has the outcome that was asked for: 3 drives: 3 no-flight";
-    assert!(said.status == 1 && said.err.contains(told), "{} {}", said.status, said.err);
-    assert_eq!(fs::read_to_string(&file).unwrap().lines().count(), 4, "the rows are there and say why");
+    assert!(
+        said.status == 1 && said.err.contains(told),
+        "{} {}",
+        said.status,
+        said.err
+    );
+    assert_eq!(
+        fs::read_to_string(&file).unwrap().lines().count(),
+        4,
+        "the rows are there and say why"
+    );
     let (status, answer) = json(&command);
-    assert_eq!((status, &answer["status"], &answer["statuses"]["no-flight"]), (1, &"no-answer".into(), &3.into()));
-    assert!(answer["message"].as_str().unwrap().contains(told), "{answer}");
+    assert_eq!(
+        (status, &answer["status"], &answer["statuses"]["no-flight"]),
+        (1, &"no-answer".into(), &3.into())
+    );
+    assert!(
+        answer["message"].as_str().unwrap().contains(told),
+        "{answer}"
+    );
     // the ball's speed is there though it does not fly, and one drive that lands is an answer
-    assert_eq!(longdrive(&[&command[..], &["--outcomes", "ball_speed"]].concat()).status, 0);
+    assert_eq!(
+        longdrive(&[&command[..], &["--outcomes", "ball_speed"]].concat()).status,
+        0
+    );
     let some = ["sweep", "--over", "club.loft=-40deg..10deg:2"];
     assert_eq!(longdrive(&some).status, 0);
 }
 
-/// A tolerance holds in every row of a table, however far it lies from the setup: beside the same rows by `dp8` in steps of 20 ms.
+/// A tolerance holds in every row of a table, however far it lies from the setup: beside the same
+/// rows by `dp8` in steps of 20 ms.
 #[test]
 fn independent_rows_of_a_table_are_within_the_tolerance() {
     let carries = |more: &[&str]| {
-        let asked = ["sweep", "--points", "examples/launches.csv", "--outcomes", "carry"];
+        let asked = [
+            "sweep",
+            "--points",
+            "examples/launches.csv",
+            "--outcomes",
+            "carry",
+        ];
         let said = longdrive(&[&asked[..], more].concat());
         assert_eq!(said.status, 0, "{}", said.err);
-        let rows: Vec<f64> =
-            said.out.lines().skip(1).map(|row| row.rsplit(',').next().unwrap().parse().unwrap()).collect();
+        let rows: Vec<f64> = said
+            .out
+            .lines()
+            .skip(1)
+            .map(|row| row.rsplit(',').next().unwrap().parse().unwrap())
+            .collect();
         (rows, said.err)
     };
     let (exact, _) = carries(&["--set", "flight.method=dp8", "--set", "flight.step=0.02s"]);
-    assert!(exact.len() == 6 && exact.iter().all(|carry| *carry > 100.0), "{exact:?}");
+    assert!(
+        exact.len() == 6 && exact.iter().all(|carry| *carry > 100.0),
+        "{exact:?}"
+    );
     for (text, tolerance) in [("1m", 1.0), ("1cm", 1e-2), ("1mm", 1e-3), ("1um", 1e-6)] {
         let (rows, told) = carries(&[&format!("--tolerance={text}")]);
-        assert!(told.contains("in the 81"), "own, 16 corners, 64 within: {told}");
+        assert!(
+            told.contains("in the 81"),
+            "own, 16 corners, 64 within: {told}"
+        );
         for (carry, exact) in rows.iter().zip(&exact) {
-            assert!((carry - exact).abs() <= tolerance, "{carry} beside {exact}, within {text}: {told}");
+            assert!(
+                (carry - exact).abs() <= tolerance,
+                "{carry} beside {exact}, within {text}: {told}"
+            );
         }
     }
 }

@@ -11,9 +11,17 @@ fn a_table_of_a_head_alone_is_refused() {
     let (_folder, path) = table("empty.csv", "club.loft [deg]\n");
     let said = longdrive(&["sweep", "--points", path.to_str().unwrap()]);
     assert_eq!((said.status, said.out.as_str()), (2, ""));
-    assert!(said.err.contains("empty.csv: it has a head and no rows"), "{}", said.err);
+    assert!(
+        said.err.contains("empty.csv: it has a head and no rows"),
+        "{}",
+        said.err
+    );
     let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
-    assert!(said.status == 2 && said.err.contains("empty.csv"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("empty.csv"),
+        "{}",
+        said.err
+    );
 }
 
 /// The same launch, however a table writes it, with and without what was measured of it.
@@ -22,20 +30,37 @@ fn exact_same_points_however_the_head_is_written() {
     let setup = Setup::default();
     let values = |text: &str| {
         let (_folder, path) = table("a.csv", text);
-        let mut points = open_table(&setup, &path).unwrap_or_else(|error| panic!("{text}: {error}"));
-        let names: Vec<_> = points.parameters().iter().map(|parameter| parameter.name).collect();
+        let mut points =
+            open_table(&setup, &path).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let names: Vec<_> = points
+            .parameters()
+            .iter()
+            .map(|parameter| parameter.name)
+            .collect();
         let notes: Vec<_> = points.notes().iter().map(ToString::to_string).collect();
-        (names.join(" "), crate::sweep::all(points.as_mut()), notes.join("; "))
+        (
+            names.join(" "),
+            crate::sweep::all(points.as_mut()),
+            notes.join("; "),
+        )
     };
-    let plain = values("ball_speed [mph],launch_angle [deg],backspin [rpm]\n160.5,11.25,2686\n150,12,2500\n");
-    assert_eq!((plain.0.as_str(), plain.2.as_str()), ("launch.ball_speed launch.launch_angle launch.backspin", ""));
+    let plain = values(
+        "ball_speed [mph],launch_angle [deg],backspin [rpm]\n160.5,11.25,2686\n150,12,2500\n",
+    );
+    assert_eq!(
+        (plain.0.as_str(), plain.2.as_str()),
+        ("launch.ball_speed launch.launch_angle launch.backspin", "")
+    );
     for text in [
         "ball_speed [mph];launch_angle [deg];backspin [rpm]\n160,5;11,25;2686\n150;12;2500\n",
         "ball_speed [mph]\tlaunch_angle [deg]\tbackspin [rpm]\n160.5\t11.25\t2686\n150\t12\t2500\n",
-        "sep=;\r\nBall Speed [mph];Launch Angle [deg];Backspin [rpm]\r\n160,5;11,25;2686\r\n150;12;2500\r\n",
-        "\u{feff}# a remark\nBall Speed (mph),Launch V (deg),Back Spin (rpm)\n160.5,11.25,\"2,686\"\n150,12,2500\n",
+        "sep=;\r\nBall Speed [mph];Launch Angle [deg];Backspin \
+         [rpm]\r\n160,5;11,25;2686\r\n150;12;2500\r\n",
+        "\u{feff}# a remark\nBall Speed (mph),Launch V (deg),Back Spin \
+         (rpm)\n160.5,11.25,\"2,686\"\n150,12,2500\n",
         "Ball Speed,Launch Angle,Backspin\n[mph],[deg],[rpm]\n160.5,11.25,2686\n150,12,2500\n",
-        "launch.ball_speed [mph],launch.launch_angle [deg],launch.backspin [rpm]\n160.5,11.25,2686\n150,12,2500\n",
+        "launch.ball_speed [mph],launch.launch_angle [deg],launch.backspin \
+         [rpm]\n160.5,11.25,2686\n150,12,2500\n",
     ] {
         let found = values(text);
         assert_eq!((&found.0, &found.2), (&plain.0, &plain.2), "{text}");
@@ -44,18 +69,29 @@ fn exact_same_points_however_the_head_is_written() {
         }
         assert_eq!(found.1.len(), 6);
     }
-    let export = "Player,Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Backspin [rpm],Carry [yds]\n\
+    let export = "Player,Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Backspin [rpm],Carry \
+                  [yds]\n\
                   A,110,160.5,11.25,2686,270\nA,108,150,12,2500,265\nAverage,109,155,11.6,2600,267\n";
     let found = values(export);
     assert_eq!((&found.0, &found.1), (&plain.0, &plain.1));
-    for says in ["Player", "Club Speed", "Carry", "rows left out, since they sum up other rows: row 3 (Average)"] {
+    for says in [
+        "Player",
+        "Club Speed",
+        "Carry",
+        "rows left out, since they sum up other rows: row 3 (Average)",
+    ] {
         assert!(found.2.contains(says), "{says}: {}", found.2);
     }
     // the rows of an export are those of the file
-    let (_folder, path) =
-        table("a.csv", "Ball Speed [mph],Launch Angle [deg],Backspin [rpm]\nAverage,1,2\n150,x,2500\n");
+    let (_folder, path) = table(
+        "a.csv",
+        "Ball Speed [mph],Launch Angle [deg],Backspin [rpm]\nAverage,1,2\n150,x,2500\n",
+    );
     let message = open_table(&setup, &path).err().unwrap().to_string();
-    assert!(message.contains("row 2, column Launch Angle: 'x' is not a number"), "{message}");
+    assert!(
+        message.contains("row 2, column Launch Angle: 'x' is not a number"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -64,28 +100,59 @@ fn what_a_sweep_writes_is_read_again_and_what_is_not_read_is_told() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let launched = ["--points", "examples/launches.csv"];
     for (name, of) in [
-        ("struck", &["--over", "club.loft=8deg..12deg:3", "--over", "swing.speed=90mph..110mph:2"][..]),
+        (
+            "struck",
+            &[
+                "--over",
+                "club.loft=8deg..12deg:3",
+                "--over",
+                "swing.speed=90mph..110mph:2",
+            ][..],
+        ),
         ("launched", &launched),
     ] {
         let all = ["--outcomes", "all", "--gradient"];
         for ending in ["csv", "parquet"] {
-            let (first, second) = (file(&format!("{name}-1.{ending}")), file(&format!("{name}-of-{ending}.csv")));
-            assert_eq!(longdrive(&[&["sweep", "-o", &first], of, &all].concat()).status, 0);
-            let said = longdrive(&[&["sweep", "-o", &second, "--points", &first], &all[..]].concat());
+            let (first, second) = (
+                file(&format!("{name}-1.{ending}")),
+                file(&format!("{name}-of-{ending}.csv")),
+            );
+            assert_eq!(
+                longdrive(&[&["sweep", "-o", &first], of, &all].concat()).status,
+                0
+            );
+            let said =
+                longdrive(&[&["sweep", "-o", &second, "--points", &first], &all[..]].concat());
             assert_eq!(said.status, 0, "{name}.{ending}: {}", said.err);
             let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-            for says in ["columns not read, since they are results", "status", "carry", "d_carry/d_"] {
+            for says in [
+                "columns not read, since they are results",
+                "status",
+                "carry",
+                "d_carry/d_",
+            ] {
                 assert!(told.contains(says), "{says}: {told}");
             }
             let csv = std::fs::read(file(&format!("{name}-1.csv"))).unwrap();
             assert!(csv == std::fs::read(&second).unwrap(), "{name}.{ending}");
         }
         // and what it computed can be taken for what was measured
-        let args = ["calibrate", &file(&format!("{name}-1.csv")), "--fit", "aero.cd0"];
+        let args = [
+            "calibrate",
+            &file(&format!("{name}-1.csv")),
+            "--fit",
+            "aero.cd0",
+        ];
         let said = longdrive(&args);
         let told = "columns that a sweep writes beside what is measured are not read: status";
         assert!(
-            said.status == 0 && said.out.split_whitespace().collect::<Vec<_>>().join(" ").contains(told),
+            said.status == 0
+                && said
+                    .out
+                    .split_whitespace()
+                    .collect::<Vec<_>>()
+                    .join(" ")
+                    .contains(told),
             "{}{}",
             said.out,
             said.err
@@ -93,39 +160,85 @@ fn what_a_sweep_writes_is_read_again_and_what_is_not_read_is_told() {
     }
     let (_folder, results) = table("results.csv", "status,carry [m]\nlanded,200\n");
     let said = longdrive(&["sweep", "--points", results.to_str().unwrap()]);
-    assert!(said.status == 2 && said.err.contains("none of its columns is a parameter"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("none of its columns is a parameter"),
+        "{}",
+        said.err
+    );
     assert!(said.err.contains("status, carry"), "{}", said.err);
-    let (_folder, both) = table("both.csv", "club.loft [deg],swing.speed [mph],ball_speed [mph]\n10,100,150\n");
-    let (status, answer) = json(&["sweep", "--points", both.to_str().unwrap(), "-o", &file("both.jsonl")]);
+    let (_folder, both) = table(
+        "both.csv",
+        "club.loft [deg],swing.speed [mph],ball_speed [mph]\n10,100,150\n",
+    );
+    let (status, answer) = json(&[
+        "sweep",
+        "--points",
+        both.to_str().unwrap(),
+        "-o",
+        &file("both.jsonl"),
+    ]);
     assert_eq!((status, &answer["statuses"]["landed"]), (0, &1.into()));
 }
 
 #[test]
 fn a_parameter_of_every_drive_is_not_set_beside_them() {
-    let launch = ["--launch", "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm"];
+    let launch = [
+        "--launch",
+        "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm",
+    ];
     let cases = [
         &["--points", "examples/launches.csv", launch[0], launch[1]][..],
-        &["--points", "examples/deliveries.csv", "--set", "swing.speed=100mph"],
-        &["--over", "club.loft=5deg..15deg:3", "--set", "club.loft=9deg"],
+        &[
+            "--points",
+            "examples/deliveries.csv",
+            "--set",
+            "swing.speed=100mph",
+        ],
+        &[
+            "--over",
+            "club.loft=5deg..15deg:3",
+            "--set",
+            "club.loft=9deg",
+        ],
     ];
     for case in cases {
         let said = longdrive(&[&["sweep"], case].concat());
-        assert!(said.status == 2 && said.err.contains("of its own, so this one is not used"), "{case:?}: {}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains("of its own, so this one is not used"),
+            "{case:?}: {}",
+            said.err
+        );
     }
 }
 
-/// A table whose cells may have a decimal comma: a point in `2.500` is one thing beside `160,5`, and another beside `160.5`.
+/// A table whose cells may have a decimal comma: a point in `2.500` is one thing beside `160,5`,
+/// and another beside `160.5`.
 #[test]
 fn numbers_of_two_meanings_are_refused_with_both_cells() {
     let table = |cells: [&str; 4]| {
         let [speed, angle, spin, carry] = cells;
         let head = "ball_speed [mph];launch_angle [deg];spin [rpm];carry [yd]";
-        crate::sweep::table("shots.csv", format!("{head}\n{speed};{angle};{spin};{carry}\n158;12;2600;245\n"))
+        crate::sweep::table(
+            "shots.csv",
+            format!("{head}\n{speed};{angle};{spin};{carry}\n158;12;2600;245\n"),
+        )
     };
     for (cells, told) in [
-        (["160,5", "11", "2.500", "250"], Some(["'2.500' (row 1, column spin)", "'160,5' (row 1, column ball_speed)"])),
-        (["160.500", "11,2", "2500", "250"], Some(["'160.500' (row 1, column ball_speed)", "'11,2'"])),
-        (["160.5", "11", "2,500", "250"], Some(["'2,500' (row 1, column spin)", "'160.5'"])),
+        (
+            ["160,5", "11", "2.500", "250"],
+            Some([
+                "'2.500' (row 1, column spin)",
+                "'160,5' (row 1, column ball_speed)",
+            ]),
+        ),
+        (
+            ["160.500", "11,2", "2500", "250"],
+            Some(["'160.500' (row 1, column ball_speed)", "'11,2'"]),
+        ),
+        (
+            ["160.5", "11", "2,500", "250"],
+            Some(["'2,500' (row 1, column spin)", "'160.5'"]),
+        ),
         // one mark alone, and marks that cannot separate thousands
         (["160.5", "11.2", "2500.125", "250"], None),
         (["160,5", "11,2", "2500", "250,3"], None),
@@ -133,17 +246,24 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
     ] {
         let (_folder, path) = table(cells);
         let path = path.to_str().unwrap();
-        for asked in
-            [vec!["calibrate", path, "--fit", "aero.cd0"], vec!["sweep", "--points", path, "--outcomes", "carry"]]
-        {
+        for asked in [
+            vec!["calibrate", path, "--fit", "aero.cd0"],
+            vec!["sweep", "--points", path, "--outcomes", "carry"],
+        ] {
             let said = longdrive(&asked);
             let err = said.err.replace("\n  ", " ");
             match told {
                 Some(words) => {
-                    assert!(said.status == 2 && words.iter().all(|word| err.contains(word)), "{cells:?}: {err}");
+                    assert!(
+                        said.status == 2 && words.iter().all(|word| err.contains(word)),
+                        "{cells:?}: {err}"
+                    );
                     assert!(err.contains("may separate decimals or thousands"), "{err}");
                 }
-                None => assert!(!err.contains("thousands") && said.status != 2, "{cells:?}: {err}"),
+                None => assert!(
+                    !err.contains("thousands") && said.status != 2,
+                    "{cells:?}: {err}"
+                ),
             }
         }
     }
@@ -151,13 +271,30 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
 
 #[test]
 fn columns_that_a_sweep_does_not_read_are_told_in_json_too() {
-    let (folder, path) = crate::sweep::table("points.csv", "club.loft [deg],carry [yd],note\n10,240,x\n");
+    let (folder, path) =
+        crate::sweep::table("points.csv", "club.loft [deg],carry [yd],note\n10,240,x\n");
     let rows = folder.path().join("rows.csv");
-    let asked = ["sweep", "--points", path.to_str().unwrap(), "-o", rows.to_str().unwrap()];
+    let asked = [
+        "sweep",
+        "--points",
+        path.to_str().unwrap(),
+        "-o",
+        rows.to_str().unwrap(),
+    ];
     let (status, answer) = json(&asked);
-    let told = "columns not read, since they are results or remarks and not parameters of the club: carry, note";
-    assert_eq!((status, &answer["remarks"]), (0, &serde_json::json!([told])));
-    let (_, answer) =
-        json(&["sweep", "--over", "club.loft=9deg..10deg:2", "-o", rows.to_str().unwrap(), "--overwrite"]);
+    let told = "columns not read, since they are results or remarks and not parameters of the \
+                club: carry, note";
+    assert_eq!(
+        (status, &answer["remarks"]),
+        (0, &serde_json::json!([told]))
+    );
+    let (_, answer) = json(&[
+        "sweep",
+        "--over",
+        "club.loft=9deg..10deg:2",
+        "-o",
+        rows.to_str().unwrap(),
+        "--overwrite",
+    ]);
     assert_eq!(answer["remarks"], serde_json::json!([]));
 }

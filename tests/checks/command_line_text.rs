@@ -10,7 +10,10 @@ use std::process::Command;
 /// The numbers of a line of `simulate`: in the first system, and in parentheses.
 fn line(out: &str, name: &str) -> String {
     let line = out.lines().find(|line| line.trim_start().starts_with(name));
-    let words: Vec<_> = line.unwrap_or_else(|| panic!("no {name} in {out}")).split_whitespace().collect();
+    let words: Vec<_> = line
+        .unwrap_or_else(|| panic!("no {name} in {out}"))
+        .split_whitespace()
+        .collect();
     words.join(" ")
 }
 
@@ -20,33 +23,67 @@ fn a_drive_is_shown_as_launch_monitors_do_in_either_system() {
     let us = longdrive(&args).out;
     let metric = longdrive(&[args.as_slice(), &["--units", "metric"]].concat()).out;
     for (name, in_us, in_metric) in [
-        ("ball speed", "ball speed 161.9 mph (72.4 m/s)", "ball speed 72.4 m/s (161.9 mph)"),
+        (
+            "ball speed",
+            "ball speed 161.9 mph (72.4 m/s)",
+            "ball speed 72.4 m/s (161.9 mph)",
+        ),
         ("launch angle", "launch angle 7.5°", "launch angle 7.5°"),
         ("smash factor", "smash factor 1.47", "smash factor 1.47"),
-        ("lateral", "lateral 15.5 yd R (14.1 m R)", "lateral 14.1 m R (15.5 yd R)"),
-        ("launch direction", "launch direction 0.3° L", "launch direction 0.3° L"),
+        (
+            "lateral",
+            "lateral 15.5 yd R (14.1 m R)",
+            "lateral 14.1 m R (15.5 yd R)",
+        ),
+        (
+            "launch direction",
+            "launch direction 0.3° L",
+            "launch direction 0.3° L",
+        ),
     ] {
-        assert_eq!((line(&us, name).as_str(), line(&metric, name).as_str()), (in_us, in_metric));
+        assert_eq!(
+            (line(&us, name).as_str(), line(&metric, name).as_str()),
+            (in_us, in_metric)
+        );
     }
     // straight to within rounding: no sign, no power of ten, no side
     let straight = longdrive(&["simulate"]).out;
     assert_eq!(line(&straight, "lateral"), "lateral 0.0 yd (0.0 m)");
-    assert!(!straight.contains("-0.0") && !straight.contains("e-"), "{straight}");
+    assert!(
+        !straight.contains("-0.0") && !straight.contains("e-"),
+        "{straight}"
+    );
 }
 
 #[test]
 fn every_command_answers_in_the_system_asked_for() {
     for (args, in_us, in_metric) in [
-        (vec!["optimize", "modern-driver", "-q"], "carry   279.2 yd (255.3 m)", "carry   255.3 m (279.2 yd)"),
-        (vec!["gradient", "modern-driver"], "carry = 251.1 yd (229.6 m)", "carry = 229.6 m (251.1 yd)"),
-        (vec!["gradient", "modern-driver"], " yd per degree", " m per degree"),
+        (
+            vec!["optimize", "modern-driver", "-q"],
+            "carry   279.2 yd (255.3 m)",
+            "carry   255.3 m (279.2 yd)",
+        ),
+        (
+            vec!["gradient", "modern-driver"],
+            "carry = 251.1 yd (229.6 m)",
+            "carry = 229.6 m (251.1 yd)",
+        ),
+        (
+            vec!["gradient", "modern-driver"],
+            " yd per degree",
+            " m per degree",
+        ),
         (
             vec!["compare", "modern-driver", "--set-b", "swing.speed=112mph"],
             "110 mph  112 mph",
             "49.174 m/s  50.068 m/s",
         ),
         (vec!["sensitivity"], " yd per mph", " m per m/s"),
-        (vec!["optimum-sensitivity", "-q", "--wrt", "swing.speed"], "swing.speed [mph]", "swing.speed [m/s]"),
+        (
+            vec!["optimum-sensitivity", "-q", "--wrt", "swing.speed"],
+            "swing.speed [mph]",
+            "swing.speed [m/s]",
+        ),
         (
             vec!["uncertainty", "modern-driver", "-q", "--samples", "16"],
             "normal: 110 mph ± 0.5 mph",
@@ -64,8 +101,16 @@ fn every_command_answers_in_the_system_asked_for() {
             "truncated normal: 110 mph ± 4 mph, cut at 105 mph and 115 mph",
             "truncated normal: 49.174 m/s ± 1.7882 m/s, cut at 46.939 m/s and 51.41 m/s",
         ),
-        (vec!["chart", "-q", "--along", "swing.speed=100mph..101mph"], "100.00 mph", "44.70 m/s"),
-        (vec!["parameters", "modern-driver"], "110 mph", "49.1744 m/s"),
+        (
+            vec!["chart", "-q", "--along", "swing.speed=100mph..101mph"],
+            "100.00 mph",
+            "44.70 m/s",
+        ),
+        (
+            vec!["parameters", "modern-driver"],
+            "110 mph",
+            "49.1744 m/s",
+        ),
     ] {
         let out = |extra: &[&str]| longdrive(&[args.as_slice(), extra].concat()).out;
         for (out, words, others) in [
@@ -73,7 +118,10 @@ fn every_command_answers_in_the_system_asked_for() {
             (out(&["--units", "us"]), in_us, in_metric),
             (out(&["--units", "metric"]), in_metric, in_us),
         ] {
-            assert!(out.contains(words) && !out.contains(others), "{args:?}: no '{words}', or '{others}', in {out}");
+            assert!(
+                out.contains(words) && !out.contains(others),
+                "{args:?}: no '{words}', or '{others}', in {out}"
+            );
         }
     }
 }
@@ -85,23 +133,74 @@ fn no_line_of_an_answer_is_wider_than_a_terminal() {
     let large = ["--set", "flight.method=dp8", "--set", "flight.step=400ms"];
     for args in [
         vec!["simulate"],
-        vec!["gradient", "--hessian", "--of", "carry,lateral", "--wrt", "all"],
+        vec![
+            "gradient",
+            "--hessian",
+            "--of",
+            "carry,lateral",
+            "--wrt",
+            "all",
+        ],
         vec!["optimize", "--starts", "4"],
         vec!["optimize", "--vary", "swing.attack_angle=-40deg..-30deg"],
-        vec!["optimum-sensitivity", "--change", "swing.speed=+5mph", "--subject-to", "apex_height <= 35 yd"],
-        vec!["chart", "--along", "swing.speed=95mph..105mph", "--subject-to", "apex_height <= 35 yd"],
-        vec!["pareto", "--maximize", "carry", "--minimize", "apex_height", "--subject-to", "lateral >= -20 yd"],
-        vec!["compare", "mae494", "winfield-tan", "--of", "all", large[0], large[1], large[2], large[3]],
+        vec![
+            "optimum-sensitivity",
+            "--change",
+            "swing.speed=+5mph",
+            "--subject-to",
+            "apex_height <= 35 yd",
+        ],
+        vec![
+            "chart",
+            "--along",
+            "swing.speed=95mph..105mph",
+            "--subject-to",
+            "apex_height <= 35 yd",
+        ],
+        vec![
+            "pareto",
+            "--maximize",
+            "carry",
+            "--minimize",
+            "apex_height",
+            "--subject-to",
+            "lateral >= -20 yd",
+        ],
+        vec![
+            "compare",
+            "mae494",
+            "winfield-tan",
+            "--of",
+            "all",
+            large[0],
+            large[1],
+            large[2],
+            large[3],
+        ],
         vec!["sensitivity", "--at-optimum"],
         vec!["uncertainty", "--samples", "16"],
-        vec!["verify", "--of", "carry,landing_speed", "--wrt", "swing.speed,club.loft,aero.cd0"],
+        vec![
+            "verify",
+            "--of",
+            "carry,landing_speed",
+            "--wrt",
+            "swing.speed,club.loft,aero.cd0",
+        ],
         vec!["parameters"],
     ] {
         for units in ["us", "metric"] {
             let said = longdrive(&[args.as_slice(), set.as_slice(), &["--units", units]].concat());
-            assert!(said.status < 2 && !said.out.is_empty(), "{args:?}: {}", said.err);
+            assert!(
+                said.status < 2 && !said.out.is_empty(),
+                "{args:?}: {}",
+                said.err
+            );
             for line in said.out.lines() {
-                assert!(line.chars().count() <= 100, "{args:?}: {} columns: {line}", line.chars().count());
+                assert!(
+                    line.chars().count() <= 100,
+                    "{args:?}: {} columns: {line}",
+                    line.chars().count()
+                );
             }
         }
     }
@@ -116,15 +215,29 @@ fn no_line_of_an_answer_is_wider_than_a_terminal() {
 fn quiet_leaves_warnings_and_errors_alone_on_standard_error() {
     assert!(!longdrive(&["optimize"]).err.is_empty());
     assert_eq!(longdrive(&["optimize", "--quiet"]).err, "");
-    let warned = longdrive(&["simulate", "modern-driver", "-q", "--set", "club.inertia.yy=20000 g cm^2"]);
+    let warned = longdrive(&[
+        "simulate",
+        "modern-driver",
+        "-q",
+        "--set",
+        "club.inertia.yy=20000 g cm^2",
+    ]);
     assert!(
         warned.err.starts_with("warning: club.inertia")
-            && warned.err.lines().skip(1).all(|line| line.starts_with("  ")),
+            && warned
+                .err
+                .lines()
+                .skip(1)
+                .all(|line| line.starts_with("  ")),
         "{}",
         warned.err
     );
     let wrong = longdrive(&["simulate", "-q", "--set", "club.lofft=10deg"]);
-    assert!(wrong.status == 2 && wrong.err.starts_with("error: "), "{}", wrong.err);
+    assert!(
+        wrong.status == 2 && wrong.err.starts_with("error: "),
+        "{}",
+        wrong.err
+    );
 }
 
 #[test]
@@ -132,70 +245,142 @@ fn colours_are_for_terminals_and_no_color_turns_them_off() {
     let program = program::path();
     let out = |variables: &[(&str, &str)], args: &[&str]| {
         let variables: BTreeMap<_, _> = variables.iter().copied().collect();
-        let output = Command::new(program).args(args).env_remove("NO_COLOR").envs(variables).output().unwrap();
+        let output = Command::new(program)
+            .args(args)
+            .env_remove("NO_COLOR")
+            .envs(variables)
+            .output()
+            .unwrap();
         String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
     };
-    for args in [&["optimize"][..], &["simulate", "--set", "club.lofft=10deg"]] {
-        assert!(!out(&[], args).contains('\u{1b}'), "a pipe is not a terminal");
+    for args in [
+        &["optimize"][..],
+        &["simulate", "--set", "club.lofft=10deg"],
+    ] {
+        assert!(
+            !out(&[], args).contains('\u{1b}'),
+            "a pipe is not a terminal"
+        );
         // what a terminal would be given
-        assert!(out(&[("CLICOLOR_FORCE", "1")], args).contains("\u{1b}["), "{args:?}");
-        assert!(!out(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")], args).contains('\u{1b}'), "{args:?}");
+        assert!(
+            out(&[("CLICOLOR_FORCE", "1")], args).contains("\u{1b}["),
+            "{args:?}"
+        );
+        assert!(
+            !out(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")], args).contains('\u{1b}'),
+            "{args:?}"
+        );
     }
-    assert!(!out(&[("CLICOLOR_FORCE", "1")], &["simulate", "--json"]).contains('\u{1b}'), "JSON stays JSON");
+    assert!(
+        !out(&[("CLICOLOR_FORCE", "1")], &["simulate", "--json"]).contains('\u{1b}'),
+        "JSON stays JSON"
+    );
 }
 
 #[test]
 fn completions_and_manual_pages_name_every_command() {
-    let commands = ["simulate", "optimum-sensitivity", "calibrate", "sweep", "uncertainty", "completions"];
+    let commands = [
+        "simulate",
+        "optimum-sensitivity",
+        "calibrate",
+        "sweep",
+        "uncertainty",
+        "completions",
+    ];
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = longdrive(&["completions", shell]);
-        assert!(script.status == 0 && commands.iter().all(|command| script.out.contains(command)), "{shell}");
+        assert!(
+            script.status == 0 && commands.iter().all(|command| script.out.contains(command)),
+            "{shell}"
+        );
     }
     assert_eq!(longdrive(&["completions", "nush"]).status, 2);
 
     let folder = tempfile::tempdir().unwrap();
     let pages = folder.path().join("pages").display().to_string();
     assert_eq!(longdrive(&["man", "-o", &pages]).status, 0);
-    for command in commands.map(|command| format!("-{command}")).iter().map(String::as_str).chain(["", "-plot-contour"])
+    for command in commands
+        .map(|command| format!("-{command}"))
+        .iter()
+        .map(String::as_str)
+        .chain(["", "-plot-contour"])
     {
-        let page = std::fs::read_to_string(Path::new(&pages).join(format!("longdrive{command}.1"))).unwrap();
-        assert!(page.contains(".TH longdrive") && page.contains("quiet"), "{command}");
+        let page = std::fs::read_to_string(Path::new(&pages).join(format!("longdrive{command}.1")))
+            .unwrap();
+        assert!(
+            page.contains(".TH longdrive") && page.contains("quiet"),
+            "{command}"
+        );
     }
     let page = longdrive(&["man", "plot contour"]).out;
-    assert!(page.contains(concat!("\"longdrive ", env!("CARGO_PKG_VERSION"), "\"")), "{page}");
+    assert!(
+        page.contains(concat!("\"longdrive ", env!("CARGO_PKG_VERSION"), "\"")),
+        "{page}"
+    );
     let again = longdrive(&["man", "-o", &pages]);
-    assert!(again.status == 2 && again.err.contains("--overwrite"), "{}", again.err);
+    assert!(
+        again.status == 2 && again.err.contains("--overwrite"),
+        "{}",
+        again.err
+    );
     assert_eq!(longdrive(&["man", "-o", &pages, "--overwrite"]).status, 0);
     let one = longdrive(&["man", "plot contour"]);
-    assert!(one.status == 0 && one.out == longdrive(&["man", "plot", "contour"]).out, "{}", one.err);
-    assert!(one.out.contains("longdrive\\-plot\\-contour"), "{}", one.out);
+    assert!(
+        one.status == 0 && one.out == longdrive(&["man", "plot", "contour"]).out,
+        "{}",
+        one.err
+    );
+    assert!(
+        one.out.contains("longdrive\\-plot\\-contour"),
+        "{}",
+        one.out
+    );
     let none = longdrive(&["man", "optimise"]);
-    assert!(none.status == 2 && none.err.contains("did you mean 'optimize'?"), "{}", none.err);
+    assert!(
+        none.status == 2 && none.err.contains("did you mean 'optimize'?"),
+        "{}",
+        none.err
+    );
 }
 
 #[test]
 fn exact_columns_that_are_written_read_back_as_points() {
     let folder = tempfile::tempdir().unwrap();
-    let [first, points, second] = ["first.csv", "points.csv", "second.csv"].map(|name| folder.path().join(name));
+    let [first, points, second] =
+        ["first.csv", "points.csv", "second.csv"].map(|name| folder.path().join(name));
     let name = |path: &PathBuf| path.display().to_string();
-    let over = ["--over", "club.loft=8deg..12deg:3", "--over", "air.density=1.1kg/m^3..1.2kg/m^3:2"];
+    let over = [
+        "--over",
+        "club.loft=8deg..12deg:3",
+        "--over",
+        "air.density=1.1kg/m^3..1.2kg/m^3:2",
+    ];
     let outcomes = ["--outcomes", "carry,smash_factor", "--gradient"];
     let done = longdrive(&[&["sweep", "-o", &name(&first)], over.as_slice(), &outcomes].concat());
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&first).unwrap();
-    let head = "club.loft [rad],air.density [kg/m^3],status,carry [m],smash_factor,d_carry/d_club.loft [m/rad],\
-                d_carry/d_air.density [m/(kg/m^3)],d_smash_factor/d_club.loft [1/rad],d_smash_factor/d_air.density [1/(kg/m^3)]\n";
+    let head = "club.loft [rad],air.density [kg/m^3],status,carry \
+                [m],smash_factor,d_carry/d_club.loft [m/rad],\
+                d_carry/d_air.density [m/(kg/m^3)],d_smash_factor/d_club.loft \
+                [1/rad],d_smash_factor/d_air.density [1/(kg/m^3)]\n";
     assert!(text.starts_with(head), "{text}");
     // the columns of the parameters, as they are
-    let columns = text.lines().map(|line| line.split(',').take(2).collect::<Vec<_>>().join(","));
+    let columns = text
+        .lines()
+        .map(|line| line.split(',').take(2).collect::<Vec<_>>().join(","));
     std::fs::write(&points, columns.collect::<Vec<_>>().join("\n")).unwrap();
     let again = ["sweep", "--points", &name(&points), "-o", &name(&second)];
     let done = longdrive(&[again.as_slice(), &outcomes].concat());
     assert_eq!(done.status, 0, "{}", done.err);
-    assert_eq!(std::fs::read_to_string(&second).unwrap(), text, "to the last bit");
+    assert_eq!(
+        std::fs::read_to_string(&second).unwrap(),
+        text,
+        "to the last bit"
+    );
 }
 
-/// Phrases that a reader whose first language is not English has to read twice, or that the field has a word for.
+/// Phrases that a reader whose first language is not English has to read twice, or that the field
+/// has a word for.
 const BANNED: [&str; 37] = [
     "answers to",
     "answer to",
@@ -241,7 +426,10 @@ fn files(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
         let path = entry.unwrap().path();
         if path.is_dir() {
             files(&path, ending, found);
-        } else if path.extension().is_some_and(|extension| extension == ending) {
+        } else if path
+            .extension()
+            .is_some_and(|extension| extension == ending)
+        {
             found.push(path);
         }
     }
@@ -255,14 +443,28 @@ fn help_and_messages_are_in_plain_words() {
     let mut texts = vec![];
     files(folder.path(), "1", &mut texts);
     assert!(texts.len() > 20);
-    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../src"), "rs", &mut texts);
-    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs"), "md", &mut texts);
+    files(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("../src"),
+        "rs",
+        &mut texts,
+    );
+    files(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs"),
+        "md",
+        &mut texts,
+    );
     texts.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md"));
     for path in texts {
         let text = std::fs::read_to_string(&path).unwrap();
         // comments are for those who read the source
-        let shown = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-        let shown = shown.map(str::trim).collect::<Vec<_>>().join(" ").to_lowercase();
+        let shown = text
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("//"));
+        let shown = shown
+            .map(str::trim)
+            .collect::<Vec<_>>()
+            .join(" ")
+            .to_lowercase();
         for phrase in BANNED {
             assert!(!shown.contains(phrase), "'{phrase}' in {}", path.display());
         }
@@ -282,7 +484,13 @@ fn plain_words_where_a_library_or_a_formula_spoke() {
                 &asked
             }
         };
-        (said.status, format!("{}{}", said.out, said.err).split_whitespace().collect::<Vec<_>>().join(" "))
+        (
+            said.status,
+            format!("{}{}", said.out, said.err)
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" "),
+        )
     };
     let still = ["--set", "launch.spin=0 rpm"];
     let no_spin = [
@@ -297,8 +505,18 @@ fn plain_words_where_a_library_or_a_formula_spoke() {
         "aero.law=ferguson",
     ];
     for (args, status, says, says_not) in [
-        (vec!["simulate", "--tolerance=-1m"], 2, "--tolerance: \"-1m\" is no tolerance; give a length above 0", "e0"),
-        ([&no_spin[..], &still].concat(), 0, "the spin is 0 rad/s", "0.0e0"),
+        (
+            vec!["simulate", "--tolerance=-1m"],
+            2,
+            "--tolerance: \"-1m\" is no tolerance; give a length above 0",
+            "e0",
+        ),
+        (
+            [&no_spin[..], &still].concat(),
+            0,
+            "the spin is 0 rad/s",
+            "0.0e0",
+        ),
         (
             vec!["calibrate", "examples/shots.csv", "--fit", "aero.cl_max"],
             0,
@@ -311,23 +529,56 @@ fn plain_words_where_a_library_or_a_formula_spoke() {
             "the chart along club.loft: club.loft is one of",
             "differentiated",
         ),
-        (vec!["reproduce", "winfield-tan"], 0, "Table 1 at 8° prints 242.14, and 242.74 is taken", "242.14 for"),
+        (
+            vec!["reproduce", "winfield-tan"],
+            0,
+            "Table 1 at 8° prints 242.14, and 242.74 is taken",
+            "242.14 for",
+        ),
         (
             vec!["reproduce", "mae494"],
             0,
             "a printed delivery that does not fly counts with a carry of 0",
             "which is 0 where",
         ),
-        (vec!["reproduce", "mae494", "--units", "us"], 0, "end within 0.39 in of the best carry", "centimetre"),
+        (
+            vec!["reproduce", "mae494", "--units", "us"],
+            0,
+            "end within 0.39 in of the best carry",
+            "centimetre",
+        ),
         // its own units
-        (vec!["reproduce", "mae494"], 0, "end within 10.0 mm of the best carry", "centimetre"),
-        (vec!["simulate", "--threads", "3"], 2, "this command has no option '--threads'; --help lists", "'-- "),
-        (vec!["simulate", "--set", "-5"], 2, "joined to its option by '=', as in --set=NAME=-5", "'-- "),
-        (vec!["simulate", "--sett", "a=1"], 2, "a similar argument exists: '--set'", "this command has no"),
+        (
+            vec!["reproduce", "mae494"],
+            0,
+            "end within 10.0 mm of the best carry",
+            "centimetre",
+        ),
+        (
+            vec!["simulate", "--threads", "3"],
+            2,
+            "this command has no option '--threads'; --help lists",
+            "'-- ",
+        ),
+        (
+            vec!["simulate", "--set", "-5"],
+            2,
+            "joined to its option by '=', as in --set=NAME=-5",
+            "'-- ",
+        ),
+        (
+            vec!["simulate", "--sett", "a=1"],
+            2,
+            "a similar argument exists: '--set'",
+            "this command has no",
+        ),
     ] {
         let (ended, text) = said(&args);
         assert_eq!(ended, status, "{args:?}: {text}");
-        assert!(text.contains(says) && !text.contains(says_not), "{args:?}: no '{says}', or '{says_not}': {text}");
+        assert!(
+            text.contains(says) && !text.contains(says_not),
+            "{args:?}: no '{says}', or '{says_not}': {text}"
+        );
     }
 }
 
@@ -339,39 +590,100 @@ fn broken_files_are_told_in_own_words() {
         (
             "a.toml",
             &b"[club]\nloft = \"10 deg\n"[..],
-            "a.toml: line 2, column 15 is not valid TOML: the string does not end; close it with \"",
+            "a.toml: line 2, column 15 is not valid TOML: the string does not end; close it with \
+             \"",
         ),
-        ("a.toml", b"[club]\nloft = '10 deg\n", "the string does not end; close it with '"),
-        ("a.toml", b"[club]\nloft = 10 deg\n", "a value is a number, or text in quotes where it has a unit"),
-        ("a.toml", b"[club]\nloft = 10deg\n", "a value is a number, or text in quotes where it has a unit"),
-        ("a.toml", b"[club]\nloft =\n", "a value is a number, or text in quotes where it has a unit"),
-        ("a.toml", b"[club]\nloft = True\n", "a value is a number, or text in quotes where it has a unit"),
+        (
+            "a.toml",
+            b"[club]\nloft = '10 deg\n",
+            "the string does not end; close it with '",
+        ),
+        (
+            "a.toml",
+            b"[club]\nloft = 10 deg\n",
+            "a value is a number, or text in quotes where it has a unit",
+        ),
+        (
+            "a.toml",
+            b"[club]\nloft = 10deg\n",
+            "a value is a number, or text in quotes where it has a unit",
+        ),
+        (
+            "a.toml",
+            b"[club]\nloft =\n",
+            "a value is a number, or text in quotes where it has a unit",
+        ),
+        (
+            "a.toml",
+            b"[club]\nloft = True\n",
+            "a value is a number, or text in quotes where it has a unit",
+        ),
         (
             "a.toml",
             b"[club]\nloft = 1\nloft = 2\n",
             "line 3, column 1 is not valid TOML: this key or table is given twice; keep one",
         ),
-        ("a.toml", b"[club\nloft = 1\n", "the head of the table does not end; close it with ]"),
-        ("a.toml", b"[club]\nloft: 1\n", "a key needs '=' and a value after it"),
-        ("a.toml", b"[club]\nloft = true\n", "'club.loft' is a boolean; expected a number or a string"),
-        ("a.toml", b"[club]\nlofft = 1\n", "did you mean 'club.loft'?"),
+        (
+            "a.toml",
+            b"[club\nloft = 1\n",
+            "the head of the table does not end; close it with ]",
+        ),
+        (
+            "a.toml",
+            b"[club]\nloft: 1\n",
+            "a key needs '=' and a value after it",
+        ),
+        (
+            "a.toml",
+            b"[club]\nloft = true\n",
+            "'club.loft' is a boolean; expected a number or a string",
+        ),
+        (
+            "a.toml",
+            b"[club]\nlofft = 1\n",
+            "did you mean 'club.loft'?",
+        ),
         ("a.toml", b"[club]\nloft = \"\x01\"\n", "the reader says: "),
-        ("a.toml", b"[club]\nloft = '\xff'\n", "it holds bytes that are not text in UTF-8; save it as text in UTF-8"),
-        ("none.toml", b"", "it cannot be read (there is no such file)"),
+        (
+            "a.toml",
+            b"[club]\nloft = '\xff'\n",
+            "it holds bytes that are not text in UTF-8; save it as text in UTF-8",
+        ),
+        (
+            "none.toml",
+            b"",
+            "it cannot be read (there is no such file)",
+        ),
         (
             "a.csv",
             b"club.loft [deg],swing.speed [mph]\n9,100\n\"10,100\n11,100\n",
             "line 3 opens a quote (\") and does not close it",
         ),
-        ("a.csv", b"club.loft [deg]\n\"9\n10\n", "row 1: line 2 opens a quote (\") and does not close it"),
-        ("a.csv", b"\"club.loft [deg]\n9\n", "a.csv: line 1 opens a quote (\") and does not close it"),
-        ("a.csv", b"club.loft [deg]\n1\x002\n", "row 1, column club.loft: '1\\u{0}2' is not a number"),
+        (
+            "a.csv",
+            b"club.loft [deg]\n\"9\n10\n",
+            "row 1: line 2 opens a quote (\") and does not close it",
+        ),
+        (
+            "a.csv",
+            b"\"club.loft [deg]\n9\n",
+            "a.csv: line 1 opens a quote (\") and does not close it",
+        ),
+        (
+            "a.csv",
+            b"club.loft [deg]\n1\x002\n",
+            "row 1, column club.loft: '1\\u{0}2' is not a number",
+        ),
         (
             "a.csv",
             b"club.loft [deg],swing.speed [mph]\n9,100,1\n",
             "row 1: the row has 3 cells, but the head has 2 cells",
         ),
-        ("a.csv", b"club.loft [deg]\n\xff\n", "row 1, column club.loft: '\u{ff}' is not a number"),
+        (
+            "a.csv",
+            b"club.loft [deg]\n\xff\n",
+            "row 1, column club.loft: '\u{ff}' is not a number",
+        ),
         ("none.csv", b"", "it cannot be read (there is no such file)"),
     ] {
         let path = folder.path().join(name);
@@ -379,10 +691,22 @@ fn broken_files_are_told_in_own_words() {
             std::fs::write(&path, bytes).unwrap();
         }
         let file = path.to_str().unwrap();
-        let args = if name.ends_with("toml") { vec!["simulate", file] } else { vec!["sweep", "--points", file] };
+        let args = if name.ends_with("toml") {
+            vec!["simulate", file]
+        } else {
+            vec!["sweep", "--points", file]
+        };
         let said = longdrive(&args);
         let text = String::from_utf8_lossy(bytes);
-        assert!(said.status == 2 && said.err.contains(says), "{text}: no '{says}' in {}", said.err);
-        assert!(said.err.contains(name) && !said.err.contains("expected literal"), "{text}: {}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(says),
+            "{text}: no '{says}' in {}",
+            said.err
+        );
+        assert!(
+            said.err.contains(name) && !said.err.contains("expected literal"),
+            "{text}: {}",
+            said.err
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! The units that were asked for, in every text: studies, messages, warnings and notes; and remarks that fit a terminal.
+//! The units that were asked for, in every text: studies, messages, warnings and notes; and remarks
+//! that fit a terminal.
 
 use crate::command_line::longdrive;
 use crate::reproduce::{FOUND, PAPER, PAPER_WRITTEN};
@@ -11,16 +12,22 @@ fn words(text: &str) -> String {
 }
 
 fn widest(text: &str) -> usize {
-    text.lines().map(|line| line.chars().count()).max().unwrap_or(0)
+    text.lines()
+        .map(|line| line.chars().count())
+        .max()
+        .unwrap_or(0)
 }
 
-/// The numbers with one of these units, without those that have the other system's beside them in parentheses.
+/// The numbers with one of these units, without those that have the other system's beside them in
+/// parentheses.
 fn alone<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
     let all: Vec<&str> = text.split_whitespace().collect();
-    let is_number = |word: &str| word.starts_with(|c: char| c.is_ascii_digit() || ['+', '-'].contains(&c));
+    let is_number =
+        |word: &str| word.starts_with(|c: char| c.is_ascii_digit() || ['+', '-'].contains(&c));
     let is_unit = |word: &str| units.contains(&word.trim_end_matches([',', '.', ';', ':']));
     let is_beside = |word: Option<&&str>| word.is_some_and(|word| word.starts_with('('));
-    let found = (1..all.len()).filter(|&i| is_unit(all[i]) && is_number(all[i - 1]) && !is_beside(all.get(i + 1)));
+    let found = (1..all.len())
+        .filter(|&i| is_unit(all[i]) && is_number(all[i - 1]) && !is_beside(all.get(i + 1)));
     found.map(|i| all[i - 1]).collect()
 }
 
@@ -32,31 +39,69 @@ fn paper_numbers_of_mae494_stay_as_printed_and_computed_ones_are_in_the_units_as
     }
     let (in_metres, in_yards) = (words(&metric), words(&us));
     // printed: 248.48 m; a yard is 0.9144 m, a mile per hour 0.44704 m/s
-    assert!(in_metres.contains("prints 248.48 m;") && in_yards.contains("prints 248.48 m (271.74 yd);"), "{us}");
+    assert!(
+        in_metres.contains("prints 248.48 m;") && in_yards.contains("prints 248.48 m (271.74 yd);"),
+        "{us}"
+    );
     let yards = |metres: f64| format!("{:.2} yd", metres / 0.9144);
     let best = FOUND.optimum.exact().carry;
-    assert!(in_metres.contains(&format!("{best:.2} m (")) && in_yards.contains(&yards(best)), "{us}");
+    assert!(
+        in_metres.contains(&format!("{best:.2} m (")) && in_yards.contains(&yards(best)),
+        "{us}"
+    );
     let fastest = FOUND.energy.fastest;
-    assert!(in_metres.contains(&format!("V = {fastest:.2} m/s")), "{metric}");
-    assert!(in_yards.contains(&format!("V = {:.2} mph", fastest / 0.44704)), "{us}");
+    assert!(
+        in_metres.contains(&format!("V = {fastest:.2} m/s")),
+        "{metric}"
+    );
+    assert!(
+        in_yards.contains(&format!("V = {:.2} mph", fastest / 0.44704)),
+        "{us}"
+    );
     let slope = FOUND.noise.slopes[0].exact;
-    assert!(in_metres.contains(&format!("{slope:+.1} m/rad")), "{metric}");
-    assert!(in_yards.contains(&format!("{:+.1} yd/rad", slope / 0.9144)), "{us}");
-    assert_eq!(alone(&metric, &["yd", "mph", "yd/rad"]), [""; 0], "{metric}");
+    assert!(
+        in_metres.contains(&format!("{slope:+.1} m/rad")),
+        "{metric}"
+    );
+    assert!(
+        in_yards.contains(&format!("{:+.1} yd/rad", slope / 0.9144)),
+        "{us}"
+    );
+    assert_eq!(
+        alone(&metric, &["yd", "mph", "yd/rad"]),
+        [""; 0],
+        "{metric}"
+    );
     assert_eq!(alone(&us, &["m", "m/s", "m/rad"]), [""; 0], "{us}");
 }
 
 #[test]
-fn paper_numbers_of_winfield_and_tan_stay_as_printed_and_computed_ones_are_in_the_units_asked_for() {
+fn paper_numbers_of_winfield_and_tan_stay_as_printed_and_computed_ones_are_in_the_units_asked_for()
+{
     let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
-    assert!(widest(&metric) <= 100 && widest(&us) <= 100, "{metric}\n{us}");
+    assert!(
+        widest(&metric) <= 100 && widest(&us) <= 100,
+        "{metric}\n{us}"
+    );
     let (in_metres, in_yards) = (words(&metric), words(&us));
     let carry = PAPER.shot.computed.carry;
     // printed: 197.31 yd, 139.16 mph
-    assert!(in_yards.contains(&format!("197.31 yd {:.2} yd", carry / 0.9144)), "{us}");
-    assert!(in_metres.contains(&format!("197.31 yd (180.42 m) {carry:.2} m")), "{metric}");
-    assert!(in_yards.contains("139.16 mph 1") && in_metres.contains("139.16 mph (62.21 m/s) 6"), "{metric}");
-    assert!(in_yards.contains("C_D at 70 mph") && in_metres.contains("C_D at 30 m/s"), "{metric}");
+    assert!(
+        in_yards.contains(&format!("197.31 yd {:.2} yd", carry / 0.9144)),
+        "{us}"
+    );
+    assert!(
+        in_metres.contains(&format!("197.31 yd (180.42 m) {carry:.2} m")),
+        "{metric}"
+    );
+    assert!(
+        in_yards.contains("139.16 mph 1") && in_metres.contains("139.16 mph (62.21 m/s) 6"),
+        "{metric}"
+    );
+    assert!(
+        in_yards.contains("C_D at 70 mph") && in_metres.contains("C_D at 30 m/s"),
+        "{metric}"
+    );
     assert!(!metric.contains("NaN") && !us.contains("NaN"), "{us}");
     assert_eq!(alone(&metric, &["yd", "mph"]), [""; 0], "{metric}");
     assert_eq!(alone(&us, &["m"]), [""; 0], "{us}");
@@ -69,7 +114,10 @@ fn a_study_is_printed_in_its_own_units_where_none_are_asked_for() {
     assert!(us.contains("250.09 yd") && said.out == us, "{}", said.out);
     assert!(metric.contains("250.09 yd (228.68 m)"), "{metric}");
     let help = longdrive(&["reproduce", "--help"]).out;
-    assert!(words(&help).contains("reproduce: those of the study"), "{help}");
+    assert!(
+        words(&help).contains("reproduce: those of the study"),
+        "{help}"
+    );
 }
 
 #[test]
@@ -77,12 +125,33 @@ fn exact_heights_of_messages_are_in_the_units_asked_for() {
     // 40 m = 43.745 yd, 200 m = 218.72 yd
     let high = ["--set", "ground.height=40m"];
     let higher = ["--set", "ground.height=200m"];
-    let chart = ["chart", "modern-driver", "--along", "ground.height=40m..61m"];
+    let chart = [
+        "chart",
+        "modern-driver",
+        "--along",
+        "ground.height=40m..61m",
+    ];
     for (args, in_us, in_metric) in [
-        ([&["simulate"][..], &high].concat(), "not above the ground at 43.745 yd", "not above the ground at 40 m"),
-        ([&["gradient"][..], &high].concat(), "not above the ground at 43.745 yd", "not above the ground at 40 m"),
-        ([&["optimize"][..], &higher].concat(), "the ground at 218.72 yd", "the ground at 200 m"),
-        (chart.to_vec(), "no optimum was found beyond 65.3", "no optimum was found beyond 59.7"),
+        (
+            [&["simulate"][..], &high].concat(),
+            "not above the ground at 43.745 yd",
+            "not above the ground at 40 m",
+        ),
+        (
+            [&["gradient"][..], &high].concat(),
+            "not above the ground at 43.745 yd",
+            "not above the ground at 40 m",
+        ),
+        (
+            [&["optimize"][..], &higher].concat(),
+            "the ground at 218.72 yd",
+            "the ground at 200 m",
+        ),
+        (
+            chart.to_vec(),
+            "no optimum was found beyond 65.3",
+            "no optimum was found beyond 59.7",
+        ),
     ] {
         for (units, shown) in [("us", in_us), ("metric", in_metric)] {
             let said = longdrive(&[&args[..], &["--units", units]].concat());
@@ -96,19 +165,47 @@ fn exact_heights_of_messages_are_in_the_units_asked_for() {
 
 #[test]
 fn exact_speeds_and_limits_of_messages_are_in_the_units_asked_for() {
-    let slow = ["simulate", "--set", "aero.law=winfield-tan", "--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
-    let limits = ["--subject-to", "apex_height <= 5 yd", "--subject-to", "apex_height >= 60 yd"];
+    let slow = [
+        "simulate",
+        "--set",
+        "aero.law=winfield-tan",
+        "--set",
+        "swing.speed=30mph",
+        "--set",
+        "club.loft=14deg",
+    ];
+    let limits = [
+        "--subject-to",
+        "apex_height <= 5 yd",
+        "--subject-to",
+        "apex_height >= 60 yd",
+    ];
     let impossible = [&["optimize"], &limits[..]].concat();
-    let verify = ["verify", "modern-driver", "--of", "carry", "--wrt", "swing.speed"];
+    let verify = [
+        "verify",
+        "modern-driver",
+        "--of",
+        "carry",
+        "--wrt",
+        "swing.speed",
+    ];
     let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let calibrate = ["calibrate", sample, "modern-driver", "--fit", "aero.cd0"];
     for (args, in_us, in_metric) in [
         // 25 m/s = 55.9 mph, 68 m/s = 152 mph
-        (&slow[..], "speed through the air of 55.9 mph to 152 mph", "speed through the air of 25 m/s to 68 m/s"),
+        (
+            &slow[..],
+            "speed through the air of 55.9 mph to 152 mph",
+            "speed through the air of 25 m/s to 68 m/s",
+        ),
         (&impossible, " yd, outside by ", " m, outside by "),
         (&verify, "at swing.speed = 110", "at swing.speed = 49.1"),
         // 3 yd = 2.7432 m
-        (&calibrate, ": 3 yd is taken for each", ": 2.74 m is taken for each"),
+        (
+            &calibrate,
+            ": 3 yd is taken for each",
+            ": 2.74 m is taken for each",
+        ),
     ] {
         for (units, shown, other) in [("us", in_us, in_metric), ("metric", in_metric, in_us)] {
             let said = longdrive(&[args, &["--units", units]].concat());
@@ -123,25 +220,58 @@ fn exact_speeds_and_limits_of_messages_are_in_the_units_asked_for() {
 fn notes_of_plots_are_in_the_chosen_system() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
-    let along =
-        ["chart", "modern-driver", "--along", "swing.speed=90mph..100mph", "--subject-to", "apex_height <= 30 yd"];
+    let along = [
+        "chart",
+        "modern-driver",
+        "--along",
+        "swing.speed=90mph..100mph",
+        "--subject-to",
+        "apex_height <= 30 yd",
+    ];
     for (plot, us, metric) in [
-        (&["contour"][..], "lose at most 1.00 yd and", "lose at most 0.91 m and"),
+        (
+            &["contour"][..],
+            "lose at most 1.00 yd and",
+            "lose at most 0.91 m and",
+        ),
         (&["tornado"], " yd.", " m."),
         (&along, " mph apex", "1: at 41."),
     ] {
         for (units, first) in [("us", us), ("metric", metric)] {
-            let said = longdrive(&[&["plot"], plot, &["-o", &file, "--overwrite", "--units", units]].concat());
-            assert!(said.status == 0 && words(&said.err).contains(first), "{plot:?} {units}: {}", said.err);
-            let other = if units == "us" { [" m ", " m.", " m/s"] } else { [" yd ", " yd.", " mph"] };
+            let said = longdrive(
+                &[
+                    &["plot"],
+                    plot,
+                    &["-o", &file, "--overwrite", "--units", units],
+                ]
+                .concat(),
+            );
+            assert!(
+                said.status == 0 && words(&said.err).contains(first),
+                "{plot:?} {units}: {}",
+                said.err
+            );
+            let other = if units == "us" {
+                [" m ", " m.", " m/s"]
+            } else {
+                [" yd ", " yd.", " mph"]
+            };
             // a limit is told as it was typed
             let told = words(&said.err).replace("apex_height <= 30 yd", "");
-            assert!(!other.iter().any(|unit| told.contains(unit)), "{plot:?} {units}: {}", said.err);
+            assert!(
+                !other.iter().any(|unit| told.contains(unit)),
+                "{plot:?} {units}: {}",
+                said.err
+            );
             assert!(widest(&said.err) <= 100, "{}", said.err);
             if plot[0] == "tornado" {
                 let picture = std::fs::read_to_string(&file).unwrap();
                 // 0.5 mph = 0.224 m/s
-                let name = if units == "us" { "club speed ± 0.5 mph" } else { "club speed ± 0.224 m/s" };
+                let name = if units == "us" {
+                    "club speed ± 0.5 mph"
+                } else {
+                    "club speed ± 0.224 m/s"
+                };
                 assert!(picture.contains(name), "{units}: {picture}");
             }
         }
@@ -151,15 +281,37 @@ fn notes_of_plots_are_in_the_chosen_system() {
 #[test]
 fn remarks_and_warnings_fit_a_terminal() {
     for (args, begin) in [
-        (&["gradient", "--wrt", "all"][..], "left out, without a value"),
+        (
+            &["gradient", "--wrt", "all"][..],
+            "left out, without a value",
+        ),
         (&["uncertainty", "--samples", "8"], "default uncertainty: "),
-        (&["simulate", "--set", "strike.toe=90mm"], "warning: strike.toe"),
-        (&["simulate", "--set", "aero.law=smits-smith", "--set", "swing.speed=140mph"], "warning: the law "),
+        (
+            &["simulate", "--set", "strike.toe=90mm"],
+            "warning: strike.toe",
+        ),
+        (
+            &[
+                "simulate",
+                "--set",
+                "aero.law=smits-smith",
+                "--set",
+                "swing.speed=140mph",
+            ],
+            "warning: the law ",
+        ),
     ] {
         let said = longdrive(args);
         let lines: Vec<&str> = said.err.lines().collect();
-        assert!(said.status == 0 && widest(&said.err) <= 100, "{args:?}: {}", said.err);
-        let at = lines.iter().position(|line| line.starts_with(begin)).unwrap_or_else(|| panic!("{}", said.err));
+        assert!(
+            said.status == 0 && widest(&said.err) <= 100,
+            "{args:?}: {}",
+            said.err
+        );
+        let at = lines
+            .iter()
+            .position(|line| line.starts_with(begin))
+            .unwrap_or_else(|| panic!("{}", said.err));
         // what does not fit is continued on an indented line
         assert!(lines[at + 1].starts_with("  "), "{args:?}: {}", said.err);
     }
@@ -167,7 +319,10 @@ fn remarks_and_warnings_fit_a_terminal() {
 
 /// The remark at the line of a setup file that begins so, and the value before it.
 fn remark<'a>(file: &'a str, begin: &str) -> (&'a str, &'a str) {
-    let line = file.lines().find(|line| line.starts_with(begin)).unwrap_or_else(|| panic!("no {begin} in {file}"));
+    let line = file
+        .lines()
+        .find(|line| line.starts_with(begin))
+        .unwrap_or_else(|| panic!("no {begin} in {file}"));
     let (value, remark) = line.split_once(" # ").unwrap();
     (value.split('"').nth(1).unwrap(), remark)
 }
@@ -176,40 +331,86 @@ fn remark<'a>(file: &'a str, begin: &str) -> (&'a str, &'a str) {
 fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.toml").display().to_string();
-    let done = longdrive(&["optimize", "-q", "-o", &file, "--subject-to", "apex_height <= 30 yd"]);
+    let done = longdrive(&[
+        "optimize",
+        "-q",
+        "-o",
+        &file,
+        "--subject-to",
+        "apex_height <= 30 yd",
+    ]);
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&file).unwrap();
     let (loft, about) = remark(&text, "loft = ");
     // in degrees where a text in degrees is exact
     let degrees = loft
         .strip_suffix(" deg")
-        .map_or_else(|| loft.trim_end_matches(" rad").parse().map(f64::to_degrees), str::parse)
+        .map_or_else(
+            || loft.trim_end_matches(" rad").parse().map(f64::to_degrees),
+            str::parse,
+        )
         .unwrap();
-    assert_eq!(about, format!("optimum: {degrees:.2} deg in 4 deg .. 20 deg"));
+    assert_eq!(
+        about,
+        format!("optimum: {degrees:.2} deg in 4 deg .. 20 deg")
+    );
     assert!(loft.len() > "8.80634 deg".len(), "{text}");
     let head = text.lines().next().unwrap();
-    assert!(done.out.contains(head.split_once("carry: ").unwrap().1), "'{head}' is not as in {}", done.out);
+    assert!(
+        done.out.contains(head.split_once("carry: ").unwrap().1),
+        "'{head}' is not as in {}",
+        done.out
+    );
 
     let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
-    let done = longdrive(&["calibrate", sample, "-q", "--fit", "aero.cd0", "-o", &file, "--overwrite"]);
+    let done = longdrive(&[
+        "calibrate",
+        sample,
+        "-q",
+        "--fit",
+        "aero.cd0",
+        "-o",
+        &file,
+        "--overwrite",
+    ]);
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&file).unwrap();
     let (drag, about) = remark(&text, "cd0 = ");
-    let (value, error) = about.rsplit_once(": ").unwrap().1.split_once(" ± ").unwrap();
+    let (value, error) = about
+        .rsplit_once(": ")
+        .unwrap()
+        .1
+        .split_once(" ± ")
+        .unwrap();
     // to the second digit of its standard error
     let decimals = error.len() - "0.".len();
-    assert_eq!(value, format!("{:.decimals$}", drag.parse::<f64>().unwrap()), "{text}");
-    assert!(error.trim_start_matches(['0', '.']).len() == 2 && drag.len() > value.len(), "{text}");
+    assert_eq!(
+        value,
+        format!("{:.decimals$}", drag.parse::<f64>().unwrap()),
+        "{text}"
+    );
+    assert!(
+        error.trim_start_matches(['0', '.']).len() == 2 && drag.len() > value.len(),
+        "{text}"
+    );
 }
 
 /// What a calibration remarks about instruments is in the units asked for, too.
 #[test]
 fn remarks_of_a_calibration_have_no_yards_where_metres_are_asked_for() {
-    let table = "club.loft [deg],carry [yd],ball_speed [mph],lateral [yd],apex_height [yd],smash_factor\n\
+    let table = "club.loft [deg],carry [yd],ball_speed [mph],lateral [yd],apex_height \
+                 [yd],smash_factor\n\
                  9,240,160,1,30,1.47\n11,250,160,1,33,1.46\n";
     let (_folder, path) = crate::sweep::table("shots.csv", table);
     let said = |units: &str| {
-        let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0", "--units", units]);
+        let said = longdrive(&[
+            "calibrate",
+            path.to_str().unwrap(),
+            "--fit",
+            "aero.cd0",
+            "--units",
+            units,
+        ]);
         said.out.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let (metric, us) = (said("metric"), said("us"));
@@ -217,19 +418,37 @@ fn remarks_of_a_calibration_have_no_yards_where_metres_are_asked_for() {
     for unit in [" yd", " mph", "yard"] {
         assert!(!remarks(&metric).contains(unit), "{unit}: {metric}");
     }
-    for (metric_says, us_says) in [("within about 2.7 m", "within about 3 yd"), ("at 230 m", "at 250 yd")] {
-        assert!(metric.contains(metric_says) && us.contains(us_says), "{metric_says}: {metric} {us}");
+    for (metric_says, us_says) in [
+        ("within about 2.7 m", "within about 3 yd"),
+        ("at 230 m", "at 250 yd"),
+    ] {
+        assert!(
+            metric.contains(metric_says) && us.contains(us_says),
+            "{metric_says}: {metric} {us}"
+        );
     }
 }
 
 #[test]
 fn a_wrong_unit_is_told_with_every_unit_that_is_read() {
-    for (value, told) in [("1kg", "a length takes"), ("1", "a length takes"), ("1fox", "a length takes")] {
+    for (value, told) in [
+        ("1kg", "a length takes"),
+        ("1", "a length takes"),
+        ("1fox", "a length takes"),
+    ] {
         let said = longdrive(&["simulate", "--set", &format!("strike.high={value}")]);
         let units = "m, mm, yd, in, um, cm, km, ft, mi";
-        assert!(said.status == 2 && said.err.contains(&format!("{told} {units}")), "{}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(&format!("{told} {units}")),
+            "{}",
+            said.err
+        );
     }
     for unit in ["m", "mm", "yd", "in", "um", "cm", "km", "ft", "mi"] {
-        assert_eq!(longdrive(&["simulate", "--set", &format!("ground.height=0{unit}")]).status, 0, "{unit}");
+        assert_eq!(
+            longdrive(&["simulate", "--set", &format!("ground.height=0{unit}")]).status,
+            0,
+            "{unit}"
+        );
     }
 }

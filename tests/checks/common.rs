@@ -1,4 +1,5 @@
-//! Drives computed independently of this project, random drives, and how to hold numbers against each other.
+//! Drives computed independently of this project, random drives, and how to hold numbers against
+//! each other.
 
 use longdrive::number::{Jet, Mixed};
 use longdrive::parameters::Law;
@@ -13,12 +14,16 @@ use std::path::Path;
 pub fn data(name: &str) -> Value {
     // from `tests/elsewhere` too
     let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
-    let path = folders.map(|folder| folder.join("tests/data").join(name)).find(|path| path.exists()).unwrap();
+    let path = folders
+        .map(|folder| folder.join("tests/data").join(name))
+        .find(|path| path.exists())
+        .unwrap();
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-/// A setup from its JSON form: every parameter by dotted name, `null` for unset, `"inf"` for a flat face.
-/// What the file does not name is as in Winfield & Tan: rolling at exit, calm, no friction limit.
+/// A setup from its JSON form: every parameter by dotted name, `null` for unset, `"inf"` for a flat
+/// face. What the file does not name is as in Winfield & Tan: rolling at exit, calm, no friction
+/// limit.
 pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
     let mut setup = Setup::preset("winfield-tan").unwrap();
     setup.set_law(json["aero.law"].as_str().unwrap()).unwrap();
@@ -38,8 +43,17 @@ pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
 /// A value that changes in the first, the second, or both of two directions.
 pub fn mixed(value: f64, first: bool, second: bool) -> Mixed {
     let change = |is: bool| f64::from(u8::from(is));
-    let inner = Jet { re: value, gradient: [change(first)] };
-    Jet { re: inner, gradient: [Jet { re: change(second), gradient: [0.0] }] }
+    let inner = Jet {
+        re: value,
+        gradient: [change(first)],
+    };
+    Jet {
+        re: inner,
+        gradient: [Jet {
+            re: change(second),
+            gradient: [0.0],
+        }],
+    }
 }
 
 /// The setup of a JSON drive.
@@ -57,7 +71,8 @@ pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// An outcome of a JSON drive; of the distance to the landing the files have the two components, and in their drives the ball embeds.
+/// An outcome of a JSON drive; of the distance to the landing the files have the two components,
+/// and in their drives the ball embeds.
 pub fn outcome_of(outcomes: &Value, of: Outcome) -> f64 {
     match of {
         Outcome::CarryDistance => number(&outcomes["carry"]).hypot(number(&outcomes["lateral"])),
@@ -72,7 +87,11 @@ pub fn outcome_of(outcomes: &Value, of: Outcome) -> f64 {
 #[track_caller]
 pub fn close(ours: f64, theirs: f64, scale: f64, tolerance: f64, what: &str) {
     let error = (ours - theirs).abs();
-    assert!(error <= tolerance * scale, "{what}: {ours:e} against {theirs:e}, off by {:e} of {scale:e}", error / scale);
+    assert!(
+        error <= tolerance * scale,
+        "{what}: {ours:e} against {theirs:e}, off by {:e} of {scale:e}",
+        error / scale
+    );
 }
 
 /// Runs a check on so many random setups, the same ones every time.
@@ -83,19 +102,35 @@ pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
 /// Steps with which a carry is good to about 1e-8 m, and a drive takes a tenth of the time.
 pub const LARGE_STEPS: [(&str, &str); 2] = [("flight.method", "dp8"), ("flight.step", "400 ms")];
 
-/// The drive in large steps, by each method by turns: what holds of the drive as it is computed holds in any steps.
+/// The drive in large steps, by each method by turns: what holds of the drive as it is computed
+/// holds in any steps.
 pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
-    let (method, step) = if place % 2 == 1 { ("dp8", "400 ms") } else { ("rk4", "100 ms") };
-    setup.set_all([("flight.method", method), ("flight.step", step)]).unwrap();
+    let (method, step) = if place % 2 == 1 {
+        ("dp8", "400 ms")
+    } else {
+        ("rk4", "100 ms")
+    };
+    setup
+        .set_all([("flight.method", method), ("flight.step", step)])
+        .unwrap();
     setup
 }
 
-/// Those of so many random drives that land, in large steps: nearly all of them, for else a check of them would be of little.
+/// Those of so many random drives that land, in large steps: nearly all of them, for else a check
+/// of them would be of little.
 #[track_caller]
 pub fn landing(cases: u32) -> Vec<Setup<f64>> {
     let lands = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
-    let landing: Vec<_> = random_setups(cases).enumerate().map(in_large_steps).filter(lands).collect();
-    assert!(landing.len() >= cases as usize * 9 / 10, "{} of {cases} land; all of the first 60 did", landing.len());
+    let landing: Vec<_> = random_setups(cases)
+        .enumerate()
+        .map(in_large_steps)
+        .filter(lands)
+        .collect();
+    assert!(
+        landing.len() >= cases as usize * 9 / 10,
+        "{} of {cases} land; all of the first 60 did",
+        landing.len()
+    );
     landing
 }
 
@@ -105,13 +140,38 @@ pub fn random_setups(cases: u32) -> impl Iterator<Item = Setup<f64>> {
     (0..cases).map(move |_| any_setup().new_tree(&mut runner).unwrap().current())
 }
 
-/// Three-dimensional drives from easy to hard: light and heavy heads, every law, off-centre strikes on curved
-/// faces, products of inertia, closure, wind, with and without the optional parameters.
+/// Three-dimensional drives from easy to hard: light and heavy heads, every law, off-centre strikes
+/// on curved faces, products of inertia, closure, wind, with and without the optional parameters.
 fn any_setup() -> impl Strategy<Value = Setup<f64>> {
-    let swing = (20.0..70.0, -0.05..0.25, -0.1..0.1, -0.1..0.1, -0.1..0.1, prop::array::uniform3(-50.0..50.0));
-    let club = (0.05..2.0, 0.02..0.6, prop::array::uniform3(1e-4..8e-4), prop::array::uniform3(-0.4..0.4), 0.0..0.05);
-    let face = (-0.015..0.015, -0.03..0.03, 0.2..0.5, 0.2..0.5, prop::option::of(0.2..0.5));
-    let ball = (0.03..0.06, 0.018..0.025, prop::option::of(0.3..0.5), 0.3..1.0, -0.3..0.3);
+    let swing = (
+        20.0..70.0,
+        -0.05..0.25,
+        -0.1..0.1,
+        -0.1..0.1,
+        -0.1..0.1,
+        prop::array::uniform3(-50.0..50.0),
+    );
+    let club = (
+        0.05..2.0,
+        0.02..0.6,
+        prop::array::uniform3(1e-4..8e-4),
+        prop::array::uniform3(-0.4..0.4),
+        0.0..0.05,
+    );
+    let face = (
+        -0.015..0.015,
+        -0.03..0.03,
+        0.2..0.5,
+        0.2..0.5,
+        prop::option::of(0.2..0.5),
+    );
+    let ball = (
+        0.03..0.06,
+        0.018..0.025,
+        prop::option::of(0.3..0.5),
+        0.3..1.0,
+        -0.3..0.3,
+    );
     let air = (
         0.2..1.5,
         0.0..0.8,
@@ -123,7 +183,14 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
     (swing, club, face, ball, air, law).prop_map(|(swing, club, face, ball, air, law)| {
         let mut s = Setup::default();
         s.set_law(Law::NAMES[law]).unwrap();
-        (s.swing.speed, s.swing.attack_angle, s.swing.path, s.swing.face_angle, s.swing.shaft_lean, _) = swing;
+        (
+            s.swing.speed,
+            s.swing.attack_angle,
+            s.swing.path,
+            s.swing.face_angle,
+            s.swing.shaft_lean,
+            _,
+        ) = swing;
         [s.swing.closure_x, s.swing.closure_y, s.swing.closure_z] = swing.5;
         (s.club.mass, s.club.loft, _, _, s.club.cg_depth) = club;
         [s.club.inertia_xx, s.club.inertia_yy, s.club.inertia_zz] = club.2;
@@ -132,15 +199,37 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
         s.club.inertia_xy = product(club.3[0], s.club.inertia_xx, s.club.inertia_yy);
         s.club.inertia_xz = product(club.3[1], s.club.inertia_xx, s.club.inertia_zz);
         s.club.inertia_yz = product(club.3[2], s.club.inertia_yy, s.club.inertia_zz);
-        (s.strike.high, s.strike.toe, s.club.bulge_radius, s.club.roll_radius, s.club.face_semi_axis) = face;
-        (s.ball.mass, s.ball.radius, _, s.impact.restitution, s.impact.tangential_restitution) = ball;
-        s.ball.inertia = ball.2.map(|part: f64| part * s.ball.mass * s.ball.radius * s.ball.radius);
-        (s.air.density, s.aero.spin_decay, s.aero.spin_damping, _, s.wind.roughness) = air;
+        (
+            s.strike.high,
+            s.strike.toe,
+            s.club.bulge_radius,
+            s.club.roll_radius,
+            s.club.face_semi_axis,
+        ) = face;
+        (
+            s.ball.mass,
+            s.ball.radius,
+            _,
+            s.impact.restitution,
+            s.impact.tangential_restitution,
+        ) = ball;
+        s.ball.inertia = ball
+            .2
+            .map(|part: f64| part * s.ball.mass * s.ball.radius * s.ball.radius);
+        (
+            s.air.density,
+            s.aero.spin_decay,
+            s.aero.spin_damping,
+            _,
+            s.wind.roughness,
+        ) = air;
         [s.wind.up, s.wind.right, s.wind.downrange] = air.3;
         s.wind.up *= 0.1;
-        // a shaft that bends and droops, and a restitution that falls with the speed, in half of the drives
+        // a shaft that bends and droops, and a restitution that falls with the speed, in half of
+        // the drives
         if s.club.face_semi_axis.is_some() {
-            (s.swing.shaft_bend, s.swing.shaft_droop) = (Some(0.5 * s.swing.shaft_lean), Some(s.swing.path));
+            (s.swing.shaft_bend, s.swing.shaft_droop) =
+                (Some(0.5 * s.swing.shaft_lean), Some(s.swing.path));
             s.swing.shaft_growth = s.ball.inertia.map(|_| 1.5);
             s.impact.restitution_slope = Some(-5e-4 * (1.0 - s.impact.restitution));
         }
@@ -151,7 +240,10 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
 
 /// What a piece of a program says as it panics.
 pub fn panic_of<T>(work: impl FnOnce() -> T) -> String {
-    let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).err().expect("it panics");
+    let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work))
+        .err()
+        .expect("it panics");
     let word = panic.downcast_ref::<&str>().map(ToString::to_string);
-    word.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
+    word.or_else(|| panic.downcast_ref::<String>().cloned())
+        .unwrap_or_default()
 }

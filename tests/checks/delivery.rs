@@ -8,8 +8,13 @@ use longdrive::study::delivery::{Delivered, Unknown, delivery, unknowns};
 use longdrive::study::{Sigma, Vary};
 use longdrive::{Drive, Outcome, Setup};
 
-const MEASURED: [Outcome; 5] =
-    [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::LaunchDirection, Outcome::Backspin, Outcome::Sidespin];
+const MEASURED: [Outcome; 5] = [
+    Outcome::BallSpeed,
+    Outcome::LaunchAngle,
+    Outcome::LaunchDirection,
+    Outcome::Backspin,
+    Outcome::Sidespin,
+];
 
 fn struck(settings: &[(&str, &str)]) -> Setup<f64> {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -20,8 +25,15 @@ fn struck(settings: &[(&str, &str)]) -> Setup<f64> {
 fn launch_of(setup: &Setup<f64>) -> Vec<Measurement> {
     let drive = Drive::new(setup).unwrap();
     let one = |outcome: Outcome| {
-        let (value, sigma) = (outcome.value(&drive).unwrap(), instrument(outcome).unwrap().1);
-        Measurement { outcome, value, sigma }
+        let (value, sigma) = (
+            outcome.value(&drive).unwrap(),
+            instrument(outcome).unwrap().1,
+        );
+        Measurement {
+            outcome,
+            value,
+            sigma,
+        }
     };
     MEASURED.into_iter().map(one).collect()
 }
@@ -37,17 +49,39 @@ const OFF_CENTRE: [(&str, &str); 7] = [
 ];
 
 fn value(found: &Delivered, name: &str) -> f64 {
-    found.known.iter().find(|known| known.unknown.parameter.name == name).unwrap().value
+    found
+        .known
+        .iter()
+        .find(|known| known.unknown.parameter.name == name)
+        .unwrap()
+        .value
 }
 
 #[test]
 fn exact_a_delivery_that_was_known_before_is_found_again_with_nothing_left_over() {
     let setup = struck(&OFF_CENTRE);
-    let found = delivery(&setup, &launch_of(&setup), &unknowns(&setup, &[], &[]).unwrap()).unwrap();
+    let found = delivery(
+        &setup,
+        &launch_of(&setup),
+        &unknowns(&setup, &[], &[]).unwrap(),
+    )
+    .unwrap();
     for known in &found.known {
-        close(known.value, known.unknown.before, known.unknown.sigma, 1e-9, known.unknown.parameter.name);
+        close(
+            known.value,
+            known.unknown.before,
+            known.unknown.sigma,
+            1e-9,
+            known.unknown.parameter.name,
+        );
     }
-    assert!(found.explained.iter().all(|explained| explained.residual().abs() < 1e-9), "{found:?}");
+    assert!(
+        found
+            .explained
+            .iter()
+            .all(|explained| explained.residual().abs() < 1e-9),
+        "{found:?}"
+    );
     // five numbers tell at most five
     let told: f64 = found.known.iter().filter_map(|known| known.told).sum();
     assert!((4.0..5.0).contains(&told), "{told}");
@@ -64,31 +98,59 @@ fn exact_as_many_parameters_as_measured_values_are_recovered_from_far_off() {
         "swing.path=-20deg..20deg",
         "swing.face_angle=-20deg..20deg",
     ];
-    let vary: Vec<_> = ranges.iter().map(|range| Vary::read(&start, range).unwrap()).collect();
+    let vary: Vec<_> = ranges
+        .iter()
+        .map(|range| Vary::read(&start, range).unwrap())
+        .collect();
     // what is known before has next to no weight
-    let sigma = |vary: &Vary| Sigma { parameter: vary.parameter, value: 1e6 * (vary.high - vary.low), source: None };
+    let sigma = |vary: &Vary| Sigma {
+        parameter: vary.parameter,
+        value: 1e6 * (vary.high - vary.low),
+        source: None,
+    };
     let sigmas: Vec<_> = vary.iter().map(sigma).collect();
-    let found = delivery(&start, &launch_of(&truth), &unknowns(&start, &vary, &sigmas).unwrap()).unwrap();
+    let found = delivery(
+        &start,
+        &launch_of(&truth),
+        &unknowns(&start, &vary, &sigmas).unwrap(),
+    )
+    .unwrap();
     for vary in &vary {
         let name = vary.parameter.name;
-        close(value(&found, name), truth.value(vary.parameter).unwrap(), vary.high, 1e-9, name);
+        close(
+            value(&found, name),
+            truth.value(vary.parameter).unwrap(),
+            vary.high,
+            1e-9,
+            name,
+        );
     }
-    assert!(found.known.iter().all(|known| known.told.unwrap() > 1.0 - 1e-9));
+    assert!(
+        found
+            .known
+            .iter()
+            .all(|known| known.told.unwrap() > 1.0 - 1e-9)
+    );
     assert!(found.untold.is_empty());
 }
 
-/// The answer moves with each measured value and with each value before; the squares of these movements, each for one standard
-/// uncertainty, add up to the variance that is stated. The movements are taken by differences, nothing of the formula is in them.
+/// The answer moves with each measured value and with each value before; the squares of these
+/// movements, each for one standard uncertainty, add up to the variance that is stated. The
+/// movements are taken by differences, nothing of the formula is in them.
 #[test]
 fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
     let setup = struck(&OFF_CENTRE);
     let (launch, sought) = (launch_of(&setup), unknowns(&setup, &[], &[]).unwrap());
     let stated = delivery(&setup, &launch, &sought).unwrap();
     let part = 1e-3;
-    let moved = |launch: &[Measurement], sought: &[Unknown]| delivery(&setup, launch, sought).unwrap();
+    let moved =
+        |launch: &[Measurement], sought: &[Unknown]| delivery(&setup, launch, sought).unwrap();
     let mut variances = vec![0.0; sought.len()];
     let mut add = |above: Delivered, below: Delivered| {
-        for (variance, (above, below)) in variances.iter_mut().zip(above.known.iter().zip(&below.known)) {
+        for (variance, (above, below)) in variances
+            .iter_mut()
+            .zip(above.known.iter().zip(&below.known))
+        {
             let movement = (above.value - below.value) / (2.0 * part);
             *variance += movement * movement;
         }
@@ -111,28 +173,54 @@ fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
     }
     for (known, variance) in stated.known.iter().zip(variances) {
         let name = known.unknown.parameter.name;
-        close(known.sigma.unwrap(), variance.sqrt(), known.unknown.sigma, 1e-5, name);
-        close(known.told.unwrap(), 1.0 - variance / known.unknown.sigma.powi(2), 1.0, 1e-4, name);
+        close(
+            known.sigma.unwrap(),
+            variance.sqrt(),
+            known.unknown.sigma,
+            1e-5,
+            name,
+        );
+        close(
+            known.told.unwrap(),
+            1.0 - variance / known.unknown.sigma.powi(2),
+            1.0,
+            1e-4,
+            name,
+        );
     }
 }
 
 #[test]
 fn exact_a_change_that_is_not_told_leaves_the_launch_as_it_is() {
     let setup = struck(&OFF_CENTRE);
-    let found = delivery(&setup, &launch_of(&setup), &unknowns(&setup, &[], &[]).unwrap()).unwrap();
+    let found = delivery(
+        &setup,
+        &launch_of(&setup),
+        &unknowns(&setup, &[], &[]).unwrap(),
+    )
+    .unwrap();
     assert_eq!(found.untold.len(), 2, "{:?}", found.untold);
-    let wrt: Vec<_> = found.known.iter().map(|known| known.unknown.parameter).collect();
+    let wrt: Vec<_> = found
+        .known
+        .iter()
+        .map(|known| known.unknown.parameter)
+        .collect();
     for untold in &found.untold {
         for outcome in MEASURED {
             let slopes = gradient(&setup, outcome, &wrt).unwrap().gradient;
             let change: f64 = untold
                 .changes
                 .iter()
-                .map(|(parameter, change)| slopes[wrt.iter().position(|row| row == parameter).unwrap()] * change)
+                .map(|(parameter, change)| {
+                    slopes[wrt.iter().position(|row| row == parameter).unwrap()] * change
+                })
                 .sum();
             // parts below a tenth are not shown; of the whole direction nothing is told
             let sigma = instrument(outcome).unwrap().1;
-            assert!(untold.told < 1e-9 && change.abs() < 1.5 * sigma, "{outcome:?}: {change} of {sigma}");
+            assert!(
+                untold.told < 1e-9 && change.abs() < 1.5 * sigma,
+                "{outcome:?}: {change} of {sigma}"
+            );
         }
     }
 }
@@ -142,9 +230,17 @@ fn exact_a_parameter_that_its_bound_holds_has_no_uncertainty_and_is_not_told() {
     let setup = struck(&[]);
     let faster = struck(&[("swing.speed", "125 mph")]);
     let vary = [Vary::read(&setup, "swing.speed=100mph..112mph").unwrap()];
-    let found = delivery(&setup, &launch_of(&faster), &unknowns(&setup, &vary, &[]).unwrap()).unwrap();
+    let found = delivery(
+        &setup,
+        &launch_of(&faster),
+        &unknowns(&setup, &vary, &[]).unwrap(),
+    )
+    .unwrap();
     let known = &found.known[0];
-    assert_eq!((known.value, known.sigma, known.told), (vary[0].high, None, None));
+    assert_eq!(
+        (known.value, known.sigma, known.told),
+        (vary[0].high, None, None)
+    );
     assert!(found.untold.is_empty());
 }
 
@@ -153,63 +249,149 @@ fn a_launch_on_the_command_line_becomes_a_setup_whose_best_loft_can_be_looked_fo
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("golfer.toml");
     let file = file.to_str().unwrap();
-    let launch = ["delivery", "--ball-speed", "150mph", "--launch-angle", "12deg", "--spin", "2600rpm", "-o", file];
+    let launch = [
+        "delivery",
+        "--ball-speed",
+        "150mph",
+        "--launch-angle",
+        "12deg",
+        "--spin",
+        "2600rpm",
+        "-o",
+        file,
+    ];
     let ran = longdrive(&launch);
     assert_eq!(ran.status, 0, "{}", ran.err);
-    assert!(ran.out.contains("most probable delivery") && ran.err.contains("how golfers differ"), "{}", ran.err);
+    assert!(
+        ran.out.contains("most probable delivery") && ran.err.contains("how golfers differ"),
+        "{}",
+        ran.err
+    );
     let golfer = Setup::from_file(std::path::Path::new(file)).unwrap();
     let drive = Drive::new(&golfer).unwrap();
-    for (outcome, measured) in
-        [(Outcome::BallSpeed, "150 mph"), (Outcome::LaunchAngle, "12 deg"), (Outcome::Spin, "2600 rpm")]
-    {
-        let (value, sigma) = (outcome.quantity().read(measured).unwrap(), instrument(outcome).unwrap().1);
+    for (outcome, measured) in [
+        (Outcome::BallSpeed, "150 mph"),
+        (Outcome::LaunchAngle, "12 deg"),
+        (Outcome::Spin, "2600 rpm"),
+    ] {
+        let (value, sigma) = (
+            outcome.quantity().read(measured).unwrap(),
+            instrument(outcome).unwrap().1,
+        );
         close(outcome.value(&drive).unwrap(), value, sigma, 1.0, measured);
     }
-    assert_eq!(longdrive(&["optimize", file, "--vary", "club.loft=4deg..20deg"]).status, 0);
+    assert_eq!(
+        longdrive(&["optimize", file, "--vary", "club.loft=4deg..20deg"]).status,
+        0
+    );
     // the same as launch conditions, and as JSON
-    let (status, answer) = json(&["delivery", "--launch", "ball_speed=150mph,launch_angle=12deg,spin=2600rpm"]);
-    assert_eq!((status, answer["status"].as_str(), answer["rows"].as_array().unwrap().len()), (0, Some("done"), 1));
-    close(number(&answer["rows"][0]["known"][0]["value"]), golfer.swing.speed, 50.0, 1e-12, "speed");
+    let (status, answer) = json(&[
+        "delivery",
+        "--launch",
+        "ball_speed=150mph,launch_angle=12deg,spin=2600rpm",
+    ]);
+    assert_eq!(
+        (
+            status,
+            answer["status"].as_str(),
+            answer["rows"].as_array().unwrap().len()
+        ),
+        (0, Some("done"), 1)
+    );
+    close(
+        number(&answer["rows"][0]["known"][0]["value"]),
+        golfer.swing.speed,
+        50.0,
+        1e-12,
+        "speed",
+    );
 }
 
 #[test]
 fn shots_of_a_launch_monitor_have_their_deliveries_with_what_is_measured_of_the_club() {
-    let table = "Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg]\n\
+    let table = "Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin \
+                 Rate [rpm],Spin Axis [deg]\n\
                  106,155,10,0.5 R,2500,3 R\n104,153,11,1 L,2400,2 L\n";
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("shots.csv");
     std::fs::write(&file, table).unwrap();
     let (status, answer) = json(&["delivery", "--shots", file.to_str().unwrap()]);
     let rows = answer["rows"].as_array().unwrap();
-    assert_eq!((status, answer["status"].as_str(), rows.len()), (0, Some("done"), 2));
+    assert_eq!(
+        (status, answer["status"].as_str(), rows.len()),
+        (0, Some("done"), 2)
+    );
     for (row, speed) in rows.iter().zip([106.0, 104.0]) {
         let known = &row["known"][0];
         let mph = 0.44704;
-        close(number(&known["before"]), speed * mph, 50.0, 1e-12, "the measured speed is known before");
-        close(number(&known["standard_uncertainty_before"]), 1.5 * mph, 1.0, 1e-12, "as well as a monitor measures it");
+        close(
+            number(&known["before"]),
+            speed * mph,
+            50.0,
+            1e-12,
+            "the measured speed is known before",
+        );
+        close(
+            number(&known["standard_uncertainty_before"]),
+            1.5 * mph,
+            1.0,
+            1e-12,
+            "as well as a monitor measures it",
+        );
         assert!(number(&known["standard_uncertainty"]) < 1.5 * mph);
-        close(number(&known["value"]), speed * mph, 3.0 * mph, 1.0, "speed");
+        close(
+            number(&known["value"]),
+            speed * mph,
+            3.0 * mph,
+            1.0,
+            "speed",
+        );
     }
-    let mean = 0.5 * (number(&rows[0]["known"][0]["value"]) + number(&rows[1]["known"][0]["value"]));
-    close(number(&answer["spread"][0]["mean"]), mean, mean, 1e-14, "mean");
+    let mean =
+        0.5 * (number(&rows[0]["known"][0]["value"]) + number(&rows[1]["known"][0]["value"]));
+    close(
+        number(&answer["spread"][0]["mean"]),
+        mean,
+        mean,
+        1e-14,
+        "mean",
+    );
 }
 
 #[test]
 fn what_a_table_does_not_state_is_not_measured() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("shots.csv");
-    let table =
-        "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Carry [yd]\n171,10.4,,2545,400\n";
+    let table = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Carry \
+                 [yd]\n171,10.4,,2545,400\n";
     std::fs::write(&file, table).unwrap();
     let (status, answer) = json(&["delivery", "--shots", file.to_str().unwrap()]);
-    let (_, alone) = json(&["delivery", "--launch", "ball_speed=171mph,launch_angle=10.4deg,spin=2545rpm"]);
+    let (_, alone) = json(&[
+        "delivery",
+        "--launch",
+        "ball_speed=171mph,launch_angle=10.4deg,spin=2545rpm",
+    ]);
     assert_eq!(status, 0);
-    let of: Vec<_> = answer["rows"][0]["explained"].as_array().unwrap().iter().map(|one| &one["of"]).collect();
+    let of: Vec<_> = answer["rows"][0]["explained"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|one| &one["of"])
+        .collect();
     assert_eq!(of, ["ball_speed", "launch_angle", "spin"]);
-    for (here, there) in
-        answer["rows"][0]["known"].as_array().unwrap().iter().zip(alone["rows"][0]["known"].as_array().unwrap())
+    for (here, there) in answer["rows"][0]["known"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(alone["rows"][0]["known"].as_array().unwrap())
     {
-        close(number(&here["value"]), number(&there["value"]), 1.0, 1e-9, "as on the command line");
+        close(
+            number(&here["value"]),
+            number(&there["value"]),
+            1.0,
+            1e-9,
+            "as on the command line",
+        );
         if here["parameter"] == "swing.path" {
             assert_eq!(number(&here["told"]), 0.0);
         }
@@ -227,7 +409,10 @@ fn a_launch_that_no_delivery_gives_is_unexplained_and_written_nowhere() {
         (1, &"no-answer".into(), &"unexplained".into())
     );
     assert!(
-        answer["message"].as_str().unwrap().contains("ball_speed was measured as 300 mph"),
+        answer["message"]
+            .as_str()
+            .unwrap()
+            .contains("ball_speed was measured as 300 mph"),
         "{}",
         answer["message"]
     );
@@ -239,31 +424,75 @@ fn a_launch_that_no_delivery_gives_is_unexplained_and_written_nowhere() {
 fn parameters_that_the_range_decides_are_warned_of_with_the_end_and_how_many() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("slow.csv").display().to_string();
-    let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg]";
-    std::fs::write(&table, format!("{head}\n72,13,1,2500,2\n71,15,-1,2700,-3\n")).unwrap();
+    let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+                Axis [deg]";
+    std::fs::write(
+        &table,
+        format!("{head}\n72,13,1,2500,2\n71,15,-1,2700,-3\n"),
+    )
+    .unwrap();
     let at_ends = |arguments: &[&str]| {
         let (_, answer) = json(&[&["delivery", "--shots", &table], arguments].concat());
-        let warnings = answer["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap().to_owned());
-        warnings.filter(|it| it.contains("end of the range that it is sought in")).collect::<Vec<_>>()
+        let warnings = answer["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|it| it.as_str().unwrap().to_owned());
+        warnings
+            .filter(|it| it.contains("end of the range that it is sought in"))
+            .collect::<Vec<_>>()
     };
     let found = at_ends(&[]);
-    let says = "swing.speed of 2 of 2 launches lies at the lower end of the range that it is sought in, 55";
+    let says = "swing.speed of 2 of 2 launches lies at the lower end of the range that it is \
+                sought in, 55";
     assert!(found.iter().any(|it| it.starts_with(says)), "{found:?}");
     let nearer = at_ends(&["--set", "swing.speed=50mph"]);
-    assert!(!nearer.iter().any(|it| it.starts_with("swing.speed")), "{nearer:?}");
+    assert!(
+        !nearer.iter().any(|it| it.starts_with("swing.speed")),
+        "{nearer:?}"
+    );
 }
 
 #[test]
 fn bad_questions_about_a_delivery_are_refused_with_what_to_do() {
-    let launch = ["--ball-speed", "150mph", "--launch-angle", "12deg", "--spin", "2600rpm"];
-    let given =
-        |more: &[&str]| [&["delivery"], &launch[..], more].concat().into_iter().map(str::to_owned).collect::<Vec<_>>();
+    let launch = [
+        "--ball-speed",
+        "150mph",
+        "--launch-angle",
+        "12deg",
+        "--spin",
+        "2600rpm",
+    ];
+    let given = |more: &[&str]| {
+        [&["delivery"], &launch[..], more]
+            .concat()
+            .into_iter()
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
     for (args, says) in [
-        (vec!["delivery".to_owned()], "add --ball-speed, --launch-angle and --spin"),
-        (given(&["--vary", "aero.cd0=0.1..0.2"]), "no launch depends on"),
+        (
+            vec!["delivery".to_owned()],
+            "add --ball-speed, --launch-angle and --spin",
+        ),
+        (
+            given(&["--vary", "aero.cd0=0.1..0.2"]),
+            "no launch depends on",
+        ),
         (given(&["--sigma", "club.loft=1deg"]), "it is not sought"),
-        (given(&["--vary", "club.loft=20deg..30deg"]), "outside of the range"),
-        (given(&["--vary", "club.loft=8deg..12deg", "--vary", "club.loft=8deg..13deg"]), "name it once"),
+        (
+            given(&["--vary", "club.loft=20deg..30deg"]),
+            "outside of the range",
+        ),
+        (
+            given(&[
+                "--vary",
+                "club.loft=8deg..12deg",
+                "--vary",
+                "club.loft=8deg..13deg",
+            ]),
+            "name it once",
+        ),
         (given(&["--backspin", "2000rpm"]), "the spin is given twice"),
         (given(&["--shots", "none.csv"]), "give one of the two"),
         (given(&["--own-step"]), "flies nothing"),
@@ -271,6 +500,10 @@ fn bad_questions_about_a_delivery_are_refused_with_what_to_do() {
     ] {
         let args: Vec<&str> = args.iter().map(String::as_str).collect();
         let ran = longdrive(&args);
-        assert!(ran.status == 2 && ran.err.contains(says), "{args:?}: {}", ran.err);
+        assert!(
+            ran.status == 2 && ran.err.contains(says),
+            "{args:?}: {}",
+            ran.err
+        );
     }
 }

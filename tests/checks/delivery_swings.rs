@@ -1,4 +1,5 @@
-//! From the shots of a launch monitor to the swings of a golfer, and to the design that is best over them.
+//! From the shots of a launch monitor to the swings of a golfer, and to the design that is best
+//! over them.
 
 use crate::command_line::{json, longdrive, number};
 use longdrive::parameters::Parameter;
@@ -71,7 +72,9 @@ fn shots_of(
         let mut swing = Setup::preset("tour-average").unwrap();
         for ((name, mean, deviation), score) in truth.iter().zip(scores) {
             let parameter = swing.variable(name).unwrap();
-            swing.set_value(parameter, Some(mean + deviation * score)).unwrap();
+            swing
+                .set_value(parameter, Some(mean + deviation * score))
+                .unwrap();
         }
         let drive = Drive::new(&swing).unwrap();
         let cell = |(of, _): (Outcome, &str)| {
@@ -83,21 +86,33 @@ fn shots_of(
     text
 }
 
-/// Means, deviations and the correlation of the swings within three of their stated uncertainties, and the files give them to `optimize`.
+/// Means, deviations and the correlation of the swings within three of their stated uncertainties,
+/// and the files give them to `optimize`.
 #[test]
 fn measured_the_swings_behind_shots_are_those_that_made_them() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
-    let (file, table, distribution, setup) = (at("shots.csv"), at("swings.csv"), at("swings.toml"), at("golfer.toml"));
+    let (file, table, distribution, setup) = (
+        at("shots.csv"),
+        at("swings.csv"),
+        at("swings.toml"),
+        at("golfer.toml"),
+    );
     std::fs::write(&file, shots(80, 1)).unwrap();
-    let delivery = |more: &[&str]| json(&[&["delivery", "--shots", &file], &SOUGHT[..], more].concat());
+    let delivery =
+        |more: &[&str]| json(&[&["delivery", "--shots", &file], &SOUGHT[..], more].concat());
     let (status, answer) = delivery(&["--swings", &distribution, "-o", &setup]);
     assert_eq!(status, 0, "{}", answer["message"]);
     let found = &answer["population"];
-    for ((name, mean, deviation), spread) in TRUTH.into_iter().zip(found["spread"].as_array().unwrap()) {
+    for ((name, mean, deviation), spread) in
+        TRUTH.into_iter().zip(found["spread"].as_array().unwrap())
+    {
         assert_eq!(spread["parameter"], name);
         let stated = |of: &str| number(&spread[&format!("{of}_standard_uncertainty")]);
-        let off = [number(&spread["mean"]) - mean, number(&spread["deviation"]) - deviation];
+        let off = [
+            number(&spread["mean"]) - mean,
+            number(&spread["deviation"]) - deviation,
+        ];
         let off = [off[0] / stated("mean"), off[1] / stated("deviation")];
         println!(
             "{name}: mean off by {:.2}, deviation by {:.2} of its uncertainty; told {:.3}",
@@ -105,14 +120,21 @@ fn measured_the_swings_behind_shots_are_those_that_made_them() {
             off[1],
             number(&spread["told"])
         );
-        assert!(off.iter().all(|off| off.abs() < 3.0), "{name}: {off:?} {spread}");
+        assert!(
+            off.iter().all(|off| off.abs() < 3.0),
+            "{name}: {off:?} {spread}"
+        );
         // the uncertainties are those of so many swings, not an excuse
-        assert!(stated("deviation") < 0.25 * deviation && number(&spread["told"]) > 0.6, "{name}: {spread}");
+        assert!(
+            stated("deviation") < 0.25 * deviation && number(&spread["told"]) > 0.6,
+            "{name}: {spread}"
+        );
     }
     let correlation = number(&found["correlations"][2][3]);
     println!("correlation {correlation:.3}");
     assert!(
-        (correlation - CORRELATION).abs() < 3.0 * (1.0 - CORRELATION * CORRELATION) / 80.0_f64.sqrt(),
+        (correlation - CORRELATION).abs()
+            < 3.0 * (1.0 - CORRELATION * CORRELATION) / 80.0_f64.sqrt(),
         "{correlation}"
     );
 
@@ -120,9 +142,16 @@ fn measured_the_swings_behind_shots_are_those_that_made_them() {
     let own = Setup::from_file(setup.as_ref()).unwrap();
     let swings = Swings::open(&own, distribution.as_ref()).unwrap();
     for (parameter, mean) in swings.parameters().iter().zip(swings.means()) {
-        let spread =
-            found["spread"].as_array().unwrap().iter().find(|spread| spread["parameter"] == parameter.name).unwrap();
-        assert!((mean - number(&spread["mean"])).abs() < 1e-8 * mean.abs().max(1.0), "{mean} {spread}");
+        let spread = found["spread"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|spread| spread["parameter"] == parameter.name)
+            .unwrap();
+        assert!(
+            (mean - number(&spread["mean"])).abs() < 1e-8 * mean.abs().max(1.0),
+            "{mean} {spread}"
+        );
     }
     let (status, _) = delivery(&["--swings", &table]);
     let rows = match Swings::open(&own, table.as_ref()).unwrap() {
@@ -130,13 +159,29 @@ fn measured_the_swings_behind_shots_are_those_that_made_them() {
         other => panic!("{other:?}"),
     };
     assert_eq!((status, rows.len()), (0, 80));
-    assert_eq!(rows[7][2], number(&answer["rows"][7]["known"][2]["value"]), "to the last bit");
-    let (status, best) = json(&["optimize", &setup, "--swings", &distribution, "--scenarios", "32"]);
-    assert_eq!((status, &best["status"]), (0, &"converged".into()), "{best}");
+    assert_eq!(
+        rows[7][2],
+        number(&answer["rows"][7]["known"][2]["value"]),
+        "to the last bit"
+    );
+    let (status, best) = json(&[
+        "optimize",
+        &setup,
+        "--swings",
+        &distribution,
+        "--scenarios",
+        "32",
+    ]);
+    assert_eq!(
+        (status, &best["status"]),
+        (0, &"converged".into()),
+        "{best}"
+    );
 }
 
-/// Seven numbers of a swing from the five of its launch: what is not told keeps what was assumed, with an uncertainty that says so, and the
-/// launches of the swings found scatter as those of the golfer.
+/// Seven numbers of a swing from the five of its launch: what is not told keeps what was assumed,
+/// with an uncertainty that says so, and the launches of the swings found scatter as those of the
+/// golfer.
 #[test]
 fn measured_seven_numbers_of_each_swing_are_within_what_is_stated_of_them() {
     let truth = [
@@ -156,23 +201,40 @@ fn measured_seven_numbers_of_each_swing_are_within_what_is_stated_of_them() {
     std::fs::write(&file, shots_of(&truth, 60, &mut chance, scores)).unwrap();
     let (status, answer) = json(&["delivery", "--shots", &file, "--swings", &distribution]);
     assert_eq!(status, 0, "{}", answer["message"]);
-    for ((name, mean, deviation), spread) in truth.iter().zip(answer["population"]["spread"].as_array().unwrap()) {
+    for ((name, mean, deviation), spread) in truth
+        .iter()
+        .zip(answer["population"]["spread"].as_array().unwrap())
+    {
         let off = |of: &str, truth: f64| {
             (number(&spread[of]) - truth) / number(&spread[&format!("{of}_standard_uncertainty")])
         };
         let (mean, deviation) = (off("mean", *mean), off("deviation", *deviation));
-        println!("{name}: mean off by {mean:.2}, deviation by {deviation:.2}; told {:.2}", number(&spread["told"]));
-        assert!(mean.abs() < 3.0 && deviation.abs() < 3.0, "{name}: {mean} {deviation}");
+        println!(
+            "{name}: mean off by {mean:.2}, deviation by {deviation:.2}; told {:.2}",
+            number(&spread["told"])
+        );
+        assert!(
+            mean.abs() < 3.0 && deviation.abs() < 3.0,
+            "{name}: {mean} {deviation}"
+        );
         // as of a single shot
         let rows = answer["rows"].as_array().unwrap();
         let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
-        let mut told: Vec<f64> =
-            known.filter(|one| one["parameter"] == *name).map(|one| number(&one["told"])).collect();
+        let mut told: Vec<f64> = known
+            .filter(|one| one["parameter"] == *name)
+            .map(|one| number(&one["told"]))
+            .collect();
         told.sort_by(f64::total_cmp);
-        assert!((told[30] - number(&spread["told"])).abs() < 0.1, "{name}: {} {spread}", told[30]);
+        assert!(
+            (told[30] - number(&spread["told"])).abs() < 0.1,
+            "{name}: {} {spread}",
+            told[30]
+        );
     }
-    // path, face and the strike towards the toe are not told together, nor attack, lean and the height of the strike
-    let assumed = |i: usize| number(&answer["population"]["spread"][i]["deviation_standard_uncertainty"]);
+    // path, face and the strike towards the toe are not told together, nor attack, lean and the
+    // height of the strike
+    let assumed =
+        |i: usize| number(&answer["population"]["spread"][i]["deviation_standard_uncertainty"]);
     assert!(
         assumed(3) > DEGREE && assumed(5) > 5e-3 && assumed(1) > DEGREE && assumed(6) > 3e-3,
         "{}",
@@ -182,8 +244,20 @@ fn measured_seven_numbers_of_each_swing_are_within_what_is_stated_of_them() {
     // the scatter of launches, of the swings found and of the golfer's own
     let setup = Setup::preset("tour-average").unwrap();
     let found = Swings::open(&setup, distribution.as_ref()).unwrap();
-    let scenarios = Scenarios::new(&found, Rule::Sequence { count: 512, seed: 0 }).unwrap();
-    let of = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::LaunchDirection, Outcome::Sidespin];
+    let scenarios = Scenarios::new(
+        &found,
+        Rule::Sequence {
+            count: 512,
+            seed: 0,
+        },
+    )
+    .unwrap();
+    let of = [
+        Outcome::BallSpeed,
+        Outcome::LaunchAngle,
+        Outcome::LaunchDirection,
+        Outcome::Sidespin,
+    ];
     let scatter = |swings: &[(Vec<&'static Parameter>, Vec<f64>)]| {
         let drive = |(parameters, values): &(Vec<&'static Parameter>, Vec<f64>)| {
             let mut swung = setup;
@@ -194,36 +268,66 @@ fn measured_seven_numbers_of_each_swing_are_within_what_is_stated_of_them() {
         };
         let drives: Vec<_> = swings.iter().map(drive).collect();
         of.map(|of| {
-            let values: Vec<f64> = drives.iter().map(|drive| of.value(drive).unwrap()).collect();
+            let values: Vec<f64> = drives
+                .iter()
+                .map(|drive| of.value(drive).unwrap())
+                .collect();
             let mean = values.iter().sum::<f64>() / values.len() as f64;
-            (values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()
+            (values
+                .iter()
+                .map(|value| (value - mean).powi(2))
+                .sum::<f64>()
+                / values.len() as f64)
+                .sqrt()
         })
     };
-    let parameters: Vec<_> = truth.iter().map(|(name, ..)| setup.variable(name).unwrap()).collect();
+    let parameters: Vec<_> = truth
+        .iter()
+        .map(|(name, ..)| setup.variable(name).unwrap())
+        .collect();
     let own: Vec<_> = (0..2000)
         .map(|_| {
-            (parameters.clone(), truth.iter().map(|(_, mean, deviation)| mean + deviation * chance.normal()).collect())
+            (
+                parameters.clone(),
+                truth
+                    .iter()
+                    .map(|(_, mean, deviation)| mean + deviation * chance.normal())
+                    .collect(),
+            )
         })
         .collect();
-    let found: Vec<_> = scenarios.points.iter().map(|point| (scenarios.parameters.clone(), point.clone())).collect();
+    let found: Vec<_> = scenarios
+        .points
+        .iter()
+        .map(|point| (scenarios.parameters.clone(), point.clone()))
+        .collect();
     for ((of, found), own) in of.iter().zip(scatter(&found)).zip(scatter(&own)) {
-        println!("{}: {:.2} of the golfer's own scatter", of.name(), found / own);
+        println!(
+            "{}: {:.2} of the golfer's own scatter",
+            of.name(),
+            found / own
+        );
         // of 60 shots a deviation is known to 9 %
-        assert!((found / own - 1.0).abs() < 0.3, "{}: {found} {own}", of.name());
+        assert!(
+            (found / own - 1.0).abs() < 0.3,
+            "{}: {found} {own}",
+            of.name()
+        );
     }
 }
 
 /// Mean and scatter of each outcome are those of the shots, within a quarter of the scatter.
 fn are_given_back(answer: &serde_json::Value) {
     for one in answer["population"]["launches"].as_array().unwrap() {
-        let [[mean, deviation], [found, spread]] =
-            ["measured", "recovered"].map(|of| ["mean", "deviation"].map(|what| number(&one[of][what])));
+        let [[mean, deviation], [found, spread]] = ["measured", "recovered"]
+            .map(|of| ["mean", "deviation"].map(|what| number(&one[of][what])));
         let off = (found - mean).abs().max((spread - deviation).abs());
         assert!(off <= 0.25 * deviation, "{one}");
     }
 }
 
-/// A robot's swings hardly vary: the spread that is assumed of what its shots do not tell must not scatter the launches.
+/// A robot's swings hardly vary: the spread that is assumed of what its shots do not tell must not
+/// scatter the launches.
 #[test]
 fn measured_of_a_robot_less_of_the_assumed_spread_is_kept_and_that_is_told() {
     let folder = tempfile::tempdir().unwrap();
@@ -236,7 +340,10 @@ fn measured_of_a_robot_less_of_the_assumed_spread_is_kept_and_that_is_told() {
     assert!(status == 0 && kept < 1.0, "{}", answer["population"]);
     are_given_back(&answer);
     let text = std::fs::read_to_string(&distribution).unwrap();
-    assert!(text.contains("# what the shots do not tell of the swings is spread by"), "{text}");
+    assert!(
+        text.contains("# what the shots do not tell of the swings is spread by"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -246,12 +353,29 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
     let file = at("shots.csv");
     // as the last one no ball can leave
     std::fs::write(&file, shots(3, 2) + "115,0.2,0,250,0\n").unwrap();
-    let run =
-        |swings: &str| longdrive(&[&["delivery", "--shots", &file, "--swings", &at(swings)], &SOUGHT[..]].concat());
+    let run = |swings: &str| {
+        longdrive(
+            &[
+                &["delivery", "--shots", &file, "--swings", &at(swings)],
+                &SOUGHT[..],
+            ]
+            .concat(),
+        )
+    };
     let table = run("swings.csv");
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words(&table.err).contains("left out of it: 1 row"), "{}", table.err);
-    assert_eq!(std::fs::read_to_string(at("swings.csv")).unwrap().lines().count(), 4);
+    assert!(
+        words(&table.err).contains("left out of it: 1 row"),
+        "{}",
+        table.err
+    );
+    assert_eq!(
+        std::fs::read_to_string(at("swings.csv"))
+            .unwrap()
+            .lines()
+            .count(),
+        4
+    );
     // the command that follows has the setup that the swings are of
     let follows = |ran: &crate::command_line::Said| {
         let told = words(&ran.err);
@@ -260,17 +384,39 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
             .map(|rest| rest.split(" --swings ").next().unwrap().to_owned())
     };
     assert_eq!(follows(&table).as_deref(), Some("optimize tour-average"));
-    let set = ["--set", "club.loft=10.5deg", "--set", "swing.speed=100mph", "--overwrite"];
+    let set = [
+        "--set",
+        "club.loft=10.5deg",
+        "--set",
+        "swing.speed=100mph",
+        "--overwrite",
+    ];
     let (table, golfer) = (at("others.csv"), at("golfer.toml"));
-    let asked = [&["delivery", "--shots", &file, "--swings", &table], &SOUGHT[..], &set].concat();
-    assert_eq!(follows(&longdrive(&asked)).as_deref(), Some("optimize tour-average --set club.loft=10.5deg"));
+    let asked = [
+        &["delivery", "--shots", &file, "--swings", &table],
+        &SOUGHT[..],
+        &set,
+    ]
+    .concat();
+    assert_eq!(
+        follows(&longdrive(&asked)).as_deref(),
+        Some("optimize tour-average --set club.loft=10.5deg")
+    );
     let written = [&asked[..], &["-o", &golfer]].concat();
-    assert_eq!(follows(&longdrive(&written)), Some(format!("optimize {golfer}")));
+    assert_eq!(
+        follows(&longdrive(&written)),
+        Some(format!("optimize {golfer}"))
+    );
     let (status, best) = json(&["optimize", "--swings", &at("swings.csv")]);
-    assert_eq!((status, &best["swings"]["scenarios"]), (0, &3.into()), "{best}");
+    assert_eq!(
+        (status, &best["swings"]["scenarios"]),
+        (0, &3.into()),
+        "{best}"
+    );
     let distribution = run("swings.toml");
     assert!(
-        words(&distribution.err).contains("it takes 10 shots whose delivery is found, and there are 3"),
+        words(&distribution.err)
+            .contains("it takes 10 shots whose delivery is found, and there are 3"),
         "{}",
         distribution.err
     );
@@ -278,9 +424,17 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
     // all of them found, and still not what was asked for
     std::fs::write(&file, shots(7, 2)).unwrap();
     let few = run("swings.toml");
-    assert!(few.status == 1 && words(&few.err).contains("and there are 7"), "{}", few.err);
+    assert!(
+        few.status == 1 && words(&few.err).contains("and there are 7"),
+        "{}",
+        few.err
+    );
     let other = run("swings.txt");
-    assert!(other.status == 2 && other.err.contains(".csv for a row"), "{}", other.err);
+    assert!(
+        other.status == 2 && other.err.contains(".csv for a row"),
+        "{}",
+        other.err
+    );
     assert_eq!(run("swings.csv").status, 2, "it exists");
     let alone = longdrive(&[
         "delivery",
@@ -293,5 +447,9 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
         "--swings",
         "x.csv",
     ]);
-    assert!(alone.status == 2 && alone.err.contains("--shots"), "{}", alone.err);
+    assert!(
+        alone.status == 2 && alone.err.contains("--shots"),
+        "{}",
+        alone.err
+    );
 }

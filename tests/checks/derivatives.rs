@@ -1,9 +1,11 @@
-//! Derivatives: the number types against each other, against differences, and independent of how they are asked
-//! for.
+//! Derivatives: the number types against each other, against differences, and independent of how
+//! they are asked for.
 
 use crate::common::{close, landing, mixed, panic_of};
 use longdrive::batch::Batch;
-use longdrive::derivative::{Evaluator, Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian};
+use longdrive::derivative::{
+    Evaluator, Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian,
+};
 use longdrive::number::{Jet, Number, Numbers};
 use longdrive::parameters::Parameter;
 use longdrive::report::{GradientReport, gradient_text};
@@ -12,7 +14,11 @@ use longdrive::{Drive, Error, Outcome, Setup};
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 /// Outcomes of a setup seen over another number, with loft and attack angle as its variables.
-fn over<D: Number, const N: usize>(setup: &Setup<f64>, of: [Outcome; N], variable: impl Fn(f64, usize) -> D) -> [D; N] {
+fn over<D: Number, const N: usize>(
+    setup: &Setup<f64>,
+    of: [Outcome; N],
+    variable: impl Fn(f64, usize) -> D,
+) -> [D; N] {
     let lifted = setup.map(|row, value| match row.name {
         "club.loft" => variable(value, 0),
         "swing.attack_angle" => variable(value, 1),
@@ -27,25 +33,41 @@ fn independent_number_types_of_num_dual_agree_with_ours() {
     for setup in landing(60) {
         let of = [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle];
         let first = over(&setup, of, Jet::<2>::variable);
-        let duals = [0, 1].map(|i| over(&setup, of, |value, k| Dual64::new(value, f64::from(k == i))));
+        let duals =
+            [0, 1].map(|i| over(&setup, of, |value, k| Dual64::new(value, f64::from(k == i))));
         let pairs = [(0, 0), (1, 0), (1, 1), (0, 1)];
         let seconds = pairs.map(|(i, j)| over(&setup, of, |value, k| mixed(value, k == i, k == j)));
         let hypers = pairs.map(|(i, j)| {
-            over(&setup, of, |value, k| HyperDual64::new(value, f64::from(k == i), f64::from(k == j), 0.0))
+            over(&setup, of, |value, k| {
+                HyperDual64::new(value, f64::from(k == i), f64::from(k == j), 0.0)
+            })
         });
         for n in 0..of.len() {
             let (both, hyper, first) = (seconds[3][n], hypers[3][n], first[n]);
-            let scale = first.gradient.iter().fold(1.0, |most: f64, d| most.max(d.abs()));
+            let scale = first
+                .gradient
+                .iter()
+                .fold(1.0, |most: f64, d| most.max(d.abs()));
             for k in 0..2 {
-                for other in
-                    [duals[k][n].eps, [both.re.gradient[0], both.gradient[0].re][k], [hyper.eps1, hyper.eps2][k]]
-                {
+                for other in [
+                    duals[k][n].eps,
+                    [both.re.gradient[0], both.gradient[0].re][k],
+                    [hyper.eps1, hyper.eps2][k],
+                ] {
                     close(first.gradient[k], other, scale, 1e-11, "first derivative");
                 }
             }
-            let scale = hypers.iter().fold(1.0, |most: f64, hyper| most.max(hyper[n].eps1eps2.abs()));
+            let scale = hypers
+                .iter()
+                .fold(1.0, |most: f64, hyper| most.max(hyper[n].eps1eps2.abs()));
             for (second, hyper) in seconds.iter().zip(&hypers) {
-                close(second[n].gradient[0].gradient[0], hyper[n].eps1eps2, scale, 1e-9, "second derivative");
+                close(
+                    second[n].gradient[0].gradient[0],
+                    hyper[n].eps1eps2,
+                    scale,
+                    1e-9,
+                    "second derivative",
+                );
             }
         }
     }
@@ -76,25 +98,50 @@ fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
 }
 
 /// Outcomes at p − h and p + h.
-fn differences(setup: &Setup<f64>, parameter: &'static Parameter, value: f64, of: &[Outcome]) -> (f64, Vec<[f64; 2]>) {
+fn differences(
+    setup: &Setup<f64>,
+    parameter: &'static Parameter,
+    value: f64,
+    of: &[Outcome],
+) -> (f64, Vec<[f64; 2]>) {
     let h = 1e-5 * value.abs().max(1e-6);
     let at = |value: f64| {
         let mut moved = *setup;
-        // past the range of a parameter the formulas still hold, and the difference is wanted at its end too
+        // past the range of a parameter the formulas still hold, and the difference is wanted at
+        // its end too
         moved = moved.map(|row, old| if row == parameter { value } else { old });
         let drive = Drive::new(&moved).unwrap();
-        of.iter().map(|outcome| outcome.of(&drive).unwrap()).collect::<Vec<_>>()
+        of.iter()
+            .map(|outcome| outcome.of(&drive).unwrap())
+            .collect::<Vec<_>>()
     };
-    let values = at(value - h).into_iter().zip(at(value + h)).map(|(below, above)| [below, above]).collect();
+    let values = at(value - h)
+        .into_iter()
+        .zip(at(value + h))
+        .map(|(below, above)| [below, above])
+        .collect();
     (h, values)
 }
 
 #[test]
 fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
     let mut setup = Setup::default();
-    setup.set_all([("strike.toe", "9 mm"), ("wind.right", "3 m/s"), ("swing.attack_angle", "4 deg")]).unwrap();
-    let names =
-        ["club.loft", "swing.speed", "strike.toe", "air.density", "club.inertia.xx", "aero.cl_max", "wind.right"];
+    setup
+        .set_all([
+            ("strike.toe", "9 mm"),
+            ("wind.right", "3 m/s"),
+            ("swing.attack_angle", "4 deg"),
+        ])
+        .unwrap();
+    let names = [
+        "club.loft",
+        "swing.speed",
+        "strike.toe",
+        "air.density",
+        "club.inertia.xx",
+        "aero.cl_max",
+        "wind.right",
+    ];
     let wrt = names.map(|name| setup.variable(name).unwrap());
     let exact = hessian(&setup, Outcome::Carry, &wrt).unwrap();
     for (i, parameter) in wrt.iter().enumerate() {
@@ -121,8 +168,9 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
     }
 }
 
-/// Ten parameters change no flight where weights have no mass, the strike is central and the shaft is straight: so many that derivatives are
-/// chained from those of the impact and of the flight, which then has no variable. Where the launch is given, the ball's inertia changes none either.
+/// Ten parameters change no flight where weights have no mass, the strike is central and the shaft
+/// is straight: so many that derivatives are chained from those of the impact and of the flight,
+/// which then has no variable. Where the launch is given, the ball's inertia changes none either.
 #[test]
 fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
     let idle = [
@@ -139,65 +187,153 @@ fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
     ];
     let mut struck = Setup::preset("mae494").unwrap();
     struck
-        .set_all([("club.weight_1.mass", "0 g"), ("club.weight_2.mass", "0 g"), ("swing.shaft_bend", "0 deg")])
+        .set_all([
+            ("club.weight_1.mass", "0 g"),
+            ("club.weight_2.mass", "0 g"),
+            ("swing.shaft_bend", "0 deg"),
+        ])
         .unwrap();
     struck.set_all(idle).unwrap();
     let mut launched = Setup::default();
-    launched.set_all([("launch.ball_speed", "70 m/s"), ("launch.launch_angle", "0.2 rad")]).unwrap();
-    launched.set_all([("launch.backspin", "280 rad/s"), ("ball.inertia", "83 g cm^2")]).unwrap();
-    for (setup, names) in [(struck, idle.map(|(name, _)| name).to_vec()), (launched, vec!["ball.inertia"])] {
-        let wrt: Vec<_> = names.iter().map(|name| setup.variable(name).unwrap()).collect();
+    launched
+        .set_all([
+            ("launch.ball_speed", "70 m/s"),
+            ("launch.launch_angle", "0.2 rad"),
+        ])
+        .unwrap();
+    launched
+        .set_all([
+            ("launch.backspin", "280 rad/s"),
+            ("ball.inertia", "83 g cm^2"),
+        ])
+        .unwrap();
+    for (setup, names) in [
+        (struck, idle.map(|(name, _)| name).to_vec()),
+        (launched, vec!["ball.inertia"]),
+    ] {
+        let wrt: Vec<_> = names
+            .iter()
+            .map(|name| setup.variable(name).unwrap())
+            .collect();
         let carry = evaluate(&setup, &[Outcome::Carry], &[], Order::Value).unwrap()[0].value;
         for order in [Order::First, Order::Second] {
-            let found = evaluate(&setup, &[Outcome::Carry], &wrt, order).unwrap().remove(0);
-            assert!((found.value - carry).abs() < 1e-15 * carry && carry > 100.0, "{} {carry}", found.value);
-            assert!(found.gradient.iter().chain(found.hessian.iter().flatten()).all(|d| *d == 0.0), "{found:?}");
+            let found = evaluate(&setup, &[Outcome::Carry], &wrt, order)
+                .unwrap()
+                .remove(0);
+            assert!(
+                (found.value - carry).abs() < 1e-15 * carry && carry > 100.0,
+                "{} {carry}",
+                found.value
+            );
+            assert!(
+                found
+                    .gradient
+                    .iter()
+                    .chain(found.hessian.iter().flatten())
+                    .all(|d| *d == 0.0),
+                "{found:?}"
+            );
         }
     }
 }
 
-/// By many parameters a Hessian is chained from those of the impact and of the flight; by few it is one of both together.
+/// By many parameters a Hessian is chained from those of the impact and of the flight; by few it is
+/// one of both together.
 #[test]
 fn exact_a_hessian_by_all_parameters_holds_that_by_a_few() {
     let mut setup = Setup::default();
-    setup.set_all([("strike.toe", "9 mm"), ("wind.right", "3 m/s"), ("swing.attack_angle", "4 deg")]).unwrap();
+    setup
+        .set_all([
+            ("strike.toe", "9 mm"),
+            ("wind.right", "3 m/s"),
+            ("swing.attack_angle", "4 deg"),
+        ])
+        .unwrap();
     let all = setup.variables();
-    let names = ["club.loft", "swing.path", "strike.toe", "air.density", "aero.cl_max", "wind.right", "ball.radius"];
+    let names = [
+        "club.loft",
+        "swing.path",
+        "strike.toe",
+        "air.density",
+        "aero.cl_max",
+        "wind.right",
+        "ball.radius",
+    ];
     let few = names.map(|name| setup.variable(name).unwrap());
     assert!(all.len() > 30, "{}", all.len());
-    for of in [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle, Outcome::Spin] {
-        let (many, few_of) = (hessian(&setup, of, &all).unwrap(), hessian(&setup, of, &few).unwrap());
+    for of in [
+        Outcome::Carry,
+        Outcome::Lateral,
+        Outcome::DescentAngle,
+        Outcome::Spin,
+    ] {
+        let (many, few_of) = (
+            hessian(&setup, of, &all).unwrap(),
+            hessian(&setup, of, &few).unwrap(),
+        );
         close(many.value, few_of.value, many.value.abs(), 1e-13, "value");
         let place = few.map(|parameter| all.iter().position(|row| *row == parameter).unwrap());
-        let most = few_of.hessian.iter().flatten().fold(1.0, |most: f64, h| most.max(h.abs()));
+        let most = few_of
+            .hessian
+            .iter()
+            .flatten()
+            .fold(1.0, |most: f64, h| most.max(h.abs()));
         for (i, row) in few_of.hessian.iter().enumerate() {
-            close(many.gradient[place[i]], few_of.gradient[i], few_of.gradient[i].abs().max(1e-9), 1e-10, names[i]);
+            close(
+                many.gradient[place[i]],
+                few_of.gradient[i],
+                few_of.gradient[i].abs().max(1e-9),
+                1e-10,
+                names[i],
+            );
             for (j, theirs) in row.iter().enumerate() {
-                close(many.hessian[place[i]][place[j]], *theirs, most, 1e-11, &format!("{} {}", names[i], names[j]));
+                close(
+                    many.hessian[place[i]][place[j]],
+                    *theirs,
+                    most,
+                    1e-11,
+                    &format!("{} {}", names[i], names[j]),
+                );
             }
         }
     }
 }
 
-/// What the ball lands on changes its run alone: carry has the same derivatives, and zeros by the ground, whether the run is asked for or not.
+/// What the ball lands on changes its run alone: carry has the same derivatives, and zeros by the
+/// ground, whether the run is asked for or not.
 #[test]
 fn exact_carry_does_not_depend_on_what_the_ball_lands_on() {
     let setup = Setup::default();
     let all = setup.variables();
     for order in [Order::First, Order::Second] {
-        let of_carry = evaluate(&setup, &[Outcome::Carry], &all, order).unwrap().remove(0);
-        let [carry, total] =
-            evaluate(&setup, &[Outcome::Carry, Outcome::Total], &all, order).unwrap().try_into().unwrap();
+        let of_carry = evaluate(&setup, &[Outcome::Carry], &all, order)
+            .unwrap()
+            .remove(0);
+        let [carry, total] = evaluate(&setup, &[Outcome::Carry, Outcome::Total], &all, order)
+            .unwrap()
+            .try_into()
+            .unwrap();
         for (i, parameter) in all.iter().enumerate() {
             let (alone, both) = (of_carry.gradient[i], carry.gradient[i]);
             close(alone, both, both.abs().max(1e-9), 1e-12, parameter.name);
             if parameter.is_of_the_run() {
                 assert_eq!((alone, both), (0.0, 0.0), "{}", parameter.name);
-                assert!(of_carry.hessian.iter().flatten().skip(i).step_by(all.len()).all(|d| *d == 0.0));
+                assert!(
+                    of_carry
+                        .hessian
+                        .iter()
+                        .flatten()
+                        .skip(i)
+                        .step_by(all.len())
+                        .all(|d| *d == 0.0)
+                );
             }
         }
         let of_the_run = (0..all.len()).filter(|i| all[*i].is_of_the_run());
-        let moves: Vec<_> = of_the_run.filter(|i| total.gradient[*i] != 0.0).map(|i| all[i].name).collect();
+        let moves: Vec<_> = of_the_run
+            .filter(|i| total.gradient[*i] != 0.0)
+            .map(|i| all[i].name)
+            .collect();
         assert!(moves.len() >= 3, "{moves:?}");
     }
 }
@@ -211,58 +347,113 @@ fn derivatives_do_not_depend_on_what_else_is_asked_for() {
     let together = gradient(&setup, Outcome::Carry, &all).unwrap();
     for (k, parameter) in all.iter().enumerate() {
         let alone = gradient(&setup, Outcome::Carry, &[parameter]).unwrap();
-        close(alone.gradient[0], together.gradient[k], together.gradient[k].abs().max(1e-9), 1e-11, parameter.name);
+        close(
+            alone.gradient[0],
+            together.gradient[k],
+            together.gradient[k].abs().max(1e-9),
+            1e-11,
+            parameter.name,
+        );
     }
-    let three = ["club.loft", "swing.attack_angle", "swing.speed"].map(|name| setup.variable(name).unwrap());
+    let three = ["club.loft", "swing.attack_angle", "swing.speed"]
+        .map(|name| setup.variable(name).unwrap());
     let block = hessian(&setup, Outcome::Carry, &three).unwrap();
     let pair = hessian(&setup, Outcome::Carry, &three[..2]).unwrap();
     let one = hessian(&setup, Outcome::Carry, &three[..1]).unwrap();
-    close(block.hessian[0][1], pair.hessian[0][1], pair.hessian[0][1].abs(), 1e-12, "mixed");
-    close(one.hessian[0][0], pair.hessian[0][0], pair.hessian[0][0].abs(), 1e-10, "pure");
+    close(
+        block.hessian[0][1],
+        pair.hessian[0][1],
+        pair.hessian[0][1].abs(),
+        1e-12,
+        "mixed",
+    );
+    close(
+        one.hessian[0][0],
+        pair.hessian[0][0],
+        pair.hessian[0][0].abs(),
+        1e-10,
+        "pure",
+    );
     assert_eq!((one.gradient.len(), block.hessian.len()), (1, 3));
 
     let mut seen = vec![];
-    evaluate_with(&setup, &[Outcome::Carry], &three, Order::Second, |done, passes| seen.push((done, passes))).unwrap();
+    evaluate_with(
+        &setup,
+        &[Outcome::Carry],
+        &three,
+        Order::Second,
+        |done, passes| seen.push((done, passes)),
+    )
+    .unwrap();
     // a processor with wider registers needs fewer passes for the three pairs
     let passes = seen.len();
     assert!((1..=3).contains(&passes));
-    assert!(seen.iter().enumerate().all(|(done, told)| *told == (done + 1, passes)), "{seen:?}");
+    assert!(
+        seen.iter()
+            .enumerate()
+            .all(|(done, told)| *told == (done + 1, passes)),
+        "{seen:?}"
+    );
 }
 
 #[test]
 fn values_alone_carry_no_derivatives() {
     let setup = Setup::default();
     let taylors = evaluate(&setup, &[Outcome::Carry, Outcome::Spin], &[], Order::Value).unwrap();
-    assert!(taylors.iter().all(|Taylor { gradient, hessian, .. }| gradient.is_empty() && hessian.is_empty()));
+    assert!(taylors.iter().all(
+        |Taylor {
+             gradient, hessian, ..
+         }| gradient.is_empty() && hessian.is_empty()
+    ));
 }
 
 #[test]
 fn what_has_no_derivative_says_so_instead_of_nan() {
     // straight up: the launch has no horizontal direction
     let mut setup = Setup::preset("mae494").unwrap();
-    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "0 deg"), ("swing.shaft_lean", "0 deg")]).unwrap();
+    setup
+        .set_all([
+            ("club.loft", "0 deg"),
+            ("swing.attack_angle", "0 deg"),
+            ("swing.shaft_lean", "0 deg"),
+        ])
+        .unwrap();
     setup.swing.attack_angle = 89.9999999_f64.to_radians();
     let drive = Drive::new(&setup).unwrap();
     for outcome in Outcome::ALL {
-        assert!(outcome.value(&drive).is_none_or(f64::is_finite), "{}", outcome.name());
+        assert!(
+            outcome.value(&drive).is_none_or(f64::is_finite),
+            "{}",
+            outcome.name()
+        );
     }
     // no spin: its axis has no direction
     let mut setup = Setup::preset("mae494").unwrap();
-    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "0.2 rad")]).unwrap();
+    setup
+        .set_all([("club.loft", "0 deg"), ("swing.attack_angle", "0.2 rad")])
+        .unwrap();
     setup.impact.friction = Some(0.0);
     setup.set("club.loft", "5 deg").unwrap();
     let drive = Drive::new(&setup).unwrap();
     assert_eq!(Outcome::SpinAxis.value(&drive), None);
     let wrt = [setup.variable("club.loft").unwrap()];
-    assert!(matches!(gradient(&setup, Outcome::SpinAxis, &wrt), Err(Error::Undefined { .. })));
+    assert!(matches!(
+        gradient(&setup, Outcome::SpinAxis, &wrt),
+        Err(Error::Undefined { .. })
+    ));
     assert!(gradient(&setup, Outcome::Carry, &wrt).is_ok());
-    assert!(matches!(gradient(&setup, Outcome::Carry, &[]), Err(Error::Nothing { .. })));
+    assert!(matches!(
+        gradient(&setup, Outcome::Carry, &[]),
+        Err(Error::Nothing { .. })
+    ));
 }
 
 #[test]
 fn zero_spin_is_reported_as_a_corner_of_the_laws_whose_drag_grows_with_spin() {
     let mut setup = Setup::preset("mae494").unwrap();
-    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "20 deg")]).unwrap();
+    setup
+        .set_all([("club.loft", "0 deg"), ("swing.attack_angle", "20 deg")])
+        .unwrap();
     let drive = Drive::new(&setup).unwrap();
     assert_eq!(drive.corners(&setup).len(), 1);
     setup.set_law("linear").unwrap();
@@ -277,12 +468,21 @@ fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers(
     let carry = hessian(&setup, Outcome::Carry, &wrt).unwrap();
     let said = panic_of(|| gradient_text(Outcome::Carry, &wrt[..1], &carry, System::Us));
     assert!(said.contains("1 parameters, and 2 derivatives"), "{said}");
-    let short = Taylor { gradient: carry.gradient[..1].to_vec(), ..carry.clone() };
+    let short = Taylor {
+        gradient: carry.gradient[..1].to_vec(),
+        ..carry.clone()
+    };
     let said = panic_of(|| GradientReport::reply(&[(Outcome::Carry, Ok(short))], &wrt, vec![]));
     assert!(said.contains("2 parameters, and 1 derivatives"), "{said}");
-    let narrow = Taylor { hessian: vec![vec![0.0; 1]; 2], ..carry.clone() };
+    let narrow = Taylor {
+        hessian: vec![vec![0.0; 1]; 2],
+        ..carry.clone()
+    };
     let said = panic_of(|| gradient_text(Outcome::Carry, &wrt, &narrow, System::Us));
-    assert!(said.contains("second derivatives in rows of [1, 1]"), "{said}");
+    assert!(
+        said.contains("second derivatives in rows of [1, 1]"),
+        "{said}"
+    );
     assert!(gradient_text(Outcome::Carry, &wrt, &carry, System::Us).contains("swing.speed"));
 }
 
@@ -318,25 +518,42 @@ fn exact_value_where_a_parameter_that_is_asked_for_is_unset() {
     assert!((value - carry).abs() < 1e-12 * carry, "{value} {carry}");
 }
 
-/// Threads have 2 MiB, and README says that a debug build without optimization needs more. Optimized at level 1, all of this takes 135 KiB.
+/// Threads have 2 MiB, and README says that a debug build without optimization needs more.
+/// Optimized at level 1, all of this takes 135 KiB.
 #[test]
 fn regress_derivatives_need_little_stack() {
     let work = || {
         let setup = Setup::default();
-        let (two, all) =
-            (["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap()), setup.variables());
+        let (two, all) = (
+            ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap()),
+            setup.variables(),
+        );
         for (wrt, order) in [(&two[..], Order::Second), (&all, Order::First)] {
             let x: Vec<f64> = wrt.iter().map(|row| setup.value(row).unwrap()).collect();
-            let found = Evaluator::new(&setup, &[Outcome::Total], wrt, order).unwrap().at(&x).unwrap();
+            let found = Evaluator::new(&setup, &[Outcome::Total], wrt, order)
+                .unwrap()
+                .at(&x)
+                .unwrap();
             assert!(found[0].value > 200.0);
         }
         let batch = Batch::new(&setup, &two, &[Outcome::Total], &two).unwrap();
-        assert!(batch.evaluate(0, vec![0.17, 0.0, 0.2, 0.0]).outcome(1, 0).is_some());
+        assert!(
+            batch
+                .evaluate(0, vec![0.17, 0.0, 0.2, 0.0])
+                .outcome(1, 0)
+                .is_some()
+        );
     };
-    std::thread::Builder::new().stack_size(512 << 10).spawn(work).unwrap().join().unwrap();
+    std::thread::Builder::new()
+        .stack_size(512 << 10)
+        .spawn(work)
+        .unwrap()
+        .join()
+        .unwrap();
 }
 
-/// xᵃ with its first two derivatives, over every number: whole exponents at any base, others at 4 and at 0.
+/// xᵃ with its first two derivatives, over every number: whole exponents at any base, others at 4
+/// and at 0.
 #[test]
 fn exact_powers_of_negative_numbers_and_of_zero() {
     const NONE: f64 = f64::INFINITY;
@@ -358,19 +575,31 @@ fn exact_powers_of_negative_numbers_and_of_zero() {
         (4.0, -0.5, [0.5, -0.0625, 0.0234375]),
     ] {
         let about = |found: f64, exact: f64| {
-            assert!(found == exact || (found - exact).abs() < 4e-15 * exact.abs(), "{x}^{a}: {found} for {exact}");
+            assert!(
+                found == exact || (found - exact).abs() < 4e-15 * exact.abs(),
+                "{x}^{a}: {found} for {exact}"
+            );
         };
         about(Numbers::powf(x, a), value);
         let jet = Numbers::powf(Jet::<3>::variable(x, 1), a);
         let dual = Numbers::powf(Dual64::from(x).derivative(), a);
-        for (found, exact) in [(jet.re, value), (jet.gradient[1], first), (dual.re, value), (dual.eps, first)] {
+        for (found, exact) in [
+            (jet.re, value),
+            (jet.gradient[1], first),
+            (dual.re, value),
+            (dual.eps, first),
+        ] {
             about(found, exact);
         }
         assert_eq!((jet.gradient[0], jet.gradient[2]), (0.0, 0.0));
         let mixed = Numbers::powf(mixed(x, true, true), a);
         let dual = Numbers::powf(Dual2_64::from(x).derivative(), a);
         let hyper = Numbers::powf(HyperDual64::new(x, 1.0, 1.0, 0.0), a);
-        for (found, exact) in [(mixed.re.re, value), (mixed.re.gradient[0], first), (mixed.gradient[0].re, first)] {
+        for (found, exact) in [
+            (mixed.re.re, value),
+            (mixed.re.gradient[0], first),
+            (mixed.gradient[0].re, first),
+        ] {
             about(found, exact);
         }
         for found in [mixed.gradient[0].gradient[0], dual.v2, hyper.eps1eps2] {
@@ -380,6 +609,9 @@ fn exact_powers_of_negative_numbers_and_of_zero() {
     }
     let third = |a: f64| Numbers::powf(Dual3_64::from(0.0).derivative(), a).v3;
     assert_eq!([3.0, 3.5, 2.5].map(third), [6.0, 0.0, NONE]);
-    assert_eq!(Numbers::powf(Jet::<1>::variable(0.0, 0), 0.5).gradient, [NONE]);
+    assert_eq!(
+        Numbers::powf(Jet::<1>::variable(0.0, 0), 0.5).gradient,
+        [NONE]
+    );
     assert!(Numbers::powf(-2.0, 0.5).is_nan() && Numbers::powf(0.0, -0.5) == NONE);
 }

@@ -27,21 +27,35 @@ const WEIGHT: [&str; 6] = [
 
 fn designed(more: &[&str]) -> Value {
     let (status, found) = json(&[&["design"], &GOLFER[..], more].concat());
-    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{}", found["message"]);
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (0, Some("converged")),
+        "{}",
+        found["message"]
+    );
     found
 }
 
 fn held<'a>(found: &'a Value, name: &str) -> &'a Value {
     let all = found["design"]["held"].as_array().unwrap();
-    all.iter().find(|held| held["name"] == name).unwrap_or_else(|| panic!("{name}: {found}"))
+    all.iter()
+        .find(|held| held["name"] == name)
+        .unwrap_or_else(|| panic!("{name}: {found}"))
 }
 
-/// The price of the limit on the moment of inertia is the slope of the best goal over the limit, by differences of searches without the rule.
+/// The price of the limit on the moment of inertia is the slope of the best goal over the limit, by
+/// differences of searches without the rule.
 #[test]
 fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
     let found = designed(&WEIGHT);
     let rule = held(&found, "moment of inertia");
-    close(number(&rule["value"]), 6000e-7, 6000e-7, 1e-9, "moment of inertia");
+    close(
+        number(&rule["value"]),
+        6000e-7,
+        6000e-7,
+        1e-9,
+        "moment of inertia",
+    );
     let best = |limit: f64| {
         let limit = format!("--subject-to=head_moi <= {limit} g cm^2");
         number(&designed(&[&WEIGHT[..], &["--rules=none", &limit]].concat())["value"])
@@ -49,32 +63,59 @@ fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
     let slope = (best(6010.0) - best(5990.0)) / 20e-7;
     assert!(slope > 0.0);
     close(number(&rule["price"]), slope, slope, 1e-3, "price");
-    close(number(&found["value"]), best(6000.0), 200.0, 1e-10, "the rule is this limit");
+    close(
+        number(&found["value"]),
+        best(6000.0),
+        200.0,
+        1e-10,
+        "the rule is this limit",
+    );
     // without the rule the weight goes further back
     let free = designed(&[&WEIGHT[..], &["--rules=none"]].concat());
-    assert!(number(&free["optimum"]["club.weight_1.depth"]) > number(&found["optimum"]["club.weight_1.depth"]) + 1e-3);
-    assert!(free["design"]["rules"] == "none" && free["design"]["held"].as_array().unwrap().is_empty());
+    assert!(
+        number(&free["optimum"]["club.weight_1.depth"])
+            > number(&found["optimum"]["club.weight_1.depth"]) + 1e-3
+    );
+    assert!(
+        free["design"]["rules"] == "none" && free["design"]["held"].as_array().unwrap().is_empty()
+    );
 }
 
-/// A rule about a parameter is a bound of it: its price is that of the bound, and a bound of one's own that is closer leaves it none.
+/// A rule about a parameter is a bound of it: its price is that of the bound, and a bound of one's
+/// own that is closer leaves it none.
 #[test]
 fn a_rule_about_a_parameter_is_a_bound_of_it() {
     let vary = "--vary=impact.restitution=0.78..0.9";
     let found = designed(&[vary]);
     let rule = held(&found, "spring effect");
-    assert_eq!((&rule["by"], number(&rule["value"])), (&"bound".into(), 0.83));
-    assert_eq!(rule["price"], found["multipliers"]["impact.restitution"]["upper"]);
+    assert_eq!(
+        (&rule["by"], number(&rule["value"])),
+        (&"bound".into(), 0.83)
+    );
+    assert_eq!(
+        rule["price"],
+        found["multipliers"]["impact.restitution"]["upper"]
+    );
     let notes = found["design"]["notes"].to_string();
-    assert!(notes.contains("impact.restitution is varied up to the rule on the spring effect: 0.83"), "{notes}");
+    assert!(
+        notes.contains("impact.restitution is varied up to the rule on the spring effect: 0.83"),
+        "{notes}"
+    );
     let closer = designed(&["--vary=impact.restitution=0.78..0.82"]);
     let rule = held(&closer, "spring effect");
-    assert!(rule["price"].is_null() && (number(&rule["margin"]) - 0.01).abs() < 1e-12, "{rule}");
+    assert!(
+        rule["price"].is_null() && (number(&rule["margin"]) - 0.01).abs() < 1e-12,
+        "{rule}"
+    );
 }
 
 /// Inertia that is varied stays that of a rigid body.
 #[test]
 fn varied_inertia_stays_that_of_a_rigid_body() {
-    let vary = ["--vary=club.inertia.yy=2000 g cm^2..9000 g cm^2", "--vary=club.inertia.zz=1000 g cm^2..9000 g cm^2"];
+    let vary = [
+        "--vary=club.inertia.yy=2000 g cm^2..9000 g cm^2",
+        "--vary=club.inertia.zz=1000 g cm^2..9000 g cm^2",
+    ];
     let found = designed(&[&vary[..], &["--maximize=mean(carry)"]].concat());
     let body: Vec<f64> = found["design"]["held"]
         .as_array()
@@ -83,8 +124,12 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
         .filter(|held| held["name"] == "a rigid body")
         .map(|held| number(&held["value"]))
         .collect();
-    assert!(body.len() == 3 && body.iter().all(|minor| *minor > -1e-10), "{body:?}");
-    // less about the axis to the target than about heel and toe is good, and only a body sets an end to it
+    assert!(
+        body.len() == 3 && body.iter().all(|minor| *minor > -1e-10),
+        "{body:?}"
+    );
+    // less about the axis to the target than about heel and toe is good, and only a body sets an
+    // end to it
     assert!(number(&held(&found, "a rigid body")["value"]) > 0.0);
     assert!(
         found["design"]["held"]
@@ -100,7 +145,11 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
         .collect();
     let args: Vec<&str> = setup.iter().flat_map(|set| ["--set", set]).collect();
     let said = longdrive(&[&["simulate", "modern-driver"], &args[..]].concat());
-    assert!(said.status == 0 && !said.err.contains("no rigid body"), "{}", said.err);
+    assert!(
+        said.status == 0 && !said.err.contains("no rigid body"),
+        "{}",
+        said.err
+    );
 }
 
 /// A mass that is varied has a budget: the mass as set up, or one that is stated.
@@ -108,9 +157,21 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
 fn varied_mass_has_a_budget() {
     let vary = ["--vary=club.mass=180g..230g"];
     let found = designed(&vary);
-    close(number(&held(&found, "mass budget")["value"]), 0.204, 0.2, 1e-9, "mass");
+    close(
+        number(&held(&found, "mass budget")["value"]),
+        0.204,
+        0.2,
+        1e-9,
+        "mass",
+    );
     let stated = designed(&[&vary[..], &["--subject-to=head_mass <= 200 g"]].concat());
-    close(number(&stated["optimum"]["club.mass"]), 0.2, 0.2, 1e-9, "mass");
+    close(
+        number(&stated["optimum"]["club.mass"]),
+        0.2,
+        0.2,
+        1e-9,
+        "mass",
+    );
     assert!(number(&held(&stated, "head_mass")["price"]) > 0.0);
     // two weights that share 20 g
     let two = [
@@ -122,31 +183,59 @@ fn varied_mass_has_a_budget() {
         "--subject-to=weights: club.weight_1.mass + club.weight_2.mass <= 20 g",
     ];
     let found = designed(&two);
-    let [one, other] = ["club.weight_1.mass", "club.weight_2.mass"].map(|name| number(&found["optimum"][name]));
+    let [one, other] =
+        ["club.weight_1.mass", "club.weight_2.mass"].map(|name| number(&found["optimum"][name]));
     close(one + other, 0.02, 0.02, 1e-9, "both weights");
-    close(number(&held(&found, "weights")["value"]), 0.02, 0.02, 1e-9, "the relation");
+    close(
+        number(&held(&found, "weights")["value"]),
+        0.02,
+        0.02,
+        1e-9,
+        "the relation",
+    );
 }
 
 /// A relation that the user states: its value, and its price as the slope over its limit.
 #[test]
 fn differences_certify_the_price_of_a_relation() {
     let of = |limit: f64| {
-        let relation = format!("--subject-to=volume: {limit} cm^3 >= 120 cm^3 + 80 cm^2*club.cg_depth");
-        designed(&["--rules=none", "--vary=club.cg_depth=20mm..60mm", "--minimize=rms(lateral)", &relation])
+        let relation =
+            format!("--subject-to=volume: {limit} cm^3 >= 120 cm^3 + 80 cm^2*club.cg_depth");
+        designed(&[
+            "--rules=none",
+            "--vary=club.cg_depth=20mm..60mm",
+            "--minimize=rms(lateral)",
+            &relation,
+        ])
     };
     let found = of(400.0);
     let depth = number(&found["optimum"]["club.cg_depth"]);
     let volume = held(&found, "volume");
-    close(number(&volume["value"]), 120e-6 + 80e-4 * depth, 4e-4, 1e-12, "volume");
+    close(
+        number(&volume["value"]),
+        120e-6 + 80e-4 * depth,
+        4e-4,
+        1e-12,
+        "volume",
+    );
     let slope = (number(&of(402.0)["value"]) - number(&of(398.0)["value"])) / 4e-6;
     assert!(slope < 0.0);
-    close(number(&volume["price"]), -slope, slope.abs(), 1e-3, "price of the relation");
+    close(
+        number(&volume["price"]),
+        -slope,
+        slope.abs(),
+        1e-3,
+        "price of the relation",
+    );
     let under_rules = designed(&[
         "--vary=club.cg_depth=20mm..40mm",
         "--subject-to=volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3",
     ]);
     let rule = held(&under_rules, "volume");
-    assert!(rule["by"] == "limit" && rule["source"].as_str().unwrap().contains("part 2"), "{rule}");
+    assert!(
+        rule["by"] == "limit" && rule["source"].as_str().unwrap().contains("part 2"),
+        "{rule}"
+    );
 }
 
 #[test]
@@ -154,28 +243,71 @@ fn a_relation_is_read_or_pointed_into() {
     let setup = Setup::default();
     let read = |text: &str| GoalLimit::read_relation(&setup, text);
     let limit = read("budget: 2*club.mass - 0.5 g/mm*club.cg_depth + 3 g == 400 g").unwrap();
-    assert_eq!((limit.low, limit.high, limit.goal.terms.len()), (0.4, 0.4, 3));
+    assert_eq!(
+        (limit.low, limit.high, limit.goal.terms.len()),
+        (0.4, 0.4, 3)
+    );
     close(limit.goal.terms[1].0, -0.5, 1.0, 1e-15, "coefficient");
     for (text, said, pointed) in [
-        ("volume: 120 cm^3 + 80 cm*club.cg_depth <= 460 cm^3", "an area", "80 cm"),
-        ("volume: 120 cm^3 + 80 cm^2*club.cgdepth <= 460 cm^3", "did you mean 'club.cg_depth'", "80 cm^2"),
-        ("volume: 120 cm^3 + 80 qm*club.cg_depth <= 460 cm^3", "'qm' is no unit", "80 qm"),
-        ("volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 g", "a mass", "460 g"),
+        (
+            "volume: 120 cm^3 + 80 cm*club.cg_depth <= 460 cm^3",
+            "an area",
+            "80 cm",
+        ),
+        (
+            "volume: 120 cm^3 + 80 cm^2*club.cgdepth <= 460 cm^3",
+            "did you mean 'club.cg_depth'",
+            "80 cm^2",
+        ),
+        (
+            "volume: 120 cm^3 + 80 qm*club.cg_depth <= 460 cm^3",
+            "'qm' is no unit",
+            "80 qm",
+        ),
+        (
+            "volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 g",
+            "a mass",
+            "460 g",
+        ),
         ("volume: 120 cm^3 + <= 460 g", "a term is missing", "<="),
-        ("volume: 120 cm^3 + 80 cm^2*club.cg_depth", "no comparison", "120"),
-        ("volume: 120 cm^3 + 20 cm^3 <= 460 cm^3", "no parameter stands in it", "120"),
+        (
+            "volume: 120 cm^3 + 80 cm^2*club.cg_depth",
+            "no comparison",
+            "120",
+        ),
+        (
+            "volume: 120 cm^3 + 20 cm^3 <= 460 cm^3",
+            "no parameter stands in it",
+            "120",
+        ),
         ("carry: club.mass <= 210 g", "\"mean(carry) <= …\"", "carry"),
-        ("head_moi: club.inertia.xx <= 5500 g cm^2", "\"head_moi <= …\"", "head_moi"),
-        (": 120 cm^3 + 80 cm^2*club.cg_depth <= 1 cm^3", "has no name", ":"),
+        (
+            "head_moi: club.inertia.xx <= 5500 g cm^2",
+            "\"head_moi <= …\"",
+            "head_moi",
+        ),
+        (
+            ": 120 cm^3 + 80 cm^2*club.cg_depth <= 1 cm^3",
+            "has no name",
+            ":",
+        ),
         ("x: 3 s*club.mass <= 4 kg s", "no kind of quantity", "3 s"),
         ("x: 1 g + 2*club.face_semi_axis <= 4 g", "unset", "2*"),
     ] {
-        let longdrive::Error::Constraint { expression, column, reason } = read(text).unwrap_err() else {
+        let longdrive::Error::Constraint {
+            expression,
+            column,
+            reason,
+        } = read(text).unwrap_err()
+        else {
             panic!("{text}")
         };
         assert!(reason.contains(said), "{text}: {reason}");
         let at: String = expression.chars().skip(column).collect();
-        assert!(at.starts_with(pointed) || pointed == "<=", "{text}: points at '{at}'");
+        assert!(
+            at.starts_with(pointed) || pointed == "<=",
+            "{text}: points at '{at}'"
+        );
     }
 }
 
@@ -184,22 +316,60 @@ fn what_the_rules_or_the_face_do_not_allow_is_refused_by_name() {
     let cases: [(&[&str], &[&str]); 9] = [
         (
             &["--set=impact.restitution=0.85"],
-            &["spring effect", "Equipment Rules", "0.85", "0.822 + 0.008", "--rules none"],
+            &[
+                "spring effect",
+                "Equipment Rules",
+                "0.85",
+                "0.822 + 0.008",
+                "--rules none",
+            ],
         ),
-        (&["--vary=impact.restitution=0.84..0.9"], &["spring effect", "the range begins at impact.restitution = 0.84"]),
-        (&["--set=ball.radius=21mm"], &["size of the ball", "21 mm", "21.335 mm"]),
-        (&["--distribution=ball.mass=uniform(45.5g,46.5g)"], &["weight of the ball", "the swings reach ball.mass"]),
-        (&["--set=club.inertia.xx=6100 g cm^2"], &["moment of inertia", "6100 g cm^2", "5900 g cm^2 + 100 g cm^2"]),
         (
-            &["--vary=club.cg_depth=20mm..40mm", "--subject-to=volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 500 cm^3"],
+            &["--vary=impact.restitution=0.84..0.9"],
+            &[
+                "spring effect",
+                "the range begins at impact.restitution = 0.84",
+            ],
+        ),
+        (
+            &["--set=ball.radius=21mm"],
+            &["size of the ball", "21 mm", "21.335 mm"],
+        ),
+        (
+            &["--distribution=ball.mass=uniform(45.5g,46.5g)"],
+            &["weight of the ball", "the swings reach ball.mass"],
+        ),
+        (
+            &["--set=club.inertia.xx=6100 g cm^2"],
+            &[
+                "moment of inertia",
+                "6100 g cm^2",
+                "5900 g cm^2 + 100 g cm^2",
+            ],
+        ),
+        (
+            &[
+                "--vary=club.cg_depth=20mm..40mm",
+                "--subject-to=volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 500 cm^3",
+            ],
             &["the volume", "500 cm^3", "460 cm^3"],
         ),
         (
-            &["--set=club.roll_radius=100mm", "--set=club.face_semi_axis=1mm", "--vary=club.loft=10deg..14deg"],
+            &[
+                "--set=club.roll_radius=100mm",
+                "--set=club.face_semi_axis=1mm",
+                "--vary=club.loft=10deg..14deg",
+            ],
             &["a roll of 100 mm ends", "strike.high"],
         ),
-        (&["--set=strike.toe=70mm"], &["the swings have values of it"]),
-        (&["--subject-to=mass: 2*club.mas <= 3 g"], &["club.mas", "^"]),
+        (
+            &["--set=strike.toe=70mm"],
+            &["the swings have values of it"],
+        ),
+        (
+            &["--subject-to=mass: 2*club.mas <= 3 g"],
+            &["club.mas", "^"],
+        ),
     ];
     for (args, all) in cases {
         let said = longdrive(&[&["design"], &GOLFER[..], args].concat());
@@ -209,14 +379,37 @@ fn what_the_rules_or_the_face_do_not_allow_is_refused_by_name() {
             assert!(told.contains(part), "{args:?}: {part}: {told}");
         }
     }
-    let far = ["design", "modern-driver", "--distribution=strike.toe=uniform(0mm,80mm)"];
+    let far = [
+        "design",
+        "modern-driver",
+        "--distribution=strike.toe=uniform(0mm,80mm)",
+    ];
     let said = longdrive(&far);
-    assert!(said.status == 2 && said.err.contains("beside the face of any head that conforms"), "{}", said.err);
+    assert!(
+        said.status == 2
+            && said
+                .err
+                .contains("beside the face of any head that conforms"),
+        "{}",
+        said.err
+    );
     // limits that no weight can meet are named
-    let (status, found) =
-        json(&[&["design"], &GOLFER[..], &["--vary=club.inertia.xx=6100 g cm^2..6500 g cm^2"]].concat());
+    let (status, found) = json(
+        &[
+            &["design"],
+            &GOLFER[..],
+            &["--vary=club.inertia.xx=6100 g cm^2..6500 g cm^2"],
+        ]
+        .concat(),
+    );
     assert_eq!((status, found["status"].as_str()), (1, Some("infeasible")));
-    assert!(found["message"].as_str().unwrap().contains("head_moi <= 5900 g cm^2 + 100 g cm^2"), "{found}");
+    assert!(
+        found["message"]
+            .as_str()
+            .unwrap()
+            .contains("head_moi <= 5900 g cm^2 + 100 g cm^2"),
+        "{found}"
+    );
 }
 
 #[test]
@@ -227,14 +420,21 @@ fn exact_a_design_that_was_stopped_goes_on_to_the_same_bits_and_is_written() {
     let whole = json(&args);
     let (kept, best) = (file("kept"), file("best.toml"));
     let kept = ["--checkpoint", &kept];
-    assert_eq!(longdrive(&[&args[..], &kept, &["--max-iterations", "2"]].concat()).status, 1);
+    assert_eq!(
+        longdrive(&[&args[..], &kept, &["--max-iterations", "2"]].concat()).status,
+        1
+    );
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
     assert_eq!(json(&[&args[..], &["-o", &best]].concat()).1["file"], best);
     let written = Setup::from_file(std::path::Path::new(&best)).unwrap();
-    assert_eq!(written.club.weight_1_depth, Some(number(&whole.1["optimum"]["club.weight_1.depth"])));
+    assert_eq!(
+        written.club.weight_1_depth,
+        Some(number(&whole.1["optimum"]["club.weight_1.depth"]))
+    );
 }
 
-/// Where nothing is said, what is taken in its place is told; and what rigid bodies miss is said beside.
+/// Where nothing is said, what is taken in its place is told; and what rigid bodies miss is said
+/// beside.
 #[test]
 fn what_a_design_assumes_is_told() {
     let said = longdrive(&["design", "--scenarios", "64"]);
@@ -253,5 +453,9 @@ fn what_a_design_assumes_is_told() {
         assert!(text.contains(part), "{part}: {text}");
     }
     let free = longdrive(&["design", "--scenarios", "64", "--rules", "none"]);
-    assert!(free.out.contains("without the Rules of Golf"), "{}", free.out);
+    assert!(
+        free.out.contains("without the Rules of Golf"),
+        "{}",
+        free.out
+    );
 }

@@ -1,4 +1,5 @@
-//! What a design says of what was not asked, of parameters that are unset, of limits that no design meets, and of questions that make no sense.
+//! What a design says of what was not asked, of parameters that are unset, of limits that no design
+//! meets, and of questions that make no sense.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -34,16 +35,33 @@ fn a_design_stands_where_other_swings_do_not_fly() {
         let middle = 0.5 * (down + up);
         *(if flies(middle) { &mut up } else { &mut down }) = middle;
     }
-    // the lowest of 32 nodes lies above the lowest attack angle that flies, and the lowest of the 48 that the error is read from below
+    // the lowest of 32 nodes lies above the lowest attack angle that flies, and the lowest of the
+    // 48 that the error is read from below
     let low = (up - 0.001 * 5.0) / 0.999;
     let distribution = format!("--distribution=swing.attack_angle=uniform({low}deg, 5deg)");
     for command in ["design", "optimize"] {
-        let asked = [command, "modern-driver", &distribution, "--vary=club.loft=7deg..8deg", "--maximize=mean(carry)"];
+        let asked = [
+            command,
+            "modern-driver",
+            &distribution,
+            "--vary=club.loft=7deg..8deg",
+            "--maximize=mean(carry)",
+        ];
         let (status, found) = json(&asked);
-        assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{}", found["message"]);
-        assert!(found["swings"]["quadrature_error"].is_null() && !found["swings"]["nominal"].is_null());
+        assert_eq!(
+            (status, found["status"].as_str()),
+            (0, Some("converged")),
+            "{}",
+            found["message"]
+        );
+        assert!(
+            found["swings"]["quadrature_error"].is_null() && !found["swings"]["nominal"].is_null()
+        );
         let unknown = found["swings"]["unknown"][0].as_str().unwrap();
-        assert!(unknown.contains("does not fly (the swing with swing.attack_angle = "), "{unknown}");
+        assert!(
+            unknown.contains("does not fly (the swing with swing.attack_angle = "),
+            "{unknown}"
+        );
         let said = longdrive(&asked);
         assert!(
             said.status == 0 && words(&said.out).contains("of other swings of the same golfer one"),
@@ -62,25 +80,52 @@ fn as_set_up_is_the_setup_without_what_is_unset() {
         let vary = format!("--vary=club.weight_1.mass=0g..{most}");
         let found = json(&[&TWO[..], &[vary.as_str()]].concat()).1;
         assert_eq!(mean(&found), mean(&base), "{most}");
-        assert_eq!(number(&found["design"]["as_set_up"]["club.weight_1.mass"]), 0.0);
+        assert_eq!(
+            number(&found["design"]["as_set_up"]["club.weight_1.mass"]),
+            0.0
+        );
         let held = found["design"]["held"].as_array().unwrap();
-        let budget = held.iter().find(|held| held["name"] == "mass budget").unwrap();
+        let budget = held
+            .iter()
+            .find(|held| held["name"] == "mass budget")
+            .unwrap();
         close(number(&budget["high"]), 0.204, 0.2, 1e-12, "budget");
     }
-    let optimize = ["optimize", "modern-driver", TWO[2], TWO[3], "--vary=club.weight_1.mass=0g..20g"];
+    let optimize = [
+        "optimize",
+        "modern-driver",
+        TWO[2],
+        TWO[3],
+        "--vary=club.weight_1.mass=0g..20g",
+    ];
     let said = json(&optimize).1;
-    assert_eq!(number(&said["swings"]["as_set_up"]["mean(carry)"]), mean(&base));
+    assert_eq!(
+        number(&said["swings"]["as_set_up"]["mean(carry)"]),
+        mean(&base)
+    );
 }
 
 #[test]
 fn a_relation_is_shown_in_the_unit_of_its_limit() {
-    let asked = ["--vary=club.cg_depth=21mm..50mm", "--subject-to=x: club.cg_depth <= 25 mm", "--minimize=mean(carry)"];
+    let asked = [
+        "--vary=club.cg_depth=21mm..50mm",
+        "--subject-to=x: club.cg_depth <= 25 mm",
+        "--minimize=mean(carry)",
+    ];
     let said = longdrive(&[&TWO[..], &asked].concat());
-    let row = said.out.lines().find(|line| line.contains("x: club.cg_depth")).unwrap_or_else(|| panic!("{}", said.out));
-    assert!(row.contains("mm") && !row.contains("yd  ") && !row.contains("1 m "), "{row}");
+    let row = said
+        .out
+        .lines()
+        .find(|line| line.contains("x: club.cg_depth"))
+        .unwrap_or_else(|| panic!("{}", said.out));
+    assert!(
+        row.contains("mm") && !row.contains("yd  ") && !row.contains("1 m "),
+        "{row}"
+    );
 }
 
-/// The message of an infeasible search has the least violation found, and says which limits nothing varied changes.
+/// The message of an infeasible search has the least violation found, and says which limits nothing
+/// varied changes.
 #[test]
 fn the_nearest_design_is_no_further_than_the_one_set_up() {
     let weight = [
@@ -97,26 +142,45 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
         "--set=flight.step=1s",
     ];
     let (status, found) = json(&[&TWO[..], &weight].concat());
-    assert_eq!((status, found["status"].as_str()), (1, Some("infeasible")), "{found}");
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (1, Some("infeasible")),
+        "{found}"
+    );
     let value = number(&found["constraints"][0]["value"]);
     let own = number(&found["swings"]["as_set_up"]["head_moi"]);
     assert!(value <= own * (1.0 + 1e-9), "{value} {own}");
     let (_, found) = json(&[&TWO[..], &["--subject-to=head_moi <= 3000 g cm^2"]].concat());
     let message = found["message"].as_str().unwrap();
-    assert!(message.contains("nothing that is varied changes it at this design: it is 5679 g cm^2"), "{message}");
+    assert!(
+        message.contains("nothing that is varied changes it at this design: it is 5679 g cm^2"),
+        "{message}"
+    );
 }
 
 /// A bound that is reached without any effect is told as such, and not as an optimum.
 #[test]
 fn a_variable_without_an_effect_is_named() {
     let swings = ["optimize", "modern-driver", TWO[2]];
-    let both = ["--vary=club.loft=7deg..16deg", "--vary=club.bulge_radius=200mm..600mm"];
+    let both = [
+        "--vary=club.loft=7deg..16deg",
+        "--vary=club.bulge_radius=200mm..600mm",
+    ];
     let said = longdrive(&[&swings[..], &both].concat());
-    assert!(said.status == 0 && said.out.contains("no effect"), "{} {}", said.out, said.err);
-    let told =
-        "club.bulge_radius has no effect worth telling: within its range it changes mean(carry) by less than 1 mm";
+    assert!(
+        said.status == 0 && said.out.contains("no effect"),
+        "{} {}",
+        said.out,
+        said.err
+    );
+    let told = "club.bulge_radius has no effect worth telling: within its range it changes \
+                mean(carry) by less than 1 mm";
     assert!(words(&said.out).contains(told), "{}", said.out);
-    assert!(!words(&said.out).contains("club.loft has no effect"), "{}", said.out);
+    assert!(
+        !words(&said.out).contains("club.loft has no effect"),
+        "{}",
+        said.out
+    );
 }
 
 #[test]
@@ -126,23 +190,48 @@ fn what_makes_no_design_is_refused_in_plain_words() {
             &["--distribution=club.inertia.xx=uniform(5000 g cm^2,6001 g cm^2)"],
             "the swings reach head_moi = 6001 g cm^2",
         ),
-        (&["--distribution=ball.mass=uniform(45 g,45.931 g)"], "the swings reach ball.mass = 45.931 g"),
-        (&["--subject-to=volume: 2*club.mass <= 600 g"], "which is about a volume, and this is a mass"),
-        (&["--subject-to=volume: 120 cm^3 + 80 cm^2*club.cg_depth >= 400 cm^3"], "its upper limit is missing"),
+        (
+            &["--distribution=ball.mass=uniform(45 g,45.931 g)"],
+            "the swings reach ball.mass = 45.931 g",
+        ),
+        (
+            &["--subject-to=volume: 2*club.mass <= 600 g"],
+            "which is about a volume, and this is a mass",
+        ),
+        (
+            &["--subject-to=volume: 120 cm^3 + 80 cm^2*club.cg_depth >= 400 cm^3"],
+            "its upper limit is missing",
+        ),
         (
             &["--maximize=2*mean(carry) - std(carry)/2"],
             "there is no division; a weight stands before the measure, for example 0.5*std(carry)",
         ),
-        (&["--maximize=mean(carry) mean(total)"], "a + or - is missing before 'mean(total)'"),
+        (
+            &["--maximize=mean(carry) mean(total)"],
+            "a + or - is missing before 'mean(total)'",
+        ),
         (&["--maximize=mean(carry)*2"], "'*2'"),
-        (&["--launch=ball_speed=150mph,launch_angle=12deg,backspin=2500rpm"], "there is nothing to design"),
-        (&["--distribution=club.inertia.xx=uniform(5700 g cm^2,6200 g cm^2)"], "the swings reach head_moi = "),
-        (&["--set=impact.restitution=0.859"], "chosen so that the ball speed agrees"),
+        (
+            &["--launch=ball_speed=150mph,launch_angle=12deg,backspin=2500rpm"],
+            "there is nothing to design",
+        ),
+        (
+            &["--distribution=club.inertia.xx=uniform(5700 g cm^2,6200 g cm^2)"],
+            "the swings reach head_moi = ",
+        ),
+        (
+            &["--set=impact.restitution=0.859"],
+            "chosen so that the ball speed agrees",
+        ),
     ];
     for (args, part) in cases {
         let said = longdrive(&[&FEW[..2], args].concat());
         assert_eq!(said.status, 2, "{args:?}: {} {}", said.err, said.out);
-        assert!(words(&said.err).contains(part), "{args:?}: {part}: {}", said.err);
+        assert!(
+            words(&said.err).contains(part),
+            "{args:?}: {part}: {}",
+            said.err
+        );
     }
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("nothing.toml").display().to_string();
@@ -154,32 +243,71 @@ fn what_makes_no_design_is_refused_in_plain_words() {
         said.err
     );
     let free = longdrive(&[&TWO[..], &["--rules=none", "--vary=club.loft=10deg..11deg"]].concat());
-    assert!(free.status == 0 && !free.out.contains("rule or limit"), "{}", free.out);
+    assert!(
+        free.status == 0 && !free.out.contains("rule or limit"),
+        "{}",
+        free.out
+    );
 }
 
 /// What the rules were not checked for, and what a weight without mass does.
 #[test]
 fn what_is_not_checked_and_what_has_no_effect_is_said() {
     let swings = "--distribution=club.inertia.xx=normal(5700 g cm^2,10 g cm^2)";
-    let said = longdrive(&["design", "modern-driver", swings, "--vary=club.loft=10deg..12deg"]);
-    let told = "the rule on the moment of inertia is checked at 32 swings only, since the distribution of club.inertia.xx has no ends";
+    let said = longdrive(&[
+        "design",
+        "modern-driver",
+        swings,
+        "--vary=club.loft=10deg..12deg",
+    ]);
+    let told = "the rule on the moment of inertia is checked at 32 swings only, since the \
+                distribution of club.inertia.xx has no ends";
     assert!(said.status == 0 && words(&(said.out + &said.err)).contains(told));
-    let bounded = swings.replace("normal(5700 g cm^2,10 g cm^2)", "uniform(5600 g cm^2,5999 g cm^2)");
-    let said = longdrive(&["design", "modern-driver", &bounded, "--vary=club.loft=10deg..12deg"]);
+    let bounded = swings.replace(
+        "normal(5700 g cm^2,10 g cm^2)",
+        "uniform(5600 g cm^2,5999 g cm^2)",
+    );
+    let said = longdrive(&[
+        "design",
+        "modern-driver",
+        &bounded,
+        "--vary=club.loft=10deg..12deg",
+    ]);
     assert!(said.status == 0 && !words(&(said.out + &said.err)).contains("is checked at"));
 
-    let placed = ["--set=club.weight_1.depth=40mm", "--set=club.weight_1.toe=10mm"];
-    for (mass, why) in [("none", "the weight has no mass; set"), ("0g", "the mass of the weight is 0 g; raise")] {
+    let placed = [
+        "--set=club.weight_1.depth=40mm",
+        "--set=club.weight_1.toe=10mm",
+    ];
+    for (mass, why) in [
+        ("none", "the weight has no mass; set"),
+        ("0g", "the mass of the weight is 0 g; raise"),
+    ] {
         let mass = format!("--set=club.weight_1.mass={mass}");
         let said = longdrive(&[&["simulate", "modern-driver", &mass][..], &placed].concat());
-        let told = format!("club.weight_1.depth, club.weight_1.toe change nothing: {why} club.weight_1.mass");
+        let told = format!(
+            "club.weight_1.depth, club.weight_1.toe change nothing: {why} club.weight_1.mass"
+        );
         assert!(words(&said.err).contains(&told), "{}", said.err);
     }
-    let said = longdrive(&[&["simulate", "modern-driver", "--set=club.weight_1.mass=5g"][..], &placed].concat());
+    let said = longdrive(
+        &[
+            &["simulate", "modern-driver", "--set=club.weight_1.mass=5g"][..],
+            &placed,
+        ]
+        .concat(),
+    );
     assert!(!said.err.contains("nothing"), "{}", said.err);
 }
 
 #[test]
 fn what_rigid_bodies_miss_is_said_once() {
-    assert_eq!(longdrive(&["design"]).out.replace('\n', " ").matches("known to miss the side spin").count(), 1);
+    assert_eq!(
+        longdrive(&["design"])
+            .out
+            .replace('\n', " ")
+            .matches("known to miss the side spin")
+            .count(),
+        1
+    );
 }

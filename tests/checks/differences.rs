@@ -1,9 +1,12 @@
-//! Differences of functions of which everything is known: `derivative::check`, from its samples to its verdict on remainders.
+//! Differences of functions of which everything is known: `derivative::check`, from its samples to
+//! its verdict on remainders.
 
 use longdrive::derivative::check::{Ladder, STEPS, Side, taylor_slopes};
 
 fn ladder(at: f64, scale: f64, f: impl Fn(f64) -> f64) -> Ladder {
-    Ladder::sample(at, scale, STEPS, &mut |x| vec![f(x)]).pop().unwrap()
+    Ladder::sample(at, scale, STEPS, &mut |x| vec![f(x)])
+        .pop()
+        .unwrap()
 }
 
 #[test]
@@ -11,30 +14,63 @@ fn exact_uncertainties_hold_the_truth_for_functions_of_every_kind() {
     type Case = (&'static str, fn(f64) -> f64, f64, f64);
     let cases: [Case; 7] = [
         ("exp", f64::exp, 0.7, 0.7_f64.exp()),
-        ("a polynomial, of which four steps leave nothing", |x| x.powi(7), 1.0, 7.0),
-        ("sin at a top", f64::sin, std::f64::consts::FRAC_PI_2, std::f64::consts::FRAC_PI_2.cos()),
+        (
+            "a polynomial, of which four steps leave nothing",
+            |x| x.powi(7),
+            1.0,
+            7.0,
+        ),
+        (
+            "sin at a top",
+            f64::sin,
+            std::f64::consts::FRAC_PI_2,
+            std::f64::consts::FRAC_PI_2.cos(),
+        ),
         ("large offset", |x| 1e8 + x * x, 1.5, 3.0),
-        ("steep", |x| (20.0 * x).tanh(), 0.02, 20.0 / 0.4_f64.cosh().powi(2)),
+        (
+            "steep",
+            |x| (20.0 * x).tanh(),
+            0.02,
+            20.0 / 0.4_f64.cosh().powi(2),
+        ),
         ("constant", |_| 3.0, 1.0, 0.0),
-        ("a ripple far below the first step", |x| x + 1e-7 * (1e4 * x).sin(), 0.0, 1.001),
+        (
+            "a ripple far below the first step",
+            |x| x + 1e-7 * (1e4 * x).sin(),
+            0.0,
+            1.001,
+        ),
     ];
     for (name, f, at, exact) in cases {
         let scale = if at == 0.0 { 1.0 } else { at };
         for side in [Side::Both, Side::Below, Side::Above] {
             let found = ladder(at, scale, f).slope(side, 0.0).unwrap();
-            assert!((found.value - exact).abs() <= 2.0 * found.uncertainty, "{name}, {side:?}: {found:?}, not {exact}");
+            assert!(
+                (found.value - exact).abs() <= 2.0 * found.uncertainty,
+                "{name}, {side:?}: {found:?}, not {exact}"
+            );
             let most = if side == Side::Both { 1e-6 } else { 1e-4 };
-            assert!(found.uncertainty <= most * exact.abs().max(1.0), "{name}, {side:?}: {found:?}");
+            assert!(
+                found.uncertainty <= most * exact.abs().max(1.0),
+                "{name}, {side:?}: {found:?}"
+            );
         }
     }
 }
 
-/// A function whose last digits are noise, at the end of its range: the noise is seen from one side as from both.
+/// A function whose last digits are noise, at the end of its range: the noise is seen from one side
+/// as from both.
 #[test]
 fn exact_rounding_is_seen_from_one_side() {
     let noise = |x: f64| 1e-12 * ((x * 1e15).sin() * 43_758.545_3).fract();
     let rounding = |lowest: f64| {
-        let f = |x: f64| if x < lowest { f64::NAN } else { 1.0 + x + x * x + noise(x) };
+        let f = |x: f64| {
+            if x < lowest {
+                f64::NAN
+            } else {
+                1.0 + x + x * x + noise(x)
+            }
+        };
         ladder(1.0, 1.0, f).rounding()
     };
     for rounding in [rounding(1.0), rounding(0.0)] {
@@ -44,12 +80,17 @@ fn exact_rounding_is_seen_from_one_side() {
     assert!(smooth.rounding() < 5e-15, "{}", smooth.rounding());
 }
 
-/// sin x as what two parts leave, each of them a hundred thousand times as large: at 0 neither is rounded.
+/// sin x as what two parts leave, each of them a hundred thousand times as large: at 0 neither is
+/// rounded.
 #[test]
 fn exact_rounding_of_parts_that_cancel_is_no_remainder_and_a_wrong_slope_is() {
     let ladder = ladder(0.0, 1.0, |x| 100_001.0 * x.sin() - 100_000.0 * x.sin()).rounded_as(1e5);
     for (first, expected) in [(1.0, [1.0, 3.0, 3.0]), (1.0 + 1e-6, [1.0, 1.0, 1.0])] {
-        for (found, exact) in taylor_slopes(&ladder, first, 0.0).map(Option::unwrap).into_iter().zip(expected) {
+        for (found, exact) in taylor_slopes(&ladder, first, 0.0)
+            .map(Option::unwrap)
+            .into_iter()
+            .zip(expected)
+        {
             assert!((found - exact).abs() < 0.05, "{found} {exact}");
         }
     }

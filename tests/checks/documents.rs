@@ -12,9 +12,20 @@ fn document(name: &str) -> String {
 
 /// The rows of the table under this head, without the head and the line below it.
 fn table(text: &str, head: &str) -> Vec<Vec<String>> {
-    let lines = text.lines().skip_while(|line| !line.starts_with(head)).skip(2);
-    let cells = |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
-    let rows: Vec<Vec<String>> = lines.take_while(|line| line.starts_with('|')).map(cells).collect();
+    let lines = text
+        .lines()
+        .skip_while(|line| !line.starts_with(head))
+        .skip(2);
+    let cells = |line: &str| {
+        line.trim_matches('|')
+            .split('|')
+            .map(|cell| cell.trim().to_owned())
+            .collect()
+    };
+    let rows: Vec<Vec<String>> = lines
+        .take_while(|line| line.starts_with('|'))
+        .map(cells)
+        .collect();
     assert!(!rows.is_empty(), "no table under {head}");
     rows
 }
@@ -26,7 +37,10 @@ fn first_number(text: &str) -> f64 {
         .skip_while(|c| !c.is_ascii_digit() && *c != '−')
         .take_while(|c| c.is_ascii_digit() || ['.', '−'].contains(c))
         .collect();
-    digits.replace('−', "-").parse().unwrap_or_else(|_| panic!("no number in '{text}'"))
+    digits
+        .replace('−', "-")
+        .parse()
+        .unwrap_or_else(|_| panic!("no number in '{text}'"))
 }
 
 #[test]
@@ -34,12 +48,19 @@ fn the_answer_in_the_readme_is_the_programs() {
     let readme = document("README.md");
     let said = longdrive(&["optimize"]);
     assert_eq!(said.status, 0);
-    assert!(readme.contains(&format!("```text\n{}```", said.out)), "README.md should have:\n{}", said.out);
+    assert!(
+        readme.contains(&format!("```text\n{}```", said.out)),
+        "README.md should have:\n{}",
+        said.out
+    );
 }
 
 #[test]
 fn the_searches_in_validation_md_are_those_of_the_program() {
-    let rows = table(&document("docs/validation.md"), "| landing | method | found |");
+    let rows = table(
+        &document("docs/validation.md"),
+        "| landing | method | found |",
+    );
     assert_eq!(rows.len(), FOUND.searches.len());
     let best = FOUND.optimum.exact().carry;
     let mut landing = Landing::Overshot;
@@ -57,12 +78,20 @@ fn the_searches_in_validation_md_are_those_of_the_program() {
             "longdrive, exact gradients and Hessians" => Method::Exact,
             other => panic!("{other}"),
         };
-        let searches = FOUND.searches.iter().find(|of| (of.landing, of.method) == (landing, method)).unwrap();
+        let searches = FOUND
+            .searches
+            .iter()
+            .find(|of| (of.landing, of.method) == (landing, method))
+            .unwrap();
         let count = searches.ends.len();
         let missed = searches.missed(best);
         let [median, worst] = [missed[missed.len() / 2], missed[missed.len() - 1]];
         let found = format!("{} of {count}", searches.within(0.01, best));
-        let misses = if worst < 0.005 { "0".to_owned() } else { format!("{median:.2} m, {worst:.2} m") };
+        let misses = if worst < 0.005 {
+            "0".to_owned()
+        } else {
+            format!("{median:.2} m, {worst:.2} m")
+        };
         let flights = (searches.flights() / count as u64).to_string();
         assert_eq!(row[2..], [found, misses, flights], "{landing:?} {method:?}");
     }
@@ -73,61 +102,122 @@ fn the_costs_and_slopes_in_validation_md_are_those_of_the_program() {
     let text = document("docs/validation.md");
     for row in table(&text, "| attack angle | loft printed |") {
         let attack = first_number(&row[0]);
-        let found = FOUND.table1.iter().find(|found| (found.exact().attack_angle.to_degrees() - attack).abs() < 1e-6);
+        let found = FOUND
+            .table1
+            .iter()
+            .find(|found| (found.exact().attack_angle.to_degrees() - attack).abs() < 1e-6);
         let found = found.unwrap_or_else(|| panic!("{row:?}"));
         let exact = found.exact();
-        assert!((first_number(&row[3]) - exact.loft.to_degrees()).abs() <= 5e-5, "{row:?}");
-        assert!((first_number(&row[4]) - exact.carry).abs() <= 5e-3, "{row:?}");
-        assert!((first_number(&row[5]) - found.cost()).abs() <= 5.1e-3, "{row:?}");
-        assert_eq!(row[2].contains("does not fly"), found.at_printed.is_none(), "{row:?}");
+        assert!(
+            (first_number(&row[3]) - exact.loft.to_degrees()).abs() <= 5e-5,
+            "{row:?}"
+        );
+        assert!(
+            (first_number(&row[4]) - exact.carry).abs() <= 5e-3,
+            "{row:?}"
+        );
+        assert!(
+            (first_number(&row[5]) - found.cost()).abs() <= 5.1e-3,
+            "{row:?}"
+        );
+        assert_eq!(
+            row[2].contains("does not fly"),
+            found.at_printed.is_none(),
+            "{row:?}"
+        );
     }
     for row in table(&text, "| loft | exact | exact, at fixed time |") {
         let loft = first_number(&row[0]);
-        let found = FOUND.noise.slopes.iter().find(|found| (found.loft.to_degrees() - loft).abs() < 1e-6).unwrap();
-        let values = [found.exact, found.at_fixed_time, found.overshot, found.interpolated];
+        let found = FOUND
+            .noise
+            .slopes
+            .iter()
+            .find(|found| (found.loft.to_degrees() - loft).abs() < 1e-6)
+            .unwrap();
+        let values = [
+            found.exact,
+            found.at_fixed_time,
+            found.overshot,
+            found.interpolated,
+        ];
         for (cell, value) in row[1..].iter().zip(values) {
-            assert!((first_number(cell) - value).abs() <= 0.051, "{row:?}: {value}");
+            assert!(
+                (first_number(cell) - value).abs() <= 0.051,
+                "{row:?}: {value}"
+            );
         }
     }
 }
 
-/// The ratios of README are those of the times in docs/performance.md, and its times are the same ones.
+/// The ratios of README are those of the times in docs/performance.md, and its times are the same
+/// ones.
 #[test]
 fn the_costs_in_the_readme_are_those_of_performance_md() {
-    let (readme, performance) = (document("README.md").replace('\n', " "), document("docs/performance.md"));
+    let (readme, performance) = (
+        document("README.md").replace('\n', " "),
+        document("docs/performance.md"),
+    );
     let microseconds = |text: &str| {
         let number: f64 = text.split(' ').next().unwrap().parse().unwrap();
-        if text.ends_with("ms") { 1000.0 * number } else { number }
+        if text.ends_with("ms") {
+            1000.0 * number
+        } else {
+            number
+        }
     };
     let tasks = table(&performance, "| Task | longdrive |");
     let alone = table(&performance, "| longdrive alone |");
     let time = |rows: &[Vec<String>], name: &str, column: usize| {
-        let row = rows.iter().find(|row| row[0].starts_with(name)).unwrap_or_else(|| panic!("no row {name}"));
+        let row = rows
+            .iter()
+            .find(|row| row[0].starts_with(name))
+            .unwrap_or_else(|| panic!("no row {name}"));
         microseconds(&row[column])
     };
     let value = time(&tasks, "T1", 1);
     let in_space = time(&alone, "gradient, all 47", 1) / time(&alone, "value, 3-D drive", 1);
     for said in [
-        format!("a gradient by two parameters {:.1}", time(&tasks, "T2", 1) / value),
+        format!(
+            "a gradient by two parameters {:.1}",
+            time(&tasks, "T2", 1) / value
+        ),
         format!("by twelve {:.1}", time(&tasks, "T4", 1) / value),
         format!("by all 47 parameters of a drive in space {in_space:.1}"),
         format!("a Hessian by two {:.1}", time(&tasks, "T3", 1) / value),
-        format!("the optimum of the `mae494` problem {:.0}", time(&tasks, "T5", 1) / value),
-        format!("({:.2} ms; {:.2} ms within", time(&tasks, "T5", 1) / 1000.0, time(&tasks, "T5", 4) / 1000.0),
+        format!(
+            "the optimum of the `mae494` problem {:.0}",
+            time(&tasks, "T5", 1) / value
+        ),
+        format!(
+            "({:.2} ms; {:.2} ms within",
+            time(&tasks, "T5", 1) / 1000.0,
+            time(&tasks, "T5", 4) / 1000.0
+        ),
     ] {
         assert!(readme.contains(&said), "README.md should say: {said}");
     }
     let sweeps = table(&performance, "| A drive of the README's sweep |");
     for row in &sweeps {
-        assert!(readme.contains(&format!("{} {}", row[1], row[0])), "README.md should say: {} {}", row[1], row[0]);
+        assert!(
+            readme.contains(&format!("{} {}", row[1], row[0])),
+            "README.md should say: {} {}",
+            row[1],
+            row[0]
+        );
     }
 }
 
 #[test]
 fn the_readme_names_every_outcome_of_a_drive() {
-    let names: Vec<String> = Outcome::ALL.iter().map(|outcome| format!("`{}`", outcome.name())).collect();
+    let names: Vec<String> = Outcome::ALL
+        .iter()
+        .map(|outcome| format!("`{}`", outcome.name()))
+        .collect();
     let said = format!("The outcomes are {}.", names.join(", "));
-    assert!(document("README.md").contains(&said), "README.md should say: {said}");
+    assert!(
+        document("README.md").contains(&said),
+        "README.md should say: {said}"
+    );
 }
 
 /// The commands of README and docs that read a sample of `examples/`.
@@ -135,7 +225,9 @@ fn the_readme_names_every_outcome_of_a_drive() {
 fn commands_on_the_samples_run_as_they_are_written() {
     let folder = tempfile::tempdir().unwrap();
     let texts = ["README.md", "docs/calibration.md"].map(document).concat();
-    let samples = texts.lines().filter(|line| line.starts_with("longdrive ") && line.contains("examples/"));
+    let samples = texts
+        .lines()
+        .filter(|line| line.starts_with("longdrive ") && line.contains("examples/"));
     let mut run = 0;
     for line in samples {
         let command = line.split('#').next().unwrap();
@@ -143,7 +235,9 @@ fn commands_on_the_samples_run_as_they_are_written() {
             .split_whitespace()
             .skip(1)
             .map(|word| match word {
-                _ if word.starts_with("examples/") => format!("{}/../{word}", env!("CARGO_MANIFEST_DIR")),
+                _ if word.starts_with("examples/") => {
+                    format!("{}/../{word}", env!("CARGO_MANIFEST_DIR"))
+                }
                 _ if word.ends_with(".toml")
                     || word.ends_with(".csv")
                     || word.ends_with(".jsonl")
@@ -165,17 +259,39 @@ fn commands_on_the_samples_run_as_they_are_written() {
 fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
     let of = |sample: &str| format!("{}/../examples/{sample}", env!("CARGO_MANIFEST_DIR"));
     let outcomes = "ball_speed,launch_angle,launch_direction,backspin,sidespin";
-    let said = longdrive(&["sweep", "modern-driver", "--points", &of("deliveries.csv"), "--outcomes", outcomes]);
+    let said = longdrive(&[
+        "sweep",
+        "modern-driver",
+        "--points",
+        &of("deliveries.csv"),
+        "--outcomes",
+        outcomes,
+    ]);
     let launches = document("examples/launches.csv");
     let (degree, rpm) = (1.0_f64.to_radians(), std::f64::consts::TAU / 60.0);
     let sizes = [0.44704, degree, degree, rpm, rpm];
-    let lines: Vec<_> = said.out.lines().skip(1).zip(launches.lines().skip(1)).collect();
+    let lines: Vec<_> = said
+        .out
+        .lines()
+        .skip(1)
+        .zip(launches.lines().skip(1))
+        .collect();
     assert_eq!(lines.len(), 6);
     for (computed, written) in lines {
-        let computed = computed.split(',').skip(8).map(|cell| cell.parse::<f64>().unwrap());
+        let computed = computed
+            .split(',')
+            .skip(8)
+            .map(|cell| cell.parse::<f64>().unwrap());
         let written = written.split(',').map(|cell| cell.parse::<f64>().unwrap());
-        for (((computed, written), size), digit) in computed.zip(written).zip(sizes).zip([0.1, 0.1, 0.1, 1.0, 1.0]) {
-            assert!((computed / size - written).abs() <= 0.501 * digit, "{computed} {written}");
+        for (((computed, written), size), digit) in computed
+            .zip(written)
+            .zip(sizes)
+            .zip([0.1, 0.1, 0.1, 1.0, 1.0])
+        {
+            assert!(
+                (computed / size - written).abs() <= 0.501 * digit,
+                "{computed} {written}"
+            );
         }
     }
 }
@@ -185,34 +301,79 @@ fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
 fn rules_and_numbers_of_design_md_are_the_programs() {
     let text = document("docs/design.md");
     for rule in &longdrive::study::design::RULES {
-        let row = format!("| {} | `{}` | {} |", rule.name, rule.expression(), rule.source);
+        let row = format!(
+            "| {} | `{}` | {} |",
+            rule.name,
+            rule.expression(),
+            rule.source
+        );
         assert!(text.contains(&row), "docs/design.md should say: {row}");
     }
     let yards = |value: f64| value / 0.9144;
     let near = |cell: &str, value: f64, by: f64| {
         let said = first_number(cell);
-        assert!((said - value).abs() <= by, "docs/design.md says {said}, the program {value}");
+        assert!(
+            (said - value).abs() <= by,
+            "docs/design.md says {said}, the program {value}"
+        );
     };
-    let design = |more: &[&str]| crate::command_line::json(&[&["design", "--set", "club.loft=12deg"], more].concat()).1;
+    let design = |more: &[&str]| {
+        crate::command_line::json(&[&["design", "--set", "club.loft=12deg"], more].concat()).1
+    };
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let goal = "mean(carry) - 0.5*rms(lateral)";
-    for row in table(&text, "| `club.inertia.xx` | best bulge | goal | with 305 mm |") {
+    for row in table(
+        &text,
+        "| `club.inertia.xx` | best bulge | goal | with 305 mm |",
+    ) {
         let inertia = format!("club.inertia.xx={}", row[0]);
         let vary = "club.bulge_radius=150mm..1000mm";
-        let found = design(&["--vary", vary, "--set", &inertia, "--set", "club.inertia.xz=-300 g cm^2"]);
-        near(&row[1], 1e3 * number(&found["optimum"]["club.bulge_radius"]), 0.051);
+        let found = design(&[
+            "--vary",
+            vary,
+            "--set",
+            &inertia,
+            "--set",
+            "club.inertia.xz=-300 g cm^2",
+        ]);
+        near(
+            &row[1],
+            1e3 * number(&found["optimum"]["club.bulge_radius"]),
+            0.051,
+        );
         near(&row[2], yards(number(&found["value"])), 0.0051);
-        near(&row[3], yards(number(&found["swings"]["as_set_up"][goal])), 0.0051);
+        near(
+            &row[3],
+            yards(number(&found["swings"]["as_set_up"][goal])),
+            0.0051,
+        );
     }
-    let command =
-        text.lines().find(|line| line.starts_with("longdrive design --set club.loft=12deg --set club.mass")).unwrap();
+    let command = text
+        .lines()
+        .find(|line| line.starts_with("longdrive design --set club.loft=12deg --set club.mass"))
+        .unwrap();
     let words: Vec<&str> = command.split_whitespace().skip(4).collect();
-    for (row, rules) in table(&text, "| | best depth | goal | gained |").iter().zip(["golf", "none"]) {
+    for (row, rules) in table(&text, "| | best depth | goal | gained |")
+        .iter()
+        .zip(["golf", "none"])
+    {
         let found = design(&[&words[..], &["--rules", rules]].concat());
-        near(&row[1], 1e3 * number(&found["optimum"]["club.weight_1.depth"]), 0.051);
+        near(
+            &row[1],
+            1e3 * number(&found["optimum"]["club.weight_1.depth"]),
+            0.051,
+        );
         near(&row[2], yards(number(&found["value"])), 0.0051);
-        near(&row[3], yards(number(&found["value"]) - number(&found["swings"]["as_set_up"][goal])), 0.0051);
-        let price = found["design"]["held"].as_array().unwrap().iter().find(|held| !held["price"].is_null());
+        near(
+            &row[3],
+            yards(number(&found["value"]) - number(&found["swings"]["as_set_up"][goal])),
+            0.0051,
+        );
+        let price = found["design"]["held"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|held| !held["price"].is_null());
         if let Some(price) = price {
             let said = text.split("at a price of ").nth(1).unwrap();
             near(said, yards(number(&price["price"]) * 100e-7), 0.00051);
@@ -224,42 +385,86 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
 #[test]
 fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     let text = document("docs/swings.md");
-    let command =
-        text.lines().find(|line| line.starts_with("longdrive robust modern-driver")).unwrap().replace('"', "");
+    let command = text
+        .lines()
+        .find(|line| line.starts_with("longdrive robust modern-driver"))
+        .unwrap()
+        .replace('"', "");
     let words: Vec<&str> = command.split_whitespace().skip(1).collect();
     let (status, found) = crate::command_line::json(&words);
     assert_eq!((status, &found["holds_for_all"]), (0, &false.into()));
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let near = |cell: &str, value: f64, by: f64| {
         let said = first_number(cell);
-        assert!((said - value).abs() <= by, "docs/swings.md says {said}, the program {value}");
+        assert!(
+            (said - value).abs() <= by,
+            "docs/swings.md says {said}, the program {value}"
+        );
     };
-    let head = "| gear effect | best bulge | rms(lateral) there | more with 334.0 mm | more with the best for 1 |";
+    let head = "| gear effect | best bulge | rms(lateral) there | more with 334.0 mm | more with \
+                the best for 1 |";
     let (rows, models) = (table(&text, head), found["models"].as_array().unwrap());
     assert_eq!(rows.len(), models.len());
     for (row, model) in rows.iter().zip(models) {
-        near(&row[1], 1e3 * number(&model["optimum"]["club.bulge_radius"]), 0.051);
+        near(
+            &row[1],
+            1e3 * number(&model["optimum"]["club.bulge_radius"]),
+            0.051,
+        );
         near(&row[2], number(&model["value"]) / 0.9144, 0.0051);
         near(&row[3], number(&model["loss"]) / 0.9144, 0.0051);
         near(&row[4], number(&model["losses"][0]) / 0.9144, 0.0051);
     }
     let bulge = 1e3 * number(&found["optimum"]["club.bulge_radius"]);
-    near(text.split("the one that loses least, ").nth(1).unwrap(), bulge, 0.051);
+    near(
+        text.split("the one that loses least, ").nth(1).unwrap(),
+        bulge,
+        0.051,
+    );
     let greatest = number(&found["greatest_loss"]) / 0.9144;
-    near(text.split("334.0 mm, loses ").nth(1).unwrap(), greatest, 0.0051);
-    let worst = models.iter().map(|model| number(&model["losses"][0]) / 0.9144).fold(0.0, f64::max);
-    near(text.split("that of rigid bodies, ").nth(1).unwrap(), worst - greatest, 0.051);
-    assert!(models.iter().skip(1).all(|model| number(&model["share"]) > 0.4) && number(&models[0]["share"]) < 0.01);
+    near(
+        text.split("334.0 mm, loses ").nth(1).unwrap(),
+        greatest,
+        0.0051,
+    );
+    let worst = models
+        .iter()
+        .map(|model| number(&model["losses"][0]) / 0.9144)
+        .fold(0.0, f64::max);
+    near(
+        text.split("that of rigid bodies, ").nth(1).unwrap(),
+        worst - greatest,
+        0.051,
+    );
+    assert!(
+        models
+            .iter()
+            .skip(1)
+            .all(|model| number(&model["share"]) > 0.4)
+            && number(&models[0]["share"]) < 0.01
+    );
 }
 
-/// Every outcome by every parameter of every preset: with one more of these, the page is to be written again.
+/// Every outcome by every parameter of every preset: with one more of these, the page is to be
+/// written again.
 #[test]
 fn exact_number_of_derivatives_that_verification_md_has_certified() {
-    let rows = table(&document("docs/verification.md"), "| preset | derivatives | pass |");
+    let rows = table(
+        &document("docs/verification.md"),
+        "| preset | derivatives | pass |",
+    );
     for (row, preset) in rows.iter().zip(PRESETS) {
         let all = Outcome::ALL.len() * Setup::preset(preset.name).unwrap().variables().len();
-        let expected = [format!("`{}`", preset.name), all.to_string(), all.to_string()];
-        assert_eq!(row[..3], expected, "write it again: see examples/verification.rs");
+        let expected = [
+            format!("`{}`", preset.name),
+            all.to_string(),
+            all.to_string(),
+        ];
+        assert_eq!(
+            row[..3],
+            expected,
+            "write it again: see examples/verification.rs"
+        );
     }
     assert_eq!(rows.len(), PRESETS.len());
 }
@@ -267,19 +472,38 @@ fn exact_number_of_derivatives_that_verification_md_has_certified() {
 /// What docs/scale.md reckons follows from the rate and size that docs/performance.md has measured.
 #[test]
 fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
-    let measured = table(&document("docs/performance.md"), "| Drives with gradients | File | Wall |");
+    let measured = table(
+        &document("docs/performance.md"),
+        "| Drives with gradients | File | Wall |",
+    );
     let row = measured.iter().find(|row| row[0] == "100 000 000").unwrap();
     let (drives, cores) = (1e8, 2.0);
     let seconds = first_number(&row[2]);
     let bytes = 1e9 * first_number(row[1].trim_start_matches("Parquet, "));
     let scale = document("docs/scale.md");
-    assert!(scale.contains(&format!("took {seconds} s on two cores, and {} GB", bytes / 1e9)), "{row:?}");
+    assert!(
+        scale.contains(&format!(
+            "took {seconds} s on two cores, and {} GB",
+            bytes / 1e9
+        )),
+        "{row:?}"
+    );
 
     let rate = drives / seconds / cores;
     let in_units = |text: &str| {
-        let size =
-            [("min", 60.0), ("days", 86400.0), ("h", 3600.0), ("s", 1.0), ("TB", 1e12), ("GB", 1e9), ("MB", 1e6)];
-        let (_, size) = size.into_iter().find(|(unit, _)| text.ends_with(&format!(" {unit}"))).unwrap();
+        let size = [
+            ("min", 60.0),
+            ("days", 86400.0),
+            ("h", 3600.0),
+            ("s", 1.0),
+            ("TB", 1e12),
+            ("GB", 1e9),
+            ("MB", 1e6),
+        ];
+        let (_, size) = size
+            .into_iter()
+            .find(|(unit, _)| text.ends_with(&format!(" {unit}")))
+            .unwrap();
         first_number(text) * size
     };
     // as many digits as are written
@@ -288,10 +512,9 @@ fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
         assert!((written / value - 1.0).abs() < 0.1, "{text} and {value}");
     };
     for row in table(&scale, "| drives with gradients | on 2 cores |") {
-        let exponent = row[0]
-            .chars()
-            .skip(2)
-            .fold(0, |exponent, c| 10 * exponent + "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c).unwrap() as i32);
+        let exponent = row[0].chars().skip(2).fold(0, |exponent, c| {
+            10 * exponent + "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c).unwrap() as i32
+        });
         let drives = 10_f64.powi(exponent);
         is_about(&row[1], drives / (2.0 * rate));
         is_about(&row[2], drives / (64.0 * rate));
@@ -303,10 +526,15 @@ fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
     is_about(&of_part[0].replace(" on one core", ""), 1e7 / rate);
     is_about(&of_part[1], 1e7 / 1e8 * bytes);
     let core_hours = 1e12 / rate / 3600.0;
-    assert!((first_number(&stated("all parts")) / core_hours - 1.0).abs() < 0.001, "{core_hours}");
+    assert!(
+        (first_number(&stated("all parts")) / core_hours - 1.0).abs() < 0.001,
+        "{core_hours}"
+    );
     is_about(&stated("on 1000 cores"), 3600.0 * core_hours / 1000.0);
     assert!((first_number(&stated("at 0.04 $")) / (0.04 * core_hours) - 1.0).abs() < 0.03);
-    assert!((first_number(&stated("at 23 $")) / (23.0 * 1e12 / 1e8 * bytes / 1e12) - 1.0).abs() < 0.03);
+    assert!(
+        (first_number(&stated("at 23 $")) / (23.0 * 1e12 / 1e8 * bytes / 1e12) - 1.0).abs() < 0.03
+    );
 }
 
 /// A drive with the parameter unset is the one where it has the value that it counts as.
@@ -314,33 +542,80 @@ fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
 fn exact_same_drive_with_an_unset_parameter_and_with_what_its_text_says_it_counts_as() {
     let with = |settings: &[(&str, &str)]| {
         let mut setup = Setup::default();
-        settings.iter().for_each(|(name, text)| setup.set(name, text).unwrap());
+        settings
+            .iter()
+            .for_each(|(name, text)| setup.set(name, text).unwrap());
         setup
     };
-    let weights = [("club.weight_1.mass", "10 g"), ("club.weight_1.depth", "60 mm"), ("club.weight_2.mass", "5 g")];
-    let club = with(&[&weights[..], &[("swing.shaft_bend", "2 deg"), ("strike.toe", "9 mm")]].concat());
-    let launch = [("launch.ball_speed", "70 m/s"), ("launch.launch_angle", "11 deg")];
+    let weights = [
+        ("club.weight_1.mass", "10 g"),
+        ("club.weight_1.depth", "60 mm"),
+        ("club.weight_2.mass", "5 g"),
+    ];
+    let club = with(
+        &[
+            &weights[..],
+            &[("swing.shaft_bend", "2 deg"), ("strike.toe", "9 mm")],
+        ]
+        .concat(),
+    );
+    let launch = [
+        ("launch.ball_speed", "70 m/s"),
+        ("launch.launch_angle", "11 deg"),
+    ];
     let bases = [
         club,
         with(&[&launch[..], &[("launch.backspin", "2500 rpm")]].concat()),
         with(&[&launch[..], &[("launch.spin", "2500 rpm")]].concat()),
     ];
     let mut counted = 0;
-    for parameter in bases[0].parameters().into_iter().filter(|parameter| parameter.default_value().is_none()) {
-        assert_eq!(parameter.unset.is_some(), parameter.doc.ends_with("unset: 0."), "{}", parameter.name);
-        let Some(unset) = parameter.unset else { continue };
+    for parameter in bases[0]
+        .parameters()
+        .into_iter()
+        .filter(|parameter| parameter.default_value().is_none())
+    {
+        assert_eq!(
+            parameter.unset.is_some(),
+            parameter.doc.ends_with("unset: 0."),
+            "{}",
+            parameter.name
+        );
+        let Some(unset) = parameter.unset else {
+            continue;
+        };
         let drives = bases.iter().filter_map(|base| {
             let drive = |value: Option<f64>| {
                 let mut setup = *base;
-                setup.set_value(parameter, value).ok().and_then(|()| Drive::new(&setup).ok())
+                setup
+                    .set_value(parameter, value)
+                    .ok()
+                    .and_then(|()| Drive::new(&setup).ok())
             };
-            Some((drive(None)?, drive(Some(unset))?, drive(Some(unset + 0.01))?))
+            Some((
+                drive(None)?,
+                drive(Some(unset))?,
+                drive(Some(unset + 0.01))?,
+            ))
         });
-        let outcomes = |drive: &Drive<f64>| Outcome::ALL.iter().filter_map(|of| of.value(drive)).collect::<Vec<_>>();
-        let drives: Vec<_> = drives.map(|(a, b, other)| [&a, &b, &other].map(outcomes)).collect();
+        let outcomes = |drive: &Drive<f64>| {
+            Outcome::ALL
+                .iter()
+                .filter_map(|of| of.value(drive))
+                .collect::<Vec<_>>()
+        };
+        let drives: Vec<_> = drives
+            .map(|(a, b, other)| [&a, &b, &other].map(outcomes))
+            .collect();
         for [a, b, _] in &drives {
-            let far = a.iter().zip(b).find(|(a, b)| (*a - *b).abs() > 1e-9 * a.abs().max(1.0));
-            assert!(a.len() == b.len() && far.is_none(), "{}: {far:?}", parameter.name);
+            let far = a
+                .iter()
+                .zip(b)
+                .find(|(a, b)| (*a - *b).abs() > 1e-9 * a.abs().max(1.0));
+            assert!(
+                a.len() == b.len() && far.is_none(),
+                "{}: {far:?}",
+                parameter.name
+            );
         }
         assert!(
             drives.iter().any(|[a, _, other]| a != other),

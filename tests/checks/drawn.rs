@@ -1,17 +1,19 @@
-//! What is drawn of drives is what flies: regions, landings, launches, strikes, and lengths at true scale.
+//! What is drawn of drives is what flies: regions, landings, launches, strikes, and lengths at true
+//! scale.
 
 use crate::command_line::longdrive;
 use crate::common::close;
 use crate::report::{polylines, whole};
 use longdrive::optimize::Observer;
 use longdrive::report::figures::{
-    Flown, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure, trajectory_figure,
+    Flown, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    trajectory_figure,
 };
 use longdrive::report::plot::{Figure, Layer, Look, figure_csv, figure_svg};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{
-    Constraint, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart, flatness, map,
-    optimum, with_defaults,
+    Constraint, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary,
+    chart, flatness, map, optimum, with_defaults,
 };
 use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
@@ -22,7 +24,8 @@ fn setup() -> Setup<f64> {
     Setup::preset("tour-average").unwrap()
 }
 
-/// The same with a tenth of the evaluations: a map and the drives that it is held against are computed alike.
+/// The same with a tenth of the evaluations: a map and the drives that it is held against are
+/// computed alike.
 fn in_large_steps() -> Setup<f64> {
     let mut setup = setup();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
@@ -33,23 +36,57 @@ fn in_large_steps() -> Setup<f64> {
 pub fn flown(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
     let mut moved = *setup;
     for (name, value) in values {
-        moved.set_value(moved.column(name).unwrap(), Some(*value)).unwrap();
+        moved
+            .set_value(moved.column(name).unwrap(), Some(*value))
+            .unwrap();
     }
     of.value(&Drive::new(&moved).unwrap()).unwrap()
 }
 
 /// An optimum with the map around it, as it is drawn.
-fn mapped(setup: &Setup<f64>, vary: [&str; 2], constraints: &[&str]) -> (Optimum, Option<Region>, Figure) {
+fn mapped(
+    setup: &Setup<f64>,
+    vary: [&str; 2],
+    constraints: &[&str],
+) -> (Optimum, Option<Region>, Figure) {
     let vary: Vec<Vary> = vary.map(|text| Vary::read(setup, text).unwrap()).to_vec();
-    let subject_to: Vec<Constraint> = constraints.iter().map(|text| Constraint::read(text).unwrap()).collect();
-    let search = Search { vary, subject_to, ..Search::largest(Outcome::Carry) };
+    let subject_to: Vec<Constraint> = constraints
+        .iter()
+        .map(|text| Constraint::read(text).unwrap())
+        .collect();
+    let search = Search {
+        vary,
+        subject_to,
+        ..Search::largest(Outcome::Carry)
+    };
     let best = optimum(setup, search, Observer::default()).unwrap();
     let [across, up] = [0, 1].map(|i| best.search.vary[i]);
-    let over = |of: Outcome| map(&best.setup, of, across, up, Fineness { nodes: 41, slopes: 3 }).unwrap();
-    let limits: Vec<(Constraint, Map)> =
-        best.search.subject_to.iter().map(|constraint| (constraint.clone(), over(constraint.outcome))).collect();
+    let over = |of: Outcome| {
+        map(
+            &best.setup,
+            of,
+            across,
+            up,
+            Fineness {
+                nodes: 41,
+                slopes: 3,
+            },
+        )
+        .unwrap()
+    };
+    let limits: Vec<(Constraint, Map)> = best
+        .search
+        .subject_to
+        .iter()
+        .map(|constraint| (constraint.clone(), over(constraint.outcome)))
+        .collect();
     let region = Region::around(&best, across, up, YARD).unwrap();
-    let on = OnMap { setup, limits: &limits, best: Some(&best), region: region.as_ref() };
+    let on = OnMap {
+        setup,
+        limits: &limits,
+        best: Some(&best),
+        region: region.as_ref(),
+    };
     let figure = map_figure(&over(Outcome::Carry), &on, System::Us);
     (best, region, figure)
 }
@@ -57,7 +94,9 @@ fn mapped(setup: &Setup<f64>, vary: [&str; 2], constraints: &[&str]) -> (Optimum
 /// The rings of a figure's regions: those that are tinted, or those that are hatched.
 fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
     let of = |layer: &Layer| match layer {
-        Layer::Region { is_hatched, rings, .. } if *is_hatched == hatched => rings.clone(),
+        Layer::Region {
+            is_hatched, rings, ..
+        } if *is_hatched == hatched => rings.clone(),
         _ => vec![],
     };
     figure.layers.iter().flat_map(of).collect()
@@ -65,9 +104,12 @@ fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
 
 /// Whether a place lies within rings, by the even-odd rule.
 fn lies_in(rings: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
-    let edges = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
-    let crossed =
-        edges.filter(|(a, b)| (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+    let edges = rings
+        .iter()
+        .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+    let crossed = edges.filter(|(a, b)| {
+        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    });
     crossed.count() % 2 == 1
 }
 
@@ -95,15 +137,26 @@ fn exact_drives_on_the_edge_of_the_region_of_small_loss_lose_what_it_says_and_me
             assert!(lost <= 1.002, "{constraints:?} at {at:?}: {lost} yd lost");
             let mut is_edge = lost > 0.94;
             for (vary, (_, x)) in best.search.vary.iter().zip(at) {
-                assert!((vary.low..=vary.high).contains(&x), "{at:?} lies within the bounds");
+                assert!(
+                    (vary.low..=vary.high).contains(&x),
+                    "{at:?} lies within the bounds"
+                );
                 is_edge |= (x - vary.low).min(vary.high - x) < 1e-12;
             }
             for constraint in &best.search.subject_to {
-                let unit = constraint.outcome.quantity().size_of(constraint.outcome.unit()).unwrap();
-                let short =
-                    (constraint.low - value(constraint.outcome)).max(value(constraint.outcome) - constraint.high);
+                let unit = constraint
+                    .outcome
+                    .quantity()
+                    .size_of(constraint.outcome.unit())
+                    .unwrap();
+                let short = (constraint.low - value(constraint.outcome))
+                    .max(value(constraint.outcome) - constraint.high);
                 // 0.01 deg, 0.01 yd, 1 rpm: the map is straight between its nodes
-                let fine = if constraint.outcome == Outcome::Backspin { unit } else { 0.01 * unit };
+                let fine = if constraint.outcome == Outcome::Backspin {
+                    unit
+                } else {
+                    0.01 * unit
+                };
                 assert!(
                     short < fine,
                     "{constraints:?} at {at:?}: {} missed by {}",
@@ -112,32 +165,48 @@ fn exact_drives_on_the_edge_of_the_region_of_small_loss_lose_what_it_says_and_me
                 );
                 is_edge |= short > -20.0 * fine;
             }
-            assert!(is_edge, "{constraints:?} at {at:?}: nothing ends the region there, {lost} yd lost");
+            assert!(
+                is_edge,
+                "{constraints:?} at {at:?}: nothing ends the region there, {lost} yd lost"
+            );
         }
     }
 }
 
-/// Where a constraint holds an optimum the outcome has a slope, and an ellipse of the quadratic model would be untrue.
+/// Where a constraint holds an optimum the outcome has a slope, and an ellipse of the quadratic
+/// model would be untrue.
 #[test]
 fn no_ellipse_is_told_where_a_constraint_holds_the_optimum() {
-    let (best, ..) = mapped(&in_large_steps(), [LOFT, ATTACK], &["apex_height <= 33 yd", "descent_angle >= 38 deg"]);
+    let (best, ..) = mapped(
+        &in_large_steps(),
+        [LOFT, ATTACK],
+        &["apex_height <= 33 yd", "descent_angle >= 38 deg"],
+    );
     assert!(best.active().iter().all(|active| active.end.is_none()) && !best.active().is_empty());
     assert!(flatness(&best, YARD).unwrap().ellipses.is_empty());
 }
 
 #[test]
 fn exact_what_a_constraint_forbids_is_hatched_and_nothing_else() {
-    let (best, _, figure) = mapped(&in_large_steps(), [LOFT, ATTACK], &["33 deg <= descent_angle <= 38 deg"]);
+    let (best, _, figure) = mapped(
+        &in_large_steps(),
+        [LOFT, ATTACK],
+        &["33 deg <= descent_angle <= 38 deg"],
+    );
     let hatched = rings(&figure, true);
     let [across, up] = [0, 1].map(|i| best.search.vary[i]);
     let mut seen = [0, 0];
     for i in 0..12 {
         for j in 0..12 {
-            let part = |vary: &Vary, k: usize| vary.low + (k as f64 + 0.5) / 12.0 * (vary.high - vary.low);
+            let part =
+                |vary: &Vary, k: usize| vary.low + (k as f64 + 0.5) / 12.0 * (vary.high - vary.low);
             let at = [part(&across, i), part(&up, j)];
-            let descent =
-                flown(&best.setup, &[("club.loft", at[0]), ("swing.attack_angle", at[1])], Outcome::DescentAngle)
-                    .to_degrees();
+            let descent = flown(
+                &best.setup,
+                &[("club.loft", at[0]), ("swing.attack_angle", at[1])],
+                Outcome::DescentAngle,
+            )
+            .to_degrees();
             // near its line a map is straight between nodes
             if (descent - 33.0).abs() > 0.05 && (descent - 38.0).abs() > 0.05 {
                 let is_forbidden = !(33.0..=38.0).contains(&descent);
@@ -156,16 +225,33 @@ fn exact_an_equation_leaves_the_part_of_its_line_that_loses_little() {
     let face = "swing.face_angle=-3deg..6deg";
     let (best, region, figure) = mapped(&setup, [LOFT, face], &["lateral == 0 m"]);
     assert!(region.unwrap().equation.is_some());
-    assert!(rings(&figure, false).is_empty() && rings(&figure, true).is_empty(), "a line has no area");
+    assert!(
+        rings(&figure, false).is_empty() && rings(&figure, true).is_empty(),
+        "a line has no area"
+    );
     let line = figure.layers.iter().find_map(|layer| match layer {
         Layer::Line { name, points, .. } if name.contains("lost") => Some(points.clone()),
         _ => None,
     });
-    let line: Vec<[f64; 2]> = line.unwrap().into_iter().filter(|[x, _]| x.is_finite()).collect();
+    let line: Vec<[f64; 2]> = line
+        .unwrap()
+        .into_iter()
+        .filter(|[x, _]| x.is_finite())
+        .collect();
     assert!(line.len() > 20);
     for [loft, face] in line {
-        let value = |of: Outcome| flown(&best.setup, &[("club.loft", loft), ("swing.face_angle", face)], of) / YARD;
-        assert!(value(Outcome::Lateral).abs() < 0.02, "{}", value(Outcome::Lateral));
+        let value = |of: Outcome| {
+            flown(
+                &best.setup,
+                &[("club.loft", loft), ("swing.face_angle", face)],
+                of,
+            ) / YARD
+        };
+        assert!(
+            value(Outcome::Lateral).abs() < 0.02,
+            "{}",
+            value(Outcome::Lateral)
+        );
         assert!(best.value().unwrap() / YARD - value(Outcome::Carry) < 1.03);
     }
 }
@@ -173,12 +259,19 @@ fn exact_an_equation_leaves_the_part_of_its_line_that_loses_little() {
 /// A straight drive stays straight whatever the loft: the equation forbids nothing.
 #[test]
 fn an_equation_that_holds_everywhere_leaves_the_region_as_it_is() {
-    let [with, without] =
-        [&["lateral == 0 m"][..], &[]].map(|limits| mapped(&in_large_steps(), [LOFT, ATTACK], limits));
+    let [with, without] = [&["lateral == 0 m"][..], &[]]
+        .map(|limits| mapped(&in_large_steps(), [LOFT, ATTACK], limits));
     let region = with.1.expect("the region");
-    assert_eq!((region.equation, rings(&with.2, false).len()), (None, rings(&without.2, false).len()));
+    assert_eq!(
+        (region.equation, rings(&with.2, false).len()),
+        (None, rings(&without.2, false).len())
+    );
     let said = longdrive(&["optimize", "--subject-to", "lateral == 0 m"]).out;
-    assert!(said.contains("nothing that is varied moves it") && !said.contains("that the value is raised"), "{said}");
+    assert!(
+        said.contains("nothing that is varied moves it")
+            && !said.contains("that the value is raised"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -188,24 +281,57 @@ fn a_map_says_where_it_is_taken_and_has_its_names_on_it() {
     let (_, _, figure) = mapped(&setup, [LOFT, ATTACK], &["descent_angle >= 38 deg"]);
     assert!(figure.subtitle.contains("97 mph"), "{}", figure.subtitle);
     for width in [240, 480, 1200] {
-        let svg = figure_svg(&figure, &Look { width, ..Look::default() }).unwrap();
+        let svg = figure_svg(
+            &figure,
+            &Look {
+                width,
+                ..Look::default()
+            },
+        )
+        .unwrap();
         let picture = whole(&svg);
-        let texts = picture.descendants().filter(|node| node.has_tag_name("text"));
+        let texts = picture
+            .descendants()
+            .filter(|node| node.has_tag_name("text"));
         let texts: Vec<(String, f64)> = texts
-            .map(|text| (text.text().unwrap().trim().to_owned(), text.attribute("y").unwrap().parse::<f64>().unwrap()))
+            .map(|text| {
+                (
+                    text.text().unwrap().trim().to_owned(),
+                    text.attribute("y").unwrap().parse::<f64>().unwrap(),
+                )
+            })
             .collect();
-        let place = |has: &str| texts.iter().find(|(text, _)| text.contains(has)).map(|(_, y)| *y);
-        let first_tick = place("swing attack angle").or(place("attack angle")).unwrap();
+        let place = |has: &str| {
+            texts
+                .iter()
+                .find(|(text, _)| text.contains(has))
+                .map(|(_, y)| *y)
+        };
+        let first_tick = place("swing attack angle")
+            .or(place("attack angle"))
+            .unwrap();
         for name in ["38", "as set up", "optimum", " yd"] {
             assert!(
-                texts.iter().any(|(text, y)| text.contains(name) && *y > first_tick),
+                texts
+                    .iter()
+                    .any(|(text, y)| text.contains(name) && *y > first_tick),
                 "{width}: '{name}' in {texts:?}"
             );
         }
-        let titles = picture.descendants().filter(|node| node.has_tag_name("title"));
+        let titles = picture
+            .descendants()
+            .filter(|node| node.has_tag_name("title"));
         let titles: Vec<_> = titles.filter_map(|title| title.text()).collect();
-        assert!(titles.iter().any(|title| title.starts_with("carry 2") && title.ends_with(" yd")), "{titles:?}");
-        assert!(titles.iter().any(|title| title.starts_with("optimum, ")), "{titles:?}");
+        assert!(
+            titles
+                .iter()
+                .any(|title| title.starts_with("carry 2") && title.ends_with(" yd")),
+            "{titles:?}"
+        );
+        assert!(
+            titles.iter().any(|title| title.starts_with("optimum, ")),
+            "{titles:?}"
+        );
     }
 }
 
@@ -218,9 +344,17 @@ fn a_chart_marks_your_drive_and_says_in_words_what_a_bound_holds() {
     let best = optimum(&setup, search, Observer::default()).unwrap();
     let figures = chart_figures(&found, Some(&best), System::Us);
     assert_eq!(figures.drawn.len(), 2, "the attack angle has none");
-    assert!(figures.held[0].1.contains("upper bound"), "{}", figures.held[0].1);
+    assert!(
+        figures.held[0].1.contains("upper bound"),
+        "{}",
+        figures.held[0].1
+    );
     assert!(figures.drawn[0].note.contains(&figures.held[0].1));
-    for (figure, value) in figures.drawn.iter().zip([best.value().unwrap(), best.solution.x[0]]) {
+    for (figure, value) in figures
+        .drawn
+        .iter()
+        .zip([best.value().unwrap(), best.solution.x[0]])
+    {
         let mark = figure.layers.iter().find_map(|layer| match layer {
             Layer::Mark { name, at, .. } if name.contains("mph: ") => Some(*at),
             _ => None,
@@ -239,28 +373,49 @@ fn a_chart_marks_your_drive_and_says_in_words_what_a_bound_holds() {
         "--show",
         "swing.attack_angle",
     ]);
-    assert!(said.status == 2 && said.err.contains("upper bound, in every optimum"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("upper bound, in every optimum"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
 fn events_of_a_chart_are_told_in_words_and_in_the_units_chosen() {
     let setup = Setup::default();
     let limit = Constraint::read("apex_height <= 35 yd").unwrap();
-    let search = Search { subject_to: vec![limit], ..Search::longest_drive(&setup).unwrap() };
+    let search = Search {
+        subject_to: vec![limit],
+        ..Search::longest_drive(&setup).unwrap()
+    };
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
     let found = chart(&setup, &search, along, &mut |_| true).unwrap();
-    for (system, limit) in
-        [(System::Us, "apex height ≤ 35 yd begins"), (System::Metric, "apex height ≤ 32.004 m begins")]
-    {
+    for (system, limit) in [
+        (System::Us, "apex height ≤ 35 yd begins"),
+        (System::Metric, "apex height ≤ 32.004 m begins"),
+    ] {
         let note = &chart_figures(&found, None, system).drawn[0].note;
-        assert!(note.contains(limit) && !note.contains("<=") && !note.contains("apex_height"), "{note}");
+        assert!(
+            note.contains(limit) && !note.contains("<=") && !note.contains("apex_height"),
+            "{note}"
+        );
     }
 }
 
 /// Pixels per metre along both axes, of the longest line.
 fn scales(figure: &Figure, line: &[[f64; 2]]) -> [f64; 2] {
-    let svg = figure_svg(figure, &Look { width: 800, ..Look::default() }).unwrap();
-    let drawn = polylines(&whole(&svg)).into_iter().find(|points| points.len() == line.len()).unwrap();
+    let svg = figure_svg(
+        figure,
+        &Look {
+            width: 800,
+            ..Look::default()
+        },
+    )
+    .unwrap();
+    let drawn = polylines(&whole(&svg))
+        .into_iter()
+        .find(|points| points.len() == line.len())
+        .unwrap();
     let extent = |points: &[[f64; 2]], axis: usize| {
         let values = || points.iter().map(|point| point[axis]);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
@@ -270,7 +425,9 @@ fn scales(figure: &Figure, line: &[[f64; 2]]) -> [f64; 2] {
 
 fn line_of(figure: &Figure, name: &str) -> Vec<[f64; 2]> {
     let line = figure.layers.iter().find_map(|layer| match layer {
-        Layer::Line { name: own, points, .. } if own == name => Some(points.clone()),
+        Layer::Line {
+            name: own, points, ..
+        } if own == name => Some(points.clone()),
         _ => None,
     });
     line.unwrap_or_else(|| panic!("no line {name}"))
@@ -279,23 +436,40 @@ fn line_of(figure: &Figure, name: &str) -> Vec<[f64; 2]> {
 /// The name of the largest ellipse of the first drive on a fairway.
 fn outer(figure: &Figure) -> String {
     let names = figure.layers.iter().map(|layer| layer.named().0);
-    names.into_iter().find(|name| name.starts_with("as set up: carry")).unwrap().to_owned()
+    names
+        .into_iter()
+        .find(|name| name.starts_with("as set up: carry"))
+        .unwrap()
+        .to_owned()
 }
 
 #[test]
 fn exact_trajectories_and_landings_are_drawn_at_true_scale() {
     let mut setup = setup();
-    for (face, loft) in [("3 deg", "10 deg"), ("25 deg", "60 deg"), ("-0.2 deg", "4 deg")] {
+    for (face, loft) in [
+        ("3 deg", "10 deg"),
+        ("25 deg", "60 deg"),
+        ("-0.2 deg", "4 deg"),
+    ] {
         setup.set("swing.face_angle", face).unwrap();
         setup.set("club.loft", loft).unwrap();
         let flown = [Flown::new("as set up", &setup).unwrap()];
         for view in [View::Side, View::Top] {
             let figure = trajectory_figure(&flown, view, System::Us).unwrap();
             let [across, up] = scales(&figure, &line_of(&figure, "as set up"));
-            close(up, across, across, 0.02, "as many pixels for a yard upwards as across");
+            close(
+                up,
+                across,
+                across,
+                0.02,
+                "as many pixels for a yard upwards as across",
+            );
         }
         let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
-        let figure = fairway_figure(&[Landing::of("as set up", &setup, &sigmas).unwrap()], System::Us);
+        let figure = fairway_figure(
+            &[Landing::of("as set up", &setup, &sigmas).unwrap()],
+            System::Us,
+        );
         let [across, up] = scales(&figure, &line_of(&figure, &outer(&figure)));
         close(up, across, across, 0.02, "landings");
     }
@@ -304,10 +478,20 @@ fn exact_trajectories_and_landings_are_drawn_at_true_scale() {
 #[test]
 fn a_side_view_has_its_numbers_at_the_points_and_a_stretched_view_below() {
     let setup = setup();
-    let figure = trajectory_figure(&[Flown::new("as set up", &setup).unwrap()], View::Side, System::Us).unwrap();
+    let figure = trajectory_figure(
+        &[Flown::new("as set up", &setup).unwrap()],
+        View::Side,
+        System::Us,
+    )
+    .unwrap();
     let drive = Drive::new(&setup).unwrap();
     for (word, of, x, y) in [
-        ("apex", Outcome::ApexHeight, Outcome::ApexDownrange, Some(Outcome::ApexHeight)),
+        (
+            "apex",
+            Outcome::ApexHeight,
+            Outcome::ApexDownrange,
+            Some(Outcome::ApexHeight),
+        ),
         ("carry", Outcome::Carry, Outcome::Carry, None),
     ] {
         let value = |of: Outcome| of.value(&drive).unwrap();
@@ -316,49 +500,111 @@ fn a_side_view_has_its_numbers_at_the_points_and_a_stretched_view_below() {
             _ => None,
         });
         let (name, at) = mark.unwrap();
-        assert!(name.contains(&format!("{:.1} yd", value(of) / YARD)), "{name}");
+        assert!(
+            name.contains(&format!("{:.1} yd", value(of) / YARD)),
+            "{name}"
+        );
         assert_eq!(at[0], value(x));
         close(at[1], y.map_or(0.0, value), 1.0, 1e-9, word);
     }
-    let times: f64 = figure.panels[0].title.split_whitespace().find_map(|word| word.parse().ok()).unwrap();
+    let times: f64 = figure.panels[0]
+        .title
+        .split_whitespace()
+        .find_map(|word| word.parse().ok())
+        .unwrap();
     let [across, up] = scales(&figure.panels[0], &line_of(&figure, "as set up"));
-    close(up / across, times, times, 0.06, "heights are as many times as large as it says");
+    close(
+        up / across,
+        times,
+        times,
+        0.06,
+        "heights are as many times as large as it says",
+    );
 }
 
 #[test]
 fn a_map_of_what_does_not_change_is_not_drawn() {
     let folder = tempfile::tempdir().unwrap();
-    let (file, page) = (folder.path().join("a.svg").display().to_string(), folder.path().join("page"));
+    let (file, page) = (
+        folder.path().join("a.svg").display().to_string(),
+        folder.path().join("page"),
+    );
     let straight = folder.path().join("straight");
     // a straight drive lands on the target line, whatever its loft, but for rounding
     let said = longdrive(&["plot", "contour", "-o", &file, "--minimize", "lateral"]);
-    assert!(said.status == 2 && said.err.contains("lateral is the same all over the map"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("lateral is the same all over the map"),
+        "{}",
+        said.err
+    );
     assert!(!std::path::Path::new(&file).exists());
     // neither air nor wind change how fast the ball leaves
-    let air = ["--vary", "air.density=1..1.3 kg/m^3", "--vary", "wind.downrange=-5..5 m/s"];
-    let said =
-        longdrive(&[&["report", "-o", &page.display().to_string(), "--maximize", "ball_speed"], &air[..]].concat());
+    let air = [
+        "--vary",
+        "air.density=1..1.3 kg/m^3",
+        "--vary",
+        "wind.downrange=-5..5 m/s",
+    ];
+    let said = longdrive(
+        &[
+            &[
+                "report",
+                "-o",
+                &page.display().to_string(),
+                "--maximize",
+                "ball_speed",
+            ],
+            &air[..],
+        ]
+        .concat(),
+    );
     let page = std::fs::read_to_string(page.join("index.html")).unwrap();
-    assert!(page.contains("ball_speed is the same all over the map") && !page.contains("map-ball"), "{}", said.err);
+    assert!(
+        page.contains("ball_speed is the same all over the map") && !page.contains("map-ball"),
+        "{}",
+        said.err
+    );
     // derivatives that are 0 in every drive have no curve, and the page stands
-    let said = longdrive(&["report", "-o", &straight.display().to_string(), "--minimize", "lateral"]);
-    assert!(said.status == 0 && straight.join("index.html").exists(), "{}", said.err);
+    let said = longdrive(&[
+        "report",
+        "-o",
+        &straight.display().to_string(),
+        "--minimize",
+        "lateral",
+    ]);
+    assert!(
+        said.status == 0 && straight.join("index.html").exists(),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
 fn a_straight_drive_has_no_view_from_above() {
     let flown = [Flown::new("as set up", &setup()).unwrap()];
     let error = trajectory_figure(&flown, View::Top, System::Us).unwrap_err();
-    assert!(matches!(&error, Error::Plot { reason, .. } if reason.contains("straight")), "{error}");
+    assert!(
+        matches!(&error, Error::Plot { reason, .. } if reason.contains("straight")),
+        "{error}"
+    );
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
     let said = longdrive(&["plot", "trajectory", "-o", &file, "--view", "top"]);
-    assert!(said.status == 2 && said.err.contains("--view side"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("--view side"),
+        "{}",
+        said.err
+    );
     assert!(!std::path::Path::new(&file).exists());
     let page = folder.path().join("page");
-    assert_eq!(longdrive(&["report", "-o", &page.display().to_string()]).status, 0);
+    assert_eq!(
+        longdrive(&["report", "-o", &page.display().to_string()]).status,
+        0
+    );
     let page = std::fs::read_to_string(page.join("index.html")).unwrap();
-    assert!(page.contains("from above these drives are straight") && !page.contains("trajectory-top"));
+    assert!(
+        page.contains("from above these drives are straight") && !page.contains("trajectory-top")
+    );
 }
 
 #[test]
@@ -366,38 +612,104 @@ fn exact_ellipses_on_the_fairway_are_those_of_uncertainty() {
     let mut setup = setup();
     setup.set("swing.face_angle", "1 deg").unwrap();
     let of = [Outcome::Carry, Outcome::Lateral];
-    let sigmas = with_defaults(&setup, &[Sigma::read(&setup, "swing.face_angle=2deg").unwrap()], &of).unwrap();
+    let sigmas = with_defaults(
+        &setup,
+        &[Sigma::read(&setup, "swing.face_angle=2deg").unwrap()],
+        &of,
+    )
+    .unwrap();
     let landing = Landing::of("as set up", &setup, &sigmas).unwrap();
-    assert!(landing.sigmas.iter().all(|sigma| !sigma.parameter.name.starts_with("aero.")));
-    let inputs: Vec<Uncertain> = landing.sigmas.iter().map(|sigma| Uncertain::normal(&setup, sigma)).collect();
-    let found = uncertainty(&setup, &of, &inputs, Plan { samples: 16, seed: 0 }, &|_, _| ()).unwrap();
-    let by_gradient: Vec<_> = found.ellipses.iter().filter(|one| one.by_gradient).collect();
+    assert!(
+        landing
+            .sigmas
+            .iter()
+            .all(|sigma| !sigma.parameter.name.starts_with("aero."))
+    );
+    let inputs: Vec<Uncertain> = landing
+        .sigmas
+        .iter()
+        .map(|sigma| Uncertain::normal(&setup, sigma))
+        .collect();
+    let found = uncertainty(
+        &setup,
+        &of,
+        &inputs,
+        Plan {
+            samples: 16,
+            seed: 0,
+        },
+        &|_, _| (),
+    )
+    .unwrap();
+    let by_gradient: Vec<_> = found
+        .ellipses
+        .iter()
+        .filter(|one| one.by_gradient)
+        .collect();
     assert_eq!(by_gradient.len(), landing.ellipses.len());
     for (ours, theirs) in landing.ellipses.iter().zip(by_gradient) {
-        for (a, b) in ours.half_axes.concat().into_iter().zip(theirs.ellipse.half_axes.concat()) {
+        for (a, b) in ours
+            .half_axes
+            .concat()
+            .into_iter()
+            .zip(theirs.ellipse.half_axes.concat())
+        {
             close(a.abs(), b.abs(), 10.0, 1e-9, "half-axes");
         }
     }
-    for (lateral, words) in
-        [(0.0, "on the target line"), (3.2, "3.5 yd right of the target line"), (-3.2, "3.5 yd left of")]
-    {
-        let beside = Landing { at: [lateral, 250.0], ..landing.clone() };
+    for (lateral, words) in [
+        (0.0, "on the target line"),
+        (3.2, "3.5 yd right of the target line"),
+        (-3.2, "3.5 yd left of"),
+    ] {
+        let beside = Landing {
+            at: [lateral, 250.0],
+            ..landing.clone()
+        };
         let note = fairway_figure(&[beside], System::Us).note;
-        assert!(note.starts_with(&format!("As set up: carry 273.4 yd, {words}")), "{note}");
+        assert!(
+            note.starts_with(&format!("As set up: carry 273.4 yd, {words}")),
+            "{note}"
+        );
     }
     // the picture's points lie on the ellipse, and its landing where the drive lands
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);
     // the run is the drive's own line, and the legend names it
-    let run = figure.layers.iter().find(|layer| layer.named().0 == "run").unwrap();
-    let own = figure.layers.iter().find(|layer| layer.named().0.starts_with("as set up: carry")).unwrap();
-    assert!(matches!(run, Layer::Line { is_dashed: false, .. }) && run.named().1 == own.named().1);
+    let run = figure
+        .layers
+        .iter()
+        .find(|layer| layer.named().0 == "run")
+        .unwrap();
+    let own = figure
+        .layers
+        .iter()
+        .find(|layer| layer.named().0.starts_with("as set up: carry"))
+        .unwrap();
+    assert!(
+        matches!(
+            run,
+            Layer::Line {
+                is_dashed: false,
+                ..
+            }
+        ) && run.named().1 == own.named().1
+    );
     let wide = landing.ellipses[1];
     for point in line_of(&figure, &outer(&figure)) {
-        let out = |part: f64| [0, 1].map(|axis| wide.centre[axis] + part * (point[axis] - wide.centre[axis]));
-        assert!(wide.contains(out(0.999)) && !wide.contains(out(1.001)), "{point:?}");
+        let out = |part: f64| {
+            [0, 1].map(|axis| wide.centre[axis] + part * (point[axis] - wide.centre[axis]))
+        };
+        assert!(
+            wide.contains(out(0.999)) && !wide.contains(out(1.001)),
+            "{point:?}"
+        );
     }
     let drive = Drive::new(&setup).unwrap();
-    for (at, of) in landing.at.into_iter().zip([Outcome::Lateral, Outcome::Carry]) {
+    for (at, of) in landing
+        .at
+        .into_iter()
+        .zip([Outcome::Lateral, Outcome::Carry])
+    {
         close(at, of.value(&drive).unwrap(), 250.0, 1e-12, "the landing");
     }
 }
@@ -406,28 +718,65 @@ fn exact_ellipses_on_the_fairway_are_those_of_uncertainty() {
 fn exact_a_launch_map_holds_flights_of_its_launches_and_the_best_of_each_spin() {
     let mut setup = setup();
     setup.set("swing.face_angle", "1 deg").unwrap();
-    let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), Observer::default()).unwrap();
+    let best = optimum(
+        &setup,
+        Search::longest_drive(&setup).unwrap(),
+        Observer::default(),
+    )
+    .unwrap();
     let map = Launches::around(&[("as set up", &setup), ("optimum", &best.setup)]).unwrap();
     let own = Drive::new(&setup).unwrap();
     let carry = |angle: f64, backspin: f64| {
-        flown(&map.setup, &[("launch.launch_angle", angle), ("launch.backspin", backspin)], Outcome::Carry)
+        flown(
+            &map.setup,
+            &[
+                ("launch.launch_angle", angle),
+                ("launch.backspin", backspin),
+            ],
+            Outcome::Carry,
+        )
     };
     // its own launch flies as its own strike does
     let [yours, others] = [0, 1].map(|i| &map.launched[i]);
-    close(carry(yours.launch_angle, yours.backspin), Outcome::Carry.value(&own).unwrap(), 250.0, 1e-12, "own launch");
-    close(others.carry.unwrap(), best.value().unwrap(), 250.0, 1e-12, "the optimum's carry");
+    close(
+        carry(yours.launch_angle, yours.backspin),
+        Outcome::Carry.value(&own).unwrap(),
+        250.0,
+        1e-12,
+        "own launch",
+    );
+    close(
+        others.carry.unwrap(),
+        best.value().unwrap(),
+        250.0,
+        1e-12,
+        "the optimum's carry",
+    );
     for node in (0..map.plane.values[0].len()).step_by(397) {
         let [angle, backspin] = map.plane.node(node);
-        close(map.plane.values[0][node].unwrap(), carry(angle, backspin), 250.0, 1e-12, "a node");
+        close(
+            map.plane.values[0][node].unwrap(),
+            carry(angle, backspin),
+            250.0,
+            1e-12,
+            "a node",
+        );
     }
     assert!(map.ridge.len() > 10);
     for [angle, backspin] in map.ridge.iter().step_by(7) {
         for off in [-0.3_f64, 0.3] {
-            assert!(carry(*angle, *backspin) > carry(angle + off.to_radians(), *backspin), "{angle} {backspin}");
+            assert!(
+                carry(*angle, *backspin) > carry(angle + off.to_radians(), *backspin),
+                "{angle} {backspin}"
+            );
         }
     }
     let figure = launches_figure(&map, System::Us);
-    assert!(figure.subtitle.contains(" mph") && figure.note.contains("ball speed"), "{}", figure.note);
+    assert!(
+        figure.subtitle.contains(" mph") && figure.note.contains("ball speed"),
+        "{}",
+        figure.note
+    );
     assert!(figure_csv(&figure).unwrap().lines().count() > 3700);
 }
 
@@ -437,12 +786,23 @@ fn exact_rings_on_the_face_are_strikes_that_lose_what_they_say_and_arrows_tilt_a
     setup.set("strike.toe", "8 mm").unwrap();
     let face = Face::of(&setup).unwrap();
     let figure = face_figure(&face, System::Us);
-    let strike = |toe: f64, high: f64, of: Outcome| flown(&setup, &[("strike.toe", toe), ("strike.high", high)], of);
+    let strike = |toe: f64, high: f64, of: Outcome| {
+        flown(&setup, &[("strike.toe", toe), ("strike.high", high)], of)
+    };
     for (name, lost) in [("−1 yd", 1.0), ("−5 yd", 5.0), ("−10 yd", 10.0)] {
-        let ring: Vec<_> = line_of(&figure, name).into_iter().filter(|[x, _]| x.is_finite()).collect();
+        let ring: Vec<_> = line_of(&figure, name)
+            .into_iter()
+            .filter(|[x, _]| x.is_finite())
+            .collect();
         assert!(ring.len() > 20, "{name}");
         for [x, high] in ring.into_iter().step_by(5) {
-            close(face.longest.1 - strike(-x, high, Outcome::Carry), lost * YARD, YARD, 0.03, name);
+            close(
+                face.longest.1 - strike(-x, high, Outcome::Carry),
+                lost * YARD,
+                YARD,
+                0.03,
+                name,
+            );
         }
     }
     let arrows = figure.layers.iter().find_map(|layer| match layer {
@@ -460,19 +820,27 @@ fn exact_rings_on_the_face_are_strikes_that_lose_what_they_say_and_arrows_tilt_a
     assert_eq!(seen, [true, true]);
     // a launch has no face
     let mut launched = setup;
-    for (name, value) in
-        [("launch.ball_speed", "70 m/s"), ("launch.launch_angle", "12 deg"), ("launch.backspin", "2500 rpm")]
-    {
+    for (name, value) in [
+        ("launch.ball_speed", "70 m/s"),
+        ("launch.launch_angle", "12 deg"),
+        ("launch.backspin", "2500 rpm"),
+    ] {
         launched.set(name, value).unwrap();
     }
-    assert!(matches!(Face::of(&launched), Err(Error::NotVariable { .. })));
+    assert!(matches!(
+        Face::of(&launched),
+        Err(Error::NotVariable { .. })
+    ));
 }
 
 #[test]
 fn the_new_pictures_are_drawn_at_every_width_and_say_what_they_leave_out() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
-    let launch = ["--launch", "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm"];
+    let launch = [
+        "--launch",
+        "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm",
+    ];
     for kind in ["fairway", "launch", "face", "strike"] {
         for width in ["240", "340", "480", "1200"] {
             let said = longdrive(&["plot", kind, "-o", &file, "--overwrite", "--width", width]);
@@ -481,13 +849,46 @@ fn the_new_pictures_are_drawn_at_every_width_and_say_what_they_leave_out() {
         }
         let said = longdrive(&[&["plot", kind, "-o", &file, "--overwrite"], &launch[..]].concat());
         if ["face", "strike"].contains(&kind) {
-            assert!(said.status == 2 && said.err.contains("no club"), "{}", said.err);
+            assert!(
+                said.status == 2 && said.err.contains("no club"),
+                "{}",
+                said.err
+            );
         } else {
-            assert!(said.status == 0 && said.err.contains("no optimum is drawn"), "{kind}: {}", said.err);
+            assert!(
+                said.status == 0 && said.err.contains("no optimum is drawn"),
+                "{kind}: {}",
+                said.err
+            );
         }
-        let down = longdrive(&["plot", kind, "-o", &file, "--overwrite", "--set", "swing.attack_angle=-40deg"]);
-        assert!(down.status == 1 && down.err.contains("no flight"), "{kind}: {} {}", down.status, down.err);
+        let down = longdrive(&[
+            "plot",
+            kind,
+            "-o",
+            &file,
+            "--overwrite",
+            "--set",
+            "swing.attack_angle=-40deg",
+        ]);
+        assert!(
+            down.status == 1 && down.err.contains("no flight"),
+            "{kind}: {} {}",
+            down.status,
+            down.err
+        );
     }
-    let said = longdrive(&["plot", "fairway", "-o", &file, "--overwrite", "--subject-to", "descent_angle >= 80 deg"]);
-    assert!(said.status == 0 && said.err.contains("no optimum is drawn: infeasible"), "{}", said.err);
+    let said = longdrive(&[
+        "plot",
+        "fairway",
+        "-o",
+        &file,
+        "--overwrite",
+        "--subject-to",
+        "descent_angle >= 80 deg",
+    ]);
+    assert!(
+        said.status == 0 && said.err.contains("no optimum is drawn: infeasible"),
+        "{}",
+        said.err
+    );
 }

@@ -1,5 +1,5 @@
-//! The flight: closed forms, the order of the integration, its accuracy at the default step, and how flights
-//! that are none end.
+//! The flight: closed forms, the order of the integration, its accuracy at the default step, and
+//! how flights that are none end.
 
 use crate::common::close;
 use longdrive::batch::{Batch, Status};
@@ -19,16 +19,39 @@ fn carry(setup: &Setup<f64>) -> f64 {
 fn exact_parabola_in_a_vacuum() {
     let mut setup = Setup::default();
     (setup.air.density, setup.ground.height) = (0.0, 3.0);
-    let launch = Launch { velocity: Vector::new(20.0, 3.0, 50.0), spin: Vector::new(10.0, 300.0, 0.0) };
-    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else { panic!("it flies") };
+    let launch = Launch {
+        velocity: Vector::new(20.0, 3.0, 50.0),
+        spin: Vector::new(10.0, 300.0, 0.0),
+    };
+    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else {
+        panic!("it flies")
+    };
     let g = setup.flight.gravity;
     let time = (20.0 + (400.0 - 2.0 * g * 3.0_f64).sqrt()) / g;
     close(landed.flight_time, time, time, 1e-13, "time");
     close(landed.carry, 50.0 * time, 50.0 * time, 1e-13, "carry");
     close(landed.lateral, 3.0 * time, 3.0 * time, 1e-13, "lateral");
-    close(landed.velocity.x, 20.0 - g * time, 20.0, 1e-12, "landing velocity");
-    close(landed.apex.unwrap().height, 200.0 / g, 200.0 / g, 1e-13, "apex");
-    close(landed.apex.unwrap().time, 20.0 / g, 20.0 / g, 1e-13, "apex time");
+    close(
+        landed.velocity.x,
+        20.0 - g * time,
+        20.0,
+        1e-12,
+        "landing velocity",
+    );
+    close(
+        landed.apex.unwrap().height,
+        200.0 / g,
+        200.0 / g,
+        1e-13,
+        "apex",
+    );
+    close(
+        landed.apex.unwrap().time,
+        20.0 / g,
+        20.0 / g,
+        1e-13,
+        "apex time",
+    );
 }
 
 #[test]
@@ -36,9 +59,20 @@ fn exact_hop_shorter_than_a_step() {
     let mut setup = Setup::default();
     setup.air.density = 0.0;
     let rise = 0.01;
-    let launch = Launch { velocity: Vector::new(rise, 0.0, 10.0), spin: Vector::zero() };
-    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else { panic!("it flies") };
-    close(landed.flight_time, 2.0 * rise / setup.flight.gravity, 1e-2, 1e-13, "time");
+    let launch = Launch {
+        velocity: Vector::new(rise, 0.0, 10.0),
+        spin: Vector::zero(),
+    };
+    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else {
+        panic!("it flies")
+    };
+    close(
+        landed.flight_time,
+        2.0 * rise / setup.flight.gravity,
+        1e-2,
+        1e-13,
+        "time",
+    );
     assert_eq!(landed.steps, 1);
 }
 
@@ -48,29 +82,67 @@ fn exact_terminal_fall_from_a_hill() {
     let mut setup = Setup::default();
     setup.set_law("linear").unwrap();
     (setup.ground.height, setup.flight.step) = (-100.0, 0.002);
-    let launch = Launch { velocity: Vector::zero(), spin: Vector::zero() };
-    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else { panic!("it falls") };
+    let launch = Launch {
+        velocity: Vector::zero(),
+        spin: Vector::zero(),
+    };
+    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else {
+        panic!("it falls")
+    };
     let area = std::f64::consts::PI * setup.ball.radius.powi(2);
-    let terminal = (2.0 * setup.ball.mass * setup.flight.gravity / (setup.air.density * area * 0.25)).sqrt();
-    let time = terminal / setup.flight.gravity * (100.0 * setup.flight.gravity / terminal.powi(2)).exp().acosh();
+    let terminal =
+        (2.0 * setup.ball.mass * setup.flight.gravity / (setup.air.density * area * 0.25)).sqrt();
+    let time = terminal / setup.flight.gravity
+        * (100.0 * setup.flight.gravity / terminal.powi(2))
+            .exp()
+            .acosh();
     // |v_r| is kept from zero by 1e-6 m/s
     close(landed.flight_time, time, time, 1e-11, "time");
-    close(landed.velocity.x, -terminal * (setup.flight.gravity * time / terminal).tanh(), terminal, 1e-11, "speed");
+    close(
+        landed.velocity.x,
+        -terminal * (setup.flight.gravity * time / terminal).tanh(),
+        terminal,
+        1e-11,
+        "speed",
+    );
     assert_eq!(landed.apex.unwrap().height, 0.0);
 }
 
 #[test]
 fn exact_uniform_wind_is_a_moving_frame() {
-    // seen from the air, the ball is launched at v − w; a wind across only shifts the landing by w t
+    // seen from the air, the ball is launched at v − w; a wind across only shifts the landing by w
+    // t
     let mut setup = Setup::default();
-    let still = Launch { velocity: Vector::new(15.0, -6.0, 55.0), spin: Vector::new(0.0, 250.0, 0.0) };
-    let Flight::Landed(a) = fly(&setup, &still).unwrap() else { panic!("it flies") };
+    let still = Launch {
+        velocity: Vector::new(15.0, -6.0, 55.0),
+        spin: Vector::new(0.0, 250.0, 0.0),
+    };
+    let Flight::Landed(a) = fly(&setup, &still).unwrap() else {
+        panic!("it flies")
+    };
     (setup.wind.right, setup.wind.downrange) = (6.0, -4.0);
-    let moving = Launch { velocity: Vector::new(15.0, 0.0, 51.0), ..still };
-    let Flight::Landed(b) = fly(&setup, &moving).unwrap() else { panic!("it flies") };
+    let moving = Launch {
+        velocity: Vector::new(15.0, 0.0, 51.0),
+        ..still
+    };
+    let Flight::Landed(b) = fly(&setup, &moving).unwrap() else {
+        panic!("it flies")
+    };
     close(b.flight_time, a.flight_time, a.flight_time, 1e-12, "time");
-    close(b.carry, a.carry - 4.0 * a.flight_time, a.carry, 1e-12, "carry");
-    close(b.lateral, a.lateral + 6.0 * a.flight_time, a.carry, 1e-12, "lateral");
+    close(
+        b.carry,
+        a.carry - 4.0 * a.flight_time,
+        a.carry,
+        1e-12,
+        "carry",
+    );
+    close(
+        b.lateral,
+        a.lateral + 6.0 * a.flight_time,
+        a.carry,
+        1e-12,
+        "lateral",
+    );
 }
 
 #[test]
@@ -89,14 +161,21 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
         let exact = at(0.0025);
         let error = |step| {
             let taylor = at(step);
-            [(taylor.value - exact.value).abs(), (taylor.gradient[0] - exact.gradient[0]).abs()]
+            [
+                (taylor.value - exact.value).abs(),
+                (taylor.gradient[0] - exact.gradient[0]).abs(),
+            ]
         };
         let (coarse, fine) = (error(0.08), error(0.02));
-        // the flight crosses lines of a grid where the law has but two continuous derivatives, and the gradient one less
+        // the flight crosses lines of a grid where the law has but two continuous derivatives, and
+        // the gradient one less
         let of_gradient = if *law == "bearman-harvey" { 3.0 } else { 4.0 };
         for ((coarse, fine), exact) in coarse.into_iter().zip(fine).zip([4.0, of_gradient]) {
             let order = (coarse / fine).log(4.0);
-            assert!((exact - 0.5..exact + 0.8).contains(&order), "{law}: order {order} ({coarse:e}, {fine:e})");
+            assert!(
+                (exact - 0.5..exact + 0.8).contains(&order),
+                "{law}: order {order} ({coarse:e}, {fine:e})"
+            );
         }
     }
 }
@@ -104,17 +183,24 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
 #[test]
 fn order_default_step_is_within_a_micrometre() {
     for preset in ["modern-driver", "winfield-tan", "mae494"] {
-        for (attack, wind, roughness) in
-            [("-3 deg", 0.0, None), ("5 deg", 8.0, None), ("5 deg", -8.0, Some(0.01)), ("12 deg", 10.0, Some(0.003))]
-        {
+        for (attack, wind, roughness) in [
+            ("-3 deg", 0.0, None),
+            ("5 deg", 8.0, None),
+            ("5 deg", -8.0, Some(0.01)),
+            ("12 deg", 10.0, Some(0.003)),
+        ] {
             let mut setup = Setup::preset(preset).unwrap();
             setup.set("swing.attack_angle", attack).unwrap();
-            (setup.wind.downrange, setup.wind.right, setup.wind.roughness) = (wind, wind, roughness);
+            (setup.wind.downrange, setup.wind.right, setup.wind.roughness) =
+                (wind, wind, roughness);
             let coarse = carry(&setup);
             setup.flight.step /= 8.0;
             // the error falls by 4096: what is left of it is the default step's
             let error = (coarse - carry(&setup)).abs();
-            assert!(error < 1e-6, "{preset}, attack {attack}, wind {wind}, {roughness:?}: {error:e} m");
+            assert!(
+                error < 1e-6,
+                "{preset}, attack {attack}, wind {wind}, {roughness:?}: {error:e} m"
+            );
         }
     }
 }
@@ -126,16 +212,34 @@ fn exact_gradient_of_carry_by_gravity_in_a_vacuum() {
     let wrt = [setup.variable("gravity").unwrap()];
     let carry = &evaluate(&setup, &[Outcome::Carry], &wrt, Order::Second).unwrap()[0];
     let g = setup.flight.gravity;
-    close(carry.gradient[0], -carry.value / g, carry.value / g, 1e-13, "first derivative");
-    close(carry.hessian[0][0], 2.0 * carry.value / (g * g), carry.value, 1e-13, "second derivative");
+    close(
+        carry.gradient[0],
+        -carry.value / g,
+        carry.value / g,
+        1e-13,
+        "first derivative",
+    );
+    close(
+        carry.hessian[0][0],
+        2.0 * carry.value / (g * g),
+        carry.value,
+        1e-13,
+        "second derivative",
+    );
 }
 
 #[test]
 fn a_ball_that_does_not_rise_has_no_flight_and_no_carry() {
-    let launch = |up: f64| Launch { velocity: Vector::new(up, 0.0, 60.0), spin: Vector::new(0.0, 300.0, 0.0) };
+    let launch = |up: f64| Launch {
+        velocity: Vector::new(up, 0.0, 60.0),
+        spin: Vector::new(0.0, 300.0, 0.0),
+    };
     let mut setup = Setup::default();
     for up in [0.0, -1.0] {
-        assert!(matches!(fly(&setup, &launch(up)).unwrap(), Flight::None(NoFlight::LaunchedDown { .. })));
+        assert!(matches!(
+            fly(&setup, &launch(up)).unwrap(),
+            Flight::None(NoFlight::LaunchedDown { .. })
+        ));
     }
     setup.ground.height = 5.0;
     setup.air.density = 0.0;
@@ -143,18 +247,30 @@ fn a_ball_that_does_not_rise_has_no_flight_and_no_carry() {
     assert!(
         matches!(fly(&setup, &launch(9.9)).unwrap(), Flight::None(NoFlight::BelowGround { apex_height, .. }) if apex_height > 4.9)
     );
-    assert!(matches!(fly(&setup, &launch(9.91)).unwrap(), Flight::Landed(_)));
+    assert!(matches!(
+        fly(&setup, &launch(9.91)).unwrap(),
+        Flight::Landed(_)
+    ));
     setup.ground.height = -5.0;
-    assert!(matches!(fly(&setup, &launch(-9.0)).unwrap(), Flight::Landed(_)));
+    assert!(matches!(
+        fly(&setup, &launch(-9.0)).unwrap(),
+        Flight::Landed(_)
+    ));
 
     let mut setup = Setup::default();
     setup.set("swing.attack_angle", "-15 deg").unwrap();
     let drive = Drive::new(&setup).unwrap();
-    assert!(matches!(Outcome::Carry.of(&drive), Err(Error::NoFlight { .. })));
+    assert!(matches!(
+        Outcome::Carry.of(&drive),
+        Err(Error::NoFlight { .. })
+    ));
     assert_eq!(Outcome::Carry.value(&drive), None);
     assert!(Outcome::BallSpeed.value(&drive).is_some());
     let wrt = [setup.variable("club.loft").unwrap()];
-    assert!(matches!(gradient(&setup, Outcome::Carry, &wrt), Err(Error::NoFlight { .. })));
+    assert!(matches!(
+        gradient(&setup, Outcome::Carry, &wrt),
+        Err(Error::NoFlight { .. })
+    ));
     assert!(gradient(&setup, Outcome::BallSpeed, &wrt).is_ok());
 }
 
@@ -164,7 +280,10 @@ fn a_flight_without_end_stops_at_the_time_limit() {
     setup.wind.up = 60.0;
     setup.flight.time_limit = 20.0;
     let drive = Drive::new(&setup).unwrap();
-    assert!(matches!(drive.flight, Flight::None(NoFlight::Aloft { time: 20.0, .. })));
+    assert!(matches!(
+        drive.flight,
+        Flight::None(NoFlight::Aloft { time: 20.0, .. })
+    ));
 }
 
 /// Whatever the steps: the limit need not be at the end of one. Alone and side by side.
@@ -172,13 +291,21 @@ fn a_flight_without_end_stops_at_the_time_limit() {
 fn exact_a_flight_longer_than_the_time_limit_is_aloft_and_a_shorter_one_lands() {
     for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {
         let mut setup = Setup::default();
-        setup.set_all([("flight.method", method), ("flight.step", step)]).unwrap();
-        let time = Outcome::FlightTime.of(&Drive::new(&setup).unwrap()).unwrap();
+        setup
+            .set_all([("flight.method", method), ("flight.step", step)])
+            .unwrap();
+        let time = Outcome::FlightTime
+            .of(&Drive::new(&setup).unwrap())
+            .unwrap();
         let loft = setup.variable("club.loft").unwrap();
         for (limit, lands) in [(time - 1e-6, false), (time + 1e-6, true)] {
             setup.flight.time_limit = limit;
             let flight = Drive::new(&setup).unwrap().flight;
-            assert_eq!(matches!(flight, Flight::Landed(_)), lands, "{method} {step}: {flight:?}");
+            assert_eq!(
+                matches!(flight, Flight::Landed(_)),
+                lands,
+                "{method} {step}: {flight:?}"
+            );
             if !lands {
                 assert!(
                     matches!(flight, Flight::None(NoFlight::Aloft { time, height }) if time == limit && (0.0..1e-4).contains(&height)),
@@ -188,7 +315,11 @@ fn exact_a_flight_longer_than_the_time_limit_is_aloft_and_a_shorter_one_lands() 
             let batch = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
             let block = batch.evaluate(0, vec![setup.club.loft; 3]);
             let status = if lands { Status::Landed } else { Status::Aloft };
-            assert!((0..3).all(|row| block.status(row) == status), "{method} {step}: {:?}", block.status(0));
+            assert!(
+                (0..3).all(|row| block.status(row) == status),
+                "{method} {step}: {:?}",
+                block.status(0)
+            );
         }
     }
 }
@@ -209,59 +340,117 @@ fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
     let (first, last) = (path.points[0], path.points[path.points.len() - 1]);
     assert_eq!((first.time, first.position), (0.0, Vector::zero()));
     assert_eq!(last.position.z, carry(&setup));
-    assert!(path.points.windows(2).all(|pair| pair[0].time < pair[1].time));
+    assert!(
+        path.points
+            .windows(2)
+            .all(|pair| pair[0].time < pair[1].time)
+    );
 }
 
-/// Still air knows no direction: aimed elsewhere, the same drive goes as far, and `carry` is the part of it along the target line.
+/// Still air knows no direction: aimed elsewhere, the same drive goes as far, and `carry` is the
+/// part of it along the target line.
 #[test]
 fn exact_carry_distance_is_the_same_in_every_direction() {
     let mut setup = Setup::default();
-    setup.set_all([("strike.toe", "8 mm"), ("swing.face_angle", "5 deg")]).unwrap();
+    setup
+        .set_all([("strike.toe", "8 mm"), ("swing.face_angle", "5 deg")])
+        .unwrap();
     let outcomes = |aim: f64| {
         let mut turned = setup;
-        (turned.swing.path, turned.swing.face_angle) = (setup.swing.path + aim, setup.swing.face_angle + aim);
+        (turned.swing.path, turned.swing.face_angle) =
+            (setup.swing.path + aim, setup.swing.face_angle + aim);
         let drive = Drive::new(&turned).unwrap();
         [Outcome::CarryDistance, Outcome::Carry, Outcome::Lateral].map(|of| of.of(&drive).unwrap())
     };
     let [straight, carry, lateral] = outcomes(0.0);
-    assert!(straight > carry + 0.1, "it curves to the side: {straight} {carry}");
+    assert!(
+        straight > carry + 0.1,
+        "it curves to the side: {straight} {carry}"
+    );
     for aim in [-1.0_f64, 0.3, 1.4] {
         let [distance, downrange, right] = outcomes(aim);
         close(distance, straight, straight, 1e-13, "distance");
-        close(downrange, carry * aim.cos() - lateral * aim.sin(), straight, 1e-13, "downrange");
-        close(right, carry * aim.sin() + lateral * aim.cos(), straight, 1e-13, "right");
+        close(
+            downrange,
+            carry * aim.cos() - lateral * aim.sin(),
+            straight,
+            1e-13,
+            "downrange",
+        );
+        close(
+            right,
+            carry * aim.sin() + lateral * aim.cos(),
+            straight,
+            1e-13,
+            "right",
+        );
     }
 }
 
-/// The way behind the landing leads to where the ball rests, and comes back to the plane of the ground after each bounce; a ball that embeds has
-/// none.
+/// The way behind the landing leads to where the ball rests, and comes back to the plane of the
+/// ground after each bounce; a ball that embeds has none.
 #[test]
 fn exact_run_of_a_trajectory_ends_at_the_total() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    setup.set_all([("swing.face_angle", "2 deg"), ("ground.slope", "-2 deg"), ("ground.side_slope", "1 deg")]).unwrap();
+    setup
+        .set_all([
+            ("swing.face_angle", "2 deg"),
+            ("ground.slope", "-2 deg"),
+            ("ground.side_slope", "1 deg"),
+        ])
+        .unwrap();
     let path = trajectory(&setup, &strike(&setup).unwrap().launch).unwrap();
     let drive = Drive::new(&setup).unwrap();
     let value = |of: Outcome| of.value(&drive).unwrap();
     let rest = path.run.last().unwrap();
-    close(value(Outcome::Carry) + rest.z, value(Outcome::Total), 300.0, 1e-9, "total");
-    close(value(Outcome::Lateral) + rest.y, value(Outcome::LateralTotal), 300.0, 1e-9, "lateral total");
+    close(
+        value(Outcome::Carry) + rest.z,
+        value(Outcome::Total),
+        300.0,
+        1e-9,
+        "total",
+    );
+    close(
+        value(Outcome::Lateral) + rest.y,
+        value(Outcome::LateralTotal),
+        300.0,
+        1e-9,
+        "lateral total",
+    );
     // n · way is the height above the plane with n ∝ (1, −tan β_y, −tan β_z)
     let (side, along) = (setup.ground.side_slope.tan(), setup.ground.slope.tan());
-    let heights: Vec<f64> = path.run.iter().map(|way| way.x - side * way.y - along * way.z).collect();
+    let heights: Vec<f64> = path
+        .run
+        .iter()
+        .map(|way| way.x - side * way.y - along * way.z)
+        .collect();
     assert!(heights.iter().all(|height| *height > -1e-9), "{heights:?}");
     let on_the_ground = heights.iter().filter(|height| height.abs() < 1e-9).count();
-    assert!(on_the_ground >= 5 && heights.iter().any(|height| *height > 0.5), "{heights:?}");
+    assert!(
+        on_the_ground >= 5 && heights.iter().any(|height| *height > 0.5),
+        "{heights:?}"
+    );
     setup.set("ground.turf", "wet").unwrap();
-    assert!(trajectory(&setup, &strike(&setup).unwrap().launch).unwrap().run.is_empty());
+    assert!(
+        trajectory(&setup, &strike(&setup).unwrap().launch)
+            .unwrap()
+            .run
+            .is_empty()
+    );
 }
 
-/// A step of nothing, a negative one, one that is no number and one of which 1e8 are not enough: none of these flights would end in a
-/// time that anyone waits for.
+/// A step of nothing, a negative one, one that is no number and one of which 1e8 are not enough:
+/// none of these flights would end in a time that anyone waits for.
 #[test]
 fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
     let setup = Setup::default();
     let launch = strike(&setup).unwrap().launch;
-    for (step, says) in [(0.0, "flight.step = 0 s"), (-1.0, "flight.step = -1 s"), (1e-300, "1e-300"), (1e-9, "1e-9")] {
+    for (step, says) in [
+        (0.0, "flight.step = 0 s"),
+        (-1.0, "flight.step = -1 s"),
+        (1e-300, "1e-300"),
+        (1e-9, "1e-9"),
+    ] {
         let mut endless = setup;
         endless.flight.step = step;
         let refused = [
@@ -271,7 +460,10 @@ fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
             endless.validate(),
         ];
         for error in refused.map(Result::unwrap_err) {
-            assert!(matches!(error, Error::OutOfRange { .. }) && error.to_string().contains(says), "{step}: {error}");
+            assert!(
+                matches!(error, Error::OutOfRange { .. }) && error.to_string().contains(says),
+                "{step}: {error}"
+            );
         }
     }
     let mut setups = [setup; 3];
@@ -282,30 +474,51 @@ fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
         assert!(matches!(error, Error::NotANumber { .. }), "{error}");
     }
     setups[2].flight.time_limit = f64::INFINITY;
-    assert!(matches!(Drive::new(&setups[2]), Err(Error::OutOfRange { .. })));
+    assert!(matches!(
+        Drive::new(&setups[2]),
+        Err(Error::OutOfRange { .. })
+    ));
 }
 
-/// The shortest step that can be set makes the most steps that are flown within the default time limit: 1e8.
+/// The shortest step that can be set makes the most steps that are flown within the default time
+/// limit: 1e8.
 #[test]
 fn exact_every_step_that_can_be_set_is_one_that_is_flown() {
     let mut setup = Setup::default();
     let shortest = setup.parameter("flight.step").unwrap().range.low;
     assert_eq!(setup.flight.time_limit / shortest, 1e8);
     for text in ["1e-9 s", "1e-300 s", "5.9e-6 s", "0 s"] {
-        assert!(matches!(setup.set("flight.step", text), Err(Error::OutOfRange { .. })), "{text}");
+        assert!(
+            matches!(
+                setup.set("flight.step", text),
+                Err(Error::OutOfRange { .. })
+            ),
+            "{text}"
+        );
     }
     setup.set("flight.step", "6e-6 s").unwrap();
     setup.validate().unwrap();
     // a longer limit makes more steps of it
     setup.set("flight.time_limit", "601 s").unwrap();
-    let [said, flown] = [setup.validate().unwrap_err(), Drive::new(&setup).map(|_| ()).unwrap_err()];
+    let [said, flown] = [
+        setup.validate().unwrap_err(),
+        Drive::new(&setup).map(|_| ()).unwrap_err(),
+    ];
     assert_eq!(said.to_string(), flown.to_string());
-    assert!(said.to_string().contains("at most 1e8 steps up to flight.time_limit = 601 s"), "{said}");
+    assert!(
+        said.to_string()
+            .contains("at most 1e8 steps up to flight.time_limit = 601 s"),
+        "{said}"
+    );
 }
 
 #[test]
-fn what_is_out_of_the_ordinary_of_a_flight_that_diverges_is_named_and_the_step_only_where_it_is_long() {
-    let usual = || Setup { law: Law::named("linear").unwrap(), ..Setup::default() };
+fn what_is_out_of_the_ordinary_of_a_flight_that_diverges_is_named_and_the_step_only_where_it_is_long()
+ {
+    let usual = || Setup {
+        law: Law::named("linear").unwrap(),
+        ..Setup::default()
+    };
     let launch = |speed: f64, spin: f64| Launch {
         velocity: Vector::new(0.2 * speed, 0.0, speed),
         spin: Vector::new(0.0, spin, 0.0),
@@ -324,19 +537,43 @@ fn what_is_out_of_the_ordinary_of_a_flight_that_diverges_is_named_and_the_step_o
     let ordinary = launch(70.0, -280.0);
     let far_too_large = |setup: &mut Setup<f64>| setup.law = steep();
     for (advice, says, is_long) in [
-        (told(&far_too_large, &ordinary), "check the coefficients of the law linear", false),
-        (told(&|setup| setup.flight.step = 3.0, &ordinary), "reduce flight.step", true),
+        (
+            told(&far_too_large, &ordinary),
+            "check the coefficients of the law linear",
+            false,
+        ),
+        (
+            told(&|setup| setup.flight.step = 3.0, &ordinary),
+            "reduce flight.step",
+            true,
+        ),
         (told(&|_| (), &fast), "the ball leaves at 102000 m/s", false),
         (told(&|_| (), &launch(70.0, -1e6)), "its spin is", false),
-        (told(&|setup| setup.air.density = 1000.0, &ordinary), "per m (0.018 for a golf ball in air)", false),
-        (told(&|setup| setup.wind.downrange = 1e4, &ordinary), "the wind is 10000 m/s", false),
+        (
+            told(&|setup| setup.air.density = 1000.0, &ordinary),
+            "per m (0.018 for a golf ball in air)",
+            false,
+        ),
+        (
+            told(&|setup| setup.wind.downrange = 1e4, &ordinary),
+            "the wind is 10000 m/s",
+            false,
+        ),
     ] {
-        assert!(advice.contains(says) && is_long == advice.contains("flight.step"), "{says}: {advice}");
+        assert!(
+            advice.contains(says) && is_long == advice.contains("flight.step"),
+            "{says}: {advice}"
+        );
     }
 }
 
 /// A lift that turns the ball within hundredths of a second.
 fn steep() -> Law<f64> {
-    let Law::Linear(linear) = Law::named("linear").unwrap() else { unreachable!() };
-    Law::Linear(longdrive::parameters::Linear { cl_slope: 1e5, ..linear })
+    let Law::Linear(linear) = Law::named("linear").unwrap() else {
+        unreachable!()
+    };
+    Law::Linear(longdrive::parameters::Linear {
+        cl_slope: 1e5,
+        ..linear
+    })
 }

@@ -1,4 +1,5 @@
-//! Bounces and rolling: against an independent computation, closed forms and papers; smooth where the number of bounces changes.
+//! Bounces and rolling: against an independent computation, closed forms and papers; smooth where
+//! the number of bounces changes.
 
 use crate::common::{close, data, number, random_setups};
 use longdrive::derivative::check::Verdict;
@@ -28,26 +29,49 @@ fn value(setup: &Setup<f64>, of: Outcome) -> f64 {
 }
 
 fn bounces(setup: &Setup<f64>) -> usize {
-    Drive::new(setup).unwrap().landed().unwrap().rest.unwrap().bounces
+    Drive::new(setup)
+        .unwrap()
+        .landed()
+        .unwrap()
+        .rest
+        .unwrap()
+        .bounces
 }
 
-/// `oracle/run.py`: rigid spheres on tilted surfaces by their impulses, sliding and rolling in small steps of time.
+/// `oracle/run.py`: rigid spheres on tilted surfaces by their impulses, sliding and rolling in
+/// small steps of time.
 #[test]
 fn independent_runs_within_a_millimetre() {
     for case in data("independent_runs.json")["drives"].as_array().unwrap() {
         let name = case["name"].as_str().unwrap();
         let launch = |of: &str| number(&case["launch"][of]);
-        let mut setup = thrown(launch("ball_speed"), launch("launch_angle"), launch("backspin"));
+        let mut setup = thrown(
+            launch("ball_speed"),
+            launch("launch_angle"),
+            launch("backspin"),
+        );
         setup.launch.launch_direction = Some(launch("launch_direction").to_radians());
         setup.launch.sidespin = Some(launch("sidespin"));
         setup.ball.inertia = case["inertia"].as_f64();
         for (parameter, value) in case["ground"].as_object().unwrap() {
             let parameter = setup.parameter(&format!("ground.{parameter}")).unwrap();
             let unit = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
-            setup.set_value(parameter, Some(number(value) * unit)).unwrap();
+            setup
+                .set_value(parameter, Some(number(value) * unit))
+                .unwrap();
         }
-        assert_eq!(bounces(&setup), case["bounces"].as_u64().unwrap() as usize, "{name}");
-        close(value(&setup, Outcome::Run), number(&case["run"]), 1.0, 1e-3, name);
+        assert_eq!(
+            bounces(&setup),
+            case["bounces"].as_u64().unwrap() as usize,
+            "{name}"
+        );
+        close(
+            value(&setup, Outcome::Run),
+            number(&case["run"]),
+            1.0,
+            1e-3,
+            name,
+        );
         let right = value(&setup, Outcome::LateralTotal) - value(&setup, Outcome::Lateral);
         close(right, number(&case["right"]), 1.0, 1e-3, name);
     }
@@ -56,12 +80,25 @@ fn independent_runs_within_a_millimetre() {
 #[test]
 fn exact_ball_embeds_in_wet_ground() {
     let mut setup = Setup::default();
-    setup.set_all([("swing.path", "3 deg"), ("ground.turf", "wet"), ("ground.slope", "5 deg")]).unwrap();
+    setup
+        .set_all([
+            ("swing.path", "3 deg"),
+            ("ground.turf", "wet"),
+            ("ground.slope", "5 deg"),
+        ])
+        .unwrap();
     assert_eq!(value(&setup, Outcome::Run), 0.0);
     assert_eq!(value(&setup, Outcome::Total), value(&setup, Outcome::Carry));
-    assert_eq!(value(&setup, Outcome::LateralTotal), value(&setup, Outcome::Lateral));
+    assert_eq!(
+        value(&setup, Outcome::LateralTotal),
+        value(&setup, Outcome::Lateral)
+    );
     for preset in ["winfield-tan", "mae494"] {
-        assert_eq!(value(&Setup::preset(preset).unwrap(), Outcome::Run), 0.0, "{preset}");
+        assert_eq!(
+            value(&Setup::preset(preset).unwrap(), Outcome::Run),
+            0.0,
+            "{preset}"
+        );
     }
 }
 
@@ -73,26 +110,41 @@ fn exact_flight_is_the_same_with_and_without_the_run() {
     let with: Vec<_> = of.iter().copied().chain(OF_THE_RUN).collect();
     for preset in PRESETS {
         let mut setup = Setup::preset(preset.name).unwrap();
-        setup.set_all([("swing.path", "3 deg"), ("aero.spin_damping", "2e-5")]).unwrap();
+        setup
+            .set_all([("swing.path", "3 deg"), ("aero.spin_damping", "2e-5")])
+            .unwrap();
         let wrt = ["club.loft", "swing.path"].map(|name| setup.variable(name).unwrap());
         let alone = evaluate(&setup, &of, &wrt, Order::Second).unwrap();
-        assert_eq!(alone, evaluate(&setup, &with, &wrt, Order::Second).unwrap()[..of.len()]);
+        assert_eq!(
+            alone,
+            evaluate(&setup, &with, &wrt, Order::Second).unwrap()[..of.len()]
+        );
     }
 }
 
-/// Ground that gives nothing back and does not yield: 2/7 of the velocity along the slope is lost to the spin, and the ball rolls
-/// v²/(2 (ρ_g g cos β + 5/7 g sin β)).
+/// Ground that gives nothing back and does not yield: 2/7 of the velocity along the slope is lost
+/// to the spin, and the ball rolls v²/(2 (ρ_g g cos β + 5/7 g sin β)).
 #[test]
 fn exact_roll_on_a_slope() {
     for degrees in [0.0_f64, 4.0, -4.0] {
         let mut setup = thrown(10.0, 35.0, 0.0);
-        (setup.ground.restitution, setup.ground.compliance, setup.ground.friction) = (Some(0.0), 0.0, 5.0);
+        (
+            setup.ground.restitution,
+            setup.ground.compliance,
+            setup.ground.friction,
+        ) = (Some(0.0), 0.0, 5.0);
         setup.ground.rolling = 0.2;
         setup.ground.slope = degrees.to_radians();
         let ((sin, cos), g) = (setup.ground.slope.sin_cos(), setup.flight.gravity);
         let along = 10.0 * 5.0 / 7.0 * (35.0 + degrees).to_radians().cos();
         let expected = along * along / (2.0 * (0.2 * g * cos + 5.0 / 7.0 * g * sin)) * cos;
-        close(value(&setup, Outcome::Run), expected, expected, 1e-4, &format!("{degrees}°"));
+        close(
+            value(&setup, Outcome::Run),
+            expected,
+            expected,
+            1e-4,
+            &format!("{degrees}°"),
+        );
     }
 }
 
@@ -100,11 +152,18 @@ fn exact_roll_on_a_slope() {
 fn exact_total_is_undefined_where_the_ball_does_not_come_to_rest() {
     for (name, slope) in [("ground.slope", "-20 deg"), ("ground.side_slope", "18 deg")] {
         let mut setup = Setup::default();
-        setup.set_all([(name, slope), ("ground.rolling", "0.2")]).unwrap();
+        setup
+            .set_all([(name, slope), ("ground.rolling", "0.2")])
+            .unwrap();
         let drive = Drive::new(&setup).unwrap();
         assert!(Outcome::Carry.value(&drive).is_some() && Outcome::Total.value(&drive).is_none());
-        let error = evaluate(&setup, &[Outcome::Total], &[], Order::Value).unwrap_err().to_string();
-        assert!(error.contains("ground.slope") && error.contains("ground.rolling"), "{error}");
+        let error = evaluate(&setup, &[Outcome::Total], &[], Order::Value)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains("ground.slope") && error.contains("ground.rolling"),
+            "{error}"
+        );
     }
 }
 
@@ -112,13 +171,19 @@ fn exact_total_is_undefined_where_the_ball_does_not_come_to_rest() {
 fn exact_runs_of_random_drives_are_finite() {
     let mut flown = 0;
     for setup in random_setups(300) {
-        let Ok(drive) = Drive::new(&setup) else { continue };
+        let Ok(drive) = Drive::new(&setup) else {
+            continue;
+        };
         let Ok(landed) = drive.landed() else { continue };
         let rest = landed.rest.unwrap();
         // a ball that rolls as far as it can loses all it has
-        let most = landed.velocity.dot(landed.velocity) / (2.0 * setup.ground.rolling * setup.flight.gravity);
+        let most = landed.velocity.dot(landed.velocity)
+            / (2.0 * setup.ground.rolling * setup.flight.gravity);
         let [run, right] = [rest.downrange - landed.carry, rest.right - landed.lateral];
-        assert!(run.hypot(right) < 2.0 * most + 1.0, "{run} {right} of {most}: {setup:?}");
+        assert!(
+            run.hypot(right) < 2.0 * most + 1.0,
+            "{run} {right} of {most}: {setup:?}"
+        );
         flown += 1;
     }
     assert!(flown > 100, "{flown}");
@@ -127,13 +192,21 @@ fn exact_runs_of_random_drives_are_finite() {
 /// The largest relative jumps of value, gradient and Hessian between two neighbouring drives.
 fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
     let jump = |a: &[f64], b: &[f64]| {
-        let most = a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        let most = a
+            .iter()
+            .zip(b)
+            .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
         most / a.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
     };
-    [jump(&[a.value], &[b.value]), jump(&a.gradient, &b.gradient), jump(&a.hessian.concat(), &b.hessian.concat())]
+    [
+        jump(&[a.value], &[b.value]),
+        jump(&a.gradient, &b.gradient),
+        jump(&a.hessian.concat(), &b.hessian.concat()),
+    ]
 }
 
-/// Neighbouring launch angles on both sides of every change of the number of bounces, also of balls that graze the ground.
+/// Neighbouring launch angles on both sides of every change of the number of bounces, also of balls
+/// that graze the ground.
 #[test]
 fn exact_continuity_where_the_number_of_bounces_changes() {
     let (mut changes, mut worst) = (0, [0.0_f64; 3]);
@@ -149,13 +222,23 @@ fn exact_continuity_where_the_number_of_bounces_changes() {
                 changes += 1;
                 while high.next_down() > low {
                     let middle = 0.5 * (low + high);
-                    if bounces(&at(middle)) == few { low = middle } else { high = middle }
+                    if bounces(&at(middle)) == few {
+                        low = middle
+                    } else {
+                        high = middle
+                    }
                 }
                 let [a, b] = [low, high].map(|degrees| {
                     let setup = at(degrees);
-                    let wrt = ["launch.ball_speed", "launch.launch_angle", "launch.backspin"]
-                        .map(|name| setup.variable(name).unwrap());
-                    evaluate(&setup, &[Outcome::Total], &wrt, Order::Second).unwrap().remove(0)
+                    let wrt = [
+                        "launch.ball_speed",
+                        "launch.launch_angle",
+                        "launch.backspin",
+                    ]
+                    .map(|name| setup.variable(name).unwrap());
+                    evaluate(&setup, &[Outcome::Total], &wrt, Order::Second)
+                        .unwrap()
+                        .remove(0)
                 });
                 for (worst, jump) in worst.iter_mut().zip(jump(&a, &b)) {
                     *worst = worst.max(jump);
@@ -165,41 +248,92 @@ fn exact_continuity_where_the_number_of_bounces_changes() {
     }
     println!("{changes} changes of the number of bounces, largest jumps {worst:?}");
     assert!(changes > 100, "{changes}");
-    assert!(worst[0] < 1e-13 && worst[1] < 1e-11 && worst[2] < 1e-8, "{worst:?}");
+    assert!(
+        worst[0] < 1e-13 && worst[1] < 1e-11 && worst[2] < 1e-8,
+        "{worst:?}"
+    );
 }
 
 #[test]
 fn differences_confirm_the_derivatives_of_the_run() {
     let mut curved = Setup::default();
-    curved.set_all([("swing.path", "2 deg"), ("wind.right", "3 m/s"), ("ground.side_slope", "3 deg")]).unwrap();
+    curved
+        .set_all([
+            ("swing.path", "2 deg"),
+            ("wind.right", "3 m/s"),
+            ("ground.side_slope", "3 deg"),
+        ])
+        .unwrap();
     let mut damped = Setup::default();
-    damped.set_all([("aero.spin_damping", "2e-5"), ("ground.slope", "2 deg"), ("ground.turf", "soft")]).unwrap();
+    damped
+        .set_all([
+            ("aero.spin_damping", "2e-5"),
+            ("ground.slope", "2 deg"),
+            ("ground.turf", "soft"),
+        ])
+        .unwrap();
     for setup in [Setup::default(), curved, damped] {
-        let names = ["club.loft", "swing.attack_angle", "swing.path", "air.density", "ball.mass", "gravity"];
-        let of_ground = ["restitution", "friction", "compliance", "rolling", "slope", "side_slope"];
+        let names = [
+            "club.loft",
+            "swing.attack_angle",
+            "swing.path",
+            "air.density",
+            "ball.mass",
+            "gravity",
+        ];
+        let of_ground = [
+            "restitution",
+            "friction",
+            "compliance",
+            "rolling",
+            "slope",
+            "side_slope",
+        ];
         let of_ground = of_ground.map(|name| format!("ground.{name}"));
-        let names = names.into_iter().chain(of_ground.iter().map(String::as_str));
+        let names = names
+            .into_iter()
+            .chain(of_ground.iter().map(String::as_str));
         let wrt: Vec<_> = names.map(|name| setup.variable(name).unwrap()).collect();
         let certificate = certify(&setup, &OF_THE_RUN, &wrt, &|_, _| true).unwrap();
         for row in &certificate.rows {
-            assert!(row.verdict() != Verdict::Fail, "{} {}: {:?}", row.of.name(), row.parameter.name, row.first);
+            assert!(
+                row.verdict() != Verdict::Fail,
+                "{} {}: {:?}",
+                row.of.name(),
+                row.parameter.name,
+                row.first
+            );
         }
-        assert!(certificate.continuity.iter().all(|found| found.passed()), "{:?}", certificate.continuity);
-        assert!(certificate.convergence.iter().all(|found| found.passed()), "{:?}", certificate.convergence);
+        assert!(
+            certificate.continuity.iter().all(|found| found.passed()),
+            "{:?}",
+            certificate.continuity
+        );
+        assert!(
+            certificate.convergence.iter().all(|found| found.passed()),
+            "{:?}",
+            certificate.convergence
+        );
         assert!(certificate.caught(), "{:?}", certificate.planted);
     }
 }
 
-/// The run in Penner's first model (2001): level ground, a ball that rolls as it leaves, twice the first bounce, and a roll with μ_r = 1.
+/// The run in Penner's first model (2001): level ground, a ball that rolls as it leaves, twice the
+/// first bounce, and a roll with μ_r = 1.
 fn penner_2001(velocity: Vector<f64>, backspin: f64, radius: f64) -> f64 {
     let g = 9.80665;
     let down = -velocity.x;
-    let e = if down < 20.0 { 0.510 - 0.0375 * down + 0.000903 * down * down } else { 0.12 };
+    let e = if down < 20.0 {
+        0.510 - 0.0375 * down + 0.000903 * down * down
+    } else {
+        0.12
+    };
     let along = (5.0 * velocity.z - 2.0 * radius * backspin) / 7.0;
     2.0 * 2.0 * along * e * down / g + along * along.abs() / (2.0 * g)
 }
 
-/// Penner's driver (2001, eqs. 7–11) at a head speed: a point of 200 g, rolling at exit, the law of Bearman & Harvey, air of 1.204 kg/m³.
+/// Penner's driver (2001, eqs. 7–11) at a head speed: a point of 200 g, rolling at exit, the law of
+/// Bearman & Harvey, air of 1.204 kg/m³.
 fn penner(speed: f64, degrees: f64) -> Setup<f64> {
     let mut setup = Setup::default();
     let changes = [
@@ -223,11 +357,14 @@ fn penner(speed: f64, degrees: f64) -> Setup<f64> {
 /// The loft, from 8° on, at which a distance is longest.
 fn best_loft(distance: impl Fn(f64) -> f64) -> f64 {
     let lofts = (0..=120).map(|k| 8.0 + 0.1 * f64::from(k));
-    lofts.max_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap()
+    lofts
+        .max_by(|a, b| distance(*a).total_cmp(&distance(*b)))
+        .unwrap()
 }
 
-/// Penner (2001): the longest carry at 45 m/s has 14.9°, the longest totals at 35, 45 and 55 m/s have 16.5, 13.1 and 10.7°. His own run gives
-/// these within 0.4°; the ground of this program, in which a flat ball keeps more of its speed, lofts that are 1.5 to 2° lower.
+/// Penner (2001): the longest carry at 45 m/s has 14.9°, the longest totals at 35, 45 and 55 m/s
+/// have 16.5, 13.1 and 10.7°. His own run gives these within 0.4°; the ground of this program, in
+/// which a flat ball keeps more of its speed, lofts that are 1.5 to 2° lower.
 #[test]
 fn published_lofts_of_the_longest_totals() {
     let carry = best_loft(|loft| value(&penner(45.0, loft), Outcome::Carry));
@@ -238,52 +375,94 @@ fn published_lofts_of_the_longest_totals() {
             let drive = Drive::new(&setup).unwrap();
             let landed = drive.landed().unwrap();
             // eq. 16: the spin fades with the way, some 10 % more than the carry
-            let backspin = drive.launch.backspin() * (-2e-5 * 1.1 * landed.carry / setup.ball.radius).exp();
+            let backspin =
+                drive.launch.backspin() * (-2e-5 * 1.1 * landed.carry / setup.ball.radius).exp();
             landed.carry + penner_2001(landed.velocity, backspin, setup.ball.radius)
         });
         let ours = best_loft(|loft| value(&penner(speed, loft), Outcome::Total));
-        println!("{speed} m/s: printed {printed}°, with his run {his:.1}°, on the default ground {ours:.1}°");
+        println!(
+            "{speed} m/s: printed {printed}°, with his run {his:.1}°, on the default ground \
+             {ours:.1}°"
+        );
         assert!((his - printed).abs() < 0.5, "{speed} m/s: {his}°");
         assert!((ours - printed + 1.75).abs() < 0.5, "{speed} m/s: {ours}°");
     }
 }
 
-/// Runs of TrackMan's chart of 2010 (60 drives, the output of its model): on firm ground within 7 yd, rms, without bias; on average ground some
-/// 9 yd shorter. The drive of the PGA tour runs 25 yd there; on soft ground it runs the 10 yd that FlightScope has.
+/// Runs of TrackMan's chart of 2010 (60 drives, the output of its model): on firm ground within 7
+/// yd, rms, without bias; on average ground some 9 yd shorter. The drive of the PGA tour runs 25 yd
+/// there; on soft ground it runs the 10 yd that FlightScope has.
 #[test]
 fn published_runs_of_launch_monitors() {
     let table = include_str!("../data/trackman_totals_2010.csv");
-    let rows: Vec<Vec<&str>> = table.lines().skip(2).map(|line| line.split(',').collect()).collect();
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .skip(2)
+        .map(|line| line.split(',').collect())
+        .collect();
     let run = |turf: &str, conditions: [String; 3]| {
         let mut setup = Setup::default();
         setup.set("ground.turf", turf).unwrap();
-        for (name, text) in ["ball_speed", "launch_angle", "backspin"].iter().zip(&conditions) {
+        for (name, text) in ["ball_speed", "launch_angle", "backspin"]
+            .iter()
+            .zip(&conditions)
+        {
             setup.set(&format!("launch.{name}"), text).unwrap();
         }
         value(&setup, Outcome::Run) / 0.9144
     };
     for (turf, low, high, most) in [("firm", -2.0, 2.0, 7.0), ("average", -11.0, -7.0, 12.5)] {
         let off = rows.iter().map(|row| {
-            let [speed, angle, spin, carry, total] = row[..] else { panic!("{row:?}") };
-            let conditions = [format!("{speed} mph"), format!("{angle} deg"), format!("{spin} rpm")];
+            let [speed, angle, spin, carry, total] = row[..] else {
+                panic!("{row:?}")
+            };
+            let conditions = [
+                format!("{speed} mph"),
+                format!("{angle} deg"),
+                format!("{spin} rpm"),
+            ];
             run(turf, conditions) - (total.parse::<f64>().unwrap() - carry.parse::<f64>().unwrap())
         });
         let off: Vec<f64> = off.collect();
         let bias = off.iter().sum::<f64>() / off.len() as f64;
         let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
-        println!("{turf}: bias {bias:.1} yd, rms {rms:.1} yd of {} drives", off.len());
-        assert!(off.len() == 60 && (low..high).contains(&bias) && rms < most, "{turf}: {bias} {rms}");
+        println!(
+            "{turf}: bias {bias:.1} yd, rms {rms:.1} yd of {} drives",
+            off.len()
+        );
+        assert!(
+            off.len() == 60 && (low..high).contains(&bias) && rms < most,
+            "{turf}: {bias} {rms}"
+        );
     }
     // a ball that lands at 4 to 60° runs no farther on softer ground
     for speed in ["120 mph", "150 mph", "170 mph"] {
         for angle in [2, 4, 6, 8, 10, 12, 15, 20, 30, 40] {
-            let runs = ["firm", "average", "soft"]
-                .map(|turf| run(turf, [speed.into(), format!("{angle} deg"), "2400 rpm".into()]));
-            assert!(runs.is_sorted_by(|a, b| a >= b), "{speed}, {angle}°: {runs:?}");
+            let runs = ["firm", "average", "soft"].map(|turf| {
+                run(
+                    turf,
+                    [speed.into(), format!("{angle} deg"), "2400 rpm".into()],
+                )
+            });
+            assert!(
+                runs.is_sorted_by(|a, b| a >= b),
+                "{speed}, {angle}°: {runs:?}"
+            );
         }
     }
-    let tour = || ["171 mph".to_owned(), "10.4 deg".to_owned(), "2545 rpm".to_owned()];
-    for (turf, low, high) in [("soft", 9.0, 11.5), ("average", 20.0, 27.0), ("firm", 28.0, 34.0), ("wet", 0.0, 1e-9)] {
+    let tour = || {
+        [
+            "171 mph".to_owned(),
+            "10.4 deg".to_owned(),
+            "2545 rpm".to_owned(),
+        ]
+    };
+    for (turf, low, high) in [
+        ("soft", 9.0, 11.5),
+        ("average", 20.0, 27.0),
+        ("firm", 28.0, 34.0),
+        ("wet", 0.0, 1e-9),
+    ] {
         let run = run(turf, tour());
         println!("{turf}: the drive of the PGA tour runs {run:.1} yd");
         assert!((low..high).contains(&run), "{turf}: {run} yd");

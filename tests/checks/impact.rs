@@ -1,4 +1,5 @@
-//! The collision: its two forms, the laws of mechanics it must keep, its symmetry, the paper's printed shot.
+//! The collision: its two forms, the laws of mechanics it must keep, its symmetry, the paper's
+//! printed shot.
 
 use crate::common::{close, for_random_setups};
 use longdrive::impact::{Collision, Delivery, Grip, Rebound, strike};
@@ -26,7 +27,11 @@ fn contact_velocity(velocity: Vector<f64>, spin: Vector<f64>, arm: Vector<f64>) 
     velocity + spin.cross(arm)
 }
 
-fn energy(c: &Collision<f64>, club: (Vector<f64>, Vector<f64>), ball: (Vector<f64>, Vector<f64>)) -> f64 {
+fn energy(
+    c: &Collision<f64>,
+    club: (Vector<f64>, Vector<f64>),
+    ball: (Vector<f64>, Vector<f64>),
+) -> f64 {
     let ((v, w), (vb, wb)) = (club, ball);
     0.5 * (c.club_mass * v.dot(v)
         + w.dot(turned(c.club_inertia, w))
@@ -38,13 +43,26 @@ fn energy(c: &Collision<f64>, club: (Vector<f64>, Vector<f64>), ball: (Vector<f6
 fn exact_fifteen_equations_and_three_agree_on_thousands_of_drives() {
     for_random_setups(4000, |setup| {
         let c = collision(&setup);
-        let (short, full): (Rebound<f64>, Rebound<f64>) = (c.by_impulse().unwrap(), c.by_generalized_speeds().unwrap());
-        let (speed, spin) =
-            (norm(short.ball_velocity), norm(short.ball_spin) + norm(short.club_spin) + norm(c.club_spin));
+        let (short, full): (Rebound<f64>, Rebound<f64>) =
+            (c.by_impulse().unwrap(), c.by_generalized_speeds().unwrap());
+        let (speed, spin) = (
+            norm(short.ball_velocity),
+            norm(short.ball_spin) + norm(short.club_spin) + norm(c.club_spin),
+        );
         same(short.impulse, full.impulse, norm(short.impulse), "impulse");
-        same(short.ball_velocity, full.ball_velocity, speed, "ball velocity");
+        same(
+            short.ball_velocity,
+            full.ball_velocity,
+            speed,
+            "ball velocity",
+        );
         same(short.ball_spin, full.ball_spin, spin, "ball spin");
-        same(short.club_velocity, full.club_velocity, speed, "club velocity");
+        same(
+            short.club_velocity,
+            full.club_velocity,
+            speed,
+            "club velocity",
+        );
         same(short.club_spin, full.club_spin, spin, "club spin");
     });
 }
@@ -58,10 +76,19 @@ fn exact_fifteen_equations_and_three_have_the_same_derivatives() {
             _ => Jet::constant(value),
         });
         let c = Collision::new(&lifted, &Delivery::new(&lifted.swing)).unwrap();
-        let (short, full) = (c.by_impulse().unwrap().ball_spin, c.by_generalized_speeds().unwrap().ball_spin);
+        let (short, full) = (
+            c.by_impulse().unwrap().ball_spin,
+            c.by_generalized_speeds().unwrap().ball_spin,
+        );
         for (a, b) in short.to_array().into_iter().zip(full.to_array()) {
             for k in 0..2 {
-                close(a.gradient[k], b.gradient[k], b.gradient[k].abs().max(1e3), 1e-11, "d ball spin");
+                close(
+                    a.gradient[k],
+                    b.gradient[k],
+                    b.gradient[k].abs().max(1e3),
+                    1e-11,
+                    "d ball spin",
+                );
             }
         }
     });
@@ -83,19 +110,39 @@ fn exact_laws_of_mechanics() {
         );
 
         // angular momentum about the contact point, where the impulse has no arm
-        let club = |spin, velocity: Vector<f64>| turned(c.club_inertia, spin) - c.contact.cross(velocity * c.club_mass);
-        let ball = after.ball_spin * c.ball_inertia - ball_arm.cross(after.ball_velocity * c.ball_mass);
+        let club = |spin, velocity: Vector<f64>| {
+            turned(c.club_inertia, spin) - c.contact.cross(velocity * c.club_mass)
+        };
+        let ball =
+            after.ball_spin * c.ball_inertia - ball_arm.cross(after.ball_velocity * c.ball_mass);
         let before = club(c.club_spin, c.club_velocity);
-        same(club(after.club_spin, after.club_velocity) + ball, before, norm(before) + norm(ball), "angular momentum");
+        same(
+            club(after.club_spin, after.club_velocity) + ball,
+            before,
+            norm(before) + norm(ball),
+            "angular momentum",
+        );
 
         let approach = c.approach();
         let separation = contact_velocity(after.club_velocity, after.club_spin, c.contact)
             - contact_velocity(after.ball_velocity, after.ball_spin, ball_arm);
         let speed = norm(approach);
-        close(separation.dot(n), -c.restitution * approach.dot(n), speed, 1e-11, "restitution");
+        close(
+            separation.dot(n),
+            -c.restitution * approach.dot(n),
+            speed,
+            1e-11,
+            "restitution",
+        );
         let along_face = |v: Vector<f64>| v - n * v.dot(n);
         let expected = along_face(approach) * -c.tangential_restitution;
-        close(norm(along_face(separation) - expected), 0.0, speed, 1e-11, "tangential restitution, no slip where 0");
+        close(
+            norm(along_face(separation) - expected),
+            0.0,
+            speed,
+            1e-11,
+            "tangential restitution, no slip where 0",
+        );
 
         // the work of the impulse is J·(½ K J − u⁻): the change of energy
         let [x, y, z] = c.compliance().unwrap();
@@ -103,24 +150,48 @@ fn exact_laws_of_mechanics() {
         let yielded = x * j.x + y * j.y + z * j.z;
         let zero = Vector::zero();
         let start = energy(&c, (c.club_velocity, c.club_spin), (zero, zero));
-        let end = energy(&c, (after.club_velocity, after.club_spin), (after.ball_velocity, after.ball_spin));
-        close(end - start, j.dot(yielded * 0.5 - approach), start, 1e-12, "work of the impulse");
+        let end = energy(
+            &c,
+            (after.club_velocity, after.club_spin),
+            (after.ball_velocity, after.ball_spin),
+        );
+        close(
+            end - start,
+            j.dot(yielded * 0.5 - approach),
+            start,
+            1e-12,
+            "work of the impulse",
+        );
     });
 }
 
 #[test]
 fn exact_loss_of_energy_where_both_restitutions_are_equal() {
-    // K J = (1 + e) u⁻ then, and the bodies lose ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J; nothing at e = 1
+    // K J = (1 + e) u⁻ then, and the bodies lose ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J; nothing at e
+    // = 1
     for_random_setups(1000, |mut setup| {
         for e in [0.0, 0.4, 1.0] {
-            (setup.impact.restitution, setup.impact.tangential_restitution) = (e, e);
+            (
+                setup.impact.restitution,
+                setup.impact.tangential_restitution,
+            ) = (e, e);
             setup.impact.restitution_slope = None;
             let c = collision(&setup);
             let after = c.by_impulse().unwrap();
             let zero = Vector::zero();
             let start = energy(&c, (c.club_velocity, c.club_spin), (zero, zero));
-            let end = energy(&c, (after.club_velocity, after.club_spin), (after.ball_velocity, after.ball_spin));
-            close(start - end, 0.5 * (1.0 - e) * c.approach().dot(after.impulse), start, 1e-12, "loss of energy");
+            let end = energy(
+                &c,
+                (after.club_velocity, after.club_spin),
+                (after.ball_velocity, after.ball_spin),
+            );
+            close(
+                start - end,
+                0.5 * (1.0 - e) * c.approach().dot(after.impulse),
+                start,
+                1e-12,
+                "loss of energy",
+            );
         }
     });
 }
@@ -139,10 +210,18 @@ fn exact_mirror_symmetry() {
         "wind.right",
     ];
     for_random_setups(300, |setup| {
-        let other = setup.map(|row, value| if mirrored.contains(&row.name) { -value } else { value });
+        let other = setup.map(|row, value| {
+            if mirrored.contains(&row.name) {
+                -value
+            } else {
+                value
+            }
+        });
         let [a, b] = [setup, other].map(|s| longdrive::Drive::new(&s).unwrap());
         for outcome in Outcome::ALL {
-            let (Some(ours), Some(theirs)) = (outcome.value(&a), outcome.value(&b)) else { continue };
+            let (Some(ours), Some(theirs)) = (outcome.value(&a), outcome.value(&b)) else {
+                continue;
+            };
             let sign = match outcome {
                 Outcome::Lateral
                 | Outcome::LateralTotal
@@ -151,23 +230,38 @@ fn exact_mirror_symmetry() {
                 | Outcome::SpinAxis => -1.0,
                 _ => 1.0,
             };
-            close(theirs, sign * ours, ours.abs().max(1.0), 1e-11, outcome.name());
+            close(
+                theirs,
+                sign * ours,
+                ours.abs().max(1.0),
+                1e-11,
+                outcome.name(),
+            );
         }
     });
 }
 
 #[test]
 fn paper_winfield_tan_shot() {
-    // printed: 139.16 mph downrange, 19.84 mph up, 38.57 rev/s, club 71.39 mph; the presets' rounded mass of
-    // the ball gives 139.20 and 19.85 (model page, reference setups)
+    // printed: 139.16 mph downrange, 19.84 mph up, 38.57 rev/s, club 71.39 mph; the presets'
+    // rounded mass of the ball gives 139.20 and 19.85 (model page, reference setups)
     let mut setup = Setup::preset("winfield-tan").unwrap();
-    setup.set_all([("swing.speed", "103 mph"), ("club.loft", "10 deg"), ("swing.attack_angle", "0 deg")]).unwrap();
+    setup
+        .set_all([
+            ("swing.speed", "103 mph"),
+            ("club.loft", "10 deg"),
+            ("swing.attack_angle", "0 deg"),
+        ])
+        .unwrap();
     let impact = strike(&setup).unwrap();
     let mph = 0.44704;
     let rounded = |value: f64| format!("{value:.2}");
     assert_eq!(rounded(impact.launch.velocity.z / mph), "139.20");
     assert_eq!(rounded(impact.launch.velocity.x / mph), "19.85");
-    assert_eq!(rounded(impact.launch.spin.y / std::f64::consts::TAU), "38.57");
+    assert_eq!(
+        rounded(impact.launch.spin.y / std::f64::consts::TAU),
+        "38.57"
+    );
     assert_eq!(rounded(impact.club_velocity.z / mph), "71.39");
 }
 
@@ -182,14 +276,35 @@ fn exact_slip_leaves_the_cone_of_friction_and_joins_sticking_continuously() {
             setup.impact.friction = Some(friction);
             strike(setup).unwrap()
         };
-        let (above, below) = (at(limit * (1.0 + 1e-9), &mut setup), at(limit * (1.0 - 1e-9), &mut setup));
+        let (above, below) = (
+            at(limit * (1.0 + 1e-9), &mut setup),
+            at(limit * (1.0 - 1e-9), &mut setup),
+        );
         assert!(matches!(above.grip, Grip::Sticks(_)) && matches!(below.grip, Grip::Slips(_)));
-        close(norm(above.impulse - below.impulse), 0.0, norm(above.impulse), 1e-7, "impulse across the limit");
+        close(
+            norm(above.impulse - below.impulse),
+            0.0,
+            norm(above.impulse),
+            1e-7,
+            "impulse across the limit",
+        );
         let half = at(0.5 * limit, &mut setup);
         let push = half.impulse.dot(half.face_normal);
-        close(norm(half.impulse - half.face_normal * push), 0.5 * limit * push, push, 1e-12, "on the cone");
+        close(
+            norm(half.impulse - half.face_normal * push),
+            0.5 * limit * push,
+            push,
+            1e-12,
+            "on the cone",
+        );
         let frictionless = at(0.0, &mut setup);
-        close(norm(frictionless.launch.spin), 0.0, norm(above.launch.spin), 1e-12, "no friction, no spin");
+        close(
+            norm(frictionless.launch.spin),
+            0.0,
+            norm(above.launch.spin),
+            1e-12,
+            "no friction, no spin",
+        );
     });
 }
 
@@ -200,7 +315,10 @@ fn what_cannot_be_struck_is_an_error_with_its_numbers() {
     setup.strike.toe = 0.2;
     setup.club.face_semi_axis = Some(0.1);
     let error = strike(&setup).unwrap_err();
-    assert!(matches!(error, Error::OffFace { q, .. } if q > 1.0) && error.to_string().contains("strike.high = 190 mm"));
+    assert!(
+        matches!(error, Error::OffFace { q, .. } if q > 1.0)
+            && error.to_string().contains("strike.high = 190 mm")
+    );
 
     let mut setup = Setup::default();
     (setup.swing.face_angle, setup.swing.path) = (1.5, -1.5);
@@ -216,7 +334,9 @@ fn exact_default_moment_of_inertia_follows_mass_and_radius() {
     let mut explicit = setup;
     explicit.ball.inertia = Some(0.4 * setup.ball.mass * setup.ball.radius.powi(2));
     let names = ["ball.radius", "ball.inertia"].map(|name| explicit.variable(name).unwrap());
-    let parts = derivative::gradient(&explicit, of, &names).unwrap().gradient;
+    let parts = derivative::gradient(&explicit, of, &names)
+        .unwrap()
+        .gradient;
     let total = parts[0] + parts[1] * 0.8 * setup.ball.mass * setup.ball.radius;
     close(slope, total, total.abs(), 1e-12, "d spin/d ball.radius");
 }
@@ -230,29 +350,57 @@ fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() 
         bent.swing.shaft_bend = Some(0.06);
         bent.swing.shaft_growth = Some(power);
         leaned.swing.shaft_lean = -0.06 * (speed / 44.704_f64).powf(power);
-        let (bent, leaned) = (strike(&bent).unwrap().launch, strike(&leaned).unwrap().launch);
-        same(bent.velocity, leaned.velocity, norm(leaned.velocity), "velocity");
+        let (bent, leaned) = (
+            strike(&bent).unwrap().launch,
+            strike(&leaned).unwrap().launch,
+        );
+        same(
+            bent.velocity,
+            leaned.velocity,
+            norm(leaned.velocity),
+            "velocity",
+        );
         same(bent.spin, leaned.spin, norm(leaned.spin), "spin");
     }
     // without growth it is the same at every speed, and the growth alone is nothing
     let mut setup = Setup::default();
     setup.swing.shaft_growth = Some(power);
     let unbent = strike(&setup).unwrap().launch.velocity;
-    assert_eq!(unbent.to_array(), strike(&Setup::default()).unwrap().launch.velocity.to_array());
+    assert_eq!(
+        unbent.to_array(),
+        strike(&Setup::default())
+            .unwrap()
+            .launch
+            .velocity
+            .to_array()
+    );
 }
 
 #[test]
 fn exact_droop_of_the_shaft_turns_the_toe_down_and_the_loft_towards_it() {
     let (droop, loft) = (0.05_f64, 0.2_f64);
     let mut setup = Setup::default();
-    (setup.swing.attack_angle, setup.club.loft, setup.swing.shaft_droop) = (0.0, loft, Some(droop));
+    (
+        setup.swing.attack_angle,
+        setup.club.loft,
+        setup.swing.shaft_droop,
+    ) = (0.0, loft, Some(droop));
     let [_, toe, forward] = Delivery::new(&setup.swing).axes;
     close(toe.x, -droop.sin(), 1.0, 1e-15, "the toe");
     close(forward.z, 1.0, 1.0, 1e-15, "forward");
     let impact = strike(&setup).unwrap();
     let normal = impact.face_normal;
-    close(normal.y.atan2(normal.z), (loft.tan() * droop.sin()).atan(), 1.0, 1e-15, "direction of the face");
-    assert!(impact.launch.velocity.y > 0.0, "the ball starts to the right");
+    close(
+        normal.y.atan2(normal.z),
+        (loft.tan() * droop.sin()).atan(),
+        1.0,
+        1e-15,
+        "direction of the face",
+    );
+    assert!(
+        impact.launch.velocity.y > 0.0,
+        "the ball starts to the right"
+    );
     // the head frame stays one
     setup.swing.face_angle = 0.1;
     setup.swing.attack_angle = -0.05;
@@ -265,7 +413,8 @@ fn exact_droop_of_the_shaft_turns_the_toe_down_and_the_loft_towards_it() {
 
 #[test]
 fn published_plate_of_penner_loses_restitution_with_speed() {
-    // Penner (2001): e = 0.86 − 0.0029 V cos θ, v_n = (1 + e) V cos θ/(1 + m/M) of a face behind whose contact lies the centre of mass
+    // Penner (2001): e = 0.86 − 0.0029 V cos θ, v_n = (1 + e) V cos θ/(1 + m/M) of a face behind
+    // whose contact lies the centre of mass
     let mut setup = Setup::default();
     setup.club.cg_depth = 0.0;
     setup.swing.attack_angle = 0.0;
@@ -277,7 +426,13 @@ fn published_plate_of_penner_loses_restitution_with_speed() {
         let closing = speed * setup.club.loft.cos();
         let e = 0.86 - 0.0029 * closing;
         let expected = (1.0 + e) * closing / (1.0 + setup.ball.mass / setup.club.mass);
-        close(impact.launch.velocity.dot(impact.face_normal), expected, expected, 1e-14, "along the normal");
+        close(
+            impact.launch.velocity.dot(impact.face_normal),
+            expected,
+            expected,
+            1e-14,
+            "along the normal",
+        );
     }
 }
 
@@ -288,7 +443,11 @@ fn restitution_that_would_leave_its_range_is_an_error_and_no_drive_of_a_sweep() 
     setup.swing.speed = 60.0;
     let error = strike(&setup).unwrap_err();
     assert!(matches!(error, Error::Jammed { .. }), "{error}");
-    for part in ["must be between 0 and 1", "impact.restitution_slope", "swing.speed"] {
+    for part in [
+        "must be between 0 and 1",
+        "impact.restitution_slope",
+        "swing.speed",
+    ] {
         assert!(error.to_string().contains(part), "{error}");
     }
     setup.swing.speed = 20.0;
@@ -312,36 +471,72 @@ fn exact_derivatives_by_bend_droop_growth_and_slope_are_those_of_lean_and_restit
         let c = collision(&setup);
         c.approach().dot(c.normal)
     };
-    let slopes = derivative::gradient(&setup, Outcome::Carry, &wrt).unwrap().gradient;
-    close(slopes[1], -growth * slopes[0], slopes[0].abs(), 1e-11, "bend");
+    let slopes = derivative::gradient(&setup, Outcome::Carry, &wrt)
+        .unwrap()
+        .gradient;
+    close(
+        slopes[1],
+        -growth * slopes[0],
+        slopes[0].abs(),
+        1e-11,
+        "bend",
+    );
     let bend = setup.swing.shaft_bend.unwrap();
-    close(slopes[2], slopes[1] * bend * (setup.swing.speed / 44.704).ln(), slopes[1].abs(), 1e-11, "growth");
-    close(slopes[4], slopes[3] * (closing - 48.768), slopes[3].abs(), 1e-10, "slope of the restitution");
+    close(
+        slopes[2],
+        slopes[1] * bend * (setup.swing.speed / 44.704).ln(),
+        slopes[1].abs(),
+        1e-11,
+        "growth",
+    );
+    close(
+        slopes[4],
+        slopes[3] * (closing - 48.768),
+        slopes[3].abs(),
+        1e-10,
+        "slope of the restitution",
+    );
 }
 
-/// With and without the elimination of the speeds after impact, at any scale; and at a scale of 1 as rigid bodies.
+/// With and without the elimination of the speeds after impact, at any scale; and at a scale of 1
+/// as rigid bodies.
 #[test]
 fn exact_scaled_gear_effect_in_both_forms_of_the_collision() {
     for_random_setups(500, |setup| {
         let rigid = collision(&setup);
         for scale in [0.0, 0.5, 1.0] {
-            let c = Collision { gear_scale: Some(scale), ..rigid };
+            let c = Collision {
+                gear_scale: Some(scale),
+                ..rigid
+            };
             let (a, b) = (c.by_impulse().unwrap(), c.by_generalized_speeds().unwrap());
             let size = norm(a.impulse);
             same(a.impulse, b.impulse, size, "impulse");
             if scale == 1.0 {
-                same(a.impulse, rigid.by_impulse().unwrap().impulse, size, "rigid bodies");
+                same(
+                    a.impulse,
+                    rigid.by_impulse().unwrap().impulse,
+                    size,
+                    "rigid bodies",
+                );
             }
         }
     });
 }
 
-/// Square to a flat face without loft, the impulse along the face over that along its normal is in proportion to the scale: the ball has no
-/// spin at 0, and the derivative by the scale is that of this line.
+/// Square to a flat face without loft, the impulse along the face over that along its normal is in
+/// proportion to the scale: the ball has no spin at 0, and the derivative by the scale is that of
+/// this line.
 #[test]
 fn exact_gear_effect_of_a_square_strike_is_in_proportion_to_its_scale() {
     let mut setup = Setup::default();
-    setup.set_all([("swing.attack_angle", "0 deg"), ("club.loft", "0 deg"), ("strike.toe", "15 mm")]).unwrap();
+    setup
+        .set_all([
+            ("swing.attack_angle", "0 deg"),
+            ("club.loft", "0 deg"),
+            ("strike.toe", "15 mm"),
+        ])
+        .unwrap();
     (setup.club.bulge_radius, setup.club.roll_radius) = (f64::INFINITY, f64::INFINITY);
     setup.strike.high = 5e-3;
     let mut with = |scale: Option<f64>| {
@@ -366,14 +561,19 @@ fn differences_certify_the_derivative_by_the_scale_of_the_gear_effect() {
     let carry = |scale: f64| {
         let mut setup = setup;
         setup.impact.gear_scale = Some(scale);
-        Outcome::Lateral.of(&longdrive::Drive::new(&setup).unwrap()).unwrap()
+        Outcome::Lateral
+            .of(&longdrive::Drive::new(&setup).unwrap())
+            .unwrap()
     };
     let (at, h) = (0.6, 1e-3);
-    let difference =
-        (carry(at - 2.0 * h) - 8.0 * carry(at - h) + 8.0 * carry(at + h) - carry(at + 2.0 * h)) / (12.0 * h);
+    let difference = (carry(at - 2.0 * h) - 8.0 * carry(at - h) + 8.0 * carry(at + h)
+        - carry(at + 2.0 * h))
+        / (12.0 * h);
     setup.impact.gear_scale = Some(at);
     let wrt = [setup.variable("impact.gear_scale").unwrap()];
-    let slope = derivative::gradient(&setup, Outcome::Lateral, &wrt).unwrap().gradient[0];
+    let slope = derivative::gradient(&setup, Outcome::Lateral, &wrt)
+        .unwrap()
+        .gradient[0];
     close(slope, difference, slope.abs(), 1e-8, "slope");
     assert!(slope.abs() > 1.0, "{slope} m");
 }

@@ -5,7 +5,9 @@ use std::path::PathBuf;
 
 /// The folder of the library.
 pub fn source() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join("src")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("..")
+        .join("src")
 }
 
 /// A file, or those of a folder and of the folders in it.
@@ -13,18 +15,27 @@ pub fn files(place: PathBuf) -> Vec<PathBuf> {
     if place.is_file() {
         return vec![place];
     }
-    std::fs::read_dir(place).unwrap().flat_map(|entry| files(entry.unwrap().path())).collect()
+    std::fs::read_dir(place)
+        .unwrap()
+        .flat_map(|entry| files(entry.unwrap().path()))
+        .collect()
 }
 
 /// The paths of a tree such as `a::{b, c::{d, e}}`.
 fn paths(tree: &str) -> Vec<String> {
-    let Some((stem, rest)) = tree.split_once('{') else { return vec![tree.trim().into()] };
+    let Some((stem, rest)) = tree.split_once('{') else {
+        return vec![tree.trim().into()];
+    };
     let mut depth = 0;
     let parts = rest.rsplit_once('}').unwrap().0.split(|c| {
         depth += i32::from(c == '{') - i32::from(c == '}');
         c == ',' && depth == 0
     });
-    parts.filter(|part| !part.trim().is_empty()).flat_map(paths).map(|path| format!("{stem}{path}")).collect()
+    parts
+        .filter(|part| !part.trim().is_empty())
+        .flat_map(paths)
+        .map(|path| format!("{stem}{path}"))
+        .collect()
 }
 
 /// A path of a `use` line.
@@ -43,29 +54,52 @@ struct Names {
 }
 
 impl Names {
-    /// Those of a text, without comments and unit tests. A macro's `$crate` is none: it stands where the macro is called.
+    /// Those of a text, without comments and unit tests. A macro's `$crate` is none: it stands
+    /// where the macro is called.
     fn of(text: &str) -> Self {
         let text = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap();
-        let is_use = |line: &&str| line.starts_with("use ") || (line.starts_with("pub") && line.contains(" use "));
+        let is_use = |line: &&str| {
+            line.starts_with("use ") || (line.starts_with("pub") && line.contains(" use "))
+        };
         let trees = text.split(';').filter_map(|piece| {
             let lines: String = piece.lines().skip_while(|line| !is_use(line)).collect();
-            lines.split_once("use ").map(|(visibility, tree)| (!visibility.is_empty(), paths(tree)))
+            lines
+                .split_once("use ")
+                .map(|(visibility, tree)| (!visibility.is_empty(), paths(tree)))
         });
         let uses = trees.flat_map(|(is_handed_on, paths)| {
             paths.into_iter().map(move |path| {
                 let (path, alias) = path.split_once(" as ").unwrap_or((&path, ""));
-                let name = if alias.is_empty() { path.rsplit("::").next().unwrap() } else { alias };
-                Use { is_handed_on, path: path.into(), name: name.into() }
+                let name = if alias.is_empty() {
+                    path.rsplit("::").next().unwrap()
+                } else {
+                    alias
+                };
+                Use {
+                    is_handed_on,
+                    path: path.into(),
+                    name: name.into(),
+                }
             })
         });
-        let code = text.lines().filter(|line| !is_use(line) && !line.trim().starts_with("//"));
+        let code = text
+            .lines()
+            .filter(|line| !is_use(line) && !line.trim().starts_with("//"));
         // that something is seen in a module imports nothing from it
         let code = code.map(|line| {
-            line.split_once("pub(in ").and_then(|(_, rest)| rest.split_once(')')).map_or(line, |(_, rest)| rest)
+            line.split_once("pub(in ")
+                .and_then(|(_, rest)| rest.split_once(')'))
+                .map_or(line, |(_, rest)| rest)
         });
-        let words = code.flat_map(|line| line.split(|c: char| !(c.is_alphanumeric() || "_:$".contains(c))));
-        let paths = words.filter(|word| word.contains("::")).map(|word| word.trim_end_matches(':').to_owned());
-        Self { uses: uses.collect(), paths: paths.collect() }
+        let words =
+            code.flat_map(|line| line.split(|c: char| !(c.is_alphanumeric() || "_:$".contains(c))));
+        let paths = words
+            .filter(|word| word.contains("::"))
+            .map(|word| word.trim_end_matches(':').to_owned());
+        Self {
+            uses: uses.collect(),
+            paths: paths.collect(),
+        }
     }
 }
 
@@ -80,15 +114,18 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
     if files.contains_key(&next) {
         return defined(files, &next, rest);
     }
-    let handed_on = files[module].uses.iter().find(|of| of.is_handed_on && of.name == name);
+    let handed_on = files[module]
+        .uses
+        .iter()
+        .find(|of| of.is_handed_on && of.name == name);
     handed_on.map_or(module.to_owned(), |of| defined(files, module, &of.path))
 }
 
 /// What imports what.
 type Imports = BTreeMap<String, BTreeSet<String>>;
 
-/// The files of the library, by the modules that they are, and what each imports: by `use` lines, and by paths in its code. What is only handed on is
-/// no import.
+/// The files of the library, by the modules that they are, and what each imports: by `use` lines,
+/// and by paths in its code. What is only handed on is no import.
 fn imports() -> Imports {
     let source = source();
     let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap();
@@ -99,18 +136,32 @@ fn imports() -> Imports {
             .unwrap()
             .replace(source.to_str().unwrap(), "src")
             .replace(['/', '\\'], "::");
-        ["::mod", "::lib"].iter().fold(&module[..], |module, end| module.trim_end_matches(end)).to_owned()
+        ["::mod", "::lib"]
+            .iter()
+            .fold(&module[..], |module, end| module.trim_end_matches(end))
+            .to_owned()
     };
-    let files: BTreeMap<_, _> =
-        files(source.clone()).iter().map(|path| (module(path), Names::of(&text(path)))).collect();
+    let files: BTreeMap<_, _> = files(source.clone())
+        .iter()
+        .map(|path| (module(path), Names::of(&text(path))))
+        .collect();
     let of = |(module, names): (&String, &Names)| {
-        let used = names.uses.iter().filter(|of| !of.is_handed_on).map(|of| &of.path);
+        let used = names
+            .uses
+            .iter()
+            .filter(|of| !of.is_handed_on)
+            .map(|of| &of.path);
         let begins = |path: &&String| {
             let first = path.split("::").next().unwrap();
             ["super", "crate"].contains(&first) || files.contains_key(&format!("{module}::{first}"))
         };
-        let all = used.chain(names.paths.iter().filter(begins)).map(|path| defined(&files, module, path));
-        (module.clone(), all.filter(|other| other != module).collect())
+        let all = used
+            .chain(names.paths.iter().filter(begins))
+            .map(|path| defined(&files, module, path));
+        (
+            module.clone(),
+            all.filter(|other| other != module).collect(),
+        )
     };
     files.iter().map(of).collect()
 }
@@ -119,8 +170,13 @@ fn imports() -> Imports {
 fn circle(mut imports: Imports) -> Option<Vec<String>> {
     // what imports nothing that is left is in no circle
     loop {
-        let is_end = |others: &BTreeSet<String>| others.iter().all(|other| !imports.contains_key(other));
-        let ends: Vec<_> = imports.iter().filter(|(_, others)| is_end(others)).map(|(one, _)| one.clone()).collect();
+        let is_end =
+            |others: &BTreeSet<String>| others.iter().all(|other| !imports.contains_key(other));
+        let ends: Vec<_> = imports
+            .iter()
+            .filter(|(_, others)| is_end(others))
+            .map(|(one, _)| one.clone())
+            .collect();
         if ends.is_empty() {
             break;
         }
@@ -129,7 +185,9 @@ fn circle(mut imports: Imports) -> Option<Vec<String>> {
     // the others all import one that is left: who goes on and on comes back
     let mut way = vec![imports.keys().next()?.clone()];
     loop {
-        let next = imports[way.last()?].iter().find(|other| imports.contains_key(*other))?;
+        let next = imports[way.last()?]
+            .iter()
+            .find(|other| imports.contains_key(*other))?;
         if let Some(first) = way.iter().position(|one| one == next) {
             return Some(way.split_off(first));
         }
@@ -151,11 +209,18 @@ fn regress_no_circle_of_imports_between_modules() {
     let mut modules = Imports::new();
     for (file, others) in imports() {
         let Some(own) = module(&file) else { continue };
-        let others = others.iter().filter_map(module).filter(|other| *other != own);
+        let others = others
+            .iter()
+            .filter_map(module)
+            .filter(|other| *other != own);
         modules.entry(own.clone()).or_default().extend(others);
     }
     let count: usize = modules.values().map(BTreeSet::len).sum();
-    assert!(modules.len() > 20 && count > 100, "{count} imports of {} modules", modules.len());
+    assert!(
+        modules.len() > 20 && count > 100,
+        "{count} imports of {} modules",
+        modules.len()
+    );
     assert_eq!(circle(modules), None);
 }
 
@@ -164,13 +229,23 @@ fn exact_a_circle_is_found_however_long_it_is() {
     let of = |pairs: &[(&str, &str)]| {
         let mut imports = Imports::new();
         for (one, other) in pairs {
-            imports.entry((*one).into()).or_default().insert((*other).into());
+            imports
+                .entry((*one).into())
+                .or_default()
+                .insert((*other).into());
             imports.entry((*other).into()).or_default();
         }
         circle(imports)
     };
     assert_eq!(of(&[("a", "b"), ("a", "c"), ("b", "c"), ("c", "d")]), None);
-    let found = of(&[("a", "b"), ("b", "c"), ("b", "f"), ("c", "d"), ("d", "b"), ("d", "e")]);
+    let found = of(&[
+        ("a", "b"),
+        ("b", "c"),
+        ("b", "f"),
+        ("c", "d"),
+        ("d", "b"),
+        ("d", "e"),
+    ]);
     assert_eq!(found.unwrap(), ["b", "c", "d"]);
     assert_eq!(of(&[("a", "b"), ("b", "a")]).unwrap(), ["a", "b"]);
 }

@@ -36,20 +36,27 @@ impl AtWork {
         let folder = tempfile::tempdir().unwrap();
         let [out, err] = ["out", "err"].map(|name| File::create(folder.path().join(name)).unwrap());
         let mut program = program::command();
-        Self { child: program.args(args).stdout(out).stderr(err).spawn().unwrap(), folder }
+        Self {
+            child: program.args(args).stdout(out).stderr(err).spawn().unwrap(),
+            folder,
+        }
     }
 
     fn read(&self, name: &str) -> String {
         String::from_utf8_lossy(&std::fs::read(self.folder.path().join(name)).unwrap()).into_owned()
     }
 
-    /// Whether it has ended, and for how long it has computed, in hundredths of a second; None where no /proc tells that. It is not waited for
-    /// before its end is seen here: the system would forget it.
+    /// Whether it has ended, and for how long it has computed, in hundredths of a second; None
+    /// where no /proc tells that. It is not waited for before its end is seen here: the system
+    /// would forget it.
     fn used(&self) -> Option<(bool, u64)> {
         let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).ok()?;
         // behind the name: the state, ten numbers, and the time in the program and in the system
         let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
-        let used = fields[11..13].iter().map(|ticks| ticks.parse::<u64>().unwrap()).sum();
+        let used = fields[11..13]
+            .iter()
+            .map(|ticks| ticks.parse::<u64>().unwrap())
+            .sum();
         Some((fields[0] == "Z", used))
     }
 
@@ -86,15 +93,29 @@ impl AtWork {
     /// Presses Ctrl-C: what it says, which it may not compute for long.
     fn interrupted(mut self) -> Said {
         let before = self.used();
-        assert!(Command::new("kill").args(["-INT", &self.child.id().to_string()]).status().unwrap().success());
+        assert!(
+            Command::new("kill")
+                .args(["-INT", &self.child.id().to_string()])
+                .status()
+                .unwrap()
+                .success()
+        );
         self.wait_until(|_| false);
         let after = self.used();
         let status = self.child.wait().unwrap();
         let [out, err] = ["out", "err"].map(|name| self.read(name));
         if let (Some((_, before)), Some((_, after))) = (before, after) {
-            assert!(after - before < LAST, "{:.2} s of computing after Ctrl-C: {err}", (after - before) as f64 / 100.0);
+            assert!(
+                after - before < LAST,
+                "{:.2} s of computing after Ctrl-C: {err}",
+                (after - before) as f64 / 100.0
+            );
         }
-        Said { status: status.code().unwrap_or_else(|| panic!("it died: {err}")), out, err }
+        Said {
+            status: status.code().unwrap_or_else(|| panic!("it died: {err}")),
+            out,
+            err,
+        }
     }
 }
 
@@ -115,10 +136,16 @@ fn interrupted_json_once(args: &[&str], is_time: impl Fn(&AtWork) -> bool) -> Va
     let mut program = AtWork::new(&[args, &["--json"]].concat());
     program.wait_until(is_time);
     let said = program.interrupted();
-    let answer: Value = serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err));
+    let answer: Value = serde_json::from_str(&said.out)
+        .unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err));
     let faults = faults(args[0], &answer);
     assert!(faults.is_empty(), "{args:?}: {faults:#?} in {answer:#}");
-    assert_eq!((said.status, answer["status"].as_str()), (1, Some("interrupted")), "{args:?}: {answer:#} {}", said.err);
+    assert_eq!(
+        (said.status, answer["status"].as_str()),
+        (1, Some("interrupted")),
+        "{args:?}: {answer:#} {}",
+        said.err
+    );
     answer
 }
 
@@ -137,15 +164,32 @@ fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
     ] {
         // the study takes a second or two, and tells what it computes
         let is_told = args[0] == "reproduce";
-        let is_time = |program: &AtWork| if is_told { program.has_said("computing") } else { program.has_computed() };
-        let message = interrupted_json_once(&args, is_time)["message"].as_str().unwrap().to_owned();
-        assert_eq!(message, "interrupted before there was an answer; nothing was printed or written", "{args:?}");
+        let is_time = |program: &AtWork| {
+            if is_told {
+                program.has_said("computing")
+            } else {
+                program.has_computed()
+            }
+        };
+        let message = interrupted_json_once(&args, is_time)["message"]
+            .as_str()
+            .unwrap()
+            .to_owned();
+        assert_eq!(
+            message, "interrupted before there was an answer; nothing was printed or written",
+            "{args:?}"
+        );
         let left = std::fs::read_dir(folder.path()).unwrap().count();
         assert_eq!(left, 0, "{args:?} left something behind");
     }
     let said = interrupted(&["uncertainty", "-q", "--samples", "1000000"]);
     assert!(said.status == 1 && said.out.is_empty(), "{}", said.out);
-    assert!(said.err.contains("error: interrupted before there was an answer"), "{}", said.err);
+    assert!(
+        said.err
+            .contains("error: interrupted before there was an answer"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
@@ -153,16 +197,49 @@ fn what_is_done_of_a_certificate_and_of_a_chart_is_told_as_interrupted() {
     let found = interrupted_json(&["verify", "--set", "flight.step=0.05ms"]);
     let rows = found["rows"].as_array().unwrap().len();
     let message = found["message"].as_str().unwrap();
-    assert!(message.starts_with(&format!("the rows are complete for {} of ", rows / 2)), "{message}, {rows} rows");
+    assert!(
+        message.starts_with(&format!("the rows are complete for {} of ", rows / 2)),
+        "{message}, {rows} rows"
+    );
     assert_eq!(found["passed"], false);
-    let chart = interrupted_json(&["chart", "--along", "swing.speed=60mph..140mph", "--set", "flight.step=0.1ms"]);
+    let chart = interrupted_json(&[
+        "chart",
+        "--along",
+        "swing.speed=60mph..140mph",
+        "--set",
+        "flight.step=0.1ms",
+    ]);
     assert!(chart["ended"].as_str().is_some(), "{chart:#}");
-    let goals = ["pareto", "--maximize", "carry", "--minimize", "apex_height", "--points", "1000"];
+    let goals = [
+        "pareto",
+        "--maximize",
+        "carry",
+        "--minimize",
+        "apex_height",
+        "--points",
+        "1000",
+    ];
     // both ends of the front take four searches; how many there were is told every second
-    let searches = |text: &str| text.rsplit("following the front: ").next()?.split(' ').next()?.parse().ok();
-    let has_begun = |program: &AtWork| searches(&program.read("err")).is_some_and(|searches: u32| searches > 5);
-    let front = interrupted_json_once(&[&goals[..], &["--set", "flight.step=0.5ms"]].concat(), has_begun);
-    assert!(front["points"].as_array().is_some_and(|points| points.len() > 1), "{front:#}");
+    let searches = |text: &str| {
+        text.rsplit("following the front: ")
+            .next()?
+            .split(' ')
+            .next()?
+            .parse()
+            .ok()
+    };
+    let has_begun =
+        |program: &AtWork| searches(&program.read("err")).is_some_and(|searches: u32| searches > 5);
+    let front = interrupted_json_once(
+        &[&goals[..], &["--set", "flight.step=0.5ms"]].concat(),
+        has_begun,
+    );
+    assert!(
+        front["points"]
+            .as_array()
+            .is_some_and(|points| points.len() > 1),
+        "{front:#}"
+    );
 }
 
 #[test]
@@ -173,43 +250,91 @@ fn exact_what_was_stopped_writes_no_fit_lists_no_optimum_and_names_the_file_of_i
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let slow = ["--set", "flight.step=0.02ms"];
     let step = "flight.step=0.1ms";
-    let fit = ["calibrate", shots, "--fit", "aero.cd0", "-o", &fitted, "--set", step];
+    let fit = [
+        "calibrate",
+        shots,
+        "--fit",
+        "aero.cd0",
+        "-o",
+        &fitted,
+        "--set",
+        step,
+    ];
     let found = interrupted_json_once(&fit, |program| program.has_said("iteration"));
-    assert!(found["file"].is_null() && found["warnings"].to_string().contains("is not written"), "{found:#}");
+    assert!(
+        found["file"].is_null() && found["warnings"].to_string().contains("is not written"),
+        "{found:#}"
+    );
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
     let so_far = std::path::PathBuf::from(format!("{rows}.part"));
-    let sweep = ["sweep", "--over", "club.loft=5deg..15deg:3000000", "-o", &rows];
+    let sweep = [
+        "sweep",
+        "--over",
+        "club.loft=5deg..15deg:3000000",
+        "-o",
+        &rows,
+    ];
     let found = interrupted_json_once(&sweep, |_| so_far.exists());
     assert_eq!(found["file"].as_str(), so_far.to_str());
     assert!(so_far.exists());
     let said = interrupted(&["optimize", "--starts", "5000", slow[0], slow[1]]);
-    assert!(said.out.contains("\nnot listed: 5000 of 5000 searches stopped before the end\n"), "{}", said.out);
+    assert!(
+        said.out
+            .contains("\nnot listed: 5000 of 5000 searches stopped before the end\n"),
+        "{}",
+        said.out
+    );
     assert!(!said.out.contains(" of 5000  interrupted"), "{}", said.out);
 }
 
-/// The best of the searches that ended may have converged: that the others did not end is told beside it.
+/// The best of the searches that ended may have converged: that the others did not end is told
+/// beside it.
 #[test]
 fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<()> {
     let setup = Setup::default();
     let search = Search::longest_drive(&setup)?;
     let (stop, ended) = (Arc::new(AtomicBool::new(false)), AtomicUsize::new(0));
     let flag = stop.clone();
-    let end = move |_: usize, _: &_| flag.store(ended.fetch_add(1, Ordering::Relaxed) >= 3, Ordering::Relaxed);
-    let follow = Follow { interrupt: stop, end: Some(Arc::new(end)), ..Follow::default() };
+    let end = move |_: usize, _: &_| {
+        flag.store(
+            ended.fetch_add(1, Ordering::Relaxed) >= 3,
+            Ordering::Relaxed,
+        )
+    };
+    let follow = Follow {
+        interrupt: stop,
+        end: Some(Arc::new(end)),
+        ..Follow::default()
+    };
     let found = optima(&setup, &search, 400, &follow)?;
     let (stopped, preset) = (found.stopped(), Preset::named("modern-driver").unwrap());
-    assert!(stopped > 0 && found.best()?.status() == "converged", "{stopped}");
+    assert!(
+        stopped > 0 && found.best()?.status() == "converged",
+        "{stopped}"
+    );
     let listed = optima_text(&found, System::Metric);
-    assert!(listed.contains(&format!("\nnot listed: {stopped} of 400 searches stopped before the end\n")), "{listed}");
-    assert!(!listed.contains("interrupted") && listed.contains("converged"), "{listed}");
+    assert!(
+        listed.contains(&format!(
+            "\nnot listed: {stopped} of 400 searches stopped before the end\n"
+        )),
+        "{listed}"
+    );
+    assert!(
+        !listed.contains("interrupted") && listed.contains("converged"),
+        "{listed}"
+    );
     let text = optimum_toml(&found, preset)?;
     let ended = 400 - stopped;
     let line = format!(
-        "\n# interrupted: {ended} of 400 searches ended, and {stopped} were stopped before their end; the best so far:\n# converged: "
+        "\n# interrupted: {ended} of 400 searches ended, and {stopped} were stopped before their \
+         end; the best so far:\n# converged: "
     );
     assert!(text.contains(&line), "{text}");
     let whole = optimum_toml(&optima(&setup, &search, 4, &Follow::default())?, preset)?;
-    assert!(!whole.contains("interrupted") && whole.contains("\n# converged: "), "{whole}");
+    assert!(
+        !whole.contains("interrupted") && whole.contains("\n# converged: "),
+        "{whole}"
+    );
     Ok(())
 }
 
@@ -219,66 +344,147 @@ fn shots_that_are_flown_before_are_counted_and_no_file_is_written() {
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let row = |at: usize| format!("{},12,{}\n", 140 + at % 40, 2000 + at % 1000);
     let rows: String = (0..200_000).map(row).collect();
-    std::fs::write(path("shots.csv"), format!("ball_speed [mph],launch_angle [deg],backspin [rpm]\n{rows}")).unwrap();
+    std::fs::write(
+        path("shots.csv"),
+        format!("ball_speed [mph],launch_angle [deg],backspin [rpm]\n{rows}"),
+    )
+    .unwrap();
     // rows that were flown stand in a file of another name until all are
-    let names =
-        || -> Vec<_> { std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect() };
+    let names = || -> Vec<_> {
+        std::fs::read_dir(folder.path())
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name())
+            .collect()
+    };
     let has_rows = |_: &AtWork| {
         let others = names().into_iter().filter(|name| name != "shots.csv");
         others
             .map(|name| folder.path().join(name))
             .any(|file| std::fs::metadata(file).is_ok_and(|file| file.len() > 1000))
     };
-    let fly = ["fly", &path("shots.csv"), "-o", &path("flown.csv"), "--set", "flight.step=2ms"];
+    let fly = [
+        "fly",
+        &path("shots.csv"),
+        "-o",
+        &path("flown.csv"),
+        "--set",
+        "flight.step=2ms",
+    ];
     let found = interrupted_json_once(&fly, has_rows);
     let flown = found["rows"].as_u64().unwrap();
     assert!((1..200_000).contains(&flown), "{flown}");
-    assert_eq!(found["message"], format!("stopped after {flown} rows; {} is not written", path("flown.csv")));
+    assert_eq!(
+        found["message"],
+        format!(
+            "stopped after {flown} rows; {} is not written",
+            path("flown.csv")
+        )
+    );
     assert_eq!(names(), ["shots.csv"]);
 }
 
 /// An evaluation over so many swings takes seconds: it stops between any two of them.
 #[test]
 fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation() {
-    let swings = ["--scenarios", "50000", "--distribution", "swing.speed=normal(110mph,3mph)"];
-    let swings = [&swings[..], &["--distribution", "swing.path=normal(0deg,2deg)"]].concat();
+    let swings = [
+        "--scenarios",
+        "50000",
+        "--distribution",
+        "swing.speed=normal(110mph,3mph)",
+    ];
+    let swings = [
+        &swings[..],
+        &["--distribution", "swing.path=normal(0deg,2deg)"],
+    ]
+    .concat();
     let goals = ["--maximize", "mean(carry)", "--minimize", "std(lateral)"];
-    for args in [vec!["optimize"], vec!["design"], vec!["robust"], [&["pareto"], &goals[..]].concat()] {
+    for args in [
+        vec!["optimize"],
+        vec!["design"],
+        vec!["robust"],
+        [&["pareto"], &goals[..]].concat(),
+    ] {
         let after = |hundredths| {
-            let found =
-                interrupted_json_once(&[&args[..], &swings].concat(), |program| program.has_computed_for(hundredths));
+            let found = interrupted_json_once(&[&args[..], &swings].concat(), |program| {
+                program.has_computed_for(hundredths)
+            });
             (found["message"].as_str().unwrap().to_owned(), found)
         };
         // where Ctrl-C came before the search, later
-        let mut within = [1, 2, 4, 8, 16, 32].map(|times| times * UNDER_WAY).into_iter().map(after);
-        let (message, found) = within.find(|(message, _)| !message.contains("before there was an answer")).unwrap();
+        let mut within = [1, 2, 4, 8, 16, 32]
+            .map(|times| times * UNDER_WAY)
+            .into_iter()
+            .map(after);
+        let (message, found) = within
+            .find(|(message, _)| !message.contains("before there was an answer"))
+            .unwrap();
         assert!(message.contains("stopped"), "{found:#}");
         // a point that was not finished is none
-        assert_eq!(found["optimum"].is_object(), found["value"].is_number(), "{found:#}");
+        assert_eq!(
+            found["optimum"].is_object(),
+            found["value"].is_number(),
+            "{found:#}"
+        );
     }
 }
 
 #[test]
 fn exact_same_answer_over_swings_when_ctrl_c_stops_it_within_iterations_again_and_again() {
     let folder = tempfile::tempdir().unwrap();
-    let swings =
-        ["--distribution", "swing.path=normal(0deg,2deg)", "--distribution", "swing.speed=normal(110mph,3mph)"];
-    let vary = ["--vary", "club.loft=4deg..20deg", "--vary", "club.bulge_radius=200mm..600mm"];
-    let goal = ["--scenarios", "4000", "--maximize", "mean(carry) - 0.5*std(lateral)"];
+    let swings = [
+        "--distribution",
+        "swing.path=normal(0deg,2deg)",
+        "--distribution",
+        "swing.speed=normal(110mph,3mph)",
+    ];
+    let vary = [
+        "--vary",
+        "club.loft=4deg..20deg",
+        "--vary",
+        "club.bulge_radius=200mm..600mm",
+    ];
+    let goal = [
+        "--scenarios",
+        "4000",
+        "--maximize",
+        "mean(carry) - 0.5*std(lateral)",
+    ];
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (alone, stopped) = (path("alone.json"), path("stopped.json"));
-    let asked =
-        |checkpoint| [&["optimize", "--json"], &swings[..], &vary, &goal, &["--checkpoint", checkpoint]].concat();
+    let asked = |checkpoint| {
+        [
+            &["optimize", "--json"],
+            &swings[..],
+            &vary,
+            &goal,
+            &["--checkpoint", checkpoint],
+        ]
+        .concat()
+    };
     let alone = crate::command_line::longdrive(&asked(&alone));
     assert_eq!(alone.status, 0, "{}", alone.err);
-    // before the first iteration is kept, then each time within the one that follows the next that is
+    // before the first iteration is kept, then each time within the one that follows the next that
+    // is
     for round in 0..4 {
         let kept = || std::fs::read(&stopped).ok();
         let before = kept();
         let mut program = AtWork::new(&asked(&stopped));
-        program.wait_until(|_| if round == 0 { kept().is_some() } else { kept() != before });
+        program.wait_until(|_| {
+            if round == 0 {
+                kept().is_some()
+            } else {
+                kept() != before
+            }
+        });
         let said = program.interrupted();
-        assert!(said.status == 0 || said.status == 1, "round {round}: {}", said.err);
+        assert!(
+            said.status == 0 || said.status == 1,
+            "round {round}: {}",
+            said.err
+        );
     }
-    assert_eq!(crate::command_line::longdrive(&asked(&stopped)).out, alone.out);
+    assert_eq!(
+        crate::command_line::longdrive(&asked(&stopped)).out,
+        alone.out
+    );
 }

@@ -1,4 +1,5 @@
-//! Answers in JSON: one object whatever is asked, as docs/json.md and the schemas of docs/schema describe it.
+//! Answers in JSON: one object whatever is asked, as docs/json.md and the schemas of docs/schema
+//! describe it.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -25,42 +26,157 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     fs::write(file("shots.csv"), shots()).unwrap();
-    let (shots, picture, page, rows) = (file("shots.csv"), file("a.svg"), file("page"), file("rows.jsonl"));
+    let (shots, picture, page, rows) = (
+        file("shots.csv"),
+        file("a.svg"),
+        file("page"),
+        file("rows.jsonl"),
+    );
     let flown = file("flown.jsonl");
-    // `json` itself holds each answer against its schema; `reproduce`, which takes long, has its own tests
+    // `json` itself holds each answer against its schema; `reproduce`, which takes long, has its
+    // own tests
     for (args, ends) in [
         (vec!["simulate"], "landed"),
-        (vec!["gradient", "--of", "carry,lateral", "--hessian"], "done"),
-        (vec!["compare", "mae494", "winfield-tan", "--of", "carry,ball_speed"], "done"),
-        (vec!["optimize", "--starts", "3", "--subject-to", "apex_height <= 35 yd"], "converged"),
-        (vec!["optimum-sensitivity", "--wrt", "gravity", "--change", "swing.speed=+5mph"], "converged"),
+        (
+            vec!["gradient", "--of", "carry,lateral", "--hessian"],
+            "done",
+        ),
+        (
+            vec![
+                "compare",
+                "mae494",
+                "winfield-tan",
+                "--of",
+                "carry,ball_speed",
+            ],
+            "done",
+        ),
+        (
+            vec![
+                "optimize",
+                "--starts",
+                "3",
+                "--subject-to",
+                "apex_height <= 35 yd",
+            ],
+            "converged",
+        ),
+        (
+            vec![
+                "optimum-sensitivity",
+                "--wrt",
+                "gravity",
+                "--change",
+                "swing.speed=+5mph",
+            ],
+            "converged",
+        ),
         (vec!["design", "--scenarios", "16"], "converged"),
-        (vec!["calibrate", &shots, "--fit", "aero.spin_decay", "--folds", "3"], "converged"),
-        (vec!["delivery", "--launch", "ball_speed=160mph,launch_angle=11deg,spin=2600rpm,spin_axis=3deg"], "done"),
-        (vec!["delivery", "--shots", concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv")], "done"),
-        (vec!["chart", "--along", "swing.speed=100mph..104mph"], "done"),
-        (vec!["pareto", "--maximize", "carry", "--minimize", "apex_height", "--points", "4"], "done"),
+        (
+            vec![
+                "calibrate",
+                &shots,
+                "--fit",
+                "aero.spin_decay",
+                "--folds",
+                "3",
+            ],
+            "converged",
+        ),
+        (
+            vec![
+                "delivery",
+                "--launch",
+                "ball_speed=160mph,launch_angle=11deg,spin=2600rpm,spin_axis=3deg",
+            ],
+            "done",
+        ),
+        (
+            vec![
+                "delivery",
+                "--shots",
+                concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv"),
+            ],
+            "done",
+        ),
+        (
+            vec!["chart", "--along", "swing.speed=100mph..104mph"],
+            "done",
+        ),
+        (
+            vec![
+                "pareto",
+                "--maximize",
+                "carry",
+                "--minimize",
+                "apex_height",
+                "--points",
+                "4",
+            ],
+            "done",
+        ),
         (vec!["robust", "--model", "aero.law=ferguson"], "converged"),
         (vec!["plot", "trajectory", "-o", &picture], "done"),
-        (vec!["report", "-o", &page, "--along", "swing.speed=100mph..104mph"], "done"),
-        (vec!["sweep", "--over", "club.loft=-30deg..12deg:3", "-o", &rows, "--gradient"], "done"),
+        (
+            vec![
+                "report",
+                "-o",
+                &page,
+                "--along",
+                "swing.speed=100mph..104mph",
+            ],
+            "done",
+        ),
+        (
+            vec![
+                "sweep",
+                "--over",
+                "club.loft=-30deg..12deg:3",
+                "-o",
+                &rows,
+                "--gradient",
+            ],
+            "done",
+        ),
         (vec!["validate"], "done"),
-        (vec!["fly", "tests/data/shots/trackman.csv", "-o", &flown], "done"),
-        (vec!["verify", "--of", "carry", "--wrt", "club.loft"], "passed"),
-        (vec!["sensitivity", "--at-optimum", "--of", "carry,backspin"], "done"),
+        (
+            vec!["fly", "tests/data/shots/trackman.csv", "-o", &flown],
+            "done",
+        ),
+        (
+            vec!["verify", "--of", "carry", "--wrt", "club.loft"],
+            "passed",
+        ),
+        (
+            vec!["sensitivity", "--at-optimum", "--of", "carry,backspin"],
+            "done",
+        ),
         (vec!["uncertainty", "--samples", "20"], "done"),
         (vec!["parameters"], "done"),
         (vec!["presets"], "done"),
         (vec!["presets", "mae494"], "done"),
         (vec!["laws"], "done"),
     ] {
-        let (status, answer) = if args == ["validate"] { ANSWERED.clone() } else { json(&args) };
-        assert_eq!((status, answer["status"].as_str()), (0, Some(ends)), "{args:?}: {}", answer["message"]);
+        let (status, answer) = if args == ["validate"] {
+            ANSWERED.clone()
+        } else {
+            json(&args)
+        };
+        assert_eq!(
+            (status, answer["status"].as_str()),
+            (0, Some(ends)),
+            "{args:?}: {}",
+            answer["message"]
+        );
         assert_eq!(answer["command"], args[0]);
     }
     for (file, schema) in [(rows, "sweep-row"), (flown, "fly-row")] {
         for row in fs::read_to_string(file).unwrap().lines() {
-            assert_eq!(faults(schema, &serde_json::from_str(row).unwrap()), [""; 0], "{row}");
+            assert_eq!(
+                faults(schema, &serde_json::from_str(row).unwrap()),
+                [""; 0],
+                "{row}"
+            );
         }
     }
 }
@@ -71,30 +187,101 @@ fn a_question_without_an_answer_gets_an_object_with_the_reason_and_status_1() {
     let picture = folder.path().join("a.svg").to_str().unwrap().to_owned();
     let page = folder.path().join("page").to_str().unwrap().to_owned();
     let down = ["--set", "swing.attack_angle=-20deg"];
-    let contradiction = ["--subject-to", "apex_height <= 30 m", "--subject-to", "apex_height >= 31 m"];
+    let contradiction = [
+        "--subject-to",
+        "apex_height <= 30 m",
+        "--subject-to",
+        "apex_height >= 31 m",
+    ];
     let with = |command: &[&'static str], more: &[&'static str]| [command, more].concat();
     for (args, ends) in [
         (with(&["simulate"], &down), "no-flight"),
         (with(&["gradient"], &down), "no-flight"),
-        (with(&["gradient", "--of", "ball_speed,carry"], &down), "partial"),
-        (with(&["compare", "mae494", "--set-b", "club.loft=11deg"], &down), "no-flight"),
-        (vec!["compare", "--set-b", down[1], "--of", "ball_speed,carry"], "partial"),
+        (
+            with(&["gradient", "--of", "ball_speed,carry"], &down),
+            "partial",
+        ),
+        (
+            with(&["compare", "mae494", "--set-b", "club.loft=11deg"], &down),
+            "no-flight",
+        ),
+        (
+            vec!["compare", "--set-b", down[1], "--of", "ball_speed,carry"],
+            "partial",
+        ),
         (with(&["optimize"], &contradiction), "infeasible"),
         (with(&["optimum-sensitivity"], &contradiction), "infeasible"),
-        (vec!["design", "--scenarios", "16", "--subject-to", "mean(carry) >= 400yd"], "infeasible"),
-        (with(&["chart", "--along", "swing.speed=100mph..104mph"], &contradiction), "no-answer"),
-        (with(&["pareto", "--maximize", "carry", "--minimize", "lateral"], &contradiction), "infeasible"),
+        (
+            vec![
+                "design",
+                "--scenarios",
+                "16",
+                "--subject-to",
+                "mean(carry) >= 400yd",
+            ],
+            "infeasible",
+        ),
+        (
+            with(
+                &["chart", "--along", "swing.speed=100mph..104mph"],
+                &contradiction,
+            ),
+            "no-answer",
+        ),
+        (
+            with(
+                &["pareto", "--maximize", "carry", "--minimize", "lateral"],
+                &contradiction,
+            ),
+            "infeasible",
+        ),
         (with(&["robust"], &contradiction), "infeasible"),
-        (vec!["plot", "trajectory", "-o", &picture, down[0], down[1]], "no-flight"),
-        (vec!["report", "-o", &page, down[0], down[1], "--vary", "swing.attack_angle=-40deg..-30deg"], "no-flight"),
+        (
+            vec!["plot", "trajectory", "-o", &picture, down[0], down[1]],
+            "no-flight",
+        ),
+        (
+            vec![
+                "report",
+                "-o",
+                &page,
+                down[0],
+                down[1],
+                "--vary",
+                "swing.attack_angle=-40deg..-30deg",
+            ],
+            "no-flight",
+        ),
         (with(&["verify", "--of", "carry"], &down), "no-flight"),
         (with(&["sensitivity"], &down), "no-flight"),
-        (with(&["sensitivity", "--at-optimum"], &contradiction), "infeasible"),
-        (with(&["uncertainty", "--samples", "20", "--sigma", "club.loft=0.1deg"], &down), "no-answer"),
+        (
+            with(&["sensitivity", "--at-optimum"], &contradiction),
+            "infeasible",
+        ),
+        (
+            with(
+                &[
+                    "uncertainty",
+                    "--samples",
+                    "20",
+                    "--sigma",
+                    "club.loft=0.1deg",
+                ],
+                &down,
+            ),
+            "no-answer",
+        ),
     ] {
         let (status, answer) = json(&args);
-        assert_eq!((status, answer["status"].as_str()), (1, Some(ends)), "{args:?}: {answer}");
-        assert!(!answer["message"].as_str().unwrap().is_empty(), "{args:?}: {answer}");
+        assert_eq!(
+            (status, answer["status"].as_str()),
+            (1, Some(ends)),
+            "{args:?}: {answer}"
+        );
+        assert!(
+            !answer["message"].as_str().unwrap().is_empty(),
+            "{args:?}: {answer}"
+        );
     }
 }
 
@@ -108,9 +295,15 @@ fn bad_input_gets_an_object_with_the_message_of_standard_error_and_status_2() {
         (vec!["compare"], "compare"),
         (vec!["compare", "--set-b", "club.lofft=10deg"], "compare"),
         (vec!["optimize", "--starts", "0"], "optimize"),
-        (vec!["optimum-sensitivity", "--loss", "0 yd"], "optimum-sensitivity"),
+        (
+            vec!["optimum-sensitivity", "--loss", "0 yd"],
+            "optimum-sensitivity",
+        ),
         (vec!["design", "--rules", "mine"], "design"),
-        (vec!["calibrate", "nowhere.csv", "--fit", "aero.cd0"], "calibrate"),
+        (
+            vec!["calibrate", "nowhere.csv", "--fit", "aero.cd0"],
+            "calibrate",
+        ),
         (vec!["calibrate"], "calibrate"),
         (vec!["delivery"], "delivery"),
         (vec!["chart"], "chart"),
@@ -133,28 +326,51 @@ fn bad_input_gets_an_object_with_the_message_of_standard_error_and_status_2() {
         (vec!["laws", "lyu"], "laws"),
     ] {
         let (status, answer) = json(&args);
-        assert_eq!((status, &answer["status"], &answer["command"]), (2, &"error".into(), &command.into()), "{args:?}");
+        assert_eq!(
+            (status, &answer["status"], &answer["command"]),
+            (2, &"error".into(), &command.into()),
+            "{args:?}"
+        );
         let said = longdrive(&[&args[..], &["--json"]].concat());
         let message = answer["message"].as_str().unwrap();
-        assert!(said.err.contains(message) && !message.starts_with("error"), "{args:?}: {message} in {}", said.err);
+        assert!(
+            said.err.contains(message) && !message.starts_with("error"),
+            "{args:?}: {message} in {}",
+            said.err
+        );
         assert_eq!(answer.as_object().unwrap().len(), 4);
     }
     let said = longdrive(&["soar", "--json"]);
     let answer: Value = serde_json::from_str(&said.out).unwrap();
     assert_eq!((said.status, &answer["command"]), (2, &Value::Null));
-    assert!(answer["message"].as_str().unwrap().contains("unrecognized subcommand"), "{answer}");
+    assert!(
+        answer["message"]
+            .as_str()
+            .unwrap()
+            .contains("unrecognized subcommand"),
+        "{answer}"
+    );
 }
 
 #[test]
 fn exact_setup_launch_and_flight_of_the_best_drive_come_with_an_optimum() {
     let (_, best) = json(&["optimize", "mae494", "--vary", "club.loft=0deg..20deg"]);
-    let loft = format!("club.loft={:?}", best["optimum"]["club.loft"].as_f64().unwrap());
+    let loft = format!(
+        "club.loft={:?}",
+        best["optimum"]["club.loft"].as_f64().unwrap()
+    );
     let (_, drive) = json(&["simulate", "mae494", "--set", &format!("{loft} rad")]);
     for key in ["setup", "launch", "flight"] {
         assert_eq!(best[key], drive[key], "{key}");
     }
     // the value was computed with its derivatives, which rounds otherwise
-    close(number(&best["value"]), number(&best["flight"]["carry"]), 140.0, 1e-13, "carry");
+    close(
+        number(&best["value"]),
+        number(&best["flight"]["carry"]),
+        140.0,
+        1e-13,
+        "carry",
+    );
 }
 
 #[test]
@@ -162,19 +378,38 @@ fn exact_ranges_without_an_end_say_so_in_the_listing_of_parameters() {
     let (_, listing) = json(&["parameters"]);
     let rows = listing["parameters"].as_array().unwrap();
     let range = |name: &str| &rows.iter().find(|row| row["parameter"] == name).unwrap()["range"];
-    assert_eq!((&range("aero.cd1")["low"], &range("aero.cd1")["high"]), (&"-inf".into(), &"inf".into()));
-    assert!(rows.iter().all(|row| !row["range"]["low"].is_null() && !row["range"]["high"].is_null()));
+    assert_eq!(
+        (&range("aero.cd1")["low"], &range("aero.cd1")["high"]),
+        (&"-inf".into(), &"inf".into())
+    );
+    assert!(
+        rows.iter()
+            .all(|row| !row["range"]["low"].is_null() && !row["range"]["high"].is_null())
+    );
 }
 
 #[test]
 fn exact_names_of_the_schemas_are_those_of_the_program() {
     let file = format!("{}/../docs/schema/common.json", env!("CARGO_MANIFEST_DIR"));
     let common: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
-    let known = |name: &str| common["$defs"]["outcome"]["enum"].as_array().unwrap().contains(&name.into());
+    let known = |name: &str| {
+        common["$defs"]["outcome"]["enum"]
+            .as_array()
+            .unwrap()
+            .contains(&name.into())
+    };
     for outcome in Outcome::ALL {
-        let part = if outcome.part() == Part::Launch { "launch" } else { "flight" };
+        let part = if outcome.part() == Part::Launch {
+            "launch"
+        } else {
+            "flight"
+        };
         assert!(known(outcome.name()), "{}", outcome.name());
-        assert!(common["$defs"][part]["properties"][outcome.name()].is_object(), "{}", outcome.name());
+        assert!(
+            common["$defs"][part]["properties"][outcome.name()].is_object(),
+            "{}",
+            outcome.name()
+        );
     }
 }
 
@@ -194,31 +429,51 @@ fn every_example_of_the_documentation_is_what_the_program_prints() {
             ANSWERED.1.clone()
         } else {
             let mut program = program::command();
-            let output = program.current_dir(folder.path()).args(&args).output().unwrap();
+            let output = program
+                .current_dir(folder.path())
+                .args(&args)
+                .output()
+                .unwrap();
             serde_json::from_slice(&output.stdout).unwrap()
         };
-        let expected: Value = serde_json::from_str(answer).unwrap_or_else(|error| panic!("{question}: {error}"));
-        assert!(is_part(&expected, &printed), "{question}: {expected:#} is not part of {printed:#}");
+        let expected: Value =
+            serde_json::from_str(answer).unwrap_or_else(|error| panic!("{question}: {error}"));
+        assert!(
+            is_part(&expected, &printed),
+            "{question}: {expected:#} is not part of {printed:#}"
+        );
         shown += 1;
     }
     assert!(shown >= 6, "{shown} examples");
 }
 
-/// Whether an answer says what an example shows of it: numbers to the digits shown; "…" stands for what is left out.
+/// Whether an answer says what an example shows of it: numbers to the digits shown; "…" stands for
+/// what is left out.
 fn is_part(shown: &Value, printed: &Value) -> bool {
     match (shown, printed) {
         (Value::Object(shown), Value::Object(printed)) => shown.iter().all(|(key, value)| {
-            if key == "…" { true } else { printed.get(key).is_some_and(|printed| is_part(value, printed)) }
+            if key == "…" {
+                true
+            } else {
+                printed
+                    .get(key)
+                    .is_some_and(|printed| is_part(value, printed))
+            }
         }),
         (Value::Array(shown), Value::Array(printed)) => {
             let has_more = shown.last().is_some_and(|last| last == "…");
             let shown = &shown[..shown.len() - usize::from(has_more)];
             (has_more || shown.len() == printed.len())
-                && shown.iter().zip(printed).all(|(shown, printed)| is_part(shown, printed))
+                && shown
+                    .iter()
+                    .zip(printed)
+                    .all(|(shown, printed)| is_part(shown, printed))
         }
         (Value::Number(shown), Value::Number(printed)) => {
             let digits = shown.to_string();
-            let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+            let decimals = digits
+                .split_once('.')
+                .map_or(0, |(_, decimals)| decimals.len());
             let (shown, printed) = (shown.as_f64().unwrap(), printed.as_f64().unwrap());
             (shown - printed).abs() <= 0.501 * 0.1_f64.powi(i32::try_from(decimals).unwrap())
         }

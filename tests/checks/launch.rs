@@ -15,37 +15,83 @@ fn launched(settings: &[(&str, &str)]) -> Setup<f64> {
     setup
 }
 
-const TOUR: [(&str, &str); 3] = [("ball_speed", "167 mph"), ("launch_angle", "10.9 deg"), ("backspin", "2686 rpm")];
+const TOUR: [(&str, &str); 3] = [
+    ("ball_speed", "167 mph"),
+    ("launch_angle", "10.9 deg"),
+    ("backspin", "2686 rpm"),
+];
 
 #[test]
 fn exact_parabola_and_its_derivatives_by_the_launch() {
-    let mut setup = launched(&[("ball_speed", "60 m/s"), ("launch_angle", "0.3 rad"), ("backspin", "250 rad/s")]);
+    let mut setup = launched(&[
+        ("ball_speed", "60 m/s"),
+        ("launch_angle", "0.3 rad"),
+        ("backspin", "250 rad/s"),
+    ]);
     setup.set("air.density", "0 kg/m^3").unwrap();
     setup.set("gravity", "9.8 m/s^2").unwrap();
-    let wrt = ["launch.ball_speed", "launch.launch_angle", "launch.backspin"];
+    let wrt = [
+        "launch.ball_speed",
+        "launch.launch_angle",
+        "launch.backspin",
+    ];
     let wrt = wrt.map(|name| setup.variable(name).unwrap());
     // carry = v² sin 2θ/g
     let carry = derivative::gradient(&setup, Outcome::Carry, &wrt).unwrap();
     let exact = 3600.0 * 0.6_f64.sin() / 9.8;
     close(carry.value, exact, exact, 1e-12, "carry");
-    close(carry.gradient[0], exact / 30.0, 1.0, 1e-11, "by ball speed: 2 carry/v");
-    close(carry.gradient[1], 7200.0 * 0.6_f64.cos() / 9.8, 1.0, 1e-9, "by launch angle");
+    close(
+        carry.gradient[0],
+        exact / 30.0,
+        1.0,
+        1e-11,
+        "by ball speed: 2 carry/v",
+    );
+    close(
+        carry.gradient[1],
+        7200.0 * 0.6_f64.cos() / 9.8,
+        1.0,
+        1e-9,
+        "by launch angle",
+    );
     // a spin without air does nothing, and a club that is not there has no derivative
     assert!(carry.gradient[2].abs() < 1e-12);
-    assert!(setup.variable("swing.speed").unwrap_err().to_string().contains("no club strikes the ball"));
+    assert!(
+        setup
+            .variable("swing.speed")
+            .unwrap_err()
+            .to_string()
+            .contains("no club strikes the ball")
+    );
     let second = derivative::hessian(&setup, Outcome::Carry, &wrt[..2]).unwrap();
-    close(second.hessian[0][1], 240.0 * 0.6_f64.cos() / 9.8, 1.0, 1e-9, "mixed");
+    close(
+        second.hessian[0][1],
+        240.0 * 0.6_f64.cos() / 9.8,
+        1.0,
+        1e-9,
+        "mixed",
+    );
 }
 
 #[test]
 fn exact_same_flight_as_that_of_the_club_which_makes_the_launch() {
     let mut club = Setup::default();
-    for (name, text) in [("swing.path", "3 deg"), ("strike.toe", "8 mm"), ("wind.right", "4 m/s")] {
+    for (name, text) in [
+        ("swing.path", "3 deg"),
+        ("strike.toe", "8 mm"),
+        ("wind.right", "4 m/s"),
+    ] {
         club.set(name, text).unwrap();
     }
     let struck = Drive::new(&club).unwrap();
     let mut given = club;
-    for of in [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::LaunchDirection, Outcome::Spin, Outcome::SpinAxis] {
+    for of in [
+        Outcome::BallSpeed,
+        Outcome::LaunchAngle,
+        Outcome::LaunchDirection,
+        Outcome::Spin,
+        Outcome::SpinAxis,
+    ] {
         let condition = given.launch_condition(of.name()).unwrap();
         given.set_value(condition, of.value(&struck)).unwrap();
     }
@@ -62,7 +108,10 @@ fn exact_same_flight_as_that_of_the_club_which_makes_the_launch() {
     let wrt = ["ball.mass", "air.density", "gravity"].map(|name| given.variable(name).unwrap());
     for wrt in [&wrt[..1], &wrt] {
         let error = derivative::gradient(&given, Outcome::SmashFactor, wrt).unwrap_err();
-        assert!(error.to_string().contains("no club strikes the ball"), "{error}");
+        assert!(
+            error.to_string().contains("no club strikes the ball"),
+            "{error}"
+        );
     }
 }
 
@@ -72,12 +121,29 @@ fn a_launch_that_is_none_or_two_is_refused() {
         (&[("launch_angle", "10 deg")][..], "ball_speed is missing"),
         (&[("ball_speed", "160 mph")], "launch_angle is missing"),
         (&TOUR[..2], "the spin is missing"),
-        (&[TOUR[0], TOUR[1], TOUR[2], ("spin", "2700 rpm")], "the spin is given twice"),
-        (&[TOUR[0], TOUR[1], TOUR[2], ("spin_axis", "2 deg")], "with backspin, give sidespin"),
-        (&[TOUR[0], TOUR[1], ("spin", "2700 rpm"), ("sidespin", "9 rpm")], "with spin, give spin_axis"),
+        (
+            &[TOUR[0], TOUR[1], TOUR[2], ("spin", "2700 rpm")],
+            "the spin is given twice",
+        ),
+        (
+            &[TOUR[0], TOUR[1], TOUR[2], ("spin_axis", "2 deg")],
+            "with backspin, give sidespin",
+        ),
+        (
+            &[
+                TOUR[0],
+                TOUR[1],
+                ("spin", "2700 rpm"),
+                ("sidespin", "9 rpm"),
+            ],
+            "with spin, give spin_axis",
+        ),
     ] {
         let error = launched(settings).validate().unwrap_err();
-        assert!(matches!(&error, Error::Launch { .. }) && error.to_string().contains(says), "{error}");
+        assert!(
+            matches!(&error, Error::Launch { .. }) && error.to_string().contains(says),
+            "{error}"
+        );
     }
     launched(&TOUR).validate().unwrap();
 }
@@ -88,25 +154,65 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
     let (status, found) = json(&["simulate", "--launch", launch]);
     assert_eq!((status, found["status"].as_str()), (0, Some("landed")));
     assert!(found["club_after"].is_null() && found["launch"]["smash_factor"].is_null());
-    close(number(&found["launch"]["ball_speed"]), 167.0 * 0.44704, 1.0, 1e-12, "ball speed");
-    let exact = Outcome::Carry.value(&Drive::new(&launched(&TOUR)).unwrap()).unwrap();
+    close(
+        number(&found["launch"]["ball_speed"]),
+        167.0 * 0.44704,
+        1.0,
+        1e-12,
+        "ball speed",
+    );
+    let exact = Outcome::Carry
+        .value(&Drive::new(&launched(&TOUR)).unwrap())
+        .unwrap();
     assert_eq!(number(&found["flight"]["carry"]), exact);
     let (_, slopes) = json(&["gradient", "--launch", launch]);
-    let by: Vec<_> = slopes["outcomes"][0]["gradient"].as_object().unwrap().keys().cloned().collect();
-    assert_eq!(by, ["launch.ball_speed", "launch.launch_angle", "launch.backspin"]);
+    let by: Vec<_> = slopes["outcomes"][0]["gradient"]
+        .as_object()
+        .unwrap()
+        .keys()
+        .cloned()
+        .collect();
+    assert_eq!(
+        by,
+        [
+            "launch.ball_speed",
+            "launch.launch_angle",
+            "launch.backspin"
+        ]
+    );
     let said = longdrive(&["uncertainty", "--launch", launch, "--samples", "20"]);
-    assert!(said.out.contains("launch.ball_speed") && !said.out.contains("swing.speed"), "{}", said.out);
-    let vary = ["--vary", "launch.launch_angle=5deg..30deg", "--vary", "launch.backspin=1000rpm..5000rpm"];
+    assert!(
+        said.out.contains("launch.ball_speed") && !said.out.contains("swing.speed"),
+        "{}",
+        said.out
+    );
+    let vary = [
+        "--vary",
+        "launch.launch_angle=5deg..30deg",
+        "--vary",
+        "launch.backspin=1000rpm..5000rpm",
+    ];
     let (status, best) = json(&[&["optimize", "--launch", launch], &vary[..]].concat());
     assert_eq!((status, best["status"].as_str()), (0, Some("converged")));
     let said = longdrive(&["simulate", "--launch", launch]);
-    assert!(said.status == 0 && !said.out.contains("club"), "{}", said.out);
+    assert!(
+        said.status == 0 && !said.out.contains("club"),
+        "{}",
+        said.out
+    );
 
-    let text = "ball_speed [mph],launch_angle [deg],spin [rpm],spin_axis [deg]\n167,10.9,2686,0\n150,12,3000,-10\n";
+    let text = "ball_speed [mph],launch_angle [deg],spin [rpm],spin_axis \
+                [deg]\n167,10.9,2686,0\n150,12,3000,-10\n";
     let (_folder, path) = crate::sweep::table("monitor.csv", text);
     let setup = Setup::default();
     let mut points = open_table(&setup, &path).unwrap();
-    let batch = Batch::new(&setup, points.parameters(), &[Outcome::Carry, Outcome::Lateral], &[]).unwrap();
+    let batch = Batch::new(
+        &setup,
+        points.parameters(),
+        &[Outcome::Carry, Outcome::Lateral],
+        &[],
+    )
+    .unwrap();
     let mut rows = vec![];
     batch
         .run(
@@ -114,32 +220,81 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
             &Run::default(),
             |block| block,
             |block| {
-                rows.extend(
-                    (0..block.rows()).map(|row| (block.status(row), block.outcome(row, 0), block.outcome(row, 1))),
-                );
+                rows.extend((0..block.rows()).map(|row| {
+                    (
+                        block.status(row),
+                        block.outcome(row, 0),
+                        block.outcome(row, 1),
+                    )
+                }));
                 Ok(())
             },
         )
         .unwrap();
     assert_eq!((rows[0].0, rows[1].0), (Status::Landed, Status::Landed));
-    close(rows[0].1.unwrap(), exact, exact, 1e-13, "carry of the same launch");
+    close(
+        rows[0].1.unwrap(),
+        exact,
+        exact,
+        1e-13,
+        "carry of the same launch",
+    );
     // a spin axis tilted to the left curves left
     assert!(rows[1].2.unwrap() < -5.0);
 
-    let out = longdrive(&["sweep", "--points", path.to_str().unwrap(), "--outcomes", "carry", "--gradient"]);
+    let out = longdrive(&[
+        "sweep",
+        "--points",
+        path.to_str().unwrap(),
+        "--outcomes",
+        "carry",
+        "--gradient",
+    ]);
     assert_eq!((out.status, out.out.lines().count()), (0, 3), "{}", out.err);
     let head = out.out.lines().next().unwrap();
-    assert!(head.contains("launch.ball_speed") && head.contains("d_carry/d_launch.spin_axis"), "{head}");
+    assert!(
+        head.contains("launch.ball_speed") && head.contains("d_carry/d_launch.spin_axis"),
+        "{head}"
+    );
 
-    let (_folder, part) = crate::sweep::table("part.csv", "ball_speed [mph],spin [rpm]\n167,2686\n");
+    let (_folder, part) =
+        crate::sweep::table("part.csv", "ball_speed [mph],spin [rpm]\n167,2686\n");
     for (args, says) in [
-        (vec!["sweep", "--points", part.to_str().unwrap()], "launch_angle is missing"),
-        (vec!["simulate", "--launch", "ball_sped=167mph"], "did you mean 'ball_speed'?"),
-        (vec!["simulate", "--launch", "ball_speed=167"], "has no unit"),
-        (vec!["simulate", "--launch", "ball_speed"], "write NAME=VALUE"),
-        (vec!["simulate", "--launch", "ball_speed=60m/s,ball_speed=70m/s"], "keep one of the two"),
-        (vec!["optimize", "--launch", launch], "--vary launch.launch_angle=5deg..20deg"),
-        (vec!["calibrate", "examples/shots.csv", "--fit", "aero.cd0", "--launch", launch], "from columns of the table"),
+        (
+            vec!["sweep", "--points", part.to_str().unwrap()],
+            "launch_angle is missing",
+        ),
+        (
+            vec!["simulate", "--launch", "ball_sped=167mph"],
+            "did you mean 'ball_speed'?",
+        ),
+        (
+            vec!["simulate", "--launch", "ball_speed=167"],
+            "has no unit",
+        ),
+        (
+            vec!["simulate", "--launch", "ball_speed"],
+            "write NAME=VALUE",
+        ),
+        (
+            vec!["simulate", "--launch", "ball_speed=60m/s,ball_speed=70m/s"],
+            "keep one of the two",
+        ),
+        (
+            vec!["optimize", "--launch", launch],
+            "--vary launch.launch_angle=5deg..20deg",
+        ),
+        (
+            vec![
+                "calibrate",
+                "examples/shots.csv",
+                "--fit",
+                "aero.cd0",
+                "--launch",
+                launch,
+            ],
+            "from columns of the table",
+        ),
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 2, "{args:?} {}", said.err);
@@ -147,14 +302,19 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
     }
 }
 
-/// What is set of a club that does not strike the ball would change nothing, and is refused by its name wherever a launch is given.
+/// What is set of a club that does not strike the ball would change nothing, and is refused by its
+/// name wherever a launch is given.
 #[test]
 fn a_club_beside_a_launch_is_refused_by_name() {
     let launch = "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm";
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (plot, points, mine) = (file("a.svg"), file("points.csv"), file("mine.toml"));
-    std::fs::write(&points, "ball_speed [mph],launch_angle [deg],backspin [rpm]\n167,10.9,2686\n").unwrap();
+    std::fs::write(
+        &points,
+        "ball_speed [mph],launch_angle [deg],backspin [rpm]\n167,10.9,2686\n",
+    )
+    .unwrap();
     let given = ["--launch", launch];
     for (command, is_given) in [
         (vec!["simulate"], true),
@@ -163,40 +323,99 @@ fn a_club_beside_a_launch_is_refused_by_name() {
         (vec!["plot", "trajectory", "-o", &plot], true),
         (vec!["sweep", "--over", "gravity=9m/s^2..10m/s^2:2"], true),
         (vec!["sweep", "--points", &points], false),
-        (vec!["sweep", "--over", "launch.ball_speed=60m/s..70m/s:2", "--set", "launch.launch_angle=9deg"], false),
-        (vec!["calibrate", "examples/shots.csv", "--fit", "aero.cd0"], false),
+        (
+            vec![
+                "sweep",
+                "--over",
+                "launch.ball_speed=60m/s..70m/s:2",
+                "--set",
+                "launch.launch_angle=9deg",
+            ],
+            false,
+        ),
+        (
+            vec!["calibrate", "examples/shots.csv", "--fit", "aero.cd0"],
+            false,
+        ),
     ] {
         let given = if is_given { &given[..] } else { &[] };
-        for name in ["club.loft=9deg", "swing.speed=90mph", "strike.toe=5mm", "impact.restitution=0.8"] {
+        for name in [
+            "club.loft=9deg",
+            "swing.speed=90mph",
+            "strike.toe=5mm",
+            "impact.restitution=0.8",
+        ] {
             let said = longdrive(&[&command[..], given, &["--set", name]].concat());
             let parameter = name.split('=').next().unwrap();
             let told = format!("--set {parameter}: ");
             let is_partial = command.contains(&"launch.launch_angle=9deg");
-            assert!(said.status == 2 && (is_partial || said.err.contains(&told)), "{command:?} {name}: {}", said.err);
-            assert!(is_partial || said.err.contains("swing, club, strike and impact none is used"), "{}", said.err);
+            assert!(
+                said.status == 2 && (is_partial || said.err.contains(&told)),
+                "{command:?} {name}: {}",
+                said.err
+            );
+            assert!(
+                is_partial
+                    || said
+                        .err
+                        .contains("swing, club, strike and impact none is used"),
+                "{}",
+                said.err
+            );
         }
         if !command.contains(&"launch.launch_angle=9deg") {
-            let said = longdrive(&[&command[..], given, &["--set", "air.density=1.1 kg/m^3"]].concat());
+            let said =
+                longdrive(&[&command[..], given, &["--set", "air.density=1.1 kg/m^3"]].concat());
             assert_eq!(said.status, 0, "{command:?}: {}", said.err);
         }
     }
     // what is swept or fitted of a club, likewise; a setup file is told of
-    let both = "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
+    let both =
+        "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
     std::fs::write(&points, both).unwrap();
     assert_eq!(longdrive(&["sweep", "--points", &points]).status, 2);
-    let said = longdrive(&["sweep", "--points", "examples/deliveries.csv", "--launch", launch]);
-    assert!(said.status == 2 && said.err.contains("no club strikes the ball"), "{}", said.err);
+    let said = longdrive(&[
+        "sweep",
+        "--points",
+        "examples/deliveries.csv",
+        "--launch",
+        launch,
+    ]);
+    assert!(
+        said.status == 2 && said.err.contains("no club strikes the ball"),
+        "{}",
+        said.err
+    );
     let said = longdrive(&["calibrate", "examples/shots.csv", "--fit", "club.loft"]);
-    assert!(said.status == 2 && said.err.contains("club.loft cannot be fitted"), "{}", said.err);
-    assert!(said.err.replace("\n  ", " ").contains("fit what acts on the flight"), "{}", said.err);
-    std::fs::write(&mine, "[club]\nloft = '9 deg'\n[air]\ndensity = '1.1 kg/m^3'\n").unwrap();
+    assert!(
+        said.status == 2 && said.err.contains("club.loft cannot be fitted"),
+        "{}",
+        said.err
+    );
+    assert!(
+        said.err
+            .replace("\n  ", " ")
+            .contains("fit what acts on the flight"),
+        "{}",
+        said.err
+    );
+    std::fs::write(
+        &mine,
+        "[club]\nloft = '9 deg'\n[air]\ndensity = '1.1 kg/m^3'\n",
+    )
+    .unwrap();
     let said = longdrive(&["simulate", &mine, "--launch", launch]);
     let told = "not used, since the drive is given by its launch: club.loft";
-    assert!(said.status == 0 && said.err.replace("\n  ", " ").contains(told), "{}", said.err);
+    assert!(
+        said.status == 0 && said.err.replace("\n  ", " ").contains(told),
+        "{}",
+        said.err
+    );
     assert!(!longdrive(&["simulate", &mine]).err.contains("not used"));
 }
 
-/// A report tells of a launch what there is without a club, and of its optimum where something is to be varied.
+/// A report tells of a launch what there is without a club, and of its optimum where something is
+/// to be varied.
 #[test]
 fn a_report_of_a_launch_says_what_it_leaves_out() {
     let folder = tempfile::tempdir().unwrap();
@@ -204,42 +423,68 @@ fn a_report_of_a_launch_says_what_it_leaves_out() {
     let launch = "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm";
     let report = |output: &str, more: &[&str]| {
         let said = json(&[&["report", "--launch", launch, "-o", output], more].concat());
-        let files: Vec<_> = said.1["files"].as_array().into_iter().flatten().cloned().collect();
+        let files: Vec<_> = said.1["files"]
+            .as_array()
+            .into_iter()
+            .flatten()
+            .cloned()
+            .collect();
         let text = std::fs::read_to_string(format!("{output}/index.html")).unwrap_or_default();
         (said.0, files, said.1["warnings"].to_string(), text)
     };
     let (status, files, warnings, page) = report(&file("alone"), &[]);
     assert_eq!(status, 0, "{warnings}");
-    for name in ["trajectory-side.csv", "tornado-carry-control.csv", "tornado-carry-model.csv", "vcurve.csv"] {
+    for name in [
+        "trajectory-side.csv",
+        "tornado-carry-control.csv",
+        "tornado-carry-model.csv",
+        "vcurve.csv",
+    ] {
         assert!(files.contains(&name.into()), "{name}: {files:?}");
     }
-    let told = "the optimum, its map and its chart are left out; to look for the best launch, give --vary";
+    let told =
+        "the optimum, its map and its chart are left out; to look for the best launch, give --vary";
     assert!(warnings.contains(told) && page.contains(told), "{warnings}");
     assert!(page.contains("d carry/d launch.backspin") && !page.contains("swing.speed"));
 
-    let vary = ["--vary", "launch.launch_angle=5deg..20deg", "--vary", "launch.backspin=1500rpm..4000rpm"];
+    let vary = [
+        "--vary",
+        "launch.launch_angle=5deg..20deg",
+        "--vary",
+        "launch.backspin=1500rpm..4000rpm",
+    ];
     let along = ["--along", "launch.ball_speed=160mph..162mph"];
     let (status, files, warnings, page) = report(&file("varied"), &[&vary[..], &along].concat());
     assert!(status == 0 && !warnings.contains("left out"), "{warnings}");
     assert!(
-        files.contains(&"chart-carry-by-launch-ball_speed.csv".into()) && page.contains("The optimum"),
+        files.contains(&"chart-carry-by-launch-ball_speed.csv".into())
+            && page.contains("The optimum"),
         "{files:?}"
     );
 
     for more in [&["--subject-to", "apex_height <= 30 yd"][..], &along] {
-        let said = longdrive(&[&["report", "--launch", launch, "-o", &file("none")], more].concat());
-        assert!(said.status == 2 && said.err.contains(more[0]) && said.err.contains("give --vary"), "{}", said.err);
+        let said =
+            longdrive(&[&["report", "--launch", launch, "-o", &file("none")], more].concat());
+        assert!(
+            said.status == 2 && said.err.contains(more[0]) && said.err.contains("give --vary"),
+            "{}",
+            said.err
+        );
     }
 }
 
 /// The launch of [`TOUR`] as an option.
-const CONDITIONS: [&str; 2] = ["--launch", "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm"];
+const CONDITIONS: [&str; 2] = [
+    "--launch",
+    "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm",
+];
 
 #[test]
 fn what_another_form_of_the_spin_takes_the_place_of_is_told() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("ax.toml").display().to_string();
-    let launch = "ball_speed = '160 mph'\nlaunch_angle = '11 deg'\nspin = '2600 rpm'\nspin_axis = '5 deg'\n";
+    let launch =
+        "ball_speed = '160 mph'\nlaunch_angle = '11 deg'\nspin = '2600 rpm'\nspin_axis = '5 deg'\n";
     std::fs::write(&file, format!("[launch]\n{launch}")).unwrap();
     let told = |more: &[&str]| {
         let said = longdrive(&[&["simulate", &file], more].concat());
@@ -248,7 +493,8 @@ fn what_another_form_of_the_spin_takes_the_place_of_is_told() {
     };
     let err = told(&["--launch", "backspin=2400rpm"]);
     assert!(
-        err.contains("ax.toml are replaced by --launch backspin=2400rpm") && err.contains("spin and spin_axis of ")
+        err.contains("ax.toml are replaced by --launch backspin=2400rpm")
+            && err.contains("spin and spin_axis of ")
     );
     assert!(!told(&["--launch", "spin=2400rpm"]).contains("replaced"));
     assert!(!told(&[]).contains("replaced"));
@@ -267,7 +513,10 @@ fn without_a_club_the_defaults_are_those_of_the_launch_or_the_message_says_what_
     let said = longdrive(&[&["plot", "vcurve", "-o", &curves], &CONDITIONS[..]].concat());
     assert_eq!(said.status, 0, "{}", said.err);
     let curves = std::fs::read_to_string(&curves).unwrap();
-    assert!(curves.contains("launch.launch_angle") && curves.contains("launch.backspin"), "{curves}");
+    assert!(
+        curves.contains("launch.launch_angle") && curves.contains("launch.backspin"),
+        "{curves}"
+    );
     let along = ["--along", "launch.ball_speed=150mph..170mph"];
     for args in [
         vec!["optimize"],
@@ -280,14 +529,27 @@ fn without_a_club_the_defaults_are_those_of_the_launch_or_the_message_says_what_
         let said = longdrive(&[&args[..], &CONDITIONS[..]].concat());
         let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {err}");
-        for words in ["the drive is given by its launch", "--vary launch.launch_angle=5deg..20deg"] {
+        for words in [
+            "the drive is given by its launch",
+            "--vary launch.launch_angle=5deg..20deg",
+        ] {
             assert!(err.contains(words), "{args:?}: {err}");
         }
         assert!(!err.contains("club.loft"), "{args:?}: {err}");
     }
     // calibrate takes launches from the table
-    let said = longdrive(&[&["calibrate", "shots.csv", "--fit", "aero.cd0"], &CONDITIONS[..]].concat());
-    for words in ["from columns of the table", "add the columns to shots.csv", "ball_speed, launch_angle"] {
+    let said = longdrive(
+        &[
+            &["calibrate", "shots.csv", "--fit", "aero.cd0"],
+            &CONDITIONS[..],
+        ]
+        .concat(),
+    );
+    for words in [
+        "from columns of the table",
+        "add the columns to shots.csv",
+        "ball_speed, launch_angle",
+    ] {
         assert!(said.status == 2 && said.err.contains(words), "{}", said.err);
     }
     // and the page is not about the club of the preset
@@ -295,45 +557,80 @@ fn without_a_club_the_defaults_are_those_of_the_launch_or_the_message_says_what_
     let said = longdrive(&[&["report", "-o", &page], &CONDITIONS[..]].concat());
     assert_eq!(said.status, 0, "{}", said.err);
     let page = std::fs::read_to_string(folder.path().join("page/index.html")).unwrap();
-    assert!(page.contains("The ball leaves as its launch says, without a club") && !page.contains("at 110 mph"));
+    assert!(
+        page.contains("The ball leaves as its launch says, without a club")
+            && !page.contains("at 110 mph")
+    );
 }
 
 #[test]
 fn a_parameter_that_is_set_twice_is_refused() {
-    for [first, second] in [["club.loft=10deg", "club.loft=11deg"], ["aero.law=linear", "aero.law = robinson"]] {
+    for [first, second] in [
+        ["club.loft=10deg", "club.loft=11deg"],
+        ["aero.law=linear", "aero.law = robinson"],
+    ] {
         let said = longdrive(&["simulate", "--set", first, "--set", second]);
         assert_eq!((said.status, said.out.as_str()), (2, ""), "{}", said.err);
-        assert!(said.err.contains(&format!("--set {first} gives ")) && said.err.contains("keep one of the two"));
+        assert!(
+            said.err.contains(&format!("--set {first} gives "))
+                && said.err.contains("keep one of the two")
+        );
     }
 }
 
-/// One condition of a launch over a range, the others on the command line or in a file: each row is the launch with this value.
+/// One condition of a launch over a range, the others on the command line or in a file: each row is
+/// the launch with this value.
 #[test]
 fn exact_a_condition_of_a_launch_is_swept_beside_the_others() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("angles.csv").display().to_string();
     std::fs::write(&file, "launch_angle [deg]\n8\n12\n").unwrap();
-    let launch = ["--launch", "ball_speed=160mph,backspin=2500rpm", "--outcomes", "carry", "--own-step"];
+    let launch = [
+        "--launch",
+        "ball_speed=160mph,backspin=2500rpm",
+        "--outcomes",
+        "carry",
+        "--own-step",
+    ];
     let carries = |points: &[&str]| -> Vec<f64> {
         let said = longdrive(&[&["sweep"], points, &launch].concat());
         assert_eq!(said.status, 0, "{points:?}: {}", said.err);
-        said.out.lines().skip(1).map(|row| row.rsplit(',').next().unwrap().parse().unwrap()).collect()
+        said.out
+            .lines()
+            .skip(1)
+            .map(|row| row.rsplit(',').next().unwrap().parse().unwrap())
+            .collect()
     };
     let exact = ["8deg", "12deg"].map(|angle| {
         let whole = format!("ball_speed=160mph,backspin=2500rpm,launch_angle={angle}");
-        json(&["simulate", "--launch", &whole]).1["flight"]["carry"].as_f64().unwrap()
+        json(&["simulate", "--launch", &whole]).1["flight"]["carry"]
+            .as_f64()
+            .unwrap()
     });
-    for points in [&["--over", "launch.launch_angle=8deg..12deg:2"][..], &["--points", &file]] {
+    for points in [
+        &["--over", "launch.launch_angle=8deg..12deg:2"][..],
+        &["--points", &file],
+    ] {
         for (ours, theirs) in carries(points).iter().zip(exact) {
             close(*ours, theirs, theirs, 1e-12, "carry");
         }
     }
     // what is still missing is told, and what is given twice
     for (args, says) in [
-        (["--over", "launch.spin_axis=0deg..5deg:2"], "launch_angle is missing"),
-        (["--over", "launch.ball_speed=60m/s..70m/s:2"], "a value of its own"),
+        (
+            ["--over", "launch.spin_axis=0deg..5deg:2"],
+            "launch_angle is missing",
+        ),
+        (
+            ["--over", "launch.ball_speed=60m/s..70m/s:2"],
+            "a value of its own",
+        ),
     ] {
         let said = longdrive(&[&["sweep"], &args[..], &launch].concat());
-        assert!(said.status == 2 && said.err.contains(says), "{args:?}: {}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(says),
+            "{args:?}: {}",
+            said.err
+        );
     }
 }

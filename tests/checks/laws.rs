@@ -9,13 +9,24 @@ use num_dual::Dual2_64;
 
 /// C_D and C_L of a law as published, at a spin ratio, Reynolds number and speed.
 fn at<D: Number>(law: &str, of: [D; 3]) -> Coefficients<D> {
-    let setup = Setup { law: Law::named(law).unwrap(), ..Setup::default() };
-    setup.map(|_, value| D::constant(value)).law.coefficients(stream(of))
+    let setup = Setup {
+        law: Law::named(law).unwrap(),
+        ..Setup::default()
+    };
+    setup
+        .map(|_, value| D::constant(value))
+        .law
+        .coefficients(stream(of))
 }
 
 fn stream<D: Number>([s, reynolds, speed]: [D; 3]) -> Stream<D> {
     let radius = 0.02134;
-    Stream::new(s * speed / radius, speed, D::constant(radius), reynolds / speed)
+    Stream::new(
+        s * speed / radius,
+        speed,
+        D::constant(radius),
+        reynolds / speed,
+    )
 }
 
 /// The rows of a table of numbers under a head, cells beyond the fourth left out.
@@ -33,31 +44,48 @@ fn exact_forces_of_macdonald_and_hanzely_grow_with_the_speed() {
     for speed in [20.0, 50.0, 80.0] {
         for s in [0.05, 0.3] {
             let c: Coefficients<f64> = at("macdonald-hanzely", [s, 1e5, speed]);
-            assert!((c.drag * speed - 46.0 * 0.3048).abs() < 1e-12 && (c.lift * speed - 33.4 * 0.3048).abs() < 1e-12);
+            assert!(
+                (c.drag * speed - 46.0 * 0.3048).abs() < 1e-12
+                    && (c.lift * speed - 33.4 * 0.3048).abs() < 1e-12
+            );
         }
     }
 }
 
-/// The table of the curves that Naruo, Mizota & Shimozono (2004) fitted: s, C_D, C_L, to half of the last digit.
+/// The table of the curves that Naruo, Mizota & Shimozono (2004) fitted: s, C_D, C_L, to half of
+/// the last digit.
 #[test]
 fn paper_values_of_naruo_mizota() {
     for [s, drag, lift, _] in rows(include_str!("../data/naruo_2004.csv")) {
         let c = at("naruo-mizota", [s, 1e5, 40.0]);
-        assert!((c.drag - drag).abs() < 5e-5 && (c.lift - lift).abs() < 5e-5, "s = {s}: {c:?}");
+        assert!(
+            (c.drag - drag).abs() < 5e-5 && (c.lift - lift).abs() < 5e-5,
+            "s = {s}: {c:?}"
+        );
     }
 }
 
-/// Both parabolas as printed where they stand alone; between them C_D lies between them. The drag measured on the ball, and the mean lift of 13
-/// balls within their spread.
+/// Both parabolas as printed where they stand alone; between them C_D lies between them. The drag
+/// measured on the ball, and the mean lift of 13 balls within their spread.
 #[test]
 fn paper_values_of_lyu() {
     let low = |re: f64| 1.29e-10 * re * re - 2.59e-5 * re + 1.50;
     let high = |re: f64| 1.91e-11 * re * re - 5.40e-6 * re + 0.56;
     let drag = |re: f64| at("lyu", [0.1, re, 40.0]).drag;
-    for (re, measured) in
-        [(51e3, 0.525), (63e3, 0.41), (76e3, 0.263), (99e3, 0.203), (124e3, 0.18), (146e3, 0.187), (168e3, 0.196)]
-    {
-        assert!((drag(re) - measured).abs() < 0.03, "Re = {re}: {}", drag(re));
+    for (re, measured) in [
+        (51e3, 0.525),
+        (63e3, 0.41),
+        (76e3, 0.263),
+        (99e3, 0.203),
+        (124e3, 0.18),
+        (146e3, 0.187),
+        (168e3, 0.196),
+    ] {
+        assert!(
+            (drag(re) - measured).abs() < 0.03,
+            "Re = {re}: {}",
+            drag(re)
+        );
     }
     for re in [51e3, 63e3] {
         assert!((drag(re) - low(re)).abs() < 1e-4, "Re = {re}");
@@ -69,18 +97,23 @@ fn paper_values_of_lyu() {
         let [least, most] = [low(re).min(high(re)), low(re).max(high(re))];
         assert!((least..=most).contains(&drag(re)), "Re = {re}");
     }
-    for (s, lift, spread) in
-        [(0.045, 0.1, 0.02), (0.075, 0.13, 0.03), (0.105, 0.17, 0.03), (0.185, 0.25, 0.02), (0.32, 0.315, 0.02)]
-    {
+    for (s, lift, spread) in [
+        (0.045, 0.1, 0.02),
+        (0.075, 0.13, 0.03),
+        (0.105, 0.17, 0.03),
+        (0.185, 0.25, 0.02),
+        (0.32, 0.315, 0.02),
+    ] {
         let found: f64 = at("lyu", [s, 1e5, 40.0]).lift;
         assert!((found - lift).abs() < spread, "s = {s}: {found}");
         assert!((found - (1.99 * s - 3.25 * s * s)).abs() < 1e-15);
     }
 }
 
-/// The worksheet's own drive: 160 mph, 11°, 3000 rpm at 70 °F and 50 % humidity (1.1944 kg/m³) lands at 259.3 yd after 4.99 s, with its
-/// apex near 19.7 yd; its spin decays by dω/dt = −2e-5 ω v/R. It integrates by coarse steps: an independent RK4 with the corners as they are
-/// gives 258.98 yd, 19.64 yd, 4.972 s.
+/// The worksheet's own drive: 160 mph, 11°, 3000 rpm at 70 °F and 50 % humidity (1.1944 kg/m³)
+/// lands at 259.3 yd after 4.99 s, with its apex near 19.7 yd; its spin decays by dω/dt = −2e-5 ω
+/// v/R. It integrates by coarse steps: an independent RK4 with the corners as they are gives 258.98
+/// yd, 19.64 yd, 4.972 s.
 #[test]
 fn published_drive_of_nathans_calculator() {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -98,36 +131,66 @@ fn published_drive_of_nathans_calculator() {
     setup.set_all(settings).unwrap();
     let drive = Drive::new(&setup).unwrap();
     for (of, published, near, computed) in [
-        (Outcome::Carry, 259.3 * 0.9144, 0.32 * 0.9144, 258.983 * 0.9144),
-        (Outcome::ApexHeight, 19.7 * 0.9144, 0.1 * 0.9144, 19.639 * 0.9144),
+        (
+            Outcome::Carry,
+            259.3 * 0.9144,
+            0.32 * 0.9144,
+            258.983 * 0.9144,
+        ),
+        (
+            Outcome::ApexHeight,
+            19.7 * 0.9144,
+            0.1 * 0.9144,
+            19.639 * 0.9144,
+        ),
         (Outcome::FlightTime, 4.99, 0.02, 4.9724),
     ] {
         let found = of.value(&drive).unwrap();
-        assert!((found - published).abs() < near, "{of:?}: {found} against {published}");
-        assert!((found / computed - 1.0).abs() < 1e-4, "{of:?}: {found} against {computed}");
+        assert!(
+            (found - published).abs() < near,
+            "{of:?}: {found} against {published}"
+        );
+        assert!(
+            (found / computed - 1.0).abs() < 1e-4,
+            "{of:?}: {found} against {computed}"
+        );
     }
     // values of its formula above Re = 1e5
-    for (s, drag, lift) in [(0.075, 0.148, 0.081), (0.15, 0.164, 0.107), (0.30, 0.195, 0.142)] {
+    for (s, drag, lift) in [
+        (0.075, 0.148, 0.081),
+        (0.15, 0.164, 0.107),
+        (0.30, 0.195, 0.142),
+    ] {
         let c: Coefficients<f64> = at("nathan", [s, 1.5e5, 40.0]);
-        assert!((c.drag - drag).abs() < 6e-4 && (c.lift - lift).abs() < 6e-4, "s = {s}: {c:?}");
+        assert!(
+            (c.drag - drag).abs() < 6e-4 && (c.lift - lift).abs() < 6e-4,
+            "s = {s}: {c:?}"
+        );
     }
     let amid: Coefficients<f64> = at("nathan", [0.1, 0.75e5, 40.0]);
     assert!((amid.drag - (0.5 * (1.9451114 + 0.13248) + 0.02087217)).abs() < 1e-12);
 }
 
-/// The 42 shots of the patent's table: Re, s, C_D, C_L. The formula is a fit of them: it lies amid them.
+/// The 42 shots of the patent's table: Re, s, C_D, C_L. The formula is a fit of them: it lies amid
+/// them.
 #[test]
 fn paper_shots_of_the_usga_lie_about_its_law() {
-    let off = rows(include_str!("../data/usga_itr_test_ball.csv")).into_iter().map(|[re, s, drag, lift]| {
-        let c = at("usga-itr", [s, re, 40.0]);
-        [c.drag - drag, c.lift - lift]
-    });
+    let off = rows(include_str!("../data/usga_itr_test_ball.csv"))
+        .into_iter()
+        .map(|[re, s, drag, lift]| {
+            let c = at("usga-itr", [s, re, 40.0]);
+            [c.drag - drag, c.lift - lift]
+        });
     let off: Vec<[f64; 2]> = off.collect();
     assert_eq!(off.len(), 42);
     for which in [0, 1] {
         let mean = off.iter().map(|off| off[which]).sum::<f64>() / 42.0;
         let square = off.iter().map(|off| off[which] * off[which]).sum::<f64>() / 42.0;
-        assert!(mean.abs() < 1e-4 && square.sqrt() < 0.0037, "{mean}, {}", square.sqrt());
+        assert!(
+            mean.abs() < 1e-4 && square.sqrt() < 0.0037,
+            "{mean}, {}",
+            square.sqrt()
+        );
     }
 }
 
@@ -139,21 +202,40 @@ fn paper_values_of_bearman_and_harvey() {
     for [speed, rpm, drag, lift] in points {
         let s = rpm * std::f64::consts::PI / 30.0 * 0.02134 / speed;
         let c = at("bearman-harvey", [s, 1e5, speed]);
-        assert!((c.drag - drag).abs() < 1e-14 && (c.lift - lift).abs() < 1e-14, "{speed} m/s, {rpm} rpm: {c:?}");
+        assert!(
+            (c.drag - drag).abs() < 1e-14 && (c.lift - lift).abs() < 1e-14,
+            "{speed} m/s, {rpm} rpm: {c:?}"
+        );
     }
 }
 
-/// On both sides of every line of the grid, of its edges, and of where speed and spin begin to stay as they are.
+/// On both sides of every line of the grid, of its edges, and of where speed and spin begin to stay
+/// as they are.
 #[test]
 fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
-    let speeds = [12.7, 13.7, 21.6, 29.9, 38.4, 46.9, 55.2, 63.1, 71.9, 80.2, 88.1, 92.1];
-    let spins = (0..21).map(|k| 2000.0 + 200.0 * f64::from(k)).chain([1900.0, 6100.0]);
+    let speeds = [
+        12.7, 13.7, 21.6, 29.9, 38.4, 46.9, 55.2, 63.1, 71.9, 80.2, 88.1, 92.1,
+    ];
+    let spins = (0..21)
+        .map(|k| 2000.0 + 200.0 * f64::from(k))
+        .chain([1900.0, 6100.0]);
     let by_spin = spins.map(|rpm| (1, rpm * std::f64::consts::PI / 30.0, 41.3));
-    for (variable, line, other) in speeds.map(|speed| (0, speed, 297.0)).into_iter().chain(by_spin) {
+    for (variable, line, other) in speeds
+        .map(|speed| (0, speed, 297.0))
+        .into_iter()
+        .chain(by_spin)
+    {
         let sides = [1.0 - 1e-12, 1.0 + 1e-12].map(|part| {
             let moving = Dual2_64::from(line * part).derivative();
-            let [speed, spin] = if variable == 0 { [moving, other.into()] } else { [other.into(), moving] };
-            let c = at("bearman-harvey", [spin * 0.02134 / speed, 1e5.into(), speed]);
+            let [speed, spin] = if variable == 0 {
+                [moving, other.into()]
+            } else {
+                [other.into(), moving]
+            };
+            let c = at(
+                "bearman-harvey",
+                [spin * 0.02134 / speed, 1e5.into(), speed],
+            );
             [c.drag, c.lift].map(|c| [c.re, c.v1 * line, c.v2 * line * line])
         });
         for (a, b) in sides[0].iter().flatten().zip(sides[1].iter().flatten()) {
@@ -161,8 +243,13 @@ fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
         }
         // natural at the edges of the grid
         let is_edge = [13.7, 88.1].contains(&line)
-            || [2000.0, 6000.0].iter().any(|rpm| (rpm * std::f64::consts::PI / 30.0 - line).abs() < 1e-9);
-        assert!(!is_edge || sides[0].iter().all(|[.., bend]| bend.abs() < 1e-7), "{variable} at {line}: {sides:?}");
+            || [2000.0, 6000.0]
+                .iter()
+                .any(|rpm| (rpm * std::f64::consts::PI / 30.0 - line).abs() < 1e-9);
+        assert!(
+            !is_edge || sides[0].iter().all(|[.., bend]| bend.abs() < 1e-7),
+            "{variable} at {line}: {sides:?}"
+        );
     }
 }
 
@@ -199,14 +286,20 @@ fn exact_c2_at_every_join_of_a_law() {
             [c.drag, c.lift].map(|c| [c.re, c.v1 * join, c.v2 * join * join])
         });
         for (a, b) in sides[0].iter().flatten().zip(sides[1].iter().flatten()) {
-            assert!((a - b).abs() < 1e-9, "{law}, {variable} at {join}: {sides:?}");
+            assert!(
+                (a - b).abs() < 1e-9,
+                "{law}, {variable} at {join}: {sides:?}"
+            );
         }
     }
 }
 
-/// Reynolds numbers, each with the speed that a ball of 42.68 mm has there in air of 1.184 kg/m³ and 1.85e-5 Pa s.
+/// Reynolds numbers, each with the speed that a ball of 42.68 mm has there in air of 1.184 kg/m³
+/// and 1.85e-5 Pa s.
 fn streams() -> impl Iterator<Item = (f64, f64)> {
-    (1..=60).map(|k| 5e3 * f64::from(k)).map(|reynolds| (reynolds, reynolds * 1.85e-5 / (1.184 * 0.04268)))
+    (1..=60)
+        .map(|k| 5e3 * f64::from(k))
+        .map(|reynolds| (reynolds, reynolds * 1.85e-5 / (1.184 * 0.04268)))
 }
 
 #[test]
@@ -216,43 +309,72 @@ fn exact_every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
         for (reynolds, speed) in streams() {
             for s in (0..=500).map(|k| f64::from(k) * 0.01) {
                 let c: Coefficients<f64> = law.coefficients(stream([s, reynolds, speed]));
-                assert!(c.drag > 0.0 && c.drag.is_finite(), "{name} at s = {s}, Re = {reynolds}: {c:?}");
+                assert!(
+                    c.drag > 0.0 && c.drag.is_finite(),
+                    "{name} at s = {s}, Re = {reynolds}: {c:?}"
+                );
             }
         }
     }
 }
 
-/// Within the measured spin ratios the law is its printed polynomials, to the last bit; from 0.95 on it is what they are at 0.85.
+/// Within the measured spin ratios the law is its printed polynomials, to the last bit; from 0.95
+/// on it is what they are at 0.85.
 #[test]
 fn exact_ferguson_is_its_polynomials_where_they_were_fitted() {
     let drag = |s: f64| (-0.8259 * s + 0.9287) * s + 0.1304;
     let lift = |s: f64| (-1.1490 * s + 1.2031) * s + 0.0504;
     for s in (0..=7300).map(|k| 0.02 + f64::from(k) * 1e-4) {
         // powers of two: the spin ratio is s to the last bit
-        let c = Law::named("ferguson").unwrap().coefficients(Stream::new(s * 64.0, 64.0, 1.0, 1.0));
-        assert_eq!((c.drag.to_bits(), c.lift.to_bits()), (drag(s).to_bits(), lift(s).to_bits()), "s = {s}");
+        let c = Law::named("ferguson")
+            .unwrap()
+            .coefficients(Stream::new(s * 64.0, 64.0, 1.0, 1.0));
+        assert_eq!(
+            (c.drag.to_bits(), c.lift.to_bits()),
+            (drag(s).to_bits(), lift(s).to_bits()),
+            "s = {s}"
+        );
     }
     for s in [0.95, 1.1, 1.3, 5.0] {
         let c: Coefficients<f64> = at("ferguson", [s, 1.5e5, 50.0]);
-        assert!((c.drag - drag(0.85)).abs() < 1e-15 && (c.lift - lift(0.85)).abs() < 1e-15, "s = {s}: {c:?}");
+        assert!(
+            (c.drag - drag(0.85)).abs() < 1e-15 && (c.lift - lift(0.85)).abs() < 1e-15,
+            "s = {s}: {c:?}"
+        );
     }
 }
 
-/// First and second derivatives by the spin ratio, through where it begins to be held and where it is held.
+/// First and second derivatives by the spin ratio, through where it begins to be held and where it
+/// is held.
 #[test]
 fn differences_of_ferguson_where_the_spin_ratio_is_held() {
     let h = 1e-4;
     for s in (0..=40).map(|k| 0.7013 + f64::from(k) * 0.0071) {
         let value = |s: f64| at::<f64>("ferguson", [s, 1.5e5, 50.0]);
-        let exact = at("ferguson", [Dual2_64::from(s).derivative(), 1.5e5.into(), 50.0.into()]);
+        let exact = at(
+            "ferguson",
+            [Dual2_64::from(s).derivative(), 1.5e5.into(), 50.0.into()],
+        );
         let [below, here, above] = [s - h, s, s + h].map(value);
-        for (exact, [below, here, above]) in
-            [(exact.drag, [below.drag, here.drag, above.drag]), (exact.lift, [below.lift, here.lift, above.lift])]
-        {
+        for (exact, [below, here, above]) in [
+            (exact.drag, [below.drag, here.drag, above.drag]),
+            (exact.lift, [below.lift, here.lift, above.lift]),
+        ] {
             // the third derivative is at most 150, and jumps at both ends
-            let [slope, bend] = [(above - below) / (2.0 * h), (above - 2.0 * here + below) / (h * h)];
-            assert!((exact.v1 - slope).abs() < 1e-6, "s = {s}: {} {slope}", exact.v1);
-            assert!((exact.v2 - bend).abs() < 0.03, "s = {s}: {} {bend}", exact.v2);
+            let [slope, bend] = [
+                (above - below) / (2.0 * h),
+                (above - 2.0 * here + below) / (h * h),
+            ];
+            assert!(
+                (exact.v1 - slope).abs() < 1e-6,
+                "s = {s}: {} {slope}",
+                exact.v1
+            );
+            assert!(
+                (exact.v2 - bend).abs() < 0.03,
+                "s = {s}: {} {bend}",
+                exact.v2
+            );
         }
     }
 }
@@ -261,12 +383,26 @@ fn differences_of_ferguson_where_the_spin_ratio_is_held() {
 fn exact_no_law_has_lift_without_spin_nor_forces_without_end() {
     for law in Law::NAMES {
         for (reynolds, speed) in [(0.0, 40.0), (3e4, 10.0), (8e4, 30.0), (2e5, 70.0)] {
-            let none = at(law, [Dual2_64::from(0.0).derivative(), reynolds.into(), speed.into()]).lift;
-            assert!(none.re == 0.0 && none.v1 > 0.0 && none.v1.is_finite() && none.v2.is_finite(), "{law}: {none:?}");
+            let none = at(
+                law,
+                [
+                    Dual2_64::from(0.0).derivative(),
+                    reynolds.into(),
+                    speed.into(),
+                ],
+            )
+            .lift;
+            assert!(
+                none.re == 0.0 && none.v1 > 0.0 && none.v1.is_finite() && none.v2.is_finite(),
+                "{law}: {none:?}"
+            );
         }
         // a ball that nearly stands still in the air: the forces, v² C, are finite
         let slow: Coefficients<f64> = at(law, [1e6, 1e-1, 1e-4]);
-        assert!((slow.drag * 1e-8).abs() < 1e6 && (slow.lift * 1e-8).abs() < 1e6, "{law}: {slow:?}");
+        assert!(
+            (slow.drag * 1e-8).abs() < 1e6 && (slow.lift * 1e-8).abs() < 1e6,
+            "{law}: {slow:?}"
+        );
     }
 }
 
@@ -274,31 +410,66 @@ fn exact_no_law_has_lift_without_spin_nor_forces_without_end() {
 fn each_law_is_listed_with_authors_ball_range_and_source() {
     let (_, answer) = json(&["laws"]);
     let laws = answer["laws"].as_array().unwrap();
-    let names: Vec<_> = laws.iter().map(|law| law["name"].as_str().unwrap()).collect();
+    let names: Vec<_> = laws
+        .iter()
+        .map(|law| law["name"].as_str().unwrap())
+        .collect();
     assert_eq!(names, Law::NAMES);
-    assert_eq!(laws.iter().filter(|law| law["is_default"] == true).count(), 1);
-    let naruo = laws.iter().find(|law| law["name"] == "naruo-mizota").unwrap();
+    assert_eq!(
+        laws.iter().filter(|law| law["is_default"] == true).count(),
+        1
+    );
+    let naruo = laws
+        .iter()
+        .find(|law| law["name"] == "naruo-mizota")
+        .unwrap();
     let fitted = &naruo["fitted"];
-    assert_eq!((&naruo["year"], &naruo["ball"]), (&2004.into(), &"Bridgestone Skyway SD432".into()));
-    assert_eq!([&fitted["spin_ratio"]["low"], &fitted["spin_ratio"]["high"]].map(number), [0.03, 1.13]);
-    assert_eq!((&fitted["reynolds"]["high"], &fitted["speed"]), (&"inf".into(), &serde_json::Value::Null));
+    assert_eq!(
+        (&naruo["year"], &naruo["ball"]),
+        (&2004.into(), &"Bridgestone Skyway SD432".into())
+    );
+    assert_eq!(
+        [&fitted["spin_ratio"]["low"], &fitted["spin_ratio"]["high"]].map(number),
+        [0.03, 1.13]
+    );
+    assert_eq!(
+        (&fitted["reynolds"]["high"], &fitted["speed"]),
+        (&"inf".into(), &serde_json::Value::Null)
+    );
     let words = |out: String| out.split_whitespace().collect::<Vec<_>>().join(" ");
     let text = words(longdrive(&["laws"]).out);
-    for words in ["naruo-mizota: Naruo, Mizota & Shimozono 2004", "Reynolds number at least 71000", "ball: not stated"]
-    {
+    for words in [
+        "naruo-mizota: Naruo, Mizota & Shimozono 2004",
+        "Reynolds number at least 71000",
+        "ball: not stated",
+    ] {
         assert!(text.contains(words), "{words}: {text}");
     }
     let metric = words(longdrive(&["laws", "--units", "metric"]).out);
-    assert!(metric.contains("speed through the air 25 m/s to 68 m/s"), "{metric}");
+    assert!(
+        metric.contains("speed through the air 25 m/s to 68 m/s"),
+        "{metric}"
+    );
 }
 
 /// A law whose range has no upper end says so.
 #[test]
 fn a_range_without_an_upper_end_is_told_as_at_least() {
-    let slow = ["simulate", "--set", "aero.law=naruo-mizota", "--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
+    let slow = [
+        "simulate",
+        "--set",
+        "aero.law=naruo-mizota",
+        "--set",
+        "swing.speed=30mph",
+        "--set",
+        "club.loft=14deg",
+    ];
     let (_, answer) = json(&slow);
     let told = answer["warnings"].to_string();
-    assert!(told.contains("a Reynolds number of at least 71000 (a wind tunnel"), "{told}");
+    assert!(
+        told.contains("a Reynolds number of at least 71000 (a wind tunnel"),
+        "{told}"
+    );
 }
 
 /// The rows of a plot's data: kind, name, x, y.
@@ -313,19 +484,31 @@ fn drawn(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) 
         let cells: Vec<&str> = line.rsplitn(3, ',').collect();
         let (kind, name) = cells[2].split_once(',').unwrap();
         let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
-        (kind.to_owned(), name.trim_matches('"').to_owned(), number(cells[1]), number(cells[0]))
+        (
+            kind.to_owned(),
+            name.trim_matches('"').to_owned(),
+            number(cells[1]),
+            number(cells[0]),
+        )
     };
     (text.lines().skip(1).map(row).collect(), answer)
 }
 
-/// Every curve is its law, solid within what it was fitted to and dashed beyond; points are the table of the source.
+/// Every curve is its law, solid within what it was fitted to and dashed beyond; points are the
+/// table of the source.
 #[test]
 fn exact_curves_and_points_of_a_plot_of_laws() {
     let (rows, _) = drawn(&["--laws", "ferguson,naruo-mizota,linear", "--show", "cl"]);
-    for (kind, name, s, lift) in rows.iter().filter(|(kind, .., y)| kind == "line" && y.is_finite()) {
+    for (kind, name, s, lift) in rows
+        .iter()
+        .filter(|(kind, .., y)| kind == "line" && y.is_finite())
+    {
         let law = name.split(' ').next().unwrap();
         let found: Coefficients<f64> = at(law, [*s, 1.5e5, 50.0]);
-        assert!((found.lift - lift).abs() < 1e-12, "{kind} {name} at {s}: {lift}");
+        assert!(
+            (found.lift - lift).abs() < 1e-12,
+            "{kind} {name} at {s}: {lift}"
+        );
         let is_in = |[low, high]: [f64; 2]| (low..=high).contains(s);
         match name.as_str() {
             "ferguson" => assert!(is_in([0.02, 0.75]), "{s}"),
@@ -334,28 +517,59 @@ fn exact_curves_and_points_of_a_plot_of_laws() {
             _ => {}
         }
     }
-    let names = |kind: &str| rows.iter().filter(|row| row.0 == kind).map(|row| row.1.as_str()).collect::<Vec<_>>();
-    for name in ["ferguson", "ferguson (extrapolated)", "naruo-mizota", "linear"] {
+    let names = |kind: &str| {
+        rows.iter()
+            .filter(|row| row.0 == kind)
+            .map(|row| row.1.as_str())
+            .collect::<Vec<_>>()
+    };
+    for name in [
+        "ferguson",
+        "ferguson (extrapolated)",
+        "naruo-mizota",
+        "linear",
+    ] {
         assert!(names("line").contains(&name), "{name}");
     }
-    let table = rows_of_naruo().into_iter().filter(|[s, ..]| *s <= 0.4).count();
+    let table = rows_of_naruo()
+        .into_iter()
+        .filter(|[s, ..]| *s <= 0.4)
+        .count();
     // three colours are three names
     assert_eq!((names("dots").len(), names("mark").len()), (table, 0));
     // the drag of Lyu over the Reynolds number, whatever the spin
     let (rows, answer) = drawn(&["--laws", "lyu", "--over", "reynolds", "--spin-ratio", "0.2"]);
-    for (_, _, reynolds, drag) in rows.iter().filter(|(kind, .., drag)| kind == "line" && drag.is_finite()) {
+    for (_, _, reynolds, drag) in rows
+        .iter()
+        .filter(|(kind, .., drag)| kind == "line" && drag.is_finite())
+    {
         let found: Coefficients<f64> = at("lyu", [0.2, *reynolds, 50.0]);
         assert!((found.drag - drag).abs() < 1e-12, "{reynolds}: {drag}");
     }
-    assert!(answer["note"].as_str().unwrap().starts_with("Solid within what a law was fitted to"), "{answer}");
+    assert!(
+        answer["note"]
+            .as_str()
+            .unwrap()
+            .starts_with("Solid within what a law was fitted to"),
+        "{answer}"
+    );
     let dots = |rows: &[(String, String, f64, f64)]| {
-        rows.iter().filter(|row| row.0 == "dots").map(|row| [row.2, row.3]).collect::<Vec<_>>()
+        rows.iter()
+            .filter(|row| row.0 == "dots")
+            .map(|row| [row.2, row.3])
+            .collect::<Vec<_>>()
     };
     let table = cells_of_lyu();
-    let drags: Vec<_> = table.iter().filter_map(|[re, _, drag, _]| Some([(*re)?, (*drag)?])).collect();
+    let drags: Vec<_> = table
+        .iter()
+        .filter_map(|[re, _, drag, _]| Some([(*re)?, (*drag)?]))
+        .collect();
     assert_eq!(dots(&rows), drags);
     let (rows, _) = drawn(&["--laws", "lyu", "--show", "cl"]);
-    let lifts: Vec<_> = table.iter().filter_map(|[_, s, _, lift]| Some([(*s)?, (*lift)?])).collect();
+    let lifts: Vec<_> = table
+        .iter()
+        .filter_map(|[_, s, _, lift]| Some([(*s)?, (*lift)?]))
+        .collect();
     assert_eq!(dots(&rows), lifts);
 }
 
@@ -365,7 +579,11 @@ fn cells_of_lyu() -> Vec<[Option<f64>; 4]> {
         let cells: Vec<_> = line.split(',').map(|cell| cell.parse().ok()).collect();
         [cells[0], cells[1], cells[2], cells[3]]
     };
-    include_str!("../data/lyu_2018.csv").lines().skip(1).map(row).collect()
+    include_str!("../data/lyu_2018.csv")
+        .lines()
+        .skip(1)
+        .map(row)
+        .collect()
 }
 
 /// Lift of 13 balls, which differ among each other by 0.02 to 0.03, and drag of one.
@@ -375,8 +593,14 @@ fn paper_points_of_lyu_lie_about_its_law() {
     assert_eq!(points.len(), 12);
     for [reynolds, s, drag, lift] in points {
         let c: Coefficients<f64> = at("lyu", [s.unwrap_or(0.1), reynolds.unwrap_or(1.5e5), 40.0]);
-        assert!(drag.is_none_or(|drag: f64| (c.drag - drag).abs() < 0.031), "Re = {reynolds:?}: {c:?}");
-        assert!(lift.is_none_or(|lift: f64| (c.lift - lift).abs() < 0.02), "s = {s:?}: {c:?}");
+        assert!(
+            drag.is_none_or(|drag: f64| (c.drag - drag).abs() < 0.031),
+            "Re = {reynolds:?}: {c:?}"
+        );
+        assert!(
+            lift.is_none_or(|lift: f64| (c.lift - lift).abs() < 0.02),
+            "s = {s:?}: {c:?}"
+        );
     }
 }
 
@@ -384,44 +608,81 @@ fn rows_of_naruo() -> Vec<[f64; 4]> {
     rows(include_str!("../data/naruo_2004.csv"))
 }
 
-/// All published laws and one's own table, as a picture too; what is not used or unknown is refused.
+/// All published laws and one's own table, as a picture too; what is not used or unknown is
+/// refused.
 #[test]
 fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    std::fs::write(file("mine.csv"), "s,cd,cl\n0,0.2,0\n0.1,0.25,0.15\n0.5,0.3,0.3\n").unwrap();
+    std::fs::write(
+        file("mine.csv"),
+        "s,cd,cl\n0,0.2,0\n0.1,0.25,0.15\n0.5,0.3,0.3\n",
+    )
+    .unwrap();
     let own = format!("aero.table={}", file("mine.csv"));
     let (rows, _) = drawn(&["--set", &own]);
     for name in Law::NAMES.iter().copied().chain(["table"]) {
-        assert_eq!(rows.iter().filter(|row| row.0 == "mark" && row.1 == name).count(), 1, "{name}");
+        assert_eq!(
+            rows.iter()
+                .filter(|row| row.0 == "mark" && row.1 == name)
+                .count(),
+            1,
+            "{name}"
+        );
     }
-    let mine: Vec<_> = rows.iter().filter(|row| row.1 == "table (measured)").map(|row| (row.2, row.3)).collect();
+    let mine: Vec<_> = rows
+        .iter()
+        .filter(|row| row.1 == "table (measured)")
+        .map(|row| (row.2, row.3))
+        .collect();
     assert_eq!(mine, [(0.0, 0.2), (0.1, 0.25)]);
     // a table is held beyond its nodes, and so is a law where its variable is held
     std::fs::write(file("mine.csv"), "s,cd,cl\n0.1,0.25,0.15\n0.2,0.27,0.2\n").unwrap();
     let (rows, _) = drawn(&["--set", &own, "--laws", "table,lyu,launch-monitor"]);
-    for name in ["table (held)", "lyu (extrapolated or held)", "launch-monitor (extrapolated)"] {
+    for name in [
+        "table (held)",
+        "lyu (extrapolated or held)",
+        "launch-monitor (extrapolated)",
+    ] {
         assert!(rows.iter().any(|row| row.1 == name), "{name}");
     }
     let said = longdrive(&["plot", "laws", "--show", "cl", "-o", &file("laws.svg")]);
     let svg = std::fs::read_to_string(file("laws.svg")).unwrap();
     // what is drawn, without what a pointer is told
-    let told = |part: &str| part.split_once("</title>").map_or(part, |(_, rest)| rest).to_owned();
+    let told = |part: &str| {
+        part.split_once("</title>")
+            .map_or(part, |(_, rest)| rest)
+            .to_owned()
+    };
     let svg: String = svg.split("<title>").map(told).collect();
-    assert!(said.status == 0 && svg.contains("naruo-mizota") && !svg.contains("(extrapolated)"), "{}", said.err);
+    assert!(
+        said.status == 0 && svg.contains("naruo-mizota") && !svg.contains("(extrapolated)"),
+        "{}",
+        said.err
+    );
     for (more, words) in [
         (&["--laws", "fergusen"][..], "did you mean 'ferguson'?"),
         (&["--laws", "lyu,lyu"], "named twice"),
         (&["--laws", "table"], "without aero.table"),
-        (&["--over", "reynolds", "--reynolds", "1e5"], "this is not used"),
+        (
+            &["--over", "reynolds", "--reynolds", "1e5"],
+            "this is not used",
+        ),
         (&["--spin-ratio", "0.1"], "this is not used"),
         (&["--reynolds", "-5"], "from 1 to 10000000"),
         (&["--reynolds", "much"], "--reynolds"),
         (&["--set", "air.density=0 kg/m^3"], "there is no air"),
     ] {
         let said = longdrive(&[&["plot", "laws", "-o", &file("no.svg")], more].concat());
-        assert!(said.status == 2 && said.err.contains(words), "{more:?}: {}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(words),
+            "{more:?}: {}",
+            said.err
+        );
     }
     assert!(!folder.path().join("no.svg").exists());
-    assert!(longdrive(&["laws"]).out.contains("longdrive plot laws"), "the list says how to draw them");
+    assert!(
+        longdrive(&["laws"]).out.contains("longdrive plot laws"),
+        "the list says how to draw them"
+    );
 }

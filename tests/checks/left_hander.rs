@@ -1,22 +1,33 @@
-//! A left-hander's drive is the mirror image of a right-hander's with the same numbers; wind and ground are not mirrored.
+//! A left-hander's drive is the mirror image of a right-hander's with the same numbers; wind and
+//! ground are not mirrored.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::{close, random_setups};
 use longdrive::derivative::hessian;
 use longdrive::optimize::{Follow, Options};
 use longdrive::parameters::Golfer;
-use longdrive::study::swings::{Correlation, Goal, Rule, Scenarios, Swings, SwingsSearch, swings_optimum};
+use longdrive::study::swings::{
+    Correlation, Goal, Rule, Scenarios, Swings, SwingsSearch, swings_optimum,
+};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Comparison, Sense, Vary};
 use longdrive::{Drive, Outcome, Setup};
 
 /// The outcomes with a side.
-const SIDED: [Outcome; 5] =
-    [Outcome::Lateral, Outcome::LateralTotal, Outcome::LaunchDirection, Outcome::Sidespin, Outcome::SpinAxis];
+const SIDED: [Outcome; 5] = [
+    Outcome::Lateral,
+    Outcome::LateralTotal,
+    Outcome::LaunchDirection,
+    Outcome::Sidespin,
+    Outcome::SpinAxis,
+];
 
 /// The same numbers of the other hand, in a mirrored wind over mirrored ground.
 fn mirrored(setup: &Setup<f64>) -> Setup<f64> {
-    let mut other = Setup { golfer: Golfer::Left, ..*setup };
+    let mut other = Setup {
+        golfer: Golfer::Left,
+        ..*setup
+    };
     (other.wind.right, other.ground.side_slope) = (-setup.wind.right, -setup.ground.side_slope);
     other
 }
@@ -26,9 +37,13 @@ fn exact_the_same_numbers_of_the_other_hand_give_the_mirror_image() {
     let mut compared = 0;
     for setup in random_setups(40) {
         let other = mirrored(&setup);
-        let (Ok(right), Ok(left)) = (Drive::new(&setup), Drive::new(&other)) else { continue };
+        let (Ok(right), Ok(left)) = (Drive::new(&setup), Drive::new(&other)) else {
+            continue;
+        };
         for of in Outcome::ALL {
-            let (Some(right), Some(left)) = (of.value(&right), of.value(&left)) else { continue };
+            let (Some(right), Some(left)) = (of.value(&right), of.value(&left)) else {
+                continue;
+            };
             let sign = if SIDED.contains(of) { -1.0 } else { 1.0 };
             close(left, sign * right, right.abs().max(1e-6), 1e-11, of.name());
             compared += 1;
@@ -40,34 +55,76 @@ fn exact_the_same_numbers_of_the_other_hand_give_the_mirror_image() {
 #[test]
 fn exact_derivatives_of_the_other_hand_are_those_of_the_mirror_image() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    setup.set_all([("strike.toe", "8 mm"), ("swing.path", "2 deg"), ("wind.right", "3 m/s")]).unwrap();
-    let names = ["strike.toe", "swing.face_angle", "club.bulge_radius", "wind.right"];
+    setup
+        .set_all([
+            ("strike.toe", "8 mm"),
+            ("swing.path", "2 deg"),
+            ("wind.right", "3 m/s"),
+        ])
+        .unwrap();
+    let names = [
+        "strike.toe",
+        "swing.face_angle",
+        "club.bulge_radius",
+        "wind.right",
+    ];
     let wrt = names.map(|name| setup.variable(name).unwrap());
     for (of, sign) in [(Outcome::Carry, 1.0), (Outcome::Lateral, -1.0)] {
-        let [right, left] = [setup, mirrored(&setup)].map(|setup| hessian(&setup, of, &wrt).unwrap());
+        let [right, left] =
+            [setup, mirrored(&setup)].map(|setup| hessian(&setup, of, &wrt).unwrap());
         // the wind is + to the right for both
-        let turned = |i: usize| if names[i] == "wind.right" { -sign } else { sign };
-        let most = |row: &[f64]| row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+        let turned = |i: usize| {
+            if names[i] == "wind.right" {
+                -sign
+            } else {
+                sign
+            }
+        };
+        let most = |row: &[f64]| {
+            row.iter()
+                .fold(0.0, |most: f64, entry| most.max(entry.abs()))
+        };
         for i in 0..names.len() {
-            close(left.gradient[i], turned(i) * right.gradient[i], most(&right.gradient), 1e-11, names[i]);
+            close(
+                left.gradient[i],
+                turned(i) * right.gradient[i],
+                most(&right.gradient),
+                1e-11,
+                names[i],
+            );
             for (j, name) in names.iter().enumerate() {
                 let sign = turned(i) * turned(j) * sign;
-                close(left.hessian[i][j], sign * right.hessian[i][j], most(&right.hessian[i]), 1e-10, name);
+                close(
+                    left.hessian[i][j],
+                    sign * right.hessian[i][j],
+                    most(&right.hessian[i]),
+                    1e-10,
+                    name,
+                );
             }
         }
     }
 }
 
 fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str]) -> (f64, Vec<f64>) {
-    let inputs =
-        ["swing.path=normal(0 deg, 2 deg)", "swing.face_angle=normal(0 deg, 2 deg)", "strike.toe=normal(0 mm, 8 mm)"];
-    let inputs: Vec<_> = inputs.iter().map(|text| Uncertain::read(setup, text).unwrap()).collect();
+    let inputs = [
+        "swing.path=normal(0 deg, 2 deg)",
+        "swing.face_angle=normal(0 deg, 2 deg)",
+        "strike.toe=normal(0 mm, 8 mm)",
+    ];
+    let inputs: Vec<_> = inputs
+        .iter()
+        .map(|text| Uncertain::read(setup, text).unwrap())
+        .collect();
     let correlation = Correlation::new([inputs[0].parameter, inputs[1].parameter], 0.5).unwrap();
     let swings = Swings::distributed(inputs, &[correlation]).unwrap();
     let search = SwingsSearch {
         of: Goal::read(goal, None).unwrap(),
         sense: Sense::Maximize,
-        vary: vary.iter().map(|text| Vary::read(setup, text).unwrap()).collect(),
+        vary: vary
+            .iter()
+            .map(|text| Vary::read(setup, text).unwrap())
+            .collect(),
         subject_to: vec![],
         options: Options::default(),
     };
@@ -76,70 +133,147 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str]) -> (f64, Vec<f64>) {
     (best.value().unwrap(), best.solution.x)
 }
 
-/// A head and a golfer without a favoured side, of either hand: the drives to the right and to the left cancel.
+/// A head and a golfer without a favoured side, of either hand: the drives to the right and to the
+/// left cancel.
 #[test]
 fn exact_symmetric_head_and_strikes_have_no_lateral_mean() {
     for golfer in Golfer::ALL {
-        let setup = Setup { golfer: *golfer, ..Setup::default() };
+        let setup = Setup {
+            golfer: *golfer,
+            ..Setup::default()
+        };
         let (lateral, _) = searched(&setup, "mean(lateral)", &["club.loft=9deg..9.1deg"]);
         assert!(lateral.abs() < 1e-10, "{golfer:?}: {lateral}");
     }
 }
 
-/// The best head of a left-hander is the mirror image of a right-hander's, whose wind comes from the other side.
+/// The best head of a left-hander is the mirror image of a right-hander's, whose wind comes from
+/// the other side.
 #[test]
 fn exact_best_design_of_the_other_hand_is_the_mirror_image() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    setup.set_all([("wind.right", "2 m/s"), ("club.inertia.xy", "300 g cm^2")]).unwrap();
+    setup
+        .set_all([("wind.right", "2 m/s"), ("club.inertia.xy", "300 g cm^2")])
+        .unwrap();
     let vary = ["club.bulge_radius=200mm..900mm", "club.cg_depth=25mm..50mm"];
     let goal = "mean(carry) - 0.2*rms(lateral)";
-    let (right, left) = (searched(&setup, goal, &vary), searched(&mirrored(&setup), goal, &vary));
+    let (right, left) = (
+        searched(&setup, goal, &vary),
+        searched(&mirrored(&setup), goal, &vary),
+    );
     close(left.0, right.0, right.0, 1e-11, "goal");
     for (left, right) in left.1.iter().zip(&right.1) {
         close(*left, *right, *right, 1e-7, "design");
     }
     // in the same wind the two are not each other's image
-    let same_wind = searched(&Setup { golfer: Golfer::Left, ..setup }, goal, &vary);
-    assert!((same_wind.0 - right.0).abs() > 0.01, "{} {}", same_wind.0, right.0);
+    let same_wind = searched(
+        &Setup {
+            golfer: Golfer::Left,
+            ..setup
+        },
+        goal,
+        &vary,
+    );
+    assert!(
+        (same_wind.0 - right.0).abs() > 0.01,
+        "{} {}",
+        same_wind.0,
+        right.0
+    );
 }
 
 #[test]
 fn the_hand_is_read_written_and_compared() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("lefty.toml").display().to_string();
-    std::fs::write(&file, "golfer = 'left'\npreset = 'tour-average'\n[strike]\ntoe = '10 mm'\n").unwrap();
+    std::fs::write(
+        &file,
+        "golfer = 'left'\npreset = 'tour-average'\n[strike]\ntoe = '10 mm'\n",
+    )
+    .unwrap();
     let (_, own) = json(&["simulate", &file]);
-    let (_, set) = json(&["simulate", "tour-average", "--set", "strike.toe=10mm", "--set", "golfer=left"]);
+    let (_, set) = json(&[
+        "simulate",
+        "tour-average",
+        "--set",
+        "strike.toe=10mm",
+        "--set",
+        "golfer=left",
+    ]);
     let (_, right) = json(&["simulate", "tour-average", "--set", "strike.toe=10mm"]);
-    assert_eq!((&own["flight"], &own["setup"]["golfer"]), (&set["flight"], &"left".into()));
-    close(number(&own["flight"]["lateral"]), -number(&right["flight"]["lateral"]), 1.0, 1e-9, "lateral");
+    assert_eq!(
+        (&own["flight"], &own["setup"]["golfer"]),
+        (&set["flight"], &"left".into())
+    );
+    close(
+        number(&own["flight"]["lateral"]),
+        -number(&right["flight"]["lateral"]),
+        1.0,
+        1e-9,
+        "lateral",
+    );
     assert!(number(&right["flight"]["lateral"]).abs() > 0.1 && right["setup"]["golfer"] == "right");
     // what is found for a left-hander is written down as a left-hander's
     let best = folder.path().join("best.toml").display().to_string();
     assert_eq!(longdrive(&["optimize", &file, "-o", &best]).status, 0);
-    assert_eq!(Setup::from_file(best.as_ref()).unwrap().golfer, Golfer::Left);
+    assert_eq!(
+        Setup::from_file(best.as_ref()).unwrap().golfer,
+        Golfer::Left
+    );
 
     for (args, said) in [
-        (&["simulate", "--set", "golfer=lefty"][..], "did you mean 'left'"),
-        (&["optimize", "--vary", "golfer=0..1"], "it is a choice"),
-        (&["simulate", "tour-average", "--set", "golfr=left"], "did you mean 'golfer'"),
         (
-            &["simulate", "--launch", "ball_speed=150mph,launch_angle=12deg,backspin=2500rpm", "--set", "golfer=left"],
+            &["simulate", "--set", "golfer=lefty"][..],
+            "did you mean 'left'",
+        ),
+        (&["optimize", "--vary", "golfer=0..1"], "it is a choice"),
+        (
+            &["simulate", "tour-average", "--set", "golfr=left"],
+            "did you mean 'golfer'",
+        ),
+        (
+            &[
+                "simulate",
+                "--launch",
+                "ball_speed=150mph,launch_angle=12deg,backspin=2500rpm",
+                "--set",
+                "golfer=left",
+            ],
             "none is used",
         ),
     ] {
         let told = longdrive(args);
         let words = told.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(told.status == 2 && words.contains(said), "{args:?}: {words}");
+        assert!(
+            told.status == 2 && words.contains(said),
+            "{args:?}: {words}"
+        );
     }
     let setup = Setup::from_file(file.as_ref()).unwrap();
-    let there = Comparison::new(&setup, &Setup { golfer: Golfer::Right, ..setup }).unwrap();
+    let there = Comparison::new(
+        &setup,
+        &Setup {
+            golfer: Golfer::Right,
+            ..setup
+        },
+    )
+    .unwrap();
     let shares = there.of(Outcome::Lateral).unwrap().by_parameter.shares;
-    assert!(shares.len() == 1 && shares[0].cause.name() == "golfer" && shares[0].cause.is_at_once(), "{shares:?}");
-    close(shares[0].amount, 2.0 * number(&right["flight"]["lateral"]), 1.0, 1e-6, "share");
+    assert!(
+        shares.len() == 1 && shares[0].cause.name() == "golfer" && shares[0].cause.is_at_once(),
+        "{shares:?}"
+    );
+    close(
+        shares[0].amount,
+        2.0 * number(&right["flight"]["lateral"]),
+        1.0,
+        1e-6,
+        "share",
+    );
 }
 
-/// The monitor has path and face + to the right for every golfer; the delivery behind its launch is in the golfer's own terms.
+/// The monitor has path and face + to the right for every golfer; the delivery behind its launch is
+/// in the golfer's own terms.
 #[test]
 fn the_delivery_of_a_left_hander_is_in_the_golfers_own_terms() {
     let folder = tempfile::tempdir().unwrap();
@@ -148,16 +282,31 @@ fn the_delivery_of_a_left_hander_is_in_the_golfers_own_terms() {
         std::fs::write(&file, text).unwrap();
         file.display().to_string()
     };
-    let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Club Path [deg],Face Angle [deg]";
+    let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+                Axis [deg],Club Path [deg],Face Angle [deg]";
     let right = written("right.csv", &format!("{head}\n150,12,2,2600,6,3.0,2.5\n"));
-    let left = written("left.csv", &format!("{head}\n150,12,-2,2600,-6,-3.0,2.5 L\n"));
-    let known =
-        |file: &str, golfer: &str| json(&["delivery", "--shots", file, "--set", golfer]).1["rows"][0]["known"].clone();
+    let left = written(
+        "left.csv",
+        &format!("{head}\n150,12,-2,2600,-6,-3.0,2.5 L\n"),
+    );
+    let known = |file: &str, golfer: &str| {
+        json(&["delivery", "--shots", file, "--set", golfer]).1["rows"][0]["known"].clone()
+    };
     let (right, left) = (known(&right, "golfer=right"), known(&left, "golfer=left"));
-    let rows = right.as_array().unwrap().iter().zip(left.as_array().unwrap());
+    let rows = right
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(left.as_array().unwrap());
     for (right, left) in rows {
         assert_eq!(right["parameter"], left["parameter"]);
-        close(number(&left["value"]), number(&right["value"]), 1.0, 1e-7, right["parameter"].as_str().unwrap());
+        close(
+            number(&left["value"]),
+            number(&right["value"]),
+            1.0,
+            1e-7,
+            right["parameter"].as_str().unwrap(),
+        );
     }
     assert!(number(&right[3]["value"]) > 0.02, "{right}");
 }

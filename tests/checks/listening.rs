@@ -11,7 +11,8 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 const SHOT: &str = r#"{"DeviceID":"A","Units":"Yards","ShotNumber":1,"APIversion":"1","BallData":{"Speed":160.0,"SpinAxis":3.0,"TotalSpin":2500.0,"HLA":-1.5,"VLA":12.0},"ShotDataOptions":{"ContainsBallData":true}}"#;
-const HEARTBEAT: &str = r#"{"DeviceID":"A","ShotDataOptions":{"ContainsBallData":false,"IsHeartBeat":true}}"#;
+const HEARTBEAT: &str =
+    r#"{"DeviceID":"A","ShotDataOptions":{"ContainsBallData":false,"IsHeartBeat":true}}"#;
 
 /// The program, listening, with its port.
 fn listening(more: &[&str]) -> (Child, u16) {
@@ -22,8 +23,13 @@ fn listening(more: &[&str]) -> (Child, u16) {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    let mut lines = BufReader::new(child.stderr.as_mut().unwrap()).lines().map(Result::unwrap);
-    let address = |line: String| line.split_whitespace().find_map(|word| word.strip_prefix("127.0.0.1:")?.parse().ok());
+    let mut lines = BufReader::new(child.stderr.as_mut().unwrap())
+        .lines()
+        .map(Result::unwrap);
+    let address = |line: String| {
+        line.split_whitespace()
+            .find_map(|word| word.strip_prefix("127.0.0.1:")?.parse().ok())
+    };
     let port = lines.find_map(address).expect("it says where it listens");
     drop(lines);
     (child, port)
@@ -31,9 +37,18 @@ fn listening(more: &[&str]) -> (Child, u16) {
 
 /// Ends it as Ctrl-C does: its exit status and what it says.
 fn ended(child: Child) -> (Option<i32>, String) {
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert!(
+        Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status()
+            .unwrap()
+            .success()
+    );
     let output = child.wait_with_output().unwrap();
-    (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    (
+        output.status.code(),
+        String::from_utf8(output.stdout).unwrap(),
+    )
 }
 
 struct Client(BufReader<TcpStream>);
@@ -42,7 +57,9 @@ impl Client {
     fn new(port: u16) -> Self {
         let stream = TcpStream::connect(("127.0.0.1", port)).unwrap();
         stream.set_nodelay(true).unwrap();
-        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        stream
+            .set_read_timeout(Some(Duration::from_secs(20)))
+            .unwrap();
         Self(BufReader::new(stream))
     }
 
@@ -69,29 +86,48 @@ fn every_message_is_answered_and_the_connection_stays() {
     for (sent, code, says) in [
         (HEARTBEAT.to_owned(), 201, "GSPro Player Information"),
         ("hello\n".into(), 501, "a message begins with {"),
-        ("{\"BallData\": {\n".into(), 501, "the JSON object does not end"),
+        (
+            "{\"BallData\": {\n".into(),
+            501,
+            "the JSON object does not end",
+        ),
         ("{\"BallData\": }".into(), 501, "it is not valid JSON"),
         ("{}".into(), 501, "it has no BallData"),
-        (SHOT.replace("160.0", "\"fast\""), 501, "BallData.Speed: \"fast\" is not a number"),
+        (
+            SHOT.replace("160.0", "\"fast\""),
+            501,
+            "BallData.Speed: \"fast\" is not a number",
+        ),
         (SHOT.replace("160.0", "900"), 501, "above 0 to 270 mph"),
-        (SHOT.replace("\"VLA\":12.0", "\"VLA\":-30"), 200, "the ball does not land"),
+        (
+            SHOT.replace("\"VLA\":12.0", "\"VLA\":-30"),
+            200,
+            "the ball does not land",
+        ),
     ] {
         client.send(&sent);
         let answer = client.answer();
         assert_eq!(answer["Code"], code, "{sent}: {answer}");
-        assert!(answer["Message"].as_str().unwrap().contains(says), "{sent}: {answer}");
+        assert!(
+            answer["Message"].as_str().unwrap().contains(says),
+            "{sent}: {answer}"
+        );
     }
     // two in one piece, and one in two pieces
     client.send(&format!("{SHOT}{SHOT}"));
     let (head, tail) = SHOT.split_at(70);
     assert_eq!(
-        [client.answer(), client.answer()].map(|answer| answer["Flight"]["carry_distance"].as_f64()),
+        [client.answer(), client.answer()]
+            .map(|answer| answer["Flight"]["carry_distance"].as_f64()),
         [Some(carry); 2]
     );
     client.send(head);
     std::thread::sleep(Duration::from_millis(20));
     client.send(tail);
-    assert_eq!(client.answer()["Flight"]["carry_distance"].as_f64(), Some(carry));
+    assert_eq!(
+        client.answer()["Flight"]["carry_distance"].as_f64(),
+        Some(carry)
+    );
     // another client at the same time
     let mut other = Client::new(port);
     other.send(SHOT);
@@ -101,11 +137,20 @@ fn every_message_is_answered_and_the_connection_stays() {
     assert_eq!(faults("fly", &answer), [""; 0], "{answer:#}");
     assert_eq!((status, answer["status"].as_str()), (Some(0), Some("done")));
     assert_eq!(
-        (&answer["flown"], &answer["others"], &answer["refused"], &answer["connections"]),
+        (
+            &answer["flown"],
+            &answer["others"],
+            &answer["refused"],
+            &answer["connections"]
+        ),
         (&5.into(), &2.into(), &6.into(), &2.into())
     );
     let mut rest = String::new();
-    assert_eq!(client.0.read_to_string(&mut rest).unwrap(), 0, "the connection is closed");
+    assert_eq!(
+        client.0.read_to_string(&mut rest).unwrap(),
+        0,
+        "the connection is closed"
+    );
 }
 
 #[test]
@@ -120,7 +165,10 @@ fn three_hundred_shots_of_one_connection_are_each_answered() {
         least = least.min(sent.elapsed());
     }
     let (status, out) = ended(child);
-    assert!(status == Some(0) && out.starts_with("300 shots flown"), "{status:?} {out}");
+    assert!(
+        status == Some(0) && out.starts_with("300 shots flown"),
+        "{status:?} {out}"
+    );
     println!("the quickest answer took {least:?}");
 }
 
@@ -128,8 +176,17 @@ fn three_hundred_shots_of_one_connection_are_each_answered() {
 fn a_port_that_is_taken_is_told_with_what_to_do() {
     let (child, port) = listening(&[]);
     let said = crate::command_line::longdrive(&["fly", "--listen", &port.to_string()]);
-    assert!(said.status == 2 && said.err.contains("another program listens there"), "{}", said.err);
-    let said = crate::command_line::longdrive(&["fly", "--listen", "0", "--address", "203.0.113.1"]);
-    assert!(said.status == 2 && said.err.contains("is not an address of this machine"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("another program listens there"),
+        "{}",
+        said.err
+    );
+    let said =
+        crate::command_line::longdrive(&["fly", "--listen", "0", "--address", "203.0.113.1"]);
+    assert!(
+        said.status == 2 && said.err.contains("is not an address of this machine"),
+        "{}",
+        said.err
+    );
     assert_eq!(ended(child).0, Some(0));
 }

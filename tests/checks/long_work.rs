@@ -4,8 +4,8 @@ use crate::command_line::{Said, wait_until};
 use crate::program;
 use longdrive::number::Number;
 use longdrive::optimize::{
-    Checkpoint, Domain, Evaluation, Exact, Follow, Functions, Observer, Options, Problem, Run, Snapshot, Solution,
-    Status, Values,
+    Checkpoint, Domain, Evaluation, Exact, Follow, Functions, Observer, Options, Problem, Run,
+    Snapshot, Solution, Status, Values,
 };
 use longdrive::optimize::{least_squares, minimize_from, minimize_observed, starts};
 use longdrive::{Error, Setup};
@@ -20,18 +20,31 @@ struct Valley;
 impl Functions for Valley {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
         let objective = (x[1] - x[0] * x[0]).powi(2) * 100.0 + (-x[0] + 1.0).powi(2);
-        Ok(Values { objective, constraints: vec![x[0] * x[0] + x[1] * x[1]] })
+        Ok(Values {
+            objective,
+            constraints: vec![x[0] * x[0] + x[1] * x[1]],
+        })
     }
 }
 
 fn disc() -> Domain {
-    Domain::new(vec![-5.0; 2], vec![5.0; 2]).unwrap().subject_to(vec![f64::NEG_INFINITY], vec![1.5]).unwrap()
+    Domain::new(vec![-5.0; 2], vec![5.0; 2])
+        .unwrap()
+        .subject_to(vec![f64::NEG_INFINITY], vec![1.5])
+        .unwrap()
 }
 
 const START: [f64; 2] = [-1.2, 1.0];
 
 fn whole() -> Solution {
-    let whole = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), Observer::default()).unwrap();
+    let whole = minimize_observed(
+        &Exact(Valley),
+        &disc(),
+        &START,
+        &Options::default(),
+        Observer::default(),
+    )
+    .unwrap();
     assert_eq!(whole.status, Status::Converged);
     whole
 }
@@ -43,7 +56,9 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
     let stop = flag.clone();
     let observer = Observer {
         interrupt: flag,
-        iteration: Box::new(move |iteration| stop.store(iteration.number >= most, Ordering::Relaxed)),
+        iteration: Box::new(move |iteration| {
+            stop.store(iteration.number >= most, Ordering::Relaxed)
+        }),
         keep: Some(Box::new(move |snapshot| {
             // through the text that a file would hold
             let text = serde_json::to_string(snapshot).unwrap();
@@ -52,7 +67,14 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
         })),
         resume: None,
     };
-    let solution = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), observer).unwrap();
+    let solution = minimize_observed(
+        &Exact(Valley),
+        &disc(),
+        &START,
+        &Options::default(),
+        observer,
+    )
+    .unwrap();
     let snapshot = kept.borrow_mut().take();
     (solution, snapshot)
 }
@@ -63,15 +85,29 @@ fn exact_same_end_whenever_a_search_is_stopped_and_resumed() {
     assert!(whole.iterations >= 10, "{}", whole.iterations);
     for most in 1..whole.iterations {
         let (stopped, snapshot) = stopped_after(most);
-        assert_eq!((stopped.status, stopped.iterations), (Status::Interrupted, most));
+        assert_eq!(
+            (stopped.status, stopped.iterations),
+            (Status::Interrupted, most)
+        );
         assert!(stopped.value.is_some() && stopped.message.contains("stopped after"));
-        let observer = Observer { resume: snapshot, ..Observer::default() };
-        let resumed = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), observer).unwrap();
+        let observer = Observer {
+            resume: snapshot,
+            ..Observer::default()
+        };
+        let resumed = minimize_observed(
+            &Exact(Valley),
+            &disc(),
+            &START,
+            &Options::default(),
+            observer,
+        )
+        .unwrap();
         assert_eq!(resumed, whole, "resumed after {most} iterations");
     }
 }
 
-/// An evaluation in ten blocks, each of which looks at the flag first, as one over many drives does; in one block of them the flag is raised.
+/// An evaluation in ten blocks, each of which looks at the flag first, as one over many drives
+/// does; in one block of them the flag is raised.
 struct InBlocks {
     flag: Arc<AtomicBool>,
     /// The block that raises it, counted from 1.
@@ -102,7 +138,12 @@ fn exact_no_block_is_begun_after_the_flag_and_the_search_ends_with_a_finished_po
     let evaluations = usize::try_from(whole.evaluations).unwrap();
     for raised_in in (1..10 * evaluations).step_by(3) {
         let flag = Arc::new(AtomicBool::new(false));
-        let problem = InBlocks { flag: flag.clone(), raised_in, blocks: Cell::default(), finished: RefCell::default() };
+        let problem = InBlocks {
+            flag: flag.clone(),
+            raised_in,
+            blocks: Cell::default(),
+            finished: RefCell::default(),
+        };
         let kept: Rc<RefCell<Option<Snapshot>>> = Rc::default();
         let (keeper, shown) = (Rc::clone(&kept), Rc::new(Cell::new(0)));
         let counted = Rc::clone(&shown);
@@ -115,22 +156,51 @@ fn exact_no_block_is_begun_after_the_flag_and_the_search_ends_with_a_finished_po
             })),
             resume: None,
         };
-        let stopped = minimize_observed(&problem, &disc(), &START, &Options::default(), observer).unwrap();
+        let stopped =
+            minimize_observed(&problem, &disc(), &START, &Options::default(), observer).unwrap();
         assert_eq!(problem.blocks.get(), raised_in, "blocks after the flag");
-        assert_eq!((stopped.status, stopped.iterations), (Status::Interrupted, shown.get()), "raised in {raised_in}");
-        assert_eq!(stopped.value.is_some(), raised_in >= 10, "{}", stopped.message);
+        assert_eq!(
+            (stopped.status, stopped.iterations),
+            (Status::Interrupted, shown.get()),
+            "raised in {raised_in}"
+        );
+        assert_eq!(
+            stopped.value.is_some(),
+            raised_in >= 10,
+            "{}",
+            stopped.message
+        );
         if stopped.value.is_some() {
-            assert!(problem.finished.borrow().contains(&stopped.x), "raised in {raised_in}");
+            assert!(
+                problem.finished.borrow().contains(&stopped.x),
+                "raised in {raised_in}"
+            );
         } else {
             assert_eq!(
                 (&stopped.x[..], &stopped.message[..]),
-                (&START[..], "stopped before the functions were evaluated once")
+                (
+                    &START[..],
+                    "stopped before the functions were evaluated once"
+                )
             );
         }
         let resume = kept.borrow_mut().take();
-        assert_eq!(resume.as_ref().map_or(0, Snapshot::iterations), stopped.iterations);
-        let observer = Observer { resume, ..Observer::default() };
-        let resumed = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), observer).unwrap();
+        assert_eq!(
+            resume.as_ref().map_or(0, Snapshot::iterations),
+            stopped.iterations
+        );
+        let observer = Observer {
+            resume,
+            ..Observer::default()
+        };
+        let resumed = minimize_observed(
+            &Exact(Valley),
+            &disc(),
+            &START,
+            &Options::default(),
+            observer,
+        )
+        .unwrap();
         assert_eq!(resumed, whole, "resumed after a stop in block {raised_in}");
     }
 }
@@ -139,11 +209,19 @@ fn exact_no_block_is_begun_after_the_flag_and_the_search_ends_with_a_finished_po
 fn exact_no_block_of_a_fit_is_begun_after_the_flag() {
     // Misra's curve through three of its points: 1 − e^(−b x), fitted in a few evaluations
     let rows = |b: &[f64]| {
-        let at =
-            |x: &f64| (b[0] * (1.0 - (-b[1] * x).exp()), vec![1.0 - (-b[1] * x).exp(), b[0] * x * (-b[1] * x).exp()]);
+        let at = |x: &f64| {
+            (
+                b[0] * (1.0 - (-b[1] * x).exp()),
+                vec![1.0 - (-b[1] * x).exp(), b[0] * x * (-b[1] * x).exp()],
+            )
+        };
         let (values, jacobian): (Vec<f64>, _) = [77.6, 332.8, 760.0].iter().map(at).unzip();
         least_squares::Rows {
-            residuals: values.iter().zip([10.07, 40.02, 81.78]).map(|(v, y)| v - y).collect(),
+            residuals: values
+                .iter()
+                .zip([10.07, 40.02, 81.78])
+                .map(|(v, y)| v - y)
+                .collect(),
             jacobian,
         }
     };
@@ -167,9 +245,15 @@ fn exact_no_block_of_a_fit_is_begun_after_the_flag() {
             }
             Ok(rows(b))
         };
-        let stopped = least_squares::fit_observed(&in_blocks, &domain, &start, &options, &follow).unwrap();
+        let stopped =
+            least_squares::fit_observed(&in_blocks, &domain, &start, &options, &follow).unwrap();
         assert_eq!(blocks.get(), raised_in, "blocks after the flag");
-        assert_eq!(stopped.status, least_squares::Status::Interrupted, "{}", stopped.message);
+        assert_eq!(
+            stopped.status,
+            least_squares::Status::Interrupted,
+            "{}",
+            stopped.message
+        );
         assert_eq!(stopped.rows.residuals.is_empty(), raised_in < 5);
         assert!(stopped.refused == 0 && (raised_in < 5 || stopped.rows == rows(&stopped.x)));
     }
@@ -179,25 +263,47 @@ fn exact_no_block_of_a_fit_is_begun_after_the_flag() {
 fn exact_same_optima_when_some_of_many_searches_were_kept_before() {
     let (domain, options) = (disc(), Options::default());
     let starts = starts(&domain, &START, 6).unwrap();
-    let fresh = minimize_from(&Exact(Valley), &domain, &starts, &options, &Follow::default()).unwrap();
+    let fresh = minimize_from(
+        &Exact(Valley),
+        &domain,
+        &starts,
+        &options,
+        &Follow::default(),
+    )
+    .unwrap();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("kept.json");
-    let follow =
-        || Follow { checkpoint: Some(Arc::new(Checkpoint::open(&path, "valley").unwrap())), ..Follow::default() };
+    let follow = || Follow {
+        checkpoint: Some(Arc::new(Checkpoint::open(&path, "valley").unwrap())),
+        ..Follow::default()
+    };
     minimize_from(&Exact(Valley), &domain, &starts[..3], &options, &follow()).unwrap();
     let checkpoint = Checkpoint::open(&path, "valley").unwrap();
     assert_eq!(checkpoint.done(), 3);
-    let Some(Run::Done(first)) = checkpoint.run(0) else { panic!("the first search has ended") };
+    let Some(Run::Done(first)) = checkpoint.run(0) else {
+        panic!("the first search has ended")
+    };
     assert_eq!(*first, whole());
     let resumed = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow()).unwrap();
     assert_eq!(resumed.len(), fresh.len());
     for (resumed, fresh) in resumed.iter().zip(&fresh) {
-        assert_eq!((&resumed.solution, &resumed.starts), (&fresh.solution, &fresh.starts));
+        assert_eq!(
+            (&resumed.solution, &resumed.starts),
+            (&fresh.solution, &fresh.starts)
+        );
     }
     let other = Checkpoint::open(&path, "another question").unwrap_err();
-    assert!(matches!(&other, Error::Checkpoint { reason, .. } if reason.contains("another question")), "{other}");
+    assert!(
+        matches!(&other, Error::Checkpoint { reason, .. } if reason.contains("another question")),
+        "{other}"
+    );
     std::fs::write(&path, "{").unwrap();
-    assert!(Checkpoint::open(&path, "valley").unwrap_err().to_string().contains("is not a checkpoint"));
+    assert!(
+        Checkpoint::open(&path, "valley")
+            .unwrap_err()
+            .to_string()
+            .contains("is not a checkpoint")
+    );
     assert!(Checkpoint::open(folder.path(), "valley").is_err());
 }
 
@@ -206,13 +312,28 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
     let folder = tempfile::tempdir().unwrap();
     // a step so short that a search takes seconds
     let arguments = |checkpoint: &str| {
-        let mut all = vec!["optimize", "--json", "--starts", "3", "--set", "flight.step=0.3ms", "--checkpoint"];
+        let mut all = vec![
+            "optimize",
+            "--json",
+            "--starts",
+            "3",
+            "--set",
+            "flight.step=0.3ms",
+            "--checkpoint",
+        ];
         all.extend([checkpoint, "--subject-to", "apex_height <= 36 yd"]);
         all.into_iter().map(str::to_owned).collect::<Vec<_>>()
     };
     let run = |checkpoint: &std::path::Path| {
-        let output = program::command().args(arguments(&checkpoint.display().to_string())).output().unwrap();
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let output = program::command()
+            .args(arguments(&checkpoint.display().to_string()))
+            .output()
+            .unwrap();
+        assert!(
+            output.status.success(),
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         output.stdout
     };
     let alone = run(&folder.path().join("alone.json"));
@@ -234,7 +355,8 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
     assert_eq!(run(&killed), alone);
 }
 
-/// Of ten thousand searches those that had not begun are told together: one by one they would be compared with all others.
+/// Of ten thousand searches those that had not begun are told together: one by one they would be
+/// compared with all others.
 #[test]
 fn exact_searches_that_had_not_begun_are_one_end_with_all_their_starts() {
     let (domain, options) = (disc(), Options::default());
@@ -242,15 +364,35 @@ fn exact_searches_that_had_not_begun_are_one_end_with_all_their_starts() {
     let follow = Follow::default();
     follow.interrupt.store(true, Ordering::Relaxed);
     let none = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow).unwrap();
-    assert_eq!((none.len(), none[0].starts.len(), none[0].solution.value), (1, 10_000, None));
+    assert_eq!(
+        (none.len(), none[0].starts.len(), none[0].solution.value),
+        (1, 10_000, None)
+    );
     let (flag, ended) = (Arc::new(AtomicBool::new(false)), AtomicUsize::new(0));
     let stop = flag.clone();
-    let end = move |_: usize, _: &Solution| stop.store(ended.fetch_add(1, Ordering::Relaxed) >= 20, Ordering::Relaxed);
-    let follow = Follow { interrupt: flag, end: Some(Arc::new(end)), ..Follow::default() };
+    let end = move |_: usize, _: &Solution| {
+        stop.store(
+            ended.fetch_add(1, Ordering::Relaxed) >= 20,
+            Ordering::Relaxed,
+        )
+    };
+    let follow = Follow {
+        interrupt: flag,
+        end: Some(Arc::new(end)),
+        ..Follow::default()
+    };
     let some = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow).unwrap();
-    assert_eq!(some.iter().map(|local| local.starts.len()).sum::<usize>(), 10_000);
     assert_eq!(
-        (some[0].solution.status, some.iter().filter(|local| local.solution.value.is_none()).count()),
+        some.iter().map(|local| local.starts.len()).sum::<usize>(),
+        10_000
+    );
+    assert_eq!(
+        (
+            some[0].solution.status,
+            some.iter()
+                .filter(|local| local.solution.value.is_none())
+                .count()
+        ),
         (Status::Converged, 1)
     );
 }
@@ -259,27 +401,53 @@ fn exact_searches_that_had_not_begun_are_one_end_with_all_their_starts() {
 fn what_cannot_be_kept_is_an_error_before_the_search() {
     let path = std::path::Path::new("/nowhere/at/all.json");
     let error = Checkpoint::open(path, "anything").unwrap_err();
-    assert!(matches!(&error, Error::Checkpoint { reason, .. } if reason.contains("cannot be written")), "{error}");
+    assert!(
+        matches!(&error, Error::Checkpoint { reason, .. } if reason.contains("cannot be written")),
+        "{error}"
+    );
     // and a keeper that fails ends the search with its own error
     let setup = Setup::default();
     let search = longdrive::study::Search::longest_drive(&setup).unwrap();
-    let observer =
-        Observer { keep: Some(Box::new(|_| Err(Error::Optimizer("the disk is full".into())))), ..Observer::default() };
+    let observer = Observer {
+        keep: Some(Box::new(|_| {
+            Err(Error::Optimizer("the disk is full".into()))
+        })),
+        ..Observer::default()
+    };
     let error = longdrive::study::optimum(&setup, search, observer).unwrap_err();
     assert!(error.to_string().contains("the disk is full"), "{error}");
 }
 
-/// Ctrl-C is answered where no start has been found yet, and what is done there is told: balls that never land take long.
+/// Ctrl-C is answered where no start has been found yet, and what is done there is told: balls that
+/// never land take long.
 #[cfg(unix)]
 #[test]
 fn a_chart_is_interrupted_in_its_first_search() {
-    for command in [&["chart", "--along", "swing.speed=80mph..130mph"][..], &["optimize"]] {
-        // a flight of ten minutes in steps of 1 ms takes a third of a second; another 63 would follow
-        let asked = ["modern-driver", "--set", "gravity=1e-6m/s^2", "--set", "flight.step=1ms", "--own-step", "--json"];
+    for command in [
+        &["chart", "--along", "swing.speed=80mph..130mph"][..],
+        &["optimize"],
+    ] {
+        // a flight of ten minutes in steps of 1 ms takes a third of a second; another 63 would
+        // follow
+        let asked = [
+            "modern-driver",
+            "--set",
+            "gravity=1e-6m/s^2",
+            "--set",
+            "flight.step=1ms",
+            "--own-step",
+            "--json",
+        ];
         let Said { status, out, err } = crate::interrupts::interrupted(&[command, &asked].concat());
         assert_eq!(status, 1, "{out} {err}");
         assert!(out.contains("\"interrupted\""), "{out} {err}");
-        assert!(out.contains("stopped before a drive that flies was found"), "{out} {err}");
-        assert!(command[0] != "chart" || err.contains("searching for an optimum at swing.speed 80 mph"), "{err}");
+        assert!(
+            out.contains("stopped before a drive that flies was found"),
+            "{out} {err}"
+        );
+        assert!(
+            command[0] != "chart" || err.contains("searching for an optimum at swing.speed 80 mph"),
+            "{err}"
+        );
     }
 }

@@ -1,5 +1,6 @@
-//! What longdrive promises, held against papers, closed forms, independent computations and measured orders.
-//! A test's name says which: `paper_`, `exact_`, `independent_`, `order_`, `differences_`, `measured_`, `published_`, and `regress_` for what may not grow.
+//! What longdrive promises, held against papers, closed forms, independent computations and
+//! measured orders. A test's name says which: `paper_`, `exact_`, `independent_`, `order_`,
+//! `differences_`, `measured_`, `published_`, and `regress_` for what may not grow.
 
 mod analysis;
 mod calibration;

@@ -1,4 +1,5 @@
-//! Messages that name the thing, its value, what is allowed, and what to do; numbers of things with the words that fit them.
+//! Messages that name the thing, its value, what is allowed, and what to do; numbers of things with
+//! the words that fit them.
 
 use crate::command_line::{json, longdrive};
 use longdrive::{Error, Setup};
@@ -7,7 +8,13 @@ use std::fs;
 /// Both streams of the program, in one line.
 fn said(args: &[&str]) -> (i32, String) {
     let said = longdrive(args);
-    (said.status, format!("{}{}", said.out, said.err).split_whitespace().collect::<Vec<_>>().join(" "))
+    (
+        said.status,
+        format!("{}{}", said.out, said.err)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" "),
+    )
 }
 
 #[test]
@@ -19,24 +26,49 @@ fn one_thing_is_in_the_singular() {
         path.display().to_string()
     };
     let one = file("one.csv", "club.loft [deg],carry [yd]\n10,250\n");
-    let three = file("three.csv", "club.loft [deg],carry [yd]\n10,250\n11,255\n12,260\n");
+    let three = file(
+        "three.csv",
+        "club.loft [deg],carry [yd]\n10,250\n11,255\n12,260\n",
+    );
     let rows = folder.path().join("rows.csv").display().to_string();
-    let fast = ["sweep", "--over", "swing.speed=170mph..190mph:1", "-o", &rows];
+    let fast = [
+        "sweep",
+        "--over",
+        "swing.speed=170mph..190mph:1",
+        "-o",
+        &rows,
+    ];
     for (args, status, says) in [
         (
             &["calibrate", &one, "--fit", "aero.cd0", "--fit", "aero.cd1"][..],
             2,
             "has 1 measured value, fewer than the 2 parameters",
         ),
-        (&["calibrate", &three, "--fit", "aero.cd0", "--folds", "1"], 2, "1 fold cannot be made of 3 rows"),
-        (&["calibrate", &one, "--fit", "aero.cd0", "--folds", "2"], 2, "2 folds cannot be made of 1 row;"),
-        (&["optimize", "--max-iterations", "1"], 1, "stopped at the limit of 1 iteration with"),
+        (
+            &["calibrate", &three, "--fit", "aero.cd0", "--folds", "1"],
+            2,
+            "1 fold cannot be made of 3 rows",
+        ),
+        (
+            &["calibrate", &one, "--fit", "aero.cd0", "--folds", "2"],
+            2,
+            "2 folds cannot be made of 1 row;",
+        ),
+        (
+            &["optimize", "--max-iterations", "1"],
+            1,
+            "stopped at the limit of 1 iteration with",
+        ),
         (
             &["verify", "--of", "carry", "--wrt", "club.loft"],
             0,
             "of the differences of its carry by 1 parameter, 0 would pass",
         ),
-        (&fast, 0, "warning: the only drive that landed: at launch outside"),
+        (
+            &fast,
+            0,
+            "warning: the only drive that landed: at launch outside",
+        ),
     ] {
         let (ended, text) = said(args);
         assert_eq!(ended, status, "{args:?}: {text}");
@@ -45,7 +77,16 @@ fn one_thing_is_in_the_singular() {
         let words: Vec<_> = text.split(' ').collect();
         let wrong = words.windows(2).find(|pair| {
             pair[0] == "1"
-                && ["rows", "values", "parameters", "iterations", "drives", "points", "folds"].contains(&pair[1])
+                && [
+                    "rows",
+                    "values",
+                    "parameters",
+                    "iterations",
+                    "drives",
+                    "points",
+                    "folds",
+                ]
+                .contains(&pair[1])
         });
         assert_eq!(wrong, None, "{text}");
     }
@@ -64,18 +105,42 @@ fn what_is_not_a_number_is_called_so() {
     let table = file("table.csv", "club.loft [deg]\nN/A\n");
     let infinite = file("infinite.csv", "club.loft [deg]\n-inf\n");
     for (args, says) in [
-        (&["simulate", "--set", "club.loft=NaN"][..], "club.loft: \"NaN\" is not a number; write for example"),
-        (&["simulate", "--set", "club.loft=nan deg"], "club.loft: \"nan deg\" is not a number"),
-        (&["simulate", &bare], "club.loft: \"nan\" is not a number; write for example"),
-        (&["simulate", &quoted], "club.loft: \"nan deg\" is not a number"),
+        (
+            &["simulate", "--set", "club.loft=NaN"][..],
+            "club.loft: \"NaN\" is not a number; write for example",
+        ),
+        (
+            &["simulate", "--set", "club.loft=nan deg"],
+            "club.loft: \"nan deg\" is not a number",
+        ),
+        (
+            &["simulate", &bare],
+            "club.loft: \"nan\" is not a number; write for example",
+        ),
+        (
+            &["simulate", &quoted],
+            "club.loft: \"nan deg\" is not a number",
+        ),
         (
             &["sweep", "--points", &table],
             "row 1, column club.loft: 'N/A' is not a number; a unit is written in the head",
         ),
-        (&["sweep", "--points", &infinite], "row 1, column club.loft: '-inf' is not finite"),
-        (&["optimize", "--subject-to", "carry >= nan yd"], "\"nan yd\" is not a number"),
-        (&["optimum-sensitivity", "--loss", "nan yd"], "\"nan yd\" is not a number"),
-        (&["sensitivity", "--sigma", "swing.speed=nan%"], "\"nan%\" is not a number"),
+        (
+            &["sweep", "--points", &infinite],
+            "row 1, column club.loft: '-inf' is not finite",
+        ),
+        (
+            &["optimize", "--subject-to", "carry >= nan yd"],
+            "\"nan yd\" is not a number",
+        ),
+        (
+            &["optimum-sensitivity", "--loss", "nan yd"],
+            "\"nan yd\" is not a number",
+        ),
+        (
+            &["sensitivity", "--sigma", "swing.speed=nan%"],
+            "\"nan%\" is not a number",
+        ),
         (&["simulate", "--tolerance=nan"], "\"nan\" is not a number"),
     ] {
         let (status, text) = said(args);
@@ -86,7 +151,10 @@ fn what_is_not_a_number_is_called_so() {
     }
     let mut setup = Setup::default();
     let loft = setup.parameter("club.loft").unwrap();
-    assert!(matches!(setup.set_value(loft, Some(f64::NAN)), Err(Error::NotANumber { .. })));
+    assert!(matches!(
+        setup.set_value(loft, Some(f64::NAN)),
+        Err(Error::NotANumber { .. })
+    ));
 }
 
 #[test]
@@ -94,19 +162,41 @@ fn a_standard_uncertainty_is_told_to_be_above_zero() {
     for (sigma, says) in [
         (
             "air.density=0%",
-            "the standard uncertainty of air.density would be 0 kg/m^3, but it must be above 0 and finite; write for example air.density=1 kg/m^3",
+            "the standard uncertainty of air.density would be 0 kg/m^3, but it must be above 0 and \
+             finite; write for example air.density=1 kg/m^3",
         ),
-        ("swing.path=1%", "would be 0 deg, since swing.path is 0, but it must be above 0"),
-        ("swing.speed=-1mph", "would be -1 mph, but it must be above 0"),
-        ("impact.restitution=0", "write for example impact.restitution=1"),
+        (
+            "swing.path=1%",
+            "would be 0 deg, since swing.path is 0, but it must be above 0",
+        ),
+        (
+            "swing.speed=-1mph",
+            "would be -1 mph, but it must be above 0",
+        ),
+        (
+            "impact.restitution=0",
+            "write for example impact.restitution=1",
+        ),
     ] {
         for command in ["sensitivity", "uncertainty"] {
             let (status, text) = said(&[command, "--sigma", sigma]);
-            assert!(status == 2 && text.contains(says), "{sigma}: no '{says}': {text}");
+            assert!(
+                status == 2 && text.contains(says),
+                "{sigma}: no '{says}': {text}"
+            );
         }
     }
-    let (status, text) = said(&["sensitivity", "--sigma", "swing.speed=1mph", "--sigma", "swing.speed=2mph"]);
-    assert!(status == 2 && text.contains("the uncertainty of swing.speed: it is given twice; keep one"), "{text}");
+    let (status, text) = said(&[
+        "sensitivity",
+        "--sigma",
+        "swing.speed=1mph",
+        "--sigma",
+        "swing.speed=2mph",
+    ]);
+    assert!(
+        status == 2 && text.contains("the uncertainty of swing.speed: it is given twice; keep one"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -114,20 +204,26 @@ fn a_drive_without_a_landing_says_what_ended_it() {
     for (set, says) in [
         (
             "flight.time_limit=1s",
-            "no landing: the flight was stopped at flight.time_limit = 1 s with the ball at a height of 9.5138 yd; increase flight.time_limit",
+            "no landing: the flight was stopped at flight.time_limit = 1 s with the ball at a \
+             height of 9.5138 yd; increase flight.time_limit",
         ),
         (
             "swing.speed=1e-300mph",
-            "no flight: the highest point of the ball is 0 yd, which is not above the ground at 0 yd; increase the speed",
+            "no flight: the highest point of the ball is 0 yd, which is not above the ground at 0 \
+             yd; increase the speed",
         ),
         (
             "club.loft=-10deg",
-            "which is not above the horizontal, and the ground is not below the ball (a ball that only lift would raise is not followed); increase the launch angle",
+            "which is not above the horizontal, and the ground is not below the ball (a ball that \
+             only lift would raise is not followed); increase the launch angle",
         ),
     ] {
         for command in ["simulate", "gradient"] {
             let (status, text) = said(&[command, "modern-driver", "--set", set]);
-            assert!(status == 1 && text.contains(says), "{command} {set}: no '{says}': {text}");
+            assert!(
+                status == 1 && text.contains(says),
+                "{command} {set}: no '{says}': {text}"
+            );
         }
     }
 }
@@ -136,7 +232,12 @@ fn a_drive_without_a_landing_says_what_ended_it() {
 fn a_launch_on_the_command_line_replaces_that_of_the_setup_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("launch.toml");
-    fs::write(&path, "[launch]\nball_speed = \"167 mph\"\nlaunch_angle = \"10.9 deg\"\nbackspin = \"2686 rpm\"\nsidespin = \"100 rpm\"\n").unwrap();
+    fs::write(
+        &path,
+        "[launch]\nball_speed = \"167 mph\"\nlaunch_angle = \"10.9 deg\"\nbackspin = \
+                      \"2686 rpm\"\nsidespin = \"100 rpm\"\n",
+    )
+    .unwrap();
     let file = path.to_str().unwrap();
     let launch = |more: &[&str]| {
         let (status, found) = json(&[&["simulate", file], more].concat());
@@ -148,56 +249,105 @@ fn a_launch_on_the_command_line_replaces_that_of_the_setup_file() {
     assert!((faster["launch_angle"].as_f64().unwrap() - 10.9_f64.to_radians()).abs() < 1e-12);
     // a spin in its other form replaces that of the file, with what belongs to it
     let other = launch(&["--launch", "spin=200rad/s"]);
-    assert!((other["spin"].as_f64().unwrap() - 200.0).abs() < 1e-9 && other["sidespin"].as_f64().unwrap().abs() < 1e-9);
+    assert!(
+        (other["spin"].as_f64().unwrap() - 200.0).abs() < 1e-9
+            && other["sidespin"].as_f64().unwrap().abs() < 1e-9
+    );
     for (args, says) in [
         (
             &["simulate", "--launch", "ball_speed=60m/s,ball_speed=70m/s"][..],
-            "--launch ball_speed=70m/s: --launch ball_speed=60m/s gives the ball_speed too; keep one of the two",
+            "--launch ball_speed=70m/s: --launch ball_speed=60m/s gives the ball_speed too; keep \
+             one of the two",
         ),
         (
-            &["simulate", "--launch", "ball_speed=60m/s", "--set", "launch.ball_speed=70m/s"],
+            &[
+                "simulate",
+                "--launch",
+                "ball_speed=60m/s",
+                "--set",
+                "launch.ball_speed=70m/s",
+            ],
             "--launch ball_speed=60m/s: --set launch.ball_speed=70m/s gives the ball_speed too",
         ),
-        (&["simulate", file, "--set", "launch.spin=2000rpm"], "unset the other (--set launch.spin=none)"),
-        (&["calibrate", "examples/shots.csv", file, "--fit", "aero.cd0"], "the launch in"),
+        (
+            &["simulate", file, "--set", "launch.spin=2000rpm"],
+            "unset the other (--set launch.spin=none)",
+        ),
+        (
+            &["calibrate", "examples/shots.csv", file, "--fit", "aero.cd0"],
+            "the launch in",
+        ),
     ] {
         let (status, text) = said(args);
-        assert!(status == 2 && text.contains(says), "{args:?}: no '{says}': {text}");
+        assert!(
+            status == 2 && text.contains(says),
+            "{args:?}: no '{says}': {text}"
+        );
     }
 }
 
 #[test]
 fn a_plain_number_is_asked_for_without_a_unit() {
     for (value, says) in [
-        ("abc", "\"abc\" does not start with a number; write for example \"0.5\""),
-        ("1 kg", "\"1 kg\" is not a plain number; a plain number takes no unit, or %"),
-        ("1 foo", "unknown unit 'foo'; a plain number takes no unit, or %"),
+        (
+            "abc",
+            "\"abc\" does not start with a number; write for example \"0.5\"",
+        ),
+        (
+            "1 kg",
+            "\"1 kg\" is not a plain number; a plain number takes no unit, or %",
+        ),
+        (
+            "1 foo",
+            "unknown unit 'foo'; a plain number takes no unit, or %",
+        ),
     ] {
         let (status, text) = said(&["simulate", "--set", &format!("impact.restitution={value}")]);
-        assert!(status == 2 && text.contains(says), "{value}: no '{says}': {text}");
+        assert!(
+            status == 2 && text.contains(says),
+            "{value}: no '{says}': {text}"
+        );
     }
 }
 
 /// Loft and shaft lean do the same to the face: no optimum in both is isolated.
 #[test]
 fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
-    let ridge = ["--vary", "club.loft=4deg..20deg", "--vary", "swing.shaft_lean=-5deg..5deg"];
-    for command in
-        [&["optimum-sensitivity", "--wrt", "swing.speed,gravity,ball.mass"][..], &["sensitivity", "--at-optimum"]]
-    {
+    let ridge = [
+        "--vary",
+        "club.loft=4deg..20deg",
+        "--vary",
+        "swing.shaft_lean=-5deg..5deg",
+    ];
+    for command in [
+        &[
+            "optimum-sensitivity",
+            "--wrt",
+            "swing.speed,gravity,ball.mass",
+        ][..],
+        &["sensitivity", "--at-optimum"],
+    ] {
         let (_, text) = said(&[command, &ridge].concat());
-        assert_eq!(text.matches("the optimum is not isolated").count(), 1, "{text}");
+        assert_eq!(
+            text.matches("the optimum is not isolated").count(),
+            1,
+            "{text}"
+        );
         assert!(text.contains("gravity"), "{text}");
     }
     let (_, found) = json(&[&["sensitivity", "--at-optimum"], &ridge[..]].concat());
     let warnings = found["warnings"].to_string();
     assert!(
-        warnings.contains("no slope of the optimum by swing.speed, ") && warnings.contains("gravity"),
+        warnings.contains("no slope of the optimum by swing.speed, ")
+            && warnings.contains("gravity"),
         "{warnings}"
     );
     // the sources of default uncertainties likewise
     let (_, text) = said(&["sensitivity"]);
-    assert!(text.contains("default of wind.downrange, wind.right: assumed"), "{text}");
+    assert!(
+        text.contains("default of wind.downrange, wind.right: assumed"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -205,15 +355,46 @@ fn a_plot_names_a_launch_condition_without_saying_launch_twice() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("map.csv").display().to_string();
     let launch = "ball_speed=150mph,launch_angle=10deg,backspin=2000rpm";
-    let vary = ["--vary", "launch.launch_angle=5deg..20deg", "--vary", "launch.ball_speed=150mph..160mph"];
-    let (_, text) = said(&[&["plot", "contour", "-o", &path, "--launch", launch], &vary[..]].concat());
-    assert!(text.contains("Carry over launch angle and ball speed"), "{text}");
+    let vary = [
+        "--vary",
+        "launch.launch_angle=5deg..20deg",
+        "--vary",
+        "launch.ball_speed=150mph..160mph",
+    ];
+    let (_, text) = said(
+        &[
+            &["plot", "contour", "-o", &path, "--launch", launch],
+            &vary[..],
+        ]
+        .concat(),
+    );
+    assert!(
+        text.contains("Carry over launch angle and ball speed"),
+        "{text}"
+    );
 }
 
 #[test]
 fn an_ellipse_that_reaches_to_infinity_is_not_shown() {
-    let vary = ["--vary", "air.density=0.98kg/m^3..1.47kg/m^3", "--vary", "swing.closure.x=-5e-4rad/s..-3.3e-4rad/s"];
-    let more = ["--wrt", "club.loft", "--loss", "1e300 m", "--set", "flight.step=48ms", "--max-iterations", "15"];
+    let vary = [
+        "--vary",
+        "air.density=0.98kg/m^3..1.47kg/m^3",
+        "--vary",
+        "swing.closure.x=-5e-4rad/s..-3.3e-4rad/s",
+    ];
+    let more = [
+        "--wrt",
+        "club.loft",
+        "--loss",
+        "1e300 m",
+        "--set",
+        "flight.step=48ms",
+        "--max-iterations",
+        "15",
+    ];
     let (_, text) = said(&[&["optimum-sensitivity"], &vary[..], &more].concat());
-    assert!(text.contains("alone, for a loss of 1.0936e300 yd") && !text.contains("inf "), "{text}");
+    assert!(
+        text.contains("alone, for a loss of 1.0936e300 yd") && !text.contains("inf "),
+        "{text}"
+    );
 }

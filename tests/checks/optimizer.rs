@@ -13,19 +13,37 @@ type Evaluated = Result<Evaluation, String>;
 
 fn solve(f: impl Fn(&[f64]) -> Evaluated, bounds: &[(f64, f64)], start: &[f64]) -> Solution {
     let (low, high) = bounds.iter().copied().unzip();
-    minimize(&f, &Domain::new(low, high).unwrap(), start, &Options::default()).unwrap()
+    minimize(
+        &f,
+        &Domain::new(low, high).unwrap(),
+        start,
+        &Options::default(),
+    )
+    .unwrap()
 }
 
 /// A function without constraints.
 fn plain(value: f64, gradient: Vec<f64>, hessian: Vec<Vec<f64>>) -> Evaluation {
-    Evaluation { objective: Taylor { value, gradient, hessian }, constraints: vec![] }
+    Evaluation {
+        objective: Taylor {
+            value,
+            gradient,
+            hessian,
+        },
+        constraints: vec![],
+    }
 }
 
 fn mae494(attack: f64, loft: f64, ranges: [&str; 2]) -> Optimum {
     let mut setup = Setup::preset("mae494").unwrap();
     (setup.swing.attack_angle, setup.club.loft) = (attack.to_radians(), loft.to_radians());
-    let vary = ranges.map(|text| Vary::read(&setup, text).unwrap()).to_vec();
-    let search = Search { vary, ..Search::longest_drive(&setup).unwrap() };
+    let vary = ranges
+        .map(|text| Vary::read(&setup, text).unwrap())
+        .to_vec();
+    let search = Search {
+        vary,
+        ..Search::longest_drive(&setup).unwrap()
+    };
     optimum(&setup, search, Observer::default()).unwrap()
 }
 
@@ -33,8 +51,12 @@ fn mae494(attack: f64, loft: f64, ranges: [&str; 2]) -> Optimum {
 fn starts(count: u32, low: [f64; 2], high: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
     // multiples of powers of the plastic number's inverse
     (0..count).map(move |k| {
-        let part = |step: f64, i: usize| low[i] + (f64::from(k) * step + 0.5).fract() * (high[i] - low[i]);
-        [part(0.754_877_666_246_692_8, 0), part(0.569_840_290_998_053_3, 1)]
+        let part =
+            |step: f64, i: usize| low[i] + (f64::from(k) * step + 0.5).fract() * (high[i] - low[i]);
+        [
+            part(0.754_877_666_246_692_8, 0),
+            part(0.569_840_290_998_053_3, 1),
+        ]
     })
 }
 
@@ -43,17 +65,46 @@ fn independent_optima_from_the_reference_file() {
     for reference in data("reference_drives.json")["optima"].as_array().unwrap() {
         let setup = setup_of(reference);
         let vary = |i: usize| {
-            let parameter = setup.variable(reference["variables"][i].as_str().unwrap()).unwrap();
-            Vary::new(parameter, number(&reference["bounds"][i][0]), number(&reference["bounds"][i][1])).unwrap()
+            let parameter = setup
+                .variable(reference["variables"][i].as_str().unwrap())
+                .unwrap();
+            Vary::new(
+                parameter,
+                number(&reference["bounds"][i][0]),
+                number(&reference["bounds"][i][1]),
+            )
+            .unwrap()
         };
-        let search = Search { vary: vec![vary(0), vary(1)], ..Search::longest_drive(&setup).unwrap() };
+        let search = Search {
+            vary: vec![vary(0), vary(1)],
+            ..Search::longest_drive(&setup).unwrap()
+        };
         let best = optimum(&setup, search, Observer::default()).unwrap();
         assert_eq!(best.solution.status, Status::Converged);
-        close(best.value().unwrap(), number(&reference["carry"]), 1.0, 1e-8, "carry");
+        close(
+            best.value().unwrap(),
+            number(&reference["carry"]),
+            1.0,
+            1e-8,
+            "carry",
+        );
         for i in 0..2 {
-            close(best.solution.x[i], number(&reference["optimum"][i]), 1.0, 1e-10, "optimum");
-            let multiplier = best.solution.lower_multipliers[i] + best.solution.upper_multipliers[i];
-            close(multiplier, number(&reference["multipliers"][i]), 1.0, 1e-8, "multiplier");
+            close(
+                best.solution.x[i],
+                number(&reference["optimum"][i]),
+                1.0,
+                1e-10,
+                "optimum",
+            );
+            let multiplier =
+                best.solution.lower_multipliers[i] + best.solution.upper_multipliers[i];
+            close(
+                multiplier,
+                number(&reference["multipliers"][i]),
+                1.0,
+                1e-8,
+                "multiplier",
+            );
             let bound = match reference["active"][i].as_str().unwrap() {
                 "lower" => number(&reference["bounds"][i][0]),
                 "upper" => number(&reference["bounds"][i][1]),
@@ -67,29 +118,81 @@ fn independent_optima_from_the_reference_file() {
 #[test]
 fn steps_of_a_constrained_optimum_are_exact_and_most_need_no_interior_point_method() {
     let mut setup = Setup::preset("modern-driver").unwrap();
-    setup.set_all([("swing.path", "2 deg"), ("swing.face_angle", "1 deg"), ("strike.toe", "8 mm")]).unwrap();
-    let ranges = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg", "swing.face_angle=-3deg..3deg"];
-    let vary = ranges.map(|text| Vary::read(&setup, text).unwrap()).to_vec();
+    setup
+        .set_all([
+            ("swing.path", "2 deg"),
+            ("swing.face_angle", "1 deg"),
+            ("strike.toe", "8 mm"),
+        ])
+        .unwrap();
+    let ranges = [
+        "club.loft=4deg..20deg",
+        "swing.attack_angle=-5deg..5deg",
+        "swing.face_angle=-3deg..3deg",
+    ];
+    let vary = ranges
+        .map(|text| Vary::read(&setup, text).unwrap())
+        .to_vec();
     let subject_to = vec![Constraint::read("-2 m <= lateral <= 2 m").unwrap()];
-    let search = Search { vary, subject_to, ..Search::longest_drive(&setup).unwrap() };
-    let Solution { status, effort, .. } = optimum(&setup, search, Observer::default()).unwrap().solution;
+    let search = Search {
+        vary,
+        subject_to,
+        ..Search::longest_drive(&setup).unwrap()
+    };
+    let Solution { status, effort, .. } = optimum(&setup, search, Observer::default())
+        .unwrap()
+        .solution;
     assert_eq!(status, Status::Converged);
-    assert!(effort.unpolished == 0 && effort.clarabel >= 1 && effort.warm_starts >= 1, "{effort:?}");
+    assert!(
+        effort.unpolished == 0 && effort.clarabel >= 1 && effort.warm_starts >= 1,
+        "{effort:?}"
+    );
 }
 
 #[test]
 fn independent_mae494_optimum_from_every_start_that_flies() {
     let mut flying = 0;
     for [loft, attack] in starts(300, [0.0, -10.0], [20.0, 10.0]) {
-        let best = mae494(attack, loft, ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"]);
-        assert_eq!(best.solution.status, Status::Converged, "from {loft}, {attack}: {}", best.solution.message);
-        close(best.solution.x[0].to_degrees(), 14.682_922_531_9, 1.0, 1e-8, "loft");
+        let best = mae494(
+            attack,
+            loft,
+            ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"],
+        );
+        assert_eq!(
+            best.solution.status,
+            Status::Converged,
+            "from {loft}, {attack}: {}",
+            best.solution.message
+        );
+        close(
+            best.solution.x[0].to_degrees(),
+            14.682_922_531_9,
+            1.0,
+            1e-8,
+            "loft",
+        );
         assert_eq!(best.solution.x[1], 10.0_f64.to_radians());
-        close(best.value().unwrap(), 153.333_552_730_536, 1.0, 1e-9, "carry at step 0.01 s");
-        close(best.solution.upper_multipliers[1], 60.292_494_887_4, 1.0, 1e-6, "multiplier");
+        close(
+            best.value().unwrap(),
+            153.333_552_730_536,
+            1.0,
+            1e-9,
+            "carry at step 0.01 s",
+        );
+        close(
+            best.solution.upper_multipliers[1],
+            60.292_494_887_4,
+            1.0,
+            1e-6,
+            "multiplier",
+        );
         if best.solution.undefined_at_start.is_none() {
             flying += 1;
-            assert!(best.solution.iterations <= 15, "{} iterations from {loft}, {attack}", best.solution.iterations);
+            assert!(
+                best.solution.iterations <= 15,
+                "{} iterations from {loft}, {attack}",
+                best.solution.iterations
+            );
         }
     }
     assert!((200..300).contains(&flying), "{flying} starts fly");
@@ -99,13 +202,27 @@ fn independent_mae494_optimum_from_every_start_that_flies() {
 fn every_start_in_a_box_twice_as_wide_ends_at_the_same_kkt_point() {
     let mut values = vec![];
     for [loft, attack] in starts(200, [-10.0, -20.0], [30.0, 20.0]) {
-        let best = mae494(attack, loft, ["club.loft=-10deg..30deg", "swing.attack_angle=-20deg..20deg"]);
-        assert_eq!(best.solution.status, Status::Converged, "from {loft}, {attack}: {}", best.solution.message);
+        let best = mae494(
+            attack,
+            loft,
+            [
+                "club.loft=-10deg..30deg",
+                "swing.attack_angle=-20deg..20deg",
+            ],
+        );
+        assert_eq!(
+            best.solution.status,
+            Status::Converged,
+            "from {loft}, {attack}: {}",
+            best.solution.message
+        );
         assert!(best.solution.kkt_residual <= 1e-10 && best.solution.iterations <= 15);
         assert_eq!(best.solution.x[1], 20.0_f64.to_radians());
         values.push(best.value().unwrap());
     }
-    let (least, most) = values.iter().fold((f64::MAX, f64::MIN), |(a, b), v| (v.min(a), v.max(b)));
+    let (least, most) = values
+        .iter()
+        .fold((f64::MAX, f64::MIN), |(a, b), v| (v.min(a), v.max(b)));
     assert!(most - least < 1e-9 && least > 162.0, "{least} to {most}");
 }
 
@@ -114,55 +231,130 @@ fn independent_corner_at_zero_spin_is_the_end_of_every_search_in_a_wide_box() {
     // model page: loft 0°, attack 38.53°, 170.574 m; one-sided slopes +83.7 and −29.7 m/rad
     for loft_range in ["club.loft=-10deg..20deg", "club.loft=0deg..20deg"] {
         for [loft, attack] in starts(40, [0.0, -5.0], [20.0, 60.0]) {
-            let best = mae494(attack, loft, [loft_range, "swing.attack_angle=-10deg..60deg"]);
+            let best = mae494(
+                attack,
+                loft,
+                [loft_range, "swing.attack_angle=-10deg..60deg"],
+            );
             let solution = &best.solution;
-            // inside the box the corner is a status of its own; on its bound it is an optimum with a price
+            // inside the box the corner is a status of its own; on its bound it is an optimum with
+            // a price
             let is_inside = loft_range.contains("-10");
-            let status = if is_inside { Status::StalledAtKink } else { Status::Converged };
-            assert_eq!(solution.status, status, "from {loft}, {attack}: {}", solution.message);
+            let status = if is_inside {
+                Status::StalledAtKink
+            } else {
+                Status::Converged
+            };
+            assert_eq!(
+                solution.status, status,
+                "from {loft}, {attack}: {}",
+                solution.message
+            );
             close(best.value().unwrap(), 170.5743156, 1.0, 1e-6, "carry");
             close(solution.x[0].to_degrees(), 0.0, 1.0, 1e-6, "loft");
-            close(solution.x[1].to_degrees(), 38.532, 1.0, 1e-3, "attack angle");
+            close(
+                solution.x[1].to_degrees(),
+                38.532,
+                1.0,
+                1e-3,
+                "attack angle",
+            );
             let kink = solution.kink.unwrap();
             assert_eq!(kink.variable, 0);
-            close(kink.slope_above.unwrap(), 29.66, 1.0, 0.05, "slope of −carry above");
+            close(
+                kink.slope_above.unwrap(),
+                29.66,
+                1.0,
+                0.05,
+                "slope of −carry above",
+            );
             if is_inside {
-                close(kink.slope_below.unwrap(), -83.72, 1.0, 0.05, "slope of −carry below");
+                close(
+                    kink.slope_below.unwrap(),
+                    -83.72,
+                    1.0,
+                    0.05,
+                    "slope of −carry below",
+                );
             } else {
                 assert_eq!((solution.x[0], kink.slope_below), (0.0, None));
-                close(solution.lower_multipliers[0], 29.66, 1.0, 0.05, "price inside the bound");
+                close(
+                    solution.lower_multipliers[0],
+                    29.66,
+                    1.0,
+                    0.05,
+                    "price inside the bound",
+                );
             }
-            assert!(best.message().to_string().contains("club.loft"), "{}", best.message());
+            assert!(
+                best.message().to_string().contains("club.loft"),
+                "{}",
+                best.message()
+            );
         }
     }
 }
 
 #[test]
 fn a_start_that_does_not_fly_is_left_for_one_that_does_and_said() {
-    let best = mae494(-9.0, 1.0, ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"]);
+    let best = mae494(
+        -9.0,
+        1.0,
+        ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"],
+    );
     assert_eq!(best.solution.status, Status::Converged);
     assert!(best.moved_start().unwrap().contains("no flight"));
 
-    let none = mae494(-9.0, 1.0, ["club.loft=0deg..2deg", "swing.attack_angle=-10deg..-8deg"]);
-    assert_eq!((none.solution.status, none.status(), none.value()), (Status::Undefined, "no-flight", None));
-    assert!(none.drive.is_none() && none.message().to_string().contains("no drive of the search flies"));
+    let none = mae494(
+        -9.0,
+        1.0,
+        ["club.loft=0deg..2deg", "swing.attack_angle=-10deg..-8deg"],
+    );
+    assert_eq!(
+        (none.solution.status, none.status(), none.value()),
+        (Status::Undefined, "no-flight", None)
+    );
+    assert!(
+        none.drive.is_none()
+            && none
+                .message()
+                .to_string()
+                .contains("no drive of the search flies")
+    );
 }
 
 #[test]
 fn a_setup_cannot_be_searched_over_nothing_or_twice_over_the_same() {
     let setup = Setup::default();
     let fixed = Vary::read(&setup, "club.loft=5deg..5deg").unwrap();
-    let search = Search { vary: vec![fixed], ..Search::longest_drive(&setup).unwrap() };
-    assert!(matches!(optimum(&setup, search, Observer::default()), Err(Error::Nothing { .. })));
+    let search = Search {
+        vary: vec![fixed],
+        ..Search::longest_drive(&setup).unwrap()
+    };
+    assert!(matches!(
+        optimum(&setup, search, Observer::default()),
+        Err(Error::Nothing { .. })
+    ));
     let loft = Vary::read(&setup, "club.loft=5deg..10deg").unwrap();
-    let search = Search { vary: vec![loft, loft], ..Search::longest_drive(&setup).unwrap() };
-    assert!(matches!(optimum(&setup, search, Observer::default()), Err(Error::SearchRange { .. })));
+    let search = Search {
+        vary: vec![loft, loft],
+        ..Search::longest_drive(&setup).unwrap()
+    };
+    assert!(matches!(
+        optimum(&setup, search, Observer::default()),
+        Err(Error::SearchRange { .. })
+    ));
 }
 
 #[test]
 fn exact_values_of_the_default_search_hold_at_its_optimum() {
     let setup = Setup::default();
-    let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), Observer::default()).unwrap();
+    let best = optimum(
+        &setup,
+        Search::longest_drive(&setup).unwrap(),
+        Observer::default(),
+    )
+    .unwrap();
     assert_eq!(best.solution.status, Status::Converged);
     let carry = |loft: f64, attack: f64| {
         let mut moved = best.setup;
@@ -177,7 +369,13 @@ fn exact_values_of_the_default_search_hold_at_its_optimum() {
     }
     // the multiplier is the price of the bound
     let gain = carry(loft, attack + 1e-6) - carry(loft, attack - 1e-6);
-    close(best.solution.upper_multipliers[1], gain / 2e-6, 100.0, 1e-5, "price");
+    close(
+        best.solution.upper_multipliers[1],
+        gain / 2e-6,
+        100.0,
+        1e-5,
+        "price",
+    );
 }
 
 /// (1 − x)² + 100 (y − x²)².
@@ -187,7 +385,10 @@ fn rosenbrock(v: &[f64]) -> Evaluated {
     Ok(plain(
         (1.0 - x).powi(2) + 100.0 * r * r,
         vec![-2.0 * (1.0 - x) - 400.0 * x * r, 200.0 * r],
-        vec![vec![2.0 - 400.0 * r + 800.0 * x * x, -400.0 * x], vec![-400.0 * x, 200.0]],
+        vec![
+            vec![2.0 - 400.0 * r + 800.0 * x * x, -400.0 * x],
+            vec![-400.0 * x, 200.0],
+        ],
     ))
 }
 
@@ -202,8 +403,14 @@ fn exact_rosenbrock_free_and_against_a_bound() {
     assert_eq!((held.status, held.x[0]), (Status::Converged, 0.5));
     assert!((held.x[1] - 0.25).abs() < 1e-10 && (held.upper_multipliers[0] - 1.0).abs() < 1e-8);
 
-    let unbounded =
-        solve(rosenbrock, &[(f64::NEG_INFINITY, f64::INFINITY), (f64::NEG_INFINITY, f64::INFINITY)], &[-1.2, 1.0]);
+    let unbounded = solve(
+        rosenbrock,
+        &[
+            (f64::NEG_INFINITY, f64::INFINITY),
+            (f64::NEG_INFINITY, f64::INFINITY),
+        ],
+        &[-1.2, 1.0],
+    );
     assert_eq!(unbounded.status, Status::Converged);
     assert!((unbounded.x[0] - 1.0).abs() < 1e-8);
 }
@@ -211,11 +418,28 @@ fn exact_rosenbrock_free_and_against_a_bound() {
 #[test]
 fn exact_minima_of_indefinite_functions_lie_in_corners_of_the_box() {
     // x y on [−1, 2]²: saddle at 0, minima −2 at (−1, 2) and (2, −1)
-    let saddle = |v: &[f64]| Ok(plain(v[0] * v[1], vec![v[1], v[0]], vec![vec![0.0, 1.0], vec![1.0, 0.0]]));
+    let saddle = |v: &[f64]| {
+        Ok(plain(
+            v[0] * v[1],
+            vec![v[1], v[0]],
+            vec![vec![0.0, 1.0], vec![1.0, 0.0]],
+        ))
+    };
     for start in [[0.1, 0.3], [0.5, -0.2], [1.9, 1.8], [-0.9, -0.8]] {
         let s = solve(saddle, &[(-1.0, 2.0), (-1.0, 2.0)], &start);
-        assert_eq!((s.status, s.value), (Status::Converged, Some(-2.0)), "from {start:?}: {s:?}");
-        assert_eq!(s.lower_multipliers.iter().chain(&s.upper_multipliers).copied().fold(0.0, f64::max), 2.0);
+        assert_eq!(
+            (s.status, s.value),
+            (Status::Converged, Some(-2.0)),
+            "from {start:?}: {s:?}"
+        );
+        assert_eq!(
+            s.lower_multipliers
+                .iter()
+                .chain(&s.upper_multipliers)
+                .copied()
+                .fold(0.0, f64::max),
+            2.0
+        );
     }
     // cos 3x has its minimum where it curves up
     let wave = |v: &[f64]| {
@@ -232,14 +456,30 @@ fn exact_corner_of_an_absolute_value_ends_as_a_kink() {
     // |x − 0.3| + (y − x)²: a corner at x = 0.3 = y
     let f = |v: &[f64]| {
         let (side, d) = ((v[0] - 0.3).signum(), v[1] - v[0]);
-        Ok(plain((v[0] - 0.3).abs() + d * d, vec![side - 2.0 * d, 2.0 * d], vec![vec![2.0, -2.0], vec![-2.0, 2.0]]))
+        Ok(plain(
+            (v[0] - 0.3).abs() + d * d,
+            vec![side - 2.0 * d, 2.0 * d],
+            vec![vec![2.0, -2.0], vec![-2.0, 2.0]],
+        ))
     };
     for start in [[-0.9, 0.8], [0.7, -0.4], [0.31, 0.9]] {
         let s = solve(f, &[(-1.0, 1.0), (-1.0, 1.0)], &start);
-        assert_eq!(s.status, Status::StalledAtKink, "from {start:?}: {}", s.message);
-        assert!((s.x[0] - 0.3).abs() < 1e-8 && (s.x[1] - 0.3).abs() < 1e-6, "{:?}", s.x);
+        assert_eq!(
+            s.status,
+            Status::StalledAtKink,
+            "from {start:?}: {}",
+            s.message
+        );
+        assert!(
+            (s.x[0] - 0.3).abs() < 1e-8 && (s.x[1] - 0.3).abs() < 1e-6,
+            "{:?}",
+            s.x
+        );
         let kink = s.kink.unwrap();
-        assert!((kink.slope_below.unwrap() + 1.0).abs() < 1e-4 && (kink.slope_above.unwrap() - 1.0).abs() < 1e-4);
+        assert!(
+            (kink.slope_below.unwrap() + 1.0).abs() < 1e-4
+                && (kink.slope_above.unwrap() - 1.0).abs() < 1e-4
+        );
     }
 }
 
@@ -250,7 +490,11 @@ fn exact_minimum_next_to_a_region_where_the_function_is_not_defined() {
         if v[0] <= 0.0 {
             return Err(format!("ln {} does not exist", v[0]));
         }
-        Ok(plain(v[0] - v[0].ln(), vec![1.0 - 1.0 / v[0]], vec![vec![v[0].powi(-2)]]))
+        Ok(plain(
+            v[0] - v[0].ln(),
+            vec![1.0 - 1.0 / v[0]],
+            vec![vec![v[0].powi(-2)]],
+        ))
     };
     for start in [9.0, 0.01, -4.0] {
         let s = solve(f, &[(-10.0, 10.0)], &[start]);
@@ -258,12 +502,24 @@ fn exact_minimum_next_to_a_region_where_the_function_is_not_defined() {
         assert!((s.x[0] - 1.0).abs() < 1e-8);
         assert_eq!(s.undefined_at_start.is_some(), start < 0.0);
     }
-    let never = solve(|_: &[f64]| Err("it has no value".into()), &[(0.0, 1.0)], &[0.5]);
+    let never = solve(
+        |_: &[f64]| Err("it has no value".into()),
+        &[(0.0, 1.0)],
+        &[0.5],
+    );
     assert_eq!((never.status, never.value), (Status::Undefined, None));
     assert!(never.message.contains("it has no value"));
-    let nan = solve(|_: &[f64]| Ok(plain(f64::NAN, vec![0.0], vec![vec![0.0]])), &[(0.0, 1.0)], &[0.5]);
+    let nan = solve(
+        |_: &[f64]| Ok(plain(f64::NAN, vec![0.0], vec![vec![0.0]])),
+        &[(0.0, 1.0)],
+        &[0.5],
+    );
     assert_eq!(nan.status, Status::Undefined);
-    let narrow = solve(|_: &[f64]| Ok(plain(0.0, vec![0.0], vec![vec![0.0]])), &[(0.0, 1.0), (0.0, 1.0)], &[0.5, 0.5]);
+    let narrow = solve(
+        |_: &[f64]| Ok(plain(0.0, vec![0.0], vec![vec![0.0]])),
+        &[(0.0, 1.0), (0.0, 1.0)],
+        &[0.5, 0.5],
+    );
     assert!(
         narrow.status == Status::Undefined && narrow.message.contains("a gradient of length 1"),
         "{}",
@@ -276,25 +532,44 @@ fn exact_badly_scaled_quadratic() {
     // curvatures 1e-9 and 1e9, in variables of the sizes that go with them
     let f = |v: &[f64]| {
         let (a, b) = (v[0] - 2e4, v[1] - 3e-5);
-        Ok(plain(0.5e-9 * a * a + 0.5e9 * b * b, vec![1e-9 * a, 1e9 * b], vec![vec![1e-9, 0.0], vec![0.0, 1e9]]))
+        Ok(plain(
+            0.5e-9 * a * a + 0.5e9 * b * b,
+            vec![1e-9 * a, 1e9 * b],
+            vec![vec![1e-9, 0.0], vec![0.0, 1e9]],
+        ))
     };
     let s = solve(f, &[(-1e5, 1e5), (-1e-4, 1e-4)], &[0.0, 0.0]);
     assert_eq!(s.status, Status::Converged);
-    assert!((s.x[0] / 2e4 - 1.0).abs() < 1e-8 && (s.x[1] / 3e-5 - 1.0).abs() < 1e-8, "{s:?}");
+    assert!(
+        (s.x[0] / 2e4 - 1.0).abs() < 1e-8 && (s.x[1] / 3e-5 - 1.0).abs() < 1e-8,
+        "{s:?}"
+    );
 }
 
 #[test]
 fn a_fixed_variable_stays_and_a_linear_function_runs_into_its_bounds() {
-    let f = |v: &[f64]| Ok(plain(3.0 * v[0] - v[1], vec![3.0, -1.0], vec![vec![0.0; 2]; 2]));
+    let f = |v: &[f64]| {
+        Ok(plain(
+            3.0 * v[0] - v[1],
+            vec![3.0, -1.0],
+            vec![vec![0.0; 2]; 2],
+        ))
+    };
     let s = solve(f, &[(-1.0, 1.0), (0.25, 0.25)], &[0.5, 0.25]);
-    assert_eq!((s.status, s.x.as_slice()), (Status::Converged, [-1.0, 0.25].as_slice()));
+    assert_eq!(
+        (s.status, s.x.as_slice()),
+        (Status::Converged, [-1.0, 0.25].as_slice())
+    );
     assert_eq!((s.lower_multipliers[0], s.upper_multipliers[1]), (3.0, 1.0));
 }
 
 #[test]
 fn running_out_of_iterations_is_a_status_with_numbers() {
     let bounds = Domain::new(vec![-5.0; 2], vec![5.0; 2]).unwrap();
-    let options = Options { max_iterations: 3, ..Options::default() };
+    let options = Options {
+        max_iterations: 3,
+        ..Options::default()
+    };
     let s = minimize(&rosenbrock, &bounds, &[-1.2, 1.0], &options).unwrap();
     assert_eq!((s.status, s.iterations), (Status::IterationLimit, 3));
     assert!(s.message.contains("3 iterations") && s.kkt_residual > 1e-10);
@@ -306,7 +581,14 @@ fn iterations_are_shown_in_order_and_never_get_worse() {
     let shown = Rc::clone(&seen);
     let bounds = Domain::new(vec![-5.0; 2], vec![5.0; 2]).unwrap();
     let observer = Observer::showing(move |i| shown.borrow_mut().push(i.clone()));
-    let s = minimize_observed(&rosenbrock, &bounds, &[-1.2, 1.0], &Options::default(), observer).unwrap();
+    let s = minimize_observed(
+        &rosenbrock,
+        &bounds,
+        &[-1.2, 1.0],
+        &Options::default(),
+        observer,
+    )
+    .unwrap();
     let seen = seen.borrow();
     assert_eq!(seen.len() as u64, s.iterations + 1);
     assert!(seen.iter().enumerate().all(|(k, i)| i.number == k as u64));
@@ -323,8 +605,30 @@ fn bounds_starts_and_options_that_make_no_sense_are_errors() {
     let f = |v: &[f64]| Ok(plain(v[0], vec![1.0], vec![vec![0.0]]));
     assert!(minimize(&f, &bounds, &[0.1, 0.2], &Options::default()).is_err());
     assert!(minimize(&f, &bounds, &[f64::NAN], &Options::default()).is_err());
-    assert!(minimize(&f, &bounds, &[0.1], &Options { kkt_tolerance: 0.0, ..Options::default() }).is_err());
-    assert!(minimize(&f, &bounds, &[0.1], &Options { initial_radius: -1.0, ..Options::default() }).is_err());
+    assert!(
+        minimize(
+            &f,
+            &bounds,
+            &[0.1],
+            &Options {
+                kkt_tolerance: 0.0,
+                ..Options::default()
+            }
+        )
+        .is_err()
+    );
+    assert!(
+        minimize(
+            &f,
+            &bounds,
+            &[0.1],
+            &Options {
+                initial_radius: -1.0,
+                ..Options::default()
+            }
+        )
+        .is_err()
+    );
 }
 
 const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -338,16 +642,26 @@ fn solve_subject_to(
 ) -> Solution {
     let problem = |x: &[f64]| {
         let mut all = f(x);
-        Ok(Evaluation { constraints: all.split_off(1), objective: all.swap_remove(0) })
+        Ok(Evaluation {
+            constraints: all.split_off(1),
+            objective: all.swap_remove(0),
+        })
     };
     let (low, high) = bounds.into_iter().unzip();
     let (least, most) = limits.iter().copied().unzip();
-    let domain = Domain::new(low, high).unwrap().subject_to(least, most).unwrap();
+    let domain = Domain::new(low, high)
+        .unwrap()
+        .subject_to(least, most)
+        .unwrap();
     minimize(&problem, &domain, &start, &Options::default()).unwrap()
 }
 
 fn taylor(value: f64, gradient: [f64; 2], hessian: [[f64; 2]; 2]) -> Taylor {
-    Taylor { value, gradient: gradient.to_vec(), hessian: hessian.map(|row| row.to_vec()).to_vec() }
+    Taylor {
+        value,
+        gradient: gradient.to_vec(),
+        hessian: hessian.map(|row| row.to_vec()).to_vec(),
+    }
 }
 
 const FLAT: [[f64; 2]; 2] = [[0.0; 2]; 2];
@@ -357,18 +671,40 @@ fn exact_objectives_that_fall_without_end_are_unbounded() {
     // −x³ + y²
     let cubic = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
-        Ok(plain(-x.powi(3) + y * y, vec![-3.0 * x * x, 2.0 * y], vec![vec![-6.0 * x, 0.0], vec![0.0, 2.0]]))
+        Ok(plain(
+            -x.powi(3) + y * y,
+            vec![-3.0 * x * x, 2.0 * y],
+            vec![vec![-6.0 * x, 0.0], vec![0.0, 2.0]],
+        ))
     };
     let found = solve(cubic, &[FREE, FREE], &[1.0, 1.0]);
-    assert_eq!((found.status, found.status.name()), (Status::Unbounded, "unbounded"), "{}", found.message);
-    assert!(found.message.contains("variable 0") && found.value.unwrap() < -1e30, "{}", found.message);
+    assert_eq!(
+        (found.status, found.status.name()),
+        (Status::Unbounded, "unbounded"),
+        "{}",
+        found.message
+    );
+    assert!(
+        found.message.contains("variable 0") && found.value.unwrap() < -1e30,
+        "{}",
+        found.message
+    );
     // with x ≤ 7 it has a minimum: −343
     let held = solve(cubic, &[(f64::NEG_INFINITY, 7.0), FREE], &[1.0, 1.0]);
-    assert_eq!((held.status, held.value), (Status::Converged, Some(-343.0)), "{}", held.message);
+    assert_eq!(
+        (held.status, held.value),
+        (Status::Converged, Some(-343.0)),
+        "{}",
+        held.message
+    );
 
     let line = |v: &[f64]| Ok(plain(-v[0], vec![-1.0], vec![vec![0.0]]));
     let logarithm = |v: &[f64]| match v[0] > 0.0 {
-        true => Ok(plain(-v[0].ln(), vec![-1.0 / v[0]], vec![vec![v[0].powi(-2)]])),
+        true => Ok(plain(
+            -v[0].ln(),
+            vec![-1.0 / v[0]],
+            vec![vec![v[0].powi(-2)]],
+        )),
         false => Err("there is no logarithm".to_owned()),
     };
     let exponential = |v: &[f64]| {
@@ -378,14 +714,28 @@ fn exact_objectives_that_fall_without_end_are_unbounded() {
     // overflows at x = 6.6
     let overflowing = |v: &[f64]| {
         let (inner, f) = (v[0].exp(), -v[0].exp().exp());
-        Ok(plain(f, vec![f * inner], vec![vec![f * inner * (1.0 + inner)]]))
+        Ok(plain(
+            f,
+            vec![f * inner],
+            vec![vec![f * inner * (1.0 + inner)]],
+        ))
     };
     type Named<'a> = (&'a str, &'a dyn Fn(&[f64]) -> Evaluated);
-    let functions: [Named<'_>; 4] =
-        [("−x", &line), ("−ln x", &logarithm), ("−eˣ", &exponential), ("−exp eˣ", &overflowing)];
+    let functions: [Named<'_>; 4] = [
+        ("−x", &line),
+        ("−ln x", &logarithm),
+        ("−eˣ", &exponential),
+        ("−exp eˣ", &overflowing),
+    ];
     for (name, f) in functions {
         let found = solve(f, &[FREE], &[1.0]);
-        assert_eq!(found.status, Status::Unbounded, "{name}: {} at {:?}", found.message, found.x);
+        assert_eq!(
+            found.status,
+            Status::Unbounded,
+            "{name}: {} at {:?}",
+            found.message,
+            found.x
+        );
     }
 }
 
@@ -397,11 +747,19 @@ fn exact_minima_far_away_are_no_unbounded_objectives() {
         Ok(plain(d * d, vec![2.0 * d], vec![vec![2.0]]))
     };
     let found = solve(far, &[FREE], &[0.0]);
-    assert_eq!((found.status, found.x[0]), (Status::Converged, 1e9), "{}", found.message);
+    assert_eq!(
+        (found.status, found.x[0]),
+        (Status::Converged, 1e9),
+        "{}",
+        found.message
+    );
     // −x³ + 1e-8 x⁴: the least at x = 3/4 · 1e8
     let late = |v: &[f64]| {
         let x = v[0];
-        let (f, slope) = (-x.powi(3) + 1e-8 * x.powi(4), -3.0 * x * x + 4e-8 * x.powi(3));
+        let (f, slope) = (
+            -x.powi(3) + 1e-8 * x.powi(4),
+            -3.0 * x * x + 4e-8 * x.powi(3),
+        );
         Ok(plain(f, vec![slope], vec![vec![-6.0 * x + 12e-8 * x * x]]))
     };
     let found = solve(late, &[FREE], &[1.0]);
@@ -418,27 +776,54 @@ fn exact_minima_far_away_are_no_unbounded_objectives() {
 #[test]
 fn exact_unbounded_along_constraints() {
     // −x − y on the line x = y
-    let line = |v: &[f64]| vec![taylor(-v[0] - v[1], [-1.0, -1.0], FLAT), taylor(v[0] - v[1], [1.0, -1.0], FLAT)];
+    let line = |v: &[f64]| {
+        vec![
+            taylor(-v[0] - v[1], [-1.0, -1.0], FLAT),
+            taylor(v[0] - v[1], [1.0, -1.0], FLAT),
+        ]
+    };
     let found = solve_subject_to(line, &[(0.0, 0.0)], [FREE; 2], [0.5, 0.0]);
-    assert_eq!(found.status, Status::Unbounded, "{} {:?}", found.message, found.x);
+    assert_eq!(
+        found.status,
+        Status::Unbounded,
+        "{} {:?}",
+        found.message,
+        found.x
+    );
     // −x above the parabola y ≥ x²: unbounded, along a curve; with y ≤ 9 the minimum is −3
     let parabola = |v: &[f64]| {
         vec![
             taylor(-v[0], [-1.0, 0.0], FLAT),
-            taylor(v[1] - v[0] * v[0], [-2.0 * v[0], 1.0], [[-2.0, 0.0], [0.0, 0.0]]),
+            taylor(
+                v[1] - v[0] * v[0],
+                [-2.0 * v[0], 1.0],
+                [[-2.0, 0.0], [0.0, 0.0]],
+            ),
         ]
     };
     let above = [(0.0, f64::INFINITY)];
-    let found = solve_subject_to(parabola, &above, [FREE, (f64::NEG_INFINITY, 9.0)], [1.0, 2.0]);
+    let found = solve_subject_to(
+        parabola,
+        &above,
+        [FREE, (f64::NEG_INFINITY, 9.0)],
+        [1.0, 2.0],
+    );
     assert_eq!(found.status, Status::Converged, "{}", found.message);
     assert!((found.x[0] - 3.0).abs() < 1e-8, "{:?}", found.x);
     let found = solve_subject_to(parabola, &above, [FREE; 2], [1.0, 2.0]);
-    assert_ne!(found.status, Status::Converged, "{} {:?}", found.message, found.x);
+    assert_ne!(
+        found.status,
+        Status::Converged,
+        "{} {:?}",
+        found.message,
+        found.x
+    );
 }
 
 #[test]
 fn exact_minima_from_stationary_points_of_the_violation() {
-    // (x − 20)² + (y + 20)² on the ellipse 0.01 x² + 100 y² = 1, from its centre, where the constraint's gradient vanishes
+    // (x − 20)² + (y + 20)² on the ellipse 0.01 x² + 100 y² = 1, from its centre, where the
+    // constraint's gradient vanishes
     let ellipse = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         vec![
@@ -447,7 +832,11 @@ fn exact_minima_from_stationary_points_of_the_violation() {
                 [2.0 * (x - 20.0), 2.0 * (y + 20.0)],
                 [[2.0, 0.0], [0.0, 2.0]],
             ),
-            taylor(0.01 * x * x + 100.0 * y * y, [0.02 * x, 200.0 * y], [[0.02, 0.0], [0.0, 200.0]]),
+            taylor(
+                0.01 * x * x + 100.0 * y * y,
+                [0.02 * x, 200.0 * y],
+                [[0.02, 0.0], [0.0, 200.0]],
+            ),
         ]
     };
     // by x = 10 cos t, y = 0.1 sin t, searched to the last digit by bisection of the slope
@@ -458,14 +847,27 @@ fn exact_minima_from_stationary_points_of_the_violation() {
     let (mut low, mut high) = (-0.5, 0.5);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
-        if slope(middle) < 0.0 { low = middle } else { high = middle }
+        if slope(middle) < 0.0 {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     let least = (10.0 * low.cos() - 20.0).powi(2) + (0.1 * low.sin() + 20.0).powi(2);
     assert!((least - 499.960_01).abs() < 1e-4, "{least}");
     for start in [[0.0, 0.0], [1e-9, 0.0], [0.0, -1e-12]] {
         let found = solve_subject_to(ellipse, &[(1.0, 1.0)], [FREE; 2], start);
-        assert_eq!(found.status, Status::Converged, "from {start:?}: {}", found.message);
-        assert!((found.value.unwrap() - least).abs() < 1e-8, "from {start:?}: {:?}", found.value);
+        assert_eq!(
+            found.status,
+            Status::Converged,
+            "from {start:?}: {}",
+            found.message
+        );
+        assert!(
+            (found.value.unwrap() - least).abs() < 1e-8,
+            "from {start:?}: {:?}",
+            found.value
+        );
     }
     // x + y with x³ ≥ 1 from 0, where slope and curvature of the violation vanish together
     let cubic = |v: &[f64]| {
@@ -478,31 +880,73 @@ fn exact_minima_from_stationary_points_of_the_violation() {
     let found = solve_subject_to(cubic, &[(1.0, f64::INFINITY)], [(-5.0, 5.0); 2], [0.0, 0.0]);
     assert_eq!(found.status, Status::Converged, "{}", found.message);
     assert!((found.x[0] - 1.0).abs() < 1e-8, "{:?}", found.x);
-    // a local minimum of the violation that is not zero: (x² − 1)² + x/4 ≤ −0.1 has its other valley, at x ≈ 1, above that
+    // a local minimum of the violation that is not zero: (x² − 1)² + x/4 ≤ −0.1 has its other
+    // valley, at x ≈ 1, above that
     let valleys = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         let (w, slope) = (x * x - 1.0, 4.0 * x * (x * x - 1.0) + 0.25);
         vec![
             taylor(y * y - x, [-1.0, 2.0 * y], [[0.0, 0.0], [0.0, 2.0]]),
-            taylor(w * w + 0.25 * x, [slope, 0.0], [[12.0 * x * x - 4.0, 0.0], [0.0, 0.0]]),
+            taylor(
+                w * w + 0.25 * x,
+                [slope, 0.0],
+                [[12.0 * x * x - 4.0, 0.0], [0.0, 0.0]],
+            ),
         ]
     };
-    let found = solve_subject_to(valleys, &[(f64::NEG_INFINITY, -0.1)], [(-3.0, 3.0); 2], [1.1, 0.5]);
-    assert_eq!(found.status, Status::Converged, "{} {:?}", found.message, found.x);
-    assert!(found.x[0] < 0.0 && (found.constraints[0].value + 0.1).abs() < 1e-9, "{:?}", found.x);
+    let found = solve_subject_to(
+        valleys,
+        &[(f64::NEG_INFINITY, -0.1)],
+        [(-3.0, 3.0); 2],
+        [1.1, 0.5],
+    );
+    assert_eq!(
+        found.status,
+        Status::Converged,
+        "{} {:?}",
+        found.message,
+        found.x
+    );
+    assert!(
+        found.x[0] < 0.0 && (found.constraints[0].value + 0.1).abs() < 1e-9,
+        "{:?}",
+        found.x
+    );
 }
 
 #[test]
 fn exact_minima_from_starts_where_no_slope_shows_a_way() {
-    let [bowl, hill, x_y] = [[[2.0, 0.0], [0.0, 2.0]], [[-2.0, 0.0], [0.0, 2.0]], [[0.0, 1.0], [1.0, 0.0]]];
+    let [bowl, hill, x_y] = [
+        [[2.0, 0.0], [0.0, 2.0]],
+        [[-2.0, 0.0], [0.0, 2.0]],
+        [[0.0, 1.0], [1.0, 0.0]],
+    ];
     let squares = |v: &[f64]| taylor(v[0] * v[0] + v[1] * v[1], [2.0 * v[0], 2.0 * v[1]], bowl);
-    let ends = |f: &dyn Fn(&[f64]) -> Vec<Taylor>, limits: &[(f64, f64)], start: [f64; 2], least: f64| {
-        let found = solve_subject_to(f, limits, [(-2.0, 2.0); 2], start);
-        assert_eq!(found.status, Status::Converged, "from {start:?}: {} {:?}", found.message, found.x);
-        assert!((found.value.unwrap() - least).abs() < 1e-9, "from {start:?}: {:?} at {:?}", found.value, found.x);
+    let ends =
+        |f: &dyn Fn(&[f64]) -> Vec<Taylor>, limits: &[(f64, f64)], start: [f64; 2], least: f64| {
+            let found = solve_subject_to(f, limits, [(-2.0, 2.0); 2], start);
+            assert_eq!(
+                found.status,
+                Status::Converged,
+                "from {start:?}: {} {:?}",
+                found.message,
+                found.x
+            );
+            assert!(
+                (found.value.unwrap() - least).abs() < 1e-9,
+                "from {start:?}: {:?} at {:?}",
+                found.value,
+                found.x
+            );
+        };
+    // y² − x² on the unit circle: from its centre, where all slopes vanish, and from its maximum on
+    // the circle
+    let saddle = |v: &[f64]| {
+        vec![
+            taylor(v[1] * v[1] - v[0] * v[0], [-2.0 * v[0], 2.0 * v[1]], hill),
+            squares(v),
+        ]
     };
-    // y² − x² on the unit circle: from its centre, where all slopes vanish, and from its maximum on the circle
-    let saddle = |v: &[f64]| vec![taylor(v[1] * v[1] - v[0] * v[0], [-2.0 * v[0], 2.0 * v[1]], hill), squares(v)];
     ends(&saddle, &[(1.0, 1.0)], [0.0, 0.0], -1.0);
     ends(&saddle, &[(1.0, 1.0)], [0.0, 1.0], -1.0);
     // the same within the circle, where the start meets the constraint
@@ -510,18 +954,43 @@ fn exact_minima_from_starts_where_no_slope_shows_a_way() {
     // x y on x² = y², from the crossing of the two lines: −4 in a corner of the box
     let lines = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
-        vec![taylor(x * y, [y, x], x_y), taylor(y * y - x * x, [-2.0 * x, 2.0 * y], hill)]
+        vec![
+            taylor(x * y, [y, x], x_y),
+            taylor(y * y - x * x, [-2.0 * x, 2.0 * y], hill),
+        ]
     };
     ends(&lines, &[(0.0, 0.0)], [0.0, 0.0], -4.0);
-    // y with x − y² = 0 and x + y² = 2, from y = 0, where the two depend on each other and contradict: both hold at x = 1, y = ±1
+    // y with x − y² = 0 and x + y² = 2, from y = 0, where the two depend on each other and
+    // contradict: both hold at x = 1, y = ±1
     let parabolas = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
-        let bend = |bend: f64| taylor(x + bend * y * y, [1.0, 2.0 * bend * y], [[0.0, 0.0], [0.0, 2.0 * bend]]);
+        let bend = |bend: f64| {
+            taylor(
+                x + bend * y * y,
+                [1.0, 2.0 * bend * y],
+                [[0.0, 0.0], [0.0, 2.0 * bend]],
+            )
+        };
         vec![taylor(y, [0.0, 1.0], FLAT), bend(-1.0), bend(1.0)]
     };
-    let found = solve_subject_to(parabolas, &[(0.0, 0.0), (2.0, 2.0)], [(-2.0, 2.0); 2], [0.3, 0.0]);
-    assert_eq!(found.status, Status::Converged, "{} {:?}", found.message, found.x);
-    assert!((found.x[0] - 1.0).abs() < 1e-9 && (found.x[1].abs() - 1.0).abs() < 1e-9, "{:?}", found.x);
+    let found = solve_subject_to(
+        parabolas,
+        &[(0.0, 0.0), (2.0, 2.0)],
+        [(-2.0, 2.0); 2],
+        [0.3, 0.0],
+    );
+    assert_eq!(
+        found.status,
+        Status::Converged,
+        "{} {:?}",
+        found.message,
+        found.x
+    );
+    assert!(
+        (found.x[0] - 1.0).abs() < 1e-9 && (found.x[1].abs() - 1.0).abs() < 1e-9,
+        "{:?}",
+        found.x
+    );
 }
 
 #[test]
@@ -529,23 +998,37 @@ fn exact_contradicting_constraints_stay_infeasible() {
     // x² + y² ≤ −1, from its centre and from elsewhere; x + y = 0 and x + y = 1
     let never = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
-        vec![taylor(x, [1.0, 0.0], FLAT), taylor(x * x + y * y, [2.0 * x, 2.0 * y], [[2.0, 0.0], [0.0, 2.0]])]
+        vec![
+            taylor(x, [1.0, 0.0], FLAT),
+            taylor(x * x + y * y, [2.0 * x, 2.0 * y], [[2.0, 0.0], [0.0, 2.0]]),
+        ]
     };
     for start in [[0.0, 0.0], [0.7, -0.3]] {
         let found = solve_subject_to(never, &[(f64::NEG_INFINITY, -1.0)], [FREE; 2], start);
-        assert_eq!(found.status, Status::Infeasible, "from {start:?}: {}", found.message);
+        assert_eq!(
+            found.status,
+            Status::Infeasible,
+            "from {start:?}: {}",
+            found.message
+        );
         assert!(found.x.iter().all(|x| x.abs() < 1e-2), "{:?}", found.x);
     }
     let apart = |v: &[f64]| {
         let sum = || taylor(v[0] + v[1], [1.0, 1.0], FLAT);
         vec![taylor(v[0], [1.0, 0.0], FLAT), sum(), sum()]
     };
-    let found = solve_subject_to(apart, &[(0.0, 0.0), (1.0, 1.0)], [(-5.0, 5.0); 2], [0.3, 0.0]);
+    let found = solve_subject_to(
+        apart,
+        &[(0.0, 0.0), (1.0, 1.0)],
+        [(-5.0, 5.0); 2],
+        [0.3, 0.0],
+    );
     assert_eq!(found.status, Status::Infeasible, "{}", found.message);
 }
 
-/// Without curvature the minimum is a corner. x + y on the unit square with 1 − gap ≤ x has it at (1 − gap, 0), where the limit and the lower
-/// bound of y each cost 1 for each unit; the start lies on the bound beside the limit.
+/// Without curvature the minimum is a corner. x + y on the unit square with 1 − gap ≤ x has it at
+/// (1 − gap, 0), where the limit and the lower bound of y each cost 1 for each unit; the start lies
+/// on the bound beside the limit.
 #[test]
 fn exact_corner_beside_a_bound_without_any_curvature() {
     for exponent in 1..=12 {
@@ -553,19 +1036,41 @@ fn exact_corner_beside_a_bound_without_any_curvature() {
         let plane = |x: &[f64]| {
             let flat = vec![vec![0.0; 2]; 2];
             Ok(Evaluation {
-                objective: Taylor { value: x[0] + x[1], gradient: vec![1.0, 1.0], hessian: flat.clone() },
-                constraints: vec![Taylor { value: -x[0], gradient: vec![-1.0, 0.0], hessian: flat }],
+                objective: Taylor {
+                    value: x[0] + x[1],
+                    gradient: vec![1.0, 1.0],
+                    hessian: flat.clone(),
+                },
+                constraints: vec![Taylor {
+                    value: -x[0],
+                    gradient: vec![-1.0, 0.0],
+                    hessian: flat,
+                }],
             })
         };
         let limit = -1.0 + gap;
         let domain = Domain::new(vec![0.0; 2], vec![1.0; 2]).unwrap();
-        let domain = domain.subject_to(vec![f64::NEG_INFINITY], vec![limit]).unwrap();
+        let domain = domain
+            .subject_to(vec![f64::NEG_INFINITY], vec![limit])
+            .unwrap();
         for y in [0.9, 0.5, 0.1] {
             let found = minimize(&plane, &domain, &[1.0, y], &Options::default()).unwrap();
-            assert_eq!(found.status, Status::Converged, "gap {gap:e} from y = {y}: {}", found.message);
-            assert!((found.x[0] + limit).abs() <= 1e-15 && found.x[1] == 0.0, "gap {gap:e}: {:?}", found.x);
+            assert_eq!(
+                found.status,
+                Status::Converged,
+                "gap {gap:e} from y = {y}: {}",
+                found.message
+            );
+            assert!(
+                (found.x[0] + limit).abs() <= 1e-15 && found.x[1] == 0.0,
+                "gap {gap:e}: {:?}",
+                found.x
+            );
             let multipliers = [found.constraints[0].multiplier, found.lower_multipliers[1]];
-            assert!(multipliers.iter().all(|price| (price - 1.0).abs() < 1e-9), "gap {gap:e}: {multipliers:?}");
+            assert!(
+                multipliers.iter().all(|price| (price - 1.0).abs() < 1e-9),
+                "gap {gap:e}: {multipliers:?}"
+            );
         }
     }
 }

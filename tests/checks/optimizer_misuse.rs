@@ -4,8 +4,8 @@ use longdrive::number::Number;
 use longdrive::optimize::least_squares::{self, Rows, fit};
 use longdrive::optimize::sensitivity::response;
 use longdrive::optimize::{
-    Checkpoint, Domain, Exact, Follow, Functions, Observer, Options, Problem, Run, Snapshot, Status, Values, minimize,
-    minimize_from, minimize_observed, starts,
+    Checkpoint, Domain, Exact, Follow, Functions, Observer, Options, Problem, Run, Snapshot,
+    Status, Values, minimize, minimize_from, minimize_observed, starts,
 };
 use serde_json::Value;
 use std::sync::atomic::Ordering;
@@ -16,14 +16,22 @@ struct Valley;
 
 impl Functions for Valley {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        let steps = x.windows(2).map(|pair| (pair[1] - pair[0].powi(2)).powi(2) * 100.0 + (-pair[0] + 1.0).powi(2));
+        let steps = x
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0].powi(2)).powi(2) * 100.0 + (-pair[0] + 1.0).powi(2));
         let square = x.iter().fold(T::zero(), |sum, x| sum + x.powi(2));
-        Ok(Values { objective: steps.fold(T::zero(), |sum, step| sum + step), constraints: vec![square] })
+        Ok(Values {
+            objective: steps.fold(T::zero(), |sum, step| sum + step),
+            constraints: vec![square],
+        })
     }
 }
 
 fn disc(n: usize) -> Domain {
-    Domain::new(vec![-2.0; n], vec![2.0; n]).unwrap().subject_to(vec![0.0], vec![1.5]).unwrap()
+    Domain::new(vec![-2.0; n], vec![2.0; n])
+        .unwrap()
+        .subject_to(vec![0.0], vec![1.5])
+        .unwrap()
 }
 
 /// The search after five iterations.
@@ -36,8 +44,19 @@ fn snapshot() -> Snapshot {
         stop.store(snapshot.iterations() >= 5, Ordering::Relaxed);
         Ok(())
     };
-    let observer = Observer { keep: Some(Box::new(keep)), interrupt, ..Observer::default() };
-    let found = minimize_observed(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default(), observer).unwrap();
+    let observer = Observer {
+        keep: Some(Box::new(keep)),
+        interrupt,
+        ..Observer::default()
+    };
+    let found = minimize_observed(
+        &Exact(Valley),
+        &disc(2),
+        &[-1.2, 1.0],
+        &Options::default(),
+        observer,
+    )
+    .unwrap();
     assert_eq!(found.status, Status::Interrupted);
     let snapshot = kept.lock().unwrap().take().unwrap();
     assert!(snapshot.iterations() >= 5);
@@ -55,7 +74,10 @@ fn gone_on(
         domain,
         &start,
         &Options::default(),
-        Observer { resume: Some(snapshot), ..Observer::default() },
+        Observer {
+            resume: Some(snapshot),
+            ..Observer::default()
+        },
     )
 }
 
@@ -63,12 +85,21 @@ fn gone_on(
 fn a_search_that_was_kept_of_another_problem_is_refused() {
     let other = |domain: Domain, what: &str| {
         let error = gone_on(&Exact(Valley), &domain, snapshot()).unwrap_err();
-        assert!(error.to_string().contains("another problem"), "{what}: {error}");
+        assert!(
+            error.to_string().contains("another problem"),
+            "{what}: {error}"
+        );
     };
     other(disc(3), "three variables");
-    other(Domain::new(vec![-2.0; 2], vec![2.0; 2]).unwrap(), "no constraint");
+    other(
+        Domain::new(vec![-2.0; 2], vec![2.0; 2]).unwrap(),
+        "no constraint",
+    );
     let own = gone_on(&Exact(Valley), &disc(2), snapshot()).unwrap();
-    assert_eq!(own, minimize(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default()).unwrap());
+    assert_eq!(
+        own,
+        minimize(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default()).unwrap()
+    );
 }
 
 /// Every array of a search that was kept, with one entry less.
@@ -76,14 +107,23 @@ fn a_search_that_was_kept_of_another_problem_is_refused() {
 fn a_damaged_search_is_refused_and_nothing_panics() {
     fn arrays(value: &Value, path: &str, found: &mut Vec<String>) {
         let inner: Vec<(String, &Value)> = match value {
-            Value::Object(map) => map.iter().map(|(key, value)| (key.clone(), value)).collect(),
-            Value::Array(all) => all.iter().enumerate().map(|(i, value)| (i.to_string(), value)).collect(),
+            Value::Object(map) => map
+                .iter()
+                .map(|(key, value)| (key.clone(), value))
+                .collect(),
+            Value::Array(all) => all
+                .iter()
+                .enumerate()
+                .map(|(i, value)| (i.to_string(), value))
+                .collect(),
             _ => return,
         };
         if value.as_array().is_some_and(|all| !all.is_empty()) {
             found.push(path.into());
         }
-        inner.into_iter().for_each(|(key, value)| arrays(value, &format!("{path}/{key}"), found));
+        inner
+            .into_iter()
+            .for_each(|(key, value)| arrays(value, &format!("{path}/{key}"), found));
     }
     let whole = serde_json::to_value(snapshot()).unwrap();
     let mut paths = vec![];
@@ -91,8 +131,15 @@ fn a_damaged_search_is_refused_and_nothing_panics() {
     let mut refused = 0;
     for path in &paths {
         let mut damaged = whole.clone();
-        damaged.pointer_mut(path).unwrap().as_array_mut().unwrap().pop();
-        let Ok(snapshot) = serde_json::from_value::<Snapshot>(damaged) else { continue };
+        damaged
+            .pointer_mut(path)
+            .unwrap()
+            .as_array_mut()
+            .unwrap()
+            .pop();
+        let Ok(snapshot) = serde_json::from_value::<Snapshot>(damaged) else {
+            continue;
+        };
         let end = gone_on(&Exact(Valley), &disc(2), snapshot);
         assert!(end.is_err(), "{path}: {end:?}");
         refused += 1;
@@ -105,12 +152,30 @@ fn a_checkpoint_of_another_problem_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     for run in ["going", "done"] {
         let checkpoint = Checkpoint::open(&folder.path().join(run), "valley").unwrap();
-        let done = || minimize(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default()).unwrap();
-        let kept = if run == "going" { Run::Going(Box::new(snapshot())) } else { Run::Done(Box::new(done())) };
+        let done =
+            || minimize(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default()).unwrap();
+        let kept = if run == "going" {
+            Run::Going(Box::new(snapshot()))
+        } else {
+            Run::Done(Box::new(done()))
+        };
         checkpoint.keep(0, kept).unwrap();
-        let follow = Follow { checkpoint: Some(Arc::new(checkpoint)), ..Follow::default() };
-        let error = minimize_from(&Exact(Valley), &disc(3), &[vec![0.5; 3]], &Options::default(), &follow).unwrap_err();
-        assert!(error.to_string().contains("another problem"), "{run}: {error}");
+        let follow = Follow {
+            checkpoint: Some(Arc::new(checkpoint)),
+            ..Follow::default()
+        };
+        let error = minimize_from(
+            &Exact(Valley),
+            &disc(3),
+            &[vec![0.5; 3]],
+            &Options::default(),
+            &follow,
+        )
+        .unwrap_err();
+        assert!(
+            error.to_string().contains("another problem"),
+            "{run}: {error}"
+        );
     }
 }
 
@@ -120,8 +185,12 @@ fn ends_that_were_changed_to_nonsense_are_refused() {
     for (low, high) in [(f64::NAN, 1.0), (3.0, 1.0), (f64::INFINITY, f64::INFINITY)] {
         let mut domain = disc(2);
         (domain.variables.low[1], domain.variables.high[1]) = (low, high);
-        let error = minimize(&Exact(Valley), &domain, &[0.0, 0.0], &Options::default()).unwrap_err();
-        assert!(error.to_string().contains("the limits of number 1"), "{error}");
+        let error =
+            minimize(&Exact(Valley), &domain, &[0.0, 0.0], &Options::default()).unwrap_err();
+        assert!(
+            error.to_string().contains("the limits of number 1"),
+            "{error}"
+        );
         assert!(starts(&domain, &[0.0, 0.0], 4).is_err());
         let mut domain = disc(2);
         (domain.constraints.low[0], domain.constraints.high[0]) = (low, high);
@@ -130,15 +199,33 @@ fn ends_that_were_changed_to_nonsense_are_refused() {
     for start in [&[0.0][..], &[0.0, f64::NAN], &[0.0; 3]] {
         assert!(starts(&disc(2), start, 4).is_err(), "{start:?}");
     }
-    assert!(minimize_from(&Exact(Valley), &disc(2), &[], &Options::default(), &Follow::default()).is_err());
+    assert!(
+        minimize_from(
+            &Exact(Valley),
+            &disc(2),
+            &[],
+            &Options::default(),
+            &Follow::default()
+        )
+        .is_err()
+    );
 }
 
 #[test]
 fn a_fit_refuses_constraints() {
     let residuals = |x: &[f64]| {
-        Ok(Rows { residuals: vec![x[0] - 1.0, x[1] - 2.0], jacobian: vec![vec![1.0, 0.0], vec![0.0, 1.0]] })
+        Ok(Rows {
+            residuals: vec![x[0] - 1.0, x[1] - 2.0],
+            jacobian: vec![vec![1.0, 0.0], vec![0.0, 1.0]],
+        })
     };
-    let error = fit(&residuals, &disc(2), &[0.0, 0.0], &least_squares::Options::default()).unwrap_err();
+    let error = fit(
+        &residuals,
+        &disc(2),
+        &[0.0, 0.0],
+        &least_squares::Options::default(),
+    )
+    .unwrap_err();
     assert!(error.to_string().contains("without constraints"), "{error}");
 }
 
@@ -148,9 +235,25 @@ fn a_response_is_that_of_an_optimum_with_its_own_functions() {
     let found = minimize(&problem, &disc(2), &[-1.2, 1.0], &Options::default()).unwrap();
     let at = problem.evaluate(&found.x).unwrap();
     // the last derivative is that by the parameter
-    assert!(response(&found, &disc(2), &at).unwrap_err().to_string().contains("and the parameter"));
-    assert!(response(&found, &disc(3), &at).unwrap_err().to_string().contains("domain"));
-    let options = Options { max_iterations: 2, ..Options::default() };
+    assert!(
+        response(&found, &disc(2), &at)
+            .unwrap_err()
+            .to_string()
+            .contains("and the parameter")
+    );
+    assert!(
+        response(&found, &disc(3), &at)
+            .unwrap_err()
+            .to_string()
+            .contains("domain")
+    );
+    let options = Options {
+        max_iterations: 2,
+        ..Options::default()
+    };
     let early = minimize(&problem, &disc(2), &[-1.2, 1.0], &options).unwrap();
-    assert!(matches!(response(&early, &disc(2), &at), Err(longdrive::Error::NotConverged { .. })));
+    assert!(matches!(
+        response(&early, &disc(2), &at),
+        Err(longdrive::Error::NotConverged { .. })
+    ));
 }

@@ -1,6 +1,7 @@
-//! Every outcome, its derivative by every parameter and Hessians over six, against `data/independent_drives.json`:
-//! 40 drives computed in quadruple precision by `oracle/oracle.cpp`, a program that shares nothing with this
-//! one. Laws, decay laws, log wind, slip, light and heavy heads, hills, near-zero spin.
+//! Every outcome, its derivative by every parameter and Hessians over six, against
+//! `data/independent_drives.json`: 40 drives computed in quadruple precision by
+//! `oracle/oracle.cpp`, a program that shares nothing with this one. Laws, decay laws, log wind,
+//! slip, light and heavy heads, hills, near-zero spin.
 
 use crate::common::{close, drives, number, outcome_of, setup_of};
 use longdrive::derivative::{Order, evaluate};
@@ -12,11 +13,11 @@ use std::collections::BTreeMap;
 
 const FILE: &str = "independent_drives.json";
 
-/// How a derivative is held. On smooth drives: relative to itself, or, where terms nearly cancel, to a
-/// hundredth of the outcome per size of the parameters. Two kinds of drive are less smooth on the scale of a
-/// step, and held at `ROUGH` relative to the outcome per size of the parameters: in a logarithmic wind, which
-/// varies within half a metre of the ground, and where the spin ratio falls through the join of a law, which is
-/// C² only.
+/// How a derivative is held. On smooth drives: relative to itself, or, where terms nearly cancel,
+/// to a hundredth of the outcome per size of the parameters. Two kinds of drive are less smooth on
+/// the scale of a step, and held at `ROUGH` relative to the outcome per size of the parameters: in
+/// a logarithmic wind, which varies within half a metre of the ground, and where the spin ratio
+/// falls through the join of a law, which is C² only.
 struct Bar {
     tolerance: f64,
     floor: f64,
@@ -26,14 +27,30 @@ const ROUGH: f64 = 1e-5;
 
 impl Bar {
     fn of(drive: &Value, smooth: f64) -> Self {
-        let rough =
-            !drive["setup"]["wind.roughness"].is_null() || drive["name"].as_str().unwrap().contains("falls through");
-        if rough { Self { tolerance: ROUGH, floor: 1.0 } } else { Self { tolerance: smooth, floor: 0.01 } }
+        let rough = !drive["setup"]["wind.roughness"].is_null()
+            || drive["name"].as_str().unwrap().contains("falls through");
+        if rough {
+            Self {
+                tolerance: ROUGH,
+                floor: 1.0,
+            }
+        } else {
+            Self {
+                tolerance: smooth,
+                floor: 0.01,
+            }
+        }
     }
 
     #[track_caller]
     fn hold(&self, ours: f64, theirs: f64, per_parameters: f64, what: &str) {
-        close(ours, theirs, theirs.abs().max(self.floor * per_parameters), self.tolerance, what);
+        close(
+            ours,
+            theirs,
+            theirs.abs().max(self.floor * per_parameters),
+            self.tolerance,
+            what,
+        );
     }
 }
 
@@ -46,19 +63,31 @@ fn size(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
 fn gradient_of(drive: &Value, of: Outcome) -> BTreeMap<String, f64> {
     let printed = |of: Outcome| -> BTreeMap<String, f64> {
         let gradient = drive["gradient"][of.name()].as_object().unwrap();
-        gradient.iter().map(|(name, slope)| (name.clone(), number(slope))).collect()
+        gradient
+            .iter()
+            .map(|(name, slope)| (name.clone(), number(slope)))
+            .collect()
     };
     match of {
         Outcome::CarryDistance => {}
         // in these drives the ball embeds
         Outcome::Total => return printed(Outcome::Carry),
         Outcome::LateralTotal => return printed(Outcome::Lateral),
-        Outcome::Run => return printed(Outcome::Carry).into_keys().map(|name| (name, 0.0)).collect(),
+        Outcome::Run => {
+            return printed(Outcome::Carry)
+                .into_keys()
+                .map(|name| (name, 0.0))
+                .collect();
+        }
         _ => return printed(of),
     }
-    let [z, y, d] = [Outcome::Carry, Outcome::Lateral, of].map(|of| outcome_of(&drive["outcomes"], of));
+    let [z, y, d] =
+        [Outcome::Carry, Outcome::Lateral, of].map(|of| outcome_of(&drive["outcomes"], of));
     let (carry, lateral) = (printed(Outcome::Carry), printed(Outcome::Lateral));
-    carry.into_iter().map(|(name, slope)| (name.clone(), (z * slope + y * lateral[&name]) / d)).collect()
+    carry
+        .into_iter()
+        .map(|(name, slope)| (name.clone(), (z * slope + y * lateral[&name]) / d))
+        .collect()
 }
 
 #[test]
@@ -72,7 +101,13 @@ fn independent_values_within_1e9() {
         for outcome in Outcome::ALL {
             let expected = outcome_of(&drive["outcomes"], *outcome);
             let what = format!("{}: {}", drive["name"], outcome.name());
-            close(outcome.value(&ours).unwrap(), expected, expected.abs().max(1e-3), 1e-9, &what);
+            close(
+                outcome.value(&ours).unwrap(),
+                expected,
+                expected.abs().max(1e-3),
+                1e-9,
+                &what,
+            );
         }
     }
 }
@@ -83,11 +118,19 @@ fn independent_gradients_of_every_outcome_by_every_parameter_within_1e8() {
         let setup = setup_of(&drive);
         for outcome in Outcome::ALL {
             let theirs = gradient_of(&drive, *outcome);
-            let wrt: Vec<_> = theirs.keys().map(|name| setup.variable(name).unwrap()).collect();
+            let wrt: Vec<_> = theirs
+                .keys()
+                .map(|name| setup.variable(name).unwrap())
+                .collect();
             let ours = &evaluate(&setup, &[*outcome], &wrt, Order::First).unwrap()[0];
             for (parameter, slope) in wrt.iter().zip(&ours.gradient) {
                 let expected = theirs[parameter.name];
-                let what = format!("{}: d {}/d {}", drive["name"], outcome.name(), parameter.name);
+                let what = format!(
+                    "{}: d {}/d {}",
+                    drive["name"],
+                    outcome.name(),
+                    parameter.name
+                );
                 Bar::of(&drive, 1e-8).hold(
                     *slope,
                     expected,
@@ -103,16 +146,38 @@ fn independent_gradients_of_every_outcome_by_every_parameter_within_1e8() {
 fn independent_hessians_over_six_parameters_within_1e7() {
     for drive in drives(FILE) {
         let setup = setup_of(&drive);
-        let names: Vec<_> =
-            drive["hessian"]["names"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
-        let wrt: Vec<_> = names.iter().map(|name| setup.variable(name).unwrap()).collect();
-        let outcomes = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::FlightTime];
-        for (outcome, ours) in outcomes.iter().zip(evaluate(&setup, &outcomes, &wrt, Order::Second).unwrap()) {
+        let names: Vec<_> = drive["hessian"]["names"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|name| name.as_str().unwrap())
+            .collect();
+        let wrt: Vec<_> = names
+            .iter()
+            .map(|name| setup.variable(name).unwrap())
+            .collect();
+        let outcomes = [
+            Outcome::Carry,
+            Outcome::Lateral,
+            Outcome::ApexHeight,
+            Outcome::FlightTime,
+        ];
+        for (outcome, ours) in outcomes
+            .iter()
+            .zip(evaluate(&setup, &outcomes, &wrt, Order::Second).unwrap())
+        {
             for i in 0..wrt.len() {
                 for j in 0..wrt.len() {
                     let expected = number(&drive["hessian"][outcome.name()][i][j]);
-                    let per_parameters = ours.value.abs().max(1.0) / (size(&setup, wrt[i]) * size(&setup, wrt[j]));
-                    let what = format!("{}: d² {}/d {} d {}", drive["name"], outcome.name(), names[i], names[j]);
+                    let per_parameters =
+                        ours.value.abs().max(1.0) / (size(&setup, wrt[i]) * size(&setup, wrt[j]));
+                    let what = format!(
+                        "{}: d² {}/d {} d {}",
+                        drive["name"],
+                        outcome.name(),
+                        names[i],
+                        names[j]
+                    );
                     Bar::of(&drive, 1e-7).hold(ours.hessian[i][j], expected, per_parameters, &what);
                 }
             }

@@ -28,8 +28,18 @@ fn of_table(text: &str) -> Law<f64> {
 
 /// C_D and C_L at a spin ratio, Reynolds number and speed.
 fn at<D: Number>(law: Law<f64>, [s, reynolds, speed]: [D; 3]) -> Coefficients<D> {
-    let law = Setup { law, ..Setup::default() }.map(|_, value| D::constant(value)).law;
-    law.coefficients(Stream::new(s * speed / RADIUS, speed, D::constant(RADIUS), reynolds / speed))
+    let law = Setup {
+        law,
+        ..Setup::default()
+    }
+    .map(|_, value| D::constant(value))
+    .law;
+    law.coefficients(Stream::new(
+        s * speed / RADIUS,
+        speed,
+        D::constant(RADIUS),
+        reynolds / speed,
+    ))
 }
 
 /// A law's values over spin ratio and Reynolds number, at 50 m/s: a node for each pair.
@@ -47,39 +57,70 @@ fn table_of(law: &str, spin_ratios: &[f64], reynolds: &[f64]) -> String {
 }
 
 fn evenly(low: f64, high: f64, steps: u32) -> Vec<f64> {
-    (0..=steps).map(|k| low + (high - low) * f64::from(k) / f64::from(steps)).collect()
+    (0..=steps)
+        .map(|k| low + (high - low) * f64::from(k) / f64::from(steps))
+        .collect()
 }
 
-/// The grid of Bearman & Harvey as a table of one's own: the same splines, by speed and spin, in other units too.
+/// The grid of Bearman & Harvey as a table of one's own: the same splines, by speed and spin, in
+/// other units too.
 #[test]
 fn exact_a_table_of_bearman_and_harvey_is_their_law() {
     let grid = include_str!("../data/bearman_harvey_1976.csv");
-    let plain = grid.replacen("speed_m_s,spin_rpm,CD,CL", "speed [m/s],spin [rpm],CD,CL", 1);
+    let plain = grid.replacen(
+        "speed_m_s,spin_rpm,CD,CL",
+        "speed [m/s],spin [rpm],CD,CL",
+        1,
+    );
     let converted = grid.lines().skip(1).map(|line| {
         let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
-        format!("{:?};{:?};{};{}\n", cells[0] * 3.6, cells[1] / 60.0 * 360.0, cells[2], cells[3]).replace('.', ",")
+        format!(
+            "{:?};{:?};{};{}\n",
+            cells[0] * 3.6,
+            cells[1] / 60.0 * 360.0,
+            cells[2],
+            cells[3]
+        )
+        .replace('.', ",")
     });
-    let converted = format!("sep=;\nSpeed (km/h);Spin (deg/s);cd;cl\n{}", converted.collect::<String>());
+    let converted = format!(
+        "sep=;\nSpeed (km/h);Spin (deg/s);cd;cl\n{}",
+        converted.collect::<String>()
+    );
     let published = Law::named("bearman-harvey").unwrap();
     for text in [plain, converted] {
         let own = of_table(&text);
-        for (speed, rpm) in
-            [(13.7, 2000.0), (17.0, 2310.0), (50.0, 2950.0), (79.9, 5990.0), (88.1, 1500.0), (88.1, 6090.0)]
-        {
+        for (speed, rpm) in [
+            (13.7, 2000.0),
+            (17.0, 2310.0),
+            (50.0, 2950.0),
+            (79.9, 5990.0),
+            (88.1, 1500.0),
+            (88.1, 6090.0),
+        ] {
             let spin = rpm * std::f64::consts::PI / 30.0;
             let stream = [spin * RADIUS / speed, 1e5, speed];
-            let (a, b): (Coefficients<f64>, Coefficients<f64>) = (at(own, stream), at(published, stream));
-            assert!((a.drag - b.drag).abs() < 1e-12 && (a.lift - b.lift).abs() < 1e-12, "{speed}, {rpm}: {a:?} {b:?}");
+            let (a, b): (Coefficients<f64>, Coefficients<f64>) =
+                (at(own, stream), at(published, stream));
+            assert!(
+                (a.drag - b.drag).abs() < 1e-12 && (a.lift - b.lift).abs() < 1e-12,
+                "{speed}, {rpm}: {a:?} {b:?}"
+            );
         }
     }
 }
 
-/// Twice as many nodes, a sixteenth of the error, away from the edges, where the natural spline is of the second order.
+/// Twice as many nodes, a sixteenth of the error, away from the edges, where the natural spline is
+/// of the second order.
 #[test]
 fn order_of_a_table_of_a_smooth_law_is_four() {
     let law = Law::named("winfield-tan").unwrap();
     let error = |steps: u32| {
-        let own = of_table(&table_of("winfield-tan", &evenly(0.0, 0.4, steps), &[1e5, 2e5]));
+        let own = of_table(&table_of(
+            "winfield-tan",
+            &evenly(0.0, 0.4, steps),
+            &[1e5, 2e5],
+        ));
         let off = evenly(0.12, 0.28, 53).into_iter().map(|s| {
             let stream = [s, 1.5e5, 50.0];
             let (a, b): (Coefficients<f64>, Coefficients<f64>) = (at(own, stream), at(law, stream));
@@ -89,18 +130,30 @@ fn order_of_a_table_of_a_smooth_law_is_four() {
     };
     let (coarse, fine) = (error(20), error(40));
     let order = (coarse / fine).log2();
-    assert!((3.5..4.8).contains(&order) && fine < 1e-5, "{order}: {coarse:e}, {fine:e}");
+    assert!(
+        (3.5..4.8).contains(&order) && fine < 1e-5,
+        "{order}: {coarse:e}, {fine:e}"
+    );
 }
 
-/// Value, slope and curvature on both sides of every line of a table, of its edges, of where it begins to stay as it is, and of no spin.
+/// Value, slope and curvature on both sides of every line of a table, of its edges, of where it
+/// begins to stay as it is, and of no spin.
 #[test]
 fn exact_c2_of_a_table_across_every_line_and_beyond() {
     let spin_ratios = [0.05, 0.08, 0.15, 0.2, 0.31];
     let reynolds = [6e4, 1e5, 1.3e5, 2.1e5];
     let law = of_table(&table_of("usga-itr", &spin_ratios, &reynolds));
     // the edges, and half of the outer steps beyond them
-    let lines = spin_ratios.into_iter().chain([0.035, 0.365]).map(|line| (0, line));
-    for (variable, line) in lines.chain(reynolds.into_iter().chain([4e4, 2.5e5]).map(|line| (1, line))) {
+    let lines = spin_ratios
+        .into_iter()
+        .chain([0.035, 0.365])
+        .map(|line| (0, line));
+    for (variable, line) in lines.chain(
+        reynolds
+            .into_iter()
+            .chain([4e4, 2.5e5])
+            .map(|line| (1, line)),
+    ) {
         let sides = [1.0 - 1e-12, 1.0 + 1e-12].map(|part| {
             let mut stream = [0.11, 1.1e5, 40.0].map(Dual2_64::from);
             stream[variable] = Dual2_64::from(line * part).derivative();
@@ -112,9 +165,16 @@ fn exact_c2_of_a_table_across_every_line_and_beyond() {
         }
     }
     // held: nothing changes far out, and no lift without spin
-    let far = at(law, [Dual2_64::from(0.5).derivative(), 1e5.into(), 40.0.into()]);
+    let far = at(
+        law,
+        [Dual2_64::from(0.5).derivative(), 1e5.into(), 40.0.into()],
+    );
     assert_eq!((far.drag.v1, far.drag.v2, far.lift.v1), (0.0, 0.0, 0.0));
-    let none = at(law, [Dual2_64::from(0.0).derivative(), 1e5.into(), 40.0.into()]).lift;
+    let none = at(
+        law,
+        [Dual2_64::from(0.0).derivative(), 1e5.into(), 40.0.into()],
+    )
+    .lift;
     assert!(none.re == 0.0 && none.v1 > 0.0 && none.v2.is_finite());
 }
 
@@ -122,31 +182,80 @@ fn exact_c2_of_a_table_across_every_line_and_beyond() {
 #[test]
 fn exact_a_table_along_one_axis_and_no_lift_without_spin() {
     for (text, place) in [
-        ("s,cd,cl\n0,0.2,0\n0.1,0.25,0.15\n0.2,0.3,0.25\n", [0.1, 1e5, 50.0]),
-        ("# of mine\nre;cl;cd\n100000;0,15;0,25\n200000;0,16;0,24\n50000;0,2;0,5\n", [0.1, 1e5, 50.0]),
-        ("speed [mph],cd,cl\n100,0.25,0.15\n150,0.24,0.16\n", [0.1, 1e5, 44.704]),
-        ("spin [rad/s],cd,cl\n200,0.25,0.15\n300,0.24,0.16\n", [200.0 * RADIUS / 50.0, 1e5, 50.0]),
+        (
+            "s,cd,cl\n0,0.2,0\n0.1,0.25,0.15\n0.2,0.3,0.25\n",
+            [0.1, 1e5, 50.0],
+        ),
+        (
+            "# of mine\nre;cl;cd\n100000;0,15;0,25\n200000;0,16;0,24\n50000;0,2;0,5\n",
+            [0.1, 1e5, 50.0],
+        ),
+        (
+            "speed [mph],cd,cl\n100,0.25,0.15\n150,0.24,0.16\n",
+            [0.1, 1e5, 44.704],
+        ),
+        (
+            "spin [rad/s],cd,cl\n200,0.25,0.15\n300,0.24,0.16\n",
+            [200.0 * RADIUS / 50.0, 1e5, 50.0],
+        ),
     ] {
         let law = of_table(text);
         let c: Coefficients<f64> = at(law, place);
-        assert!((c.drag - 0.25).abs() < 1e-14 && (c.lift - 0.15).abs() < 1e-14, "{text}: {c:?}");
-        let none = at(law, [Dual2_64::from(0.0).derivative(), place[1].into(), place[2].into()]).lift;
-        assert!(none.re == 0.0 && none.v1 > 0.0 && none.v2.is_finite(), "{text}: {none:?}");
+        assert!(
+            (c.drag - 0.25).abs() < 1e-14 && (c.lift - 0.15).abs() < 1e-14,
+            "{text}: {c:?}"
+        );
+        let none = at(
+            law,
+            [
+                Dual2_64::from(0.0).derivative(),
+                place[1].into(),
+                place[2].into(),
+            ],
+        )
+        .lift;
+        assert!(
+            none.re == 0.0 && none.v1 > 0.0 && none.v2.is_finite(),
+            "{text}: {none:?}"
+        );
     }
 }
 
 #[test]
 fn exact_derivatives_with_a_table_pass_verification() {
-    let law = of_table(&table_of("launch-monitor", &evenly(0.02, 0.4, 19), &evenly(5e4, 2.5e5, 8)));
-    let setup = Setup { law, ..Setup::default() };
-    let wrt = ["club.loft", "swing.speed", "air.density", "aero.cd_factor", "aero.cl_factor", "wind.downrange"];
+    let law = of_table(&table_of(
+        "launch-monitor",
+        &evenly(0.02, 0.4, 19),
+        &evenly(5e4, 2.5e5, 8),
+    ));
+    let setup = Setup {
+        law,
+        ..Setup::default()
+    };
+    let wrt = [
+        "club.loft",
+        "swing.speed",
+        "air.density",
+        "aero.cd_factor",
+        "aero.cl_factor",
+        "wind.downrange",
+    ];
     let wrt = wrt.map(|name| setup.variable(name).unwrap());
-    let certificate =
-        certify(&setup, &[Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle], &wrt, &|_, _| true).unwrap();
+    let certificate = certify(
+        &setup,
+        &[Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle],
+        &wrt,
+        &|_, _| true,
+    )
+    .unwrap();
     assert!(certificate.passed(), "{certificate:?}");
     // and the drive is that of the law
     let carry = |setup: &Setup<f64>| Outcome::Carry.of(&Drive::new(setup).unwrap()).unwrap();
-    assert!((carry(&setup) - carry(&Setup::default())).abs() < 0.05, "{}", carry(&setup));
+    assert!(
+        (carry(&setup) - carry(&Setup::default())).abs() < 0.05,
+        "{}",
+        carry(&setup)
+    );
 }
 
 #[test]
@@ -154,45 +263,112 @@ fn bad_tables_are_refused_with_file_line_and_what_to_do() {
     for (text, words) in [
         (
             "s,re,cd,cl\n0.1,1e5,0.2,0.1\n0.2,1e5,0.2,0.2\n0.1,2e5,0.2,0.1\n",
-            &["1 hole", "the first is spin_ratio 0.2, reynolds 200000", "every node a row"][..],
+            &[
+                "1 hole",
+                "the first is spin_ratio 0.2, reynolds 200000",
+                "every node a row",
+            ][..],
         ),
         (
             "s,cd,cl\n0.1,0.2,0.1\n0.2,0.2,0.2\n0.1,0.3,0.1\n",
-            &[", line 4", "spin_ratio 0.1 is given twice, here and at line 2", "keep one"],
+            &[
+                ", line 4",
+                "spin_ratio 0.1 is given twice, here and at line 2",
+                "keep one",
+            ],
         ),
         ("s,cd,cl\n0.1,0.2,0.1\n", &["one row only", "two nodes"]),
         ("s,cd,cl\n", &["no row"]),
         ("", &["no column cd"]),
-        ("s,cd,cl\n0.1,0.2,0.1\n0.2,nan,0.2\n", &["line 3, column cd", "'nan' is not finite"]),
-        ("s,cd,cl\n0.1,0.2,0.1\n0.2,,0.2\n", &["line 3, column cd", "the cell is empty"]),
-        ("s,cd,cl\n0.1,0.2,0.1\n0.2,a lot,0.2\n", &["line 3, column cd", "'a lot' is not a number"]),
-        ("s,cd,cl\n0.1,0.2,0.1\n0.2,-0.2,0.2\n", &["line 3, column cd", "-0.2 is outside of its range, at least 0"]),
-        ("s,cd,cl\n-0.1,0.2,0.1\n0.2,0.2,0.2\n", &["line 2, column s", "at least 0"]),
-        ("s,cd,cl\n0.1,0.2,0.1\n0.2,0.2\n", &["line 3", "the row has 2 cells, but the head has 3"]),
-        ("s,cd,clift\n0.1,0.2,0.1\n", &["column 3", "unknown column 'clift'", "did you mean 'cl'?"]),
-        ("reynold,cd,cl\n0.1,0.2,0.1\n", &["did you mean 'reynolds'?"]),
+        (
+            "s,cd,cl\n0.1,0.2,0.1\n0.2,nan,0.2\n",
+            &["line 3, column cd", "'nan' is not finite"],
+        ),
+        (
+            "s,cd,cl\n0.1,0.2,0.1\n0.2,,0.2\n",
+            &["line 3, column cd", "the cell is empty"],
+        ),
+        (
+            "s,cd,cl\n0.1,0.2,0.1\n0.2,a lot,0.2\n",
+            &["line 3, column cd", "'a lot' is not a number"],
+        ),
+        (
+            "s,cd,cl\n0.1,0.2,0.1\n0.2,-0.2,0.2\n",
+            &[
+                "line 3, column cd",
+                "-0.2 is outside of its range, at least 0",
+            ],
+        ),
+        (
+            "s,cd,cl\n-0.1,0.2,0.1\n0.2,0.2,0.2\n",
+            &["line 2, column s", "at least 0"],
+        ),
+        (
+            "s,cd,cl\n0.1,0.2,0.1\n0.2,0.2\n",
+            &["line 3", "the row has 2 cells, but the head has 3"],
+        ),
+        (
+            "s,cd,clift\n0.1,0.2,0.1\n",
+            &["column 3", "unknown column 'clift'", "did you mean 'cl'?"],
+        ),
+        (
+            "reynold,cd,cl\n0.1,0.2,0.1\n",
+            &["did you mean 'reynolds'?"],
+        ),
         ("s,re,cl\n0.1,0.2,0.1\n", &["no column cd"]),
-        ("cd,cl\n0.1,0.2\n", &["no column spin_ratio, spin, reynolds or speed"]),
-        ("speed,cd,cl\n50,0.2,0.1\n", &["'speed' has no unit", "'speed [m/s]'"]),
-        ("speed [rpm],cd,cl\n50,0.2,0.1\n", &["'rpm' is no unit of a speed", "mph"]),
+        (
+            "cd,cl\n0.1,0.2\n",
+            &["no column spin_ratio, spin, reynolds or speed"],
+        ),
+        (
+            "speed,cd,cl\n50,0.2,0.1\n",
+            &["'speed' has no unit", "'speed [m/s]'"],
+        ),
+        (
+            "speed [rpm],cd,cl\n50,0.2,0.1\n",
+            &["'rpm' is no unit of a speed", "mph"],
+        ),
         ("s [m],cd,cl\n50,0.2,0.1\n", &["plain number"]),
-        ("s,spin [rpm],cd,cl\n0.1,2000,0.2,0.1\n", &["'s' and 'spin [rpm]' give the same axis or number twice"]),
+        (
+            "s,spin [rpm],cd,cl\n0.1,2000,0.2,0.1\n",
+            &["'s' and 'spin [rpm]' give the same axis or number twice"],
+        ),
         ("s,cd,cd,cl\n0.1,0.2,0.2,0.1\n", &["column 3", "twice"]),
-        ("s,cd,cl\n0,0.2,0.1\n0.2,0.2,0.2\n", &["line 2", "without spin"]),
-        ("s,cd,cl\n0.1,0.2,0.1\n0.10000000001,0.2,0.2\n", &["nearly the same"]),
-        ("s,cd,cl\n0.1,5,0.1\n0.2,0,0.1\n0.21,3,0.1\n0.3,3,0.1\n", &["negative drag", "spin_ratio 0.", "more nodes"]),
+        (
+            "s,cd,cl\n0,0.2,0.1\n0.2,0.2,0.2\n",
+            &["line 2", "without spin"],
+        ),
+        (
+            "s,cd,cl\n0.1,0.2,0.1\n0.10000000001,0.2,0.2\n",
+            &["nearly the same"],
+        ),
+        (
+            "s,cd,cl\n0.1,5,0.1\n0.2,0,0.1\n0.21,3,0.1\n0.3,3,0.1\n",
+            &["negative drag", "spin_ratio 0.", "more nodes"],
+        ),
     ] {
         let (_folder, name) = written(text);
         let said = longdrive(&["simulate", "--set", &format!("{TABLE}={name}")]);
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{text}: {}", said.err);
+        assert_eq!(
+            (said.status, said.out.as_str()),
+            (2, ""),
+            "{text}: {}",
+            said.err
+        );
         for word in words.iter().chain(&["mine.csv"]) {
             assert!(said.err.contains(word), "{text}: {word}: {}", said.err);
         }
     }
     for (args, words) in [
-        (&["--set", "aero.table=none.csv"][..], &["none.csv", "there is no such file"][..]),
+        (
+            &["--set", "aero.table=none.csv"][..],
+            &["none.csv", "there is no such file"][..],
+        ),
         (&["--set", "aero.table=."], &["it is a folder"]),
-        (&["--set", "aero.law=table"], &["without aero.table", "--set aero.table=mine.csv"]),
+        (
+            &["--set", "aero.law=table"],
+            &["without aero.table", "--set aero.table=mine.csv"],
+        ),
         (
             &["--set", "aero.law=linear", "--set", "aero.table=a.csv"],
             &["aero.table and aero.law = linear are both given"],
@@ -201,36 +377,67 @@ fn bad_tables_are_refused_with_file_line_and_what_to_do() {
     ] {
         let said = longdrive(&[&["simulate"], args].concat());
         assert_eq!(said.status, 2, "{args:?}: {}", said.err);
-        assert!(words.iter().all(|word| said.err.contains(word)), "{args:?}: {}", said.err);
+        assert!(
+            words.iter().all(|word| said.err.contains(word)),
+            "{args:?}: {}",
+            said.err
+        );
     }
     let vary = longdrive(&["gradient", "--wrt", "aero.table"]);
-    assert!(vary.err.contains("it is a choice, not a number"), "{}", vary.err);
+    assert!(
+        vary.err.contains("it is a choice, not a number"),
+        "{}",
+        vary.err
+    );
 }
 
-/// In a setup file the table is named from its folder, and a setup that is written names it from anywhere.
+/// In a setup file the table is named from its folder, and a setup that is written names it from
+/// anywhere.
 #[test]
 fn a_setup_with_a_table_is_written_and_read_again() {
     let (folder, name) = written(&table_of("ferguson", &evenly(0.02, 0.4, 10), &[5e4, 2.5e5]));
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     std::fs::create_dir(file("else")).unwrap();
     let (mine, best) = (file("mine.toml"), file("else/best.toml"));
-    std::fs::write(&mine, "[aero]\nlaw = 'table'\ntable = 'mine.csv'\ncd_factor = 0.9\n").unwrap();
+    std::fs::write(
+        &mine,
+        "[aero]\nlaw = 'table'\ntable = 'mine.csv'\ncd_factor = 0.9\n",
+    )
+    .unwrap();
     let (status, found) = json(&["optimize", &mine, "-o", &best, "--own-step"]);
-    assert_eq!((status, found["setup"]["aero.law"].as_str()), (0, Some("table")));
+    assert_eq!(
+        (status, found["setup"]["aero.law"].as_str()),
+        (0, Some("table"))
+    );
     assert_eq!(found["setup"]["aero.table"].as_str(), Some(&*name));
     let (_, again) = json(&["simulate", &best]);
-    assert_eq!(number(&again["flight"]["carry"]), number(&found["flight"]["carry"]));
+    assert_eq!(
+        number(&again["flight"]["carry"]),
+        number(&found["flight"]["carry"])
+    );
     assert_eq!(number(&again["setup"]["aero.cd_factor"]), 0.9);
     // nor is it written over
     let over = longdrive(&["optimize", &mine, "-o", &name, "--overwrite"]);
-    assert!(over.status == 2 && over.err.contains("also an input"), "{}", over.err);
+    assert!(
+        over.status == 2 && over.err.contains("also an input"),
+        "{}",
+        over.err
+    );
     let both = file("both.toml");
     std::fs::write(&both, "[aero]\ntable = 'mine.csv'\nlaw = 'ferguson'\n").unwrap();
     let said = longdrive(&["simulate", &both]);
-    assert!(said.status == 2 && said.err.contains("both.toml:3:7") && said.err.contains("keep one"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("both.toml:3:7") && said.err.contains("keep one"),
+        "{}",
+        said.err
+    );
     std::fs::write(&both, "[aero]\ntable = 'no.csv'\n").unwrap();
     let said = longdrive(&["simulate", &both]);
-    assert!(said.status == 2 && said.err.contains("both.toml:2:9") && said.err.contains("no.csv"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("both.toml:2:9") && said.err.contains("no.csv"),
+        "{}",
+        said.err
+    );
 }
 
 /// Kept work of a table that has changed is not gone on with.
@@ -252,7 +459,11 @@ fn a_table_that_has_changed_is_another_question() {
     std::fs::write(&name, table(0.26)).unwrap();
     assert!(before[0] == before[1] && told() != before[0], "{before:?}");
     let said = search();
-    assert!(said.status == 2 && said.err.contains("it belongs to another question"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("it belongs to another question"),
+        "{}",
+        said.err
+    );
     // two tables are two laws, also by the same name
     std::fs::write(file("other.csv"), table(0.25)).unwrap();
     for (setup, table) in [("a.toml", "mine.csv"), ("b.toml", "other.csv")] {
@@ -260,10 +471,15 @@ fn a_table_that_has_changed_is_another_question() {
     }
     let (_, found) = json(&["compare", &file("a.toml"), &file("b.toml"), "--of", "carry"]);
     let share = &found["outcomes"][0]["by_parameter"]["shares"][0];
-    assert_eq!((&share["cause"], &share["values"][1]), (&"aero.law".into(), &file("other.csv").into()), "{found}");
+    assert_eq!(
+        (&share["cause"], &share["values"][1]),
+        (&"aero.law".into(), &file("other.csv").into()),
+        "{found}"
+    );
 }
 
-/// The curve through these nodes has a negative drag below their first: no ball gets there, unless it has some spin there.
+/// The curve through these nodes has a negative drag below their first: no ball gets there, unless
+/// it has some spin there.
 #[test]
 fn exact_drag_is_not_looked_at_below_no_spin() {
     let law = of_table("s,cd,cl\n0,0.02,0\n0.05,0.3,0.1\n0.1,0.32,0.2\n0.2,0.33,0.3\n");
@@ -275,32 +491,56 @@ fn exact_drag_is_not_looked_at_below_no_spin() {
         let found: Coefficients<f64> = at(law, [s, 1e5, 50.0]);
         assert!(found.drag > 0.0, "{s}: {}", found.drag);
     }
-    let (_folder, name) = written("s,cd,cl\n0.1,0.02,0.1\n0.15,0.3,0.1\n0.2,0.32,0.2\n0.3,0.33,0.3\n");
+    let (_folder, name) =
+        written("s,cd,cl\n0.1,0.02,0.1\n0.15,0.3,0.1\n0.2,0.32,0.2\n0.3,0.33,0.3\n");
     let told = LawTable::open(Path::new(&name)).unwrap_err().to_string();
-    assert!(told.contains("negative drag") && told.contains("at spin_ratio 0.0875"), "{told}");
+    assert!(
+        told.contains("negative drag") && told.contains("at spin_ratio 0.0875"),
+        "{told}"
+    );
 }
 
 /// The range of a table is that of its nodes.
 #[test]
 fn a_drive_beyond_its_table_is_told() {
     let (_folder, name) = written(
-        "speed [m/s],spin [rpm],cd,cl\n50,2000,0.25,0.15\n80,2000,0.25,0.15\n50,3000,0.25,0.2\n80,3000,0.25,0.2\n",
+        "speed [m/s],spin \
+         [rpm],cd,cl\n50,2000,0.25,0.15\n80,2000,0.25,0.15\n50,3000,0.25,0.2\n80,3000,0.25,0.2\n",
     );
     let (_, answer) = json(&["simulate", "--set", &format!("{TABLE}={name}")]);
     let told = answer["warnings"].to_string();
-    assert!(told.contains("speed through the air of 50 m/s to 80 m/s (the table mine.csv)"), "{told}");
-    assert!(told.contains("where the law is held\"") && !told.contains("extrapolated"), "{told}");
+    assert!(
+        told.contains("speed through the air of 50 m/s to 80 m/s (the table mine.csv)"),
+        "{told}"
+    );
+    assert!(
+        told.contains("where the law is held\"") && !told.contains("extrapolated"),
+        "{told}"
+    );
     let range = &answer["law_range"];
-    assert!(range["spin_ratio"].is_null() && range["reynolds"].is_null(), "{range}");
+    assert!(
+        range["spin_ratio"].is_null() && range["reynolds"].is_null(),
+        "{range}"
+    );
     assert!(number(&range["speed"]["share_outside"]) > 0.3, "{range}");
-    assert_eq!(number(&range["spin"]["fitted"]["high"]), 100.0 * std::f64::consts::PI);
+    assert_eq!(
+        number(&range["spin"]["fitted"]["high"]),
+        100.0 * std::f64::consts::PI
+    );
     let table = LawTable::open(Path::new(&name)).unwrap();
-    assert_eq!(table.axes().map(|axis| axis.along).collect::<Vec<_>>(), [Along::Speed, Along::Spin]);
+    assert_eq!(
+        table.axes().map(|axis| axis.along).collect::<Vec<_>>(),
+        [Along::Speed, Along::Spin]
+    );
 }
 
 #[test]
 fn a_factor_of_your_own_table_asks_for_the_table() {
     let said = longdrive(&["laws", "--set", "aero.cd_factor=1.05"]);
     assert_eq!((said.status, said.out.as_str()), (2, ""));
-    assert!(said.err.contains("--set aero.table=mine.csv") && !said.err.contains("aero.law"), "{}", said.err);
+    assert!(
+        said.err.contains("--set aero.table=mine.csv") && !said.err.contains("aero.law"),
+        "{}",
+        said.err
+    );
 }

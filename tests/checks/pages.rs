@@ -9,10 +9,17 @@ use std::path::Path;
 /// A page that a command writes into a new folder of this name, and the folder.
 fn page(folder: &tempfile::TempDir, args: &[&str]) -> (i32, String) {
     let into = folder.path().join("page").display().to_string();
-    let option = if args[0] == "calibrate" { "--plot" } else { "-o" };
+    let option = if args[0] == "calibrate" {
+        "--plot"
+    } else {
+        "-o"
+    };
     let said = longdrive(&[args, &[option, &into, "--overwrite"]].concat());
     let file = Path::new(&into).join("index.html");
-    (said.status, std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{error}: {}", said.err)))
+    (
+        said.status,
+        std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{error}: {}", said.err)),
+    )
 }
 
 fn report(args: &[&str]) -> (i32, String) {
@@ -21,8 +28,12 @@ fn report(args: &[&str]) -> (i32, String) {
 
 /// A part of a page, from here to there.
 fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
-    let (_, rest) = page.split_once(from).unwrap_or_else(|| panic!("no '{from}' in {page}"));
-    rest.split_once(to).unwrap_or_else(|| panic!("no '{to}' after '{from}'")).0
+    let (_, rest) = page
+        .split_once(from)
+        .unwrap_or_else(|| panic!("no '{from}' in {page}"));
+    rest.split_once(to)
+        .unwrap_or_else(|| panic!("no '{to}' after '{from}'"))
+        .0
 }
 
 /// What stands between the marks, in one system of units.
@@ -30,7 +41,11 @@ fn words(html: &str, system: &str) -> String {
     let other = if system == "us" { "metric" } else { "us" };
     let mut text = String::new();
     for piece in html.split(&format!("<span class=\"{other}\">")).enumerate() {
-        let rest = if piece.0 == 0 { piece.1 } else { piece.1.split_once("</span>").unwrap().1 };
+        let rest = if piece.0 == 0 {
+            piece.1
+        } else {
+            piece.1.split_once("</span>").unwrap().1
+        };
         text += rest;
     }
     let mut is_tag = false;
@@ -52,29 +67,51 @@ fn the_answer_is_the_first_thing_on_the_page() {
     let (_, yours) = json(&["simulate"]);
     let (_, best) = json(&["optimize"]);
     let yard = 0.9144;
-    let [yours, best_carry] = [&yours["flight"]["carry"], &best["value"]].map(|value| number(value) / yard);
+    let [yours, best_carry] =
+        [&yours["flight"]["carry"], &best["value"]].map(|value| number(value) / yard);
     // the line adds up as it is printed
     let [yours, best_carry] = [yours, best_carry].map(|value| (10.0 * value).round() / 10.0);
     let said = words(answer(&page), "us");
     assert!(
-        said.starts_with(&format!("Carry {yours:.1} → {best_carry:.1} yd: +{:.1} yd", best_carry - yours)),
+        said.starts_with(&format!(
+            "Carry {yours:.1} → {best_carry:.1} yd: +{:.1} yd",
+            best_carry - yours
+        )),
         "{said}"
     );
     let gain = number(&best["multipliers"]["swing.attack_angle"]["upper"]).to_radians() / yard;
-    assert!(said.contains(&format!("your limit: each further degree adds {gain:.2} yd")), "{said}");
-    assert_eq!(answer(&page).matches("±").count(), 4, "yours, best and change, and what it is");
+    assert!(
+        said.contains(&format!(
+            "your limit: each further degree adds {gain:.2} yd"
+        )),
+        "{said}"
+    );
+    assert_eq!(
+        answer(&page).matches("±").count(),
+        4,
+        "yours, best and change, and what it is"
+    );
     let metric = words(answer(&page), "metric");
-    assert!(metric.contains(" m: +") && !metric.contains("yd"), "{metric}");
+    assert!(
+        metric.contains(" m: +") && !metric.contains("yd"),
+        "{metric}"
+    );
 }
 
-/// An error that is the same in both drives moves both: of two that differ in nothing the change is known exactly.
+/// An error that is the same in both drives moves both: of two that differ in nothing the change is
+/// known exactly.
 #[test]
 fn exact_the_change_to_the_same_drive_has_no_uncertainty() {
     use longdrive::study::{effects, with_defaults};
     use longdrive::{Outcome, Setup};
     let setup = Setup::default();
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
-    let of = |setup: &Setup<f64>| effects(setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap().pop().unwrap();
+    let of = |setup: &Setup<f64>| {
+        effects(setup, &[Outcome::Carry], &sigmas, &mut |_, _| ())
+            .unwrap()
+            .pop()
+            .unwrap()
+    };
     let here = of(&setup);
     assert_eq!(here.uncertainty_of_change(&here), 0.0);
     let mut other = setup;
@@ -82,44 +119,90 @@ fn exact_the_change_to_the_same_drive_has_no_uncertainty() {
     let there = of(&other);
     // by hand: √Σ(σ times the difference of the slopes)²
     let slope = |of: &longdrive::study::Effects, name: &str| {
-        of.effects.iter().find(|effect| effect.parameter.name == name).unwrap().gradient
+        of.effects
+            .iter()
+            .find(|effect| effect.parameter.name == name)
+            .unwrap()
+            .gradient
     };
     let square = |sigma: &longdrive::study::Sigma| {
         let name = sigma.parameter.name;
         (sigma.value * (slope(&there, name) - slope(&here, name))).powi(2)
     };
     let expected: f64 = sigmas.iter().map(square).sum::<f64>().sqrt();
-    crate::common::close(here.uncertainty_of_change(&there), expected, expected, 1e-12, "the change");
+    crate::common::close(
+        here.uncertainty_of_change(&there),
+        expected,
+        expected,
+        1e-12,
+        "the change",
+    );
 }
 
 #[test]
 fn the_title_is_what_was_asked_and_not_the_presets() {
-    let (_, page) =
-        report(&["modern-driver", "--set", "swing.speed=60mph", "--set", "wind.speed=5mph", "--set", "wind.from=0deg"]);
-    assert!(!page.contains("at 110 mph"), "the words of the preset are about another drive");
+    let (_, page) = report(&[
+        "modern-driver",
+        "--set",
+        "swing.speed=60mph",
+        "--set",
+        "wind.speed=5mph",
+        "--set",
+        "wind.from=0deg",
+    ]);
+    assert!(
+        !page.contains("at 110 mph"),
+        "the words of the preset are about another drive"
+    );
     let head = words(part(&page, "<header>", "</header>"), "us");
-    assert!(head.contains("modern-driver") && head.contains("3 changes"), "{head}");
+    assert!(
+        head.contains("modern-driver") && head.contains("3 changes"),
+        "{head}"
+    );
     let asked = words(part(&page, "What was asked", "</section>"), "us");
-    for said in
-        ["club speed 60 mph", "club speed 110 → 60 mph", "wind speed 5 mph, wind from 0", "4 to 20", "modern-driver"]
-    {
+    for said in [
+        "club speed 60 mph",
+        "club speed 110 → 60 mph",
+        "wind speed 5 mph, wind from 0",
+        "4 to 20",
+        "modern-driver",
+    ] {
         assert!(asked.contains(said), "no '{said}' in {asked}");
     }
     let (_, page) = report(&["modern-driver", "--set", "swing.speed=60mph"]);
-    assert!(words(part(&page, "<h1>", "</h1>"), "us").ends_with("modern-driver, club speed 60 mph"));
-    assert!(words(part(&page, "<h1>", "</h1>"), "metric").contains("26.8"), "and in the other units");
+    assert!(
+        words(part(&page, "<h1>", "</h1>"), "us").ends_with("modern-driver, club speed 60 mph")
+    );
+    assert!(
+        words(part(&page, "<h1>", "</h1>"), "metric").contains("26.8"),
+        "and in the other units"
+    );
     let (_, page) = report(&["modern-driver"]);
-    assert!(page.contains("A 460 cc driver of the 2020s at 110 mph") && page.contains("modern-driver, as it is"));
+    assert!(
+        page.contains("A 460 cc driver of the 2020s at 110 mph")
+            && page.contains("modern-driver, as it is")
+    );
 }
 
 #[test]
 fn the_title_names_the_first_changes_and_counts_the_others() {
-    let set = ["swing.speed=105mph", "strike.toe=15mm", "wind.speed=15mph", "wind.from=60deg"];
+    let set = [
+        "swing.speed=105mph",
+        "strike.toe=15mm",
+        "wind.speed=15mph",
+        "wind.from=60deg",
+    ];
     let args: Vec<&str> = set.into_iter().flat_map(|text| ["--set", text]).collect();
     let title = |args: &[&str]| words(part(&report(args).1, "<h1>", "</h1>"), "us");
-    assert_eq!(title(&args), "Drive: tour-average, club speed 105 mph, strike toe 15 mm and 2 more");
+    assert_eq!(
+        title(&args),
+        "Drive: tour-average, club speed 105 mph, strike toe 15 mm and 2 more"
+    );
     let three = [&args[..4], &["--set", "strike.high=0mm"]].concat();
-    assert_eq!(title(&three), "Drive: tour-average, club speed 105 mph, strike high 0 mm, strike toe 15 mm");
+    assert_eq!(
+        title(&three),
+        "Drive: tour-average, club speed 105 mph, strike high 0 mm, strike toe 15 mm"
+    );
 }
 
 #[test]
@@ -127,37 +210,76 @@ fn the_page_of_a_launch_is_about_its_launch_and_no_club() {
     let launch = "ball_speed=150mph,launch_angle=11deg,backspin=2900rpm";
     let (_, page) = report(&["--launch", launch]);
     let title = words(part(&page, "<h1>", "</h1>"), "us");
-    assert_eq!(title, "Drive: ball speed 150 mph, launch angle 11°, backspin 2900 rpm");
+    assert_eq!(
+        title,
+        "Drive: ball speed 150 mph, launch angle 11°, backspin 2900 rpm"
+    );
     let asked = words(part(&page, "What was asked", "</section>"), "us");
-    assert!(asked.contains("those of the preset tour-average") && !asked.contains("as it is"), "{asked}");
+    assert!(
+        asked.contains("those of the preset tour-average") && !asked.contains("as it is"),
+        "{asked}"
+    );
     let setup = words(part(&page, "All numbers of the setup", "</table>"), "us");
-    assert!(setup.contains("launch.spinnonenot needed: backspin is given"), "{setup}");
+    assert!(
+        setup.contains("launch.spinnonenot needed: backspin is given"),
+        "{setup}"
+    );
     let said = longdrive(&["plot", "face", "--launch", launch, "-o", "face.svg"]);
-    assert!(said.status != 0 && said.err.contains("no face to draw"), "{}", said.err);
+    assert!(
+        said.status != 0 && said.err.contains("no face to draw"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
 fn the_reason_of_no_flight_stands_once_and_first() {
-    let (_, page) = report(&["--set", "swing.attack_angle=-20deg", "--set", "club.loft=2deg"]);
+    let (_, page) = report(&[
+        "--set",
+        "swing.attack_angle=-20deg",
+        "--set",
+        "club.loft=2deg",
+    ]);
     assert_eq!(page.matches("which is not above the horizontal").count(), 1);
     let said = words(answer(&page), "us");
-    assert!(said.contains("As set up: no flight: the ball leaves at −14.8°"), "{said}");
+    assert!(
+        said.contains("As set up: no flight: the ball leaves at −14.8°"),
+        "{said}"
+    );
 }
 
 #[test]
 fn the_usual_chart_holds_the_speed_as_set_up() {
-    for (speed, holds) in [("115mph", ["80", "130"]), ("20mph", ["10", "45"]), ("160mph", ["135", "185"])] {
+    for (speed, holds) in [
+        ("115mph", ["80", "130"]),
+        ("20mph", ["10", "45"]),
+        ("160mph", ["135", "185"]),
+    ] {
         let folder = tempfile::tempdir().unwrap();
-        page(&folder, &["report", "--set", &format!("swing.speed={speed}")]);
-        let csv = std::fs::read_to_string(folder.path().join("page/chart-carry-by-swing-speed.csv")).unwrap();
+        page(
+            &folder,
+            &["report", "--set", &format!("swing.speed={speed}")],
+        );
+        let csv =
+            std::fs::read_to_string(folder.path().join("page/chart-carry-by-swing-speed.csv"))
+                .unwrap();
         let along: Vec<f64> = csv
             .lines()
             .filter(|line| line.starts_with("line,optimum"))
             .filter_map(|line| line.split(',').nth(2)?.parse().ok())
             .collect();
-        let ends = [along.iter().copied().fold(f64::MAX, f64::min), along.iter().copied().fold(0.0, f64::max)];
+        let ends = [
+            along.iter().copied().fold(f64::MAX, f64::min),
+            along.iter().copied().fold(0.0, f64::max),
+        ];
         for (end, mph) in ends.into_iter().zip(holds) {
-            crate::common::close(end, mph.parse::<f64>().unwrap() * 0.44704, 50.0, 1e-6, speed);
+            crate::common::close(
+                end,
+                mph.parse::<f64>().unwrap() * 0.44704,
+                50.0,
+                1e-6,
+                speed,
+            );
         }
     }
 }
@@ -166,12 +288,18 @@ fn the_usual_chart_holds_the_speed_as_set_up() {
 fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
     let (_, page) = report(&["--set", "swing.speed=3mph"]);
     let page = words(&page, "us");
-    assert!(!page.contains("for a loss of 1.00 yd") && page.contains("the loss that is allowed is 1 % of this carry"));
+    assert!(
+        !page.contains("for a loss of 1.00 yd")
+            && page.contains("the loss that is allowed is 1 % of this carry")
+    );
     // 0.5 mph of 3 mph is known, 0.5 mph of 1 mph is not
     assert!(page.contains("The inner and the outer ellipse"));
     assert!(page.contains("at the edge of the searched face"));
     let (_, page) = report(&["--set", "swing.speed=1mph"]);
-    assert!(page.contains("As set up: no ellipses are drawn") && !page.contains("The inner and the outer ellipse"));
+    assert!(
+        page.contains("As set up: no ellipses are drawn")
+            && !page.contains("The inner and the outer ellipse")
+    );
 }
 
 #[test]
@@ -179,30 +307,72 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
     let folder = tempfile::tempdir().unwrap();
     // a table of drag and lift is found from wherever the file is
     let table = folder.path().join("mine.csv");
-    std::fs::write(&table, "spin_ratio,cd,cl\n0,0.22,0\n0.1,0.24,0.15\n0.3,0.28,0.25\n").unwrap();
+    std::fs::write(
+        &table,
+        "spin_ratio,cd,cl\n0,0.22,0\n0.1,0.24,0.15\n0.3,0.28,0.25\n",
+    )
+    .unwrap();
     let set = format!("aero.table={}", table.display());
-    let launched = ["--launch", "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm"];
+    let launched = [
+        "--launch",
+        "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm",
+    ];
     for asked in [
         vec!["mae494"],
-        vec!["--set", "swing.speed=60mph", "--subject-to", "descent_angle >= 30 deg"],
+        vec![
+            "--set",
+            "swing.speed=60mph",
+            "--subject-to",
+            "descent_angle >= 30 deg",
+        ],
         vec!["--set", &set],
-        [&launched[..], &["--vary", "launch.launch_angle=5deg..20deg"]].concat(),
+        [
+            &launched[..],
+            &["--vary", "launch.launch_angle=5deg..20deg"],
+        ]
+        .concat(),
     ] {
         let (status, page) = page(&folder, &[&["report"], &asked[..]].concat());
-        assert!(status == 0 && page.contains("href=\"setup.toml\""), "{asked:?}");
+        assert!(
+            status == 0 && page.contains("href=\"setup.toml\""),
+            "{asked:?}"
+        );
         let (_, best) = json(&[&["optimize"], &asked[..]].concat());
         let file = folder.path().join("page/setup.toml").display().to_string();
         let (_, drive) = json(&["simulate", &file]);
         // each command chooses its own step, within a micrometre
-        crate::common::close(number(&drive["flight"]["carry"]), number(&best["value"]), 1.0, 1e-6, "the best carry");
+        crate::common::close(
+            number(&drive["flight"]["carry"]),
+            number(&best["value"]),
+            1.0,
+            1e-6,
+            "the best carry",
+        );
     }
     // without a best drive it is the one as set up
-    let (status, page) =
-        page(&folder, &["report", "--set", "swing.speed=70mph", "--subject-to", "descent_angle >= 80 deg"]);
+    let (status, page) = page(
+        &folder,
+        &[
+            "report",
+            "--set",
+            "swing.speed=70mph",
+            "--subject-to",
+            "descent_angle >= 80 deg",
+        ],
+    );
     assert!(status == 1 && page.contains("the drive as set up"));
     let file = folder.path().join("page/setup.toml").display().to_string();
-    let [(_, drive), (_, asked)] = [json(&["simulate", &file]), json(&["simulate", "--set", "swing.speed=70mph"])];
-    crate::common::close(number(&drive["flight"]["carry"]), number(&asked["flight"]["carry"]), 100.0, 1e-7, "carry");
+    let [(_, drive), (_, asked)] = [
+        json(&["simulate", &file]),
+        json(&["simulate", "--set", "swing.speed=70mph"]),
+    ];
+    crate::common::close(
+        number(&drive["flight"]["carry"]),
+        number(&asked["flight"]["carry"]),
+        100.0,
+        1e-7,
+        "carry",
+    );
 }
 
 #[test]
@@ -210,9 +380,24 @@ fn the_footer_says_what_makes_the_same_page_again() {
     let folder = tempfile::tempdir().unwrap();
     let made = |date: &str| {
         let mut command = program::command();
-        let asked = ["report", "--set", "club.loft=10.5 deg", "-o", "page", "--overwrite"];
-        let output = command.current_dir(folder.path()).env("SOURCE_DATE_EPOCH", date).args(asked).output().unwrap();
-        (output.status.code(), std::fs::read_to_string(folder.path().join("page/index.html")).unwrap_or_default())
+        let asked = [
+            "report",
+            "--set",
+            "club.loft=10.5 deg",
+            "-o",
+            "page",
+            "--overwrite",
+        ];
+        let output = command
+            .current_dir(folder.path())
+            .env("SOURCE_DATE_EPOCH", date)
+            .args(asked)
+            .output()
+            .unwrap();
+        (
+            output.status.code(),
+            std::fs::read_to_string(folder.path().join("page/index.html")).unwrap_or_default(),
+        )
     };
     let (_, first) = made("951782400");
     let footer = words(part(&first, "<footer>", "</footer>"), "us");
@@ -225,7 +410,9 @@ fn the_footer_says_what_makes_the_same_page_again() {
         assert!(footer.contains(said), "no '{said}' in {footer}");
     }
     assert_eq!(made("951782400").1, first, "to the last letter");
-    assert!(made("951868800").1.contains("2000-03-01") && made("4107542400").1.contains("2100-03-01"));
+    assert!(
+        made("951868800").1.contains("2000-03-01") && made("4107542400").1.contains("2100-03-01")
+    );
     assert_eq!(made("yesterday").0, Some(2));
 }
 
@@ -234,23 +421,46 @@ fn an_answer_that_is_none_says_so_first() {
     let (status, page) = report(&["--subject-to", "descent_angle >= 80 deg"]);
     let said = words(answer(&page), "us");
     assert!(
-        status == 1 && said.contains("no best drive was found") && said.contains("no optimum: infeasible"),
+        status == 1
+            && said.contains("no best drive was found")
+            && said.contains("no optimum: infeasible"),
         "{said}"
     );
-    assert!(said.contains("286.8 yd"), "what the drive as set up does: {said}");
+    assert!(
+        said.contains("286.8 yd"),
+        "what the drive as set up does: {said}"
+    );
     let (status, page) = report(&["--set", "swing.attack_angle=-20deg"]);
     let said = words(answer(&page), "us");
     assert!(
-        status == 1 && said.contains("at best; as set up there is no carry") && said.contains("As set up: "),
+        status == 1
+            && said.contains("at best; as set up there is no carry")
+            && said.contains("As set up: "),
         "{said}"
     );
-    let (status, page) = report(&["--launch", "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm"]);
+    let (status, page) = report(&[
+        "--launch",
+        "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm",
+    ]);
     let said = words(answer(&page), "us");
-    assert!(status == 0 && said.starts_with("Carry 2") && said.contains("give --vary"), "{said}");
-    let down = ["--set", "swing.attack_angle=-20deg", "--vary", "swing.attack_angle=-40deg..-30deg"];
+    assert!(
+        status == 0 && said.starts_with("Carry 2") && said.contains("give --vary"),
+        "{said}"
+    );
+    let down = [
+        "--set",
+        "swing.attack_angle=-20deg",
+        "--vary",
+        "swing.attack_angle=-40deg..-30deg",
+    ];
     let (status, page) = report(&down);
     let said = words(answer(&page), "us");
-    assert!(status == 1 && said.contains("the ball does not fly") && said.contains("no optimum: no-flight"), "{said}");
+    assert!(
+        status == 1
+            && said.contains("the ball does not fly")
+            && said.contains("no optimum: no-flight"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -273,21 +483,43 @@ fn all_pages_have_one_frame() {
             _ => page(&folder, &asked),
         };
         assert_eq!(status, 0, "{asked:?}");
-        for once in ["<main>", "<h1>", "<header>", "id=\"units-us\" type=\"radio\"", "name=\"viewport\""] {
+        for once in [
+            "<main>",
+            "<h1>",
+            "<header>",
+            "id=\"units-us\" type=\"radio\"",
+            "name=\"viewport\"",
+        ] {
             assert_eq!(page.matches(once).count(), 1, "{asked:?}: {once}");
         }
         // a table may be wider than a phone: keys move it, and it has a name of its own
         let tables = page.matches("<table").count();
-        let labels: Vec<&str> = page.split("<section class=\"wide\" tabindex=\"0\" aria-label=\"").skip(1).collect();
-        let mut names: Vec<&str> = labels.iter().map(|rest| rest.split_once('"').unwrap().0).collect();
+        let labels: Vec<&str> = page
+            .split("<section class=\"wide\" tabindex=\"0\" aria-label=\"")
+            .skip(1)
+            .collect();
+        let mut names: Vec<&str> = labels
+            .iter()
+            .map(|rest| rest.split_once('"').unwrap().0)
+            .collect();
         names.sort_unstable();
         names.dedup();
-        assert!(tables > 0 && names.len() == tables && !names.contains(&""), "{asked:?}: {names:?}");
+        assert!(
+            tables > 0 && names.len() == tables && !names.contains(&""),
+            "{asked:?}: {names:?}"
+        );
         // the picture and the data of every figure
         for end in ["-us.svg\"", ".csv\""] {
-            assert_eq!(page.matches(end).count(), page.matches("<figure").count(), "{asked:?}: {end}");
+            assert_eq!(
+                page.matches(end).count(),
+                page.matches("<figure").count(),
+                "{asked:?}: {end}"
+            );
         }
-        assert!(!page.contains("<th></th>") && !page.contains("NaN"), "{asked:?}");
+        assert!(
+            !page.contains("<th></th>") && !page.contains("NaN"),
+            "{asked:?}"
+        );
     }
 }
 
@@ -295,19 +527,34 @@ fn all_pages_have_one_frame() {
 fn exact_the_average_of_winfield_and_tan_is_drawn_with_its_peak() {
     let csv = PAPER_WRITTEN.file("average.csv");
     let rows = |name: &str| -> Vec<[f64; 2]> {
-        let rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>()).filter(|cells| cells[1] == name);
-        rows.map(|cells| [2, 3].map(|at| cells[at].parse().unwrap())).collect()
+        let rows = csv
+            .lines()
+            .map(|line| line.split(',').collect::<Vec<_>>())
+            .filter(|cells| cells[1] == name);
+        rows.map(|cells| [2, 3].map(|at| cells[at].parse().unwrap()))
+            .collect()
     };
     let curve = rows("polynomial of fifth order");
     let top = curve.iter().max_by(|a, b| a[1].total_cmp(&b[1])).unwrap();
-    assert!(curve.len() > 50 && (top[0].to_degrees() - 10.35).abs() < 0.05, "{top:?}");
+    assert!(
+        curve.len() > 50 && (top[0].to_degrees() - 10.35).abs() < 0.05,
+        "{top:?}"
+    );
     let computed = rows("computed");
     assert_eq!(computed.len(), 6);
     for [loft, carry] in computed {
-        let near = curve.iter().min_by(|a, b| (a[0] - loft).abs().total_cmp(&(b[0] - loft).abs())).unwrap();
-        assert!((near[1] - carry).abs() < 1e-9, "the curve goes through what was computed: {near:?} {carry}");
+        let near = curve
+            .iter()
+            .min_by(|a, b| (a[0] - loft).abs().total_cmp(&(b[0] - loft).abs()))
+            .unwrap();
+        assert!(
+            (near[1] - carry).abs() < 1e-9,
+            "the curve goes through what was computed: {near:?} {carry}"
+        );
     }
-    let [mark] = rows("10.35°")[..] else { panic!("{csv}") };
+    let [mark] = rows("10.35°")[..] else {
+        panic!("{csv}")
+    };
     assert!((mark[1] - top[1]).abs() < 0.01, "{mark:?} {top:?}");
 }
 
@@ -315,18 +562,39 @@ fn exact_the_average_of_winfield_and_tan_is_drawn_with_its_peak() {
 fn independent_a_calibration_shows_what_was_measured_over_what_is_computed() {
     let folder = tempfile::tempdir().unwrap();
     let shots = folder.path().join("shots.csv");
-    std::fs::copy(format!("{}/../examples/shots.csv", env!("CARGO_MANIFEST_DIR")), &shots).unwrap();
+    std::fs::copy(
+        format!("{}/../examples/shots.csv", env!("CARGO_MANIFEST_DIR")),
+        &shots,
+    )
+    .unwrap();
     let shots = shots.display().to_string();
     let asked = ["calibrate", &shots, "modern-driver", "--fit", "aero.cd0"];
     let (_, page) = page(&folder, &asked);
-    assert!(part(&page, "<h1>", "</h1>") == "Calibration to shots.csv", "the file, and not where it is");
+    assert!(
+        part(&page, "<h1>", "</h1>") == "Calibration to shots.csv",
+        "the file, and not where it is"
+    );
     let (_, found) = json(&asked);
-    let csv = std::fs::read_to_string(folder.path().join("page/measured-carry-distance.csv")).unwrap();
+    let csv =
+        std::fs::read_to_string(folder.path().join("page/measured-carry-distance.csv")).unwrap();
     let rows = |name: &str| -> Vec<Vec<f64>> {
-        let rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>()).filter(|cells| cells[1] == name);
-        rows.map(|cells| cells[2..].iter().map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
+        let rows = csv
+            .lines()
+            .map(|line| line.split(',').collect::<Vec<_>>())
+            .filter(|cells| cells[1] == name);
+        rows.map(|cells| {
+            cells[2..]
+                .iter()
+                .map(|cell| cell.parse().unwrap_or(f64::NAN))
+                .collect()
+        })
+        .collect()
     };
-    let carries = found["residuals"].as_array().unwrap().iter().filter(|row| row["of"] == "carry_distance");
+    let carries = found["residuals"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|row| row["of"] == "carry_distance");
     let (drawn, bars) = (rows("shots"), rows("± one standard uncertainty"));
     assert_eq!(drawn.len(), 12);
     for (i, row) in carries.enumerate() {
@@ -335,7 +603,16 @@ fn independent_a_calibration_shows_what_was_measured_over_what_is_computed() {
         crate::common::close(drawn[i][1], measured, 200.0, 1e-12, "measured");
         // each bar is two points, then a gap
         let half = 0.5 * (bars[3 * i + 1][1] - bars[3 * i][1]);
-        crate::common::close(half, (difference / number(&row["residual"])).abs(), 1.0, 1e-9, "the instrument");
+        crate::common::close(
+            half,
+            (difference / number(&row["residual"])).abs(),
+            1.0,
+            1e-9,
+            "the instrument",
+        );
     }
-    assert!(rows("equal").iter().all(|end| end[0] == end[1]), "the line of equality");
+    assert!(
+        rows("equal").iter().all(|end| end[0] == end[1]),
+        "the line of equality"
+    );
 }

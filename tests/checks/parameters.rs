@@ -1,4 +1,5 @@
-//! Parameters as they are given to a library: of the law that is set, each once, and equal to themselves alone.
+//! Parameters as they are given to a library: of the law that is set, each once, and equal to
+//! themselves alone.
 
 use longdrive::batch::Batch;
 use longdrive::derivative::{Evaluator, Order, gradient, hessian};
@@ -7,11 +8,14 @@ use longdrive::optimize::least_squares::Follow;
 use longdrive::parameters::{Law, Parameter};
 use longdrive::study::calibrate::{self, ShotTable, calibrate};
 use longdrive::study::uncertainty::{self, Distribution, Uncertain, uncertainty};
-use longdrive::study::{Fineness, Landing, Search, Sigma, Vary, chart, effects, map, optimum, sensitivity};
+use longdrive::study::{
+    Fineness, Landing, Search, Sigma, Vary, chart, effects, map, optimum, sensitivity,
+};
 use longdrive::{Drive, Error, Outcome, Result, Setup};
 use std::collections::HashSet;
 
-/// A parameter that is given twice has two derivatives that no one can tell apart: it is refused wherever derivatives are asked for.
+/// A parameter that is given twice has two derivatives that no one can tell apart: it is refused
+/// wherever derivatives are asked for.
 #[test]
 fn a_parameter_given_twice_is_refused_by_name_wherever_derivatives_are_asked_for() {
     let setup = Setup::default();
@@ -21,23 +25,44 @@ fn a_parameter_given_twice_is_refused_by_name_wherever_derivatives_are_asked_for
     all.push(loft);
     let of = [Outcome::Carry];
     let refused: [(&str, Result<()>); 6] = [
-        ("gradient", gradient(&setup, Outcome::Carry, &twice).map(|_| ())),
-        ("hessian", hessian(&setup, Outcome::Carry, &[loft, loft]).map(|_| ())),
-        ("gradient by all", gradient(&setup, Outcome::Carry, &all).map(|_| ())),
-        ("values", Evaluator::new(&setup, &of, &twice, Order::Value).map(|_| ())),
-        ("a batch", Batch::new(&setup, &[loft], &of, &[loft, loft]).map(|_| ())),
-        ("a batch by what is not swept", Batch::new(&setup, &[loft], &of, &[speed, speed]).map(|_| ())),
+        (
+            "gradient",
+            gradient(&setup, Outcome::Carry, &twice).map(|_| ()),
+        ),
+        (
+            "hessian",
+            hessian(&setup, Outcome::Carry, &[loft, loft]).map(|_| ()),
+        ),
+        (
+            "gradient by all",
+            gradient(&setup, Outcome::Carry, &all).map(|_| ()),
+        ),
+        (
+            "values",
+            Evaluator::new(&setup, &of, &twice, Order::Value).map(|_| ()),
+        ),
+        (
+            "a batch",
+            Batch::new(&setup, &[loft], &of, &[loft, loft]).map(|_| ()),
+        ),
+        (
+            "a batch by what is not swept",
+            Batch::new(&setup, &[loft], &of, &[speed, speed]).map(|_| ()),
+        ),
     ];
     for (what, refused) in refused {
         let error = refused.expect_err(what);
         assert!(matches!(error, Error::Together { .. }), "{what}: {error:?}");
-        assert!(error.to_string().contains("is given twice"), "{what}: {error}");
+        assert!(
+            error.to_string().contains("is given twice"),
+            "{what}: {error}"
+        );
     }
     assert!(gradient(&setup, Outcome::Carry, &twice[..2]).is_ok());
 }
 
-/// Two laws have a `aero.cd0` each. That of another law has no place in the setup: the drive does not change with it, and a derivative of 0 would
-/// be wrong.
+/// Two laws have a `aero.cd0` each. That of another law has no place in the setup: the drive does
+/// not change with it, and a derivative of 0 would be wrong.
 #[test]
 fn a_coefficient_of_another_law_is_refused_wherever_a_parameter_is_taken() {
     let mut setup = Setup::default();
@@ -46,40 +71,113 @@ fn a_coefficient_of_another_law_is_refused_wherever_a_parameter_is_taken() {
     let own = setup.variable("aero.cd0").unwrap();
     assert!(own != stale && setup.value(stale).is_none());
     let loft = Vary::read(&setup, "club.loft=8deg..12deg").unwrap();
-    let range = Vary { parameter: stale, low: 0.1, high: 0.4 };
-    let sigma = Sigma { parameter: stale, value: 0.01, source: None };
+    let range = Vary {
+        parameter: stale,
+        low: 0.1,
+        high: 0.4,
+    };
+    let sigma = Sigma {
+        parameter: stale,
+        value: 0.01,
+        source: None,
+    };
     let of = [Outcome::Carry];
-    let search = Search { vary: vec![loft], ..Search::longest_drive(&setup).unwrap() };
+    let search = Search {
+        vary: vec![loft],
+        ..Search::longest_drive(&setup).unwrap()
+    };
     let best = optimum(&setup, search.clone(), Observer::default()).unwrap();
-    let spread = Uncertain { parameter: stale, distribution: Distribution::Uniform { low: 0.1, high: 0.4 } };
-    let fineness = Fineness { nodes: 2, slopes: 1 };
-    let plan = uncertainty::Plan { samples: 8, seed: 1 };
-    let shots = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m]\n60,12,2500,180\n70,11,2500,220\n";
+    let spread = Uncertain {
+        parameter: stale,
+        distribution: Distribution::Uniform {
+            low: 0.1,
+            high: 0.4,
+        },
+    };
+    let fineness = Fineness {
+        nodes: 2,
+        slopes: 1,
+    };
+    let plan = uncertainty::Plan {
+        samples: 8,
+        seed: 1,
+    };
+    let shots = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry \
+                 [m]\n60,12,2500,180\n70,11,2500,220\n";
     let shots = ShotTable::read(&setup, "shots.csv", shots.as_bytes()).unwrap();
-    let fit = calibrate::Plan { fit: vec![range], starts: 1, options: Default::default() };
+    let fit = calibrate::Plan {
+        fit: vec![range],
+        starts: 1,
+        options: Default::default(),
+    };
     let stopped = &mut |_: &longdrive::study::ChartPoint| false;
-    let over = Search { vary: vec![range], ..search.clone() };
+    let over = Search {
+        vary: vec![range],
+        ..search.clone()
+    };
     let before = setup;
     let asked: Vec<(&str, Result<()>)> = vec![
-        ("gradient", gradient(&setup, Outcome::Carry, &[stale]).map(|_| ())),
-        ("gradient with others", gradient(&setup, Outcome::Carry, &[loft.parameter, stale]).map(|_| ())),
-        ("values", Evaluator::new(&setup, &of, &[stale], Order::Value).map(|_| ())),
+        (
+            "gradient",
+            gradient(&setup, Outcome::Carry, &[stale]).map(|_| ()),
+        ),
+        (
+            "gradient with others",
+            gradient(&setup, Outcome::Carry, &[loft.parameter, stale]).map(|_| ()),
+        ),
+        (
+            "values",
+            Evaluator::new(&setup, &of, &[stale], Order::Value).map(|_| ()),
+        ),
         ("set_value", setup.set_value(stale, Some(0.5))),
-        ("a batch over it", Batch::new(&setup, &[stale], &of, &[]).map(|_| ())),
-        ("a batch by it", Batch::new(&setup, &[loft.parameter], &of, &[stale]).map(|_| ())),
-        ("a map", map(&setup, Outcome::Carry, range, loft, fineness).map(|_| ())),
-        ("effects", effects(&setup, &of, &[sigma], &mut |_, _| ()).map(|_| ())),
-        ("a landing", Landing::of("as set up", &setup, &[sigma]).map(|_| ())),
-        ("uncertainty", uncertainty(&setup, &of, &[spread], plan, &|_, _| ()).map(|_| ())),
-        ("calibrate", calibrate(&setup, &shots, &fit, &Follow::default()).map(|_| ())),
-        ("an optimum", optimum(&setup, over, Observer::default()).map(|_| ())),
+        (
+            "a batch over it",
+            Batch::new(&setup, &[stale], &of, &[]).map(|_| ()),
+        ),
+        (
+            "a batch by it",
+            Batch::new(&setup, &[loft.parameter], &of, &[stale]).map(|_| ()),
+        ),
+        (
+            "a map",
+            map(&setup, Outcome::Carry, range, loft, fineness).map(|_| ()),
+        ),
+        (
+            "effects",
+            effects(&setup, &of, &[sigma], &mut |_, _| ()).map(|_| ()),
+        ),
+        (
+            "a landing",
+            Landing::of("as set up", &setup, &[sigma]).map(|_| ()),
+        ),
+        (
+            "uncertainty",
+            uncertainty(&setup, &of, &[spread], plan, &|_, _| ()).map(|_| ()),
+        ),
+        (
+            "calibrate",
+            calibrate(&setup, &shots, &fit, &Follow::default()).map(|_| ()),
+        ),
+        (
+            "an optimum",
+            optimum(&setup, over, Observer::default()).map(|_| ()),
+        ),
         ("a sensitivity", sensitivity(&best, stale).map(|_| ())),
-        ("a chart", chart(&setup, &search, range, stopped).map(|_| ())),
+        (
+            "a chart",
+            chart(&setup, &search, range, stopped).map(|_| ()),
+        ),
     ];
     for (what, refused) in asked {
         let error = refused.expect_err(what);
-        let Error::OtherLaw { name, law, owners } = &error else { panic!("{what}: {error:?}") };
-        assert_eq!((name.as_str(), *law, owners.as_str()), ("aero.cd0", "robinson", "launch-monitor"), "{what}");
+        let Error::OtherLaw { name, law, owners } = &error else {
+            panic!("{what}: {error:?}")
+        };
+        assert_eq!(
+            (name.as_str(), *law, owners.as_str()),
+            ("aero.cd0", "robinson", "launch-monitor"),
+            "{what}"
+        );
     }
     assert_eq!(setup, before);
 }
@@ -97,24 +195,51 @@ fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change
         Outcome::Carry.of(&Drive::new(&moved).unwrap()).unwrap()
     };
     let slope = gradient(&setup, Outcome::Carry, &[own]).unwrap().gradient[0];
-    assert!((slope - (carry(h) - carry(-h)) / (2.0 * h)).abs() < 1e-5 * slope.abs(), "{slope}");
+    assert!(
+        (slope - (carry(h) - carry(-h)) / (2.0 * h)).abs() < 1e-5 * slope.abs(),
+        "{slope}"
+    );
 }
 
-/// Equal rows have equal hashes, and every row has one of its own: name and law tell it from all others.
+/// Equal rows have equal hashes, and every row has one of its own: name and law tell it from all
+/// others.
 #[test]
 fn exact_parameters_and_outcomes_are_keys_and_have_their_names() {
-    let rows: Vec<&Parameter> = Setup::default().parameters().into_iter().chain(Law::all_rows()).collect();
+    let rows: Vec<&Parameter> = Setup::default()
+        .parameters()
+        .into_iter()
+        .chain(Law::all_rows())
+        .collect();
     let different: HashSet<&Parameter> = rows.iter().copied().collect();
     let names: HashSet<_> = rows.iter().map(|row| (row.name, row.law)).collect();
     assert_eq!(different.len(), names.len());
-    assert!(rows.iter().all(|row| row.to_string() == row.name && different.contains(row)));
-    let outcomes: HashSet<Outcome> = Outcome::ALL.iter().chain(Outcome::OF_HEAD).copied().collect();
+    assert!(
+        rows.iter()
+            .all(|row| row.to_string() == row.name && different.contains(row))
+    );
+    let outcomes: HashSet<Outcome> = Outcome::ALL
+        .iter()
+        .chain(Outcome::OF_HEAD)
+        .copied()
+        .collect();
     assert_eq!(outcomes.len(), Outcome::ALL.len() + Outcome::OF_HEAD.len());
     for of in outcomes {
-        assert_eq!((of.to_string().as_str(), of.name().parse::<Outcome>().unwrap()), (of.name(), of));
+        assert_eq!(
+            (
+                of.to_string().as_str(),
+                of.name().parse::<Outcome>().unwrap()
+            ),
+            (of.name(), of)
+        );
     }
     assert_eq!(format!("{:>8}", Outcome::Carry), "   carry");
-    assert!(matches!("cary".parse::<Outcome>(), Err(Error::Unknown { suggestion: Some(_), .. })));
+    assert!(matches!(
+        "cary".parse::<Outcome>(),
+        Err(Error::Unknown {
+            suggestion: Some(_),
+            ..
+        })
+    ));
 }
 
 /// A range made by hand is told by the name of its parameter, before a search sees its number.
@@ -123,16 +248,33 @@ fn ranges_made_by_hand_that_are_none_are_refused_by_the_name_of_the_parameter() 
     let setup = Setup::default();
     let loft = setup.variable("club.loft").unwrap();
     let search = |low: f64, high: f64| Search {
-        vary: vec![Vary { parameter: loft, low, high }],
+        vary: vec![Vary {
+            parameter: loft,
+            low,
+            high,
+        }],
         ..Search::longest_drive(&setup).unwrap()
     };
-    for (low, high, says) in [(f64::NAN, 0.3, "club.loft = NaN is not a number"), (0.3, 0.1, "the range is reversed")] {
-        let error = optimum(&setup, search(low, high), Observer::default()).unwrap_err().to_string();
-        assert!(error.contains(says) && error.contains("club.loft"), "{error}");
+    for (low, high, says) in [
+        (f64::NAN, 0.3, "club.loft = NaN is not a number"),
+        (0.3, 0.1, "the range is reversed"),
+    ] {
+        let error = optimum(&setup, search(low, high), Observer::default())
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains(says) && error.contains("club.loft"),
+            "{error}"
+        );
     }
     let mut held = search(0.1, 0.3);
     held.subject_to = vec![longdrive::study::Constraint::read("apex_height <= 30 m").unwrap()];
     held.subject_to[0].low = f64::NAN;
-    let error = optimum(&setup, held, Observer::default()).unwrap_err().to_string();
-    assert!(error.contains("apex_height <= 30 m") && error.contains("NaN"), "{error}");
+    let error = optimum(&setup, held, Observer::default())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("apex_height <= 30 m") && error.contains("NaN"),
+        "{error}"
+    );
 }

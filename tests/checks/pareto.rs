@@ -14,7 +14,10 @@ struct Distances;
 impl Functions for Distances {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
         let first = x[0].powi(2) + x[1].powi(2);
-        Ok(Values { objective: first, constraints: vec![(x[0] - 2.0).powi(2) + (x[1] - 1.0).powi(2)] })
+        Ok(Values {
+            objective: first,
+            constraints: vec![(x[0] - 2.0).powi(2) + (x[1] - 1.0).powi(2)],
+        })
     }
 }
 
@@ -23,17 +26,24 @@ struct Blind;
 
 impl Functions for Blind {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values { objective: x[0].powi(2) + (x[1] - 3.0).powi(2), constraints: vec![(x[0] - 1.0).powi(2)] })
+        Ok(Values {
+            objective: x[0].powi(2) + (x[1] - 3.0).powi(2),
+            constraints: vec![(x[0] - 1.0).powi(2)],
+        })
     }
 }
 
-/// 1 − exp(−|x − p|²) and 1 − exp(−|x + p|²), p = (1, 1)/√2, whose front bends away from the best (Fonseca & Fleming 1995).
+/// 1 − exp(−|x − p|²) and 1 − exp(−|x + p|²), p = (1, 1)/√2, whose front bends away from the best
+/// (Fonseca & Fleming 1995).
 struct Hollow;
 
 impl Functions for Hollow {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
         let at = |p: f64| -(-((x[0] - p).powi(2) + (x[1] - p).powi(2))).exp() + 1.0;
-        Ok(Values { objective: at(0.5_f64.sqrt()), constraints: vec![at(-0.5_f64.sqrt())] })
+        Ok(Values {
+            objective: at(0.5_f64.sqrt()),
+            constraints: vec![at(-0.5_f64.sqrt())],
+        })
     }
 }
 
@@ -42,15 +52,28 @@ struct Straight;
 
 impl Functions for Straight {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values { objective: x[0] + x[1], constraints: vec![-x[0]] })
+        Ok(Values {
+            objective: x[0] + x[1],
+            constraints: vec![-x[0]],
+        })
     }
 }
 
 fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usize) -> Front {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
-    let domain = Domain::new(low.to_vec(), high.to_vec()).unwrap().subject_to(free.0, free.1).unwrap();
+    let domain = Domain::new(low.to_vec(), high.to_vec())
+        .unwrap()
+        .subject_to(free.0, free.1)
+        .unwrap();
     let options = Options::default();
-    front(&Exact(functions), &domain, &[0.3, 0.9], (&options, count), &Follow::default()).unwrap()
+    front(
+        &Exact(functions),
+        &domain,
+        &[0.3, 0.9],
+        (&options, count),
+        &Follow::default(),
+    )
+    .unwrap()
 }
 
 /// √f₁ + √f₂ = |q − p|, slope −√(f₁/f₂), the knee in the middle, and points at even distances.
@@ -58,15 +81,36 @@ fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usiz
 fn exact_front_of_two_distances() {
     let found = between(Distances, [-5.0; 2], [5.0; 2], 12);
     let length = 5.0_f64;
-    assert_eq!((found.points.len(), found.dominated, &found.ended), (13, 0, &None));
+    assert_eq!(
+        (found.points.len(), found.dominated, &found.ended),
+        (13, 0, &None)
+    );
     for point in &found.points {
         let [first, second] = point.values;
-        close(first.max(0.0).sqrt() + second.max(0.0).sqrt(), length.sqrt(), 1.0, 1e-6, "on the front");
+        close(
+            first.max(0.0).sqrt() + second.max(0.0).sqrt(),
+            length.sqrt(),
+            1.0,
+            1e-6,
+            "on the front",
+        );
         close(point.x[0], 2.0 * point.x[1], 1.0, 1e-7, "between the two");
     }
     let ends = [&found.points[0], &found.points[12]];
-    close(ends[0].values[1], length, length, 1e-12, "the first's own minimum");
-    close(ends[1].values[0], length, length, 1e-12, "the second's own minimum");
+    close(
+        ends[0].values[1],
+        length,
+        length,
+        1e-12,
+        "the first's own minimum",
+    );
+    close(
+        ends[1].values[0],
+        length,
+        length,
+        1e-12,
+        "the second's own minimum",
+    );
     let inner = &found.points[1..12];
     for point in inner {
         let slope = -(point.values[0] / point.values[1]).sqrt();
@@ -74,12 +118,23 @@ fn exact_front_of_two_distances() {
         // x = t q, t = (1 + s)/2: f₁ − f₂ = 5 (2 t − 1)
         close(point.rates[0], 1.0, 1.0, 1e-7, "dx/ds");
     }
-    close(ends[0].slope.unwrap(), 0.0, 1.0, 1e-6, "slope at the first end");
+    close(
+        ends[0].slope.unwrap(),
+        0.0,
+        1.0,
+        1e-6,
+        "slope at the first end",
+    );
     let knee = &found.points[found.knee.unwrap()];
     close(knee.values[0], length / 4.0, 1.0, 1e-8, "knee");
     close(knee.slope.unwrap(), -1.0, 1.0, 1e-8, "slope at the knee");
     close(found.bend, 0.25, 1.0, 1e-9, "bend");
-    let spread: Vec<_> = found.points.iter().enumerate().filter(|(k, _)| Some(*k) != found.knee).collect();
+    let spread: Vec<_> = found
+        .points
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| Some(*k) != found.knee)
+        .collect();
     let steps: Vec<f64> = spread
         .windows(2)
         .map(|pair| {
@@ -88,15 +143,21 @@ fn exact_front_of_two_distances() {
         })
         .collect();
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
-    assert!(steps.iter().all(|step| (step / mean - 1.0).abs() < 0.03), "{steps:?}");
+    assert!(
+        steps.iter().all(|step| (step / mean - 1.0).abs() < 0.03),
+        "{steps:?}"
+    );
 }
 
-/// Stopped in whichever evaluation: none is begun after it, before the first end is known that is said, and from then on there are points, all of them
-/// on the front.
+/// Stopped in whichever evaluation: none is begun after it, before the first end is known that is
+/// said, and from then on there are points, all of them on the front.
 #[test]
 fn exact_points_of_a_front_that_is_stopped_within_any_evaluation() {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
-    let domain = Domain::new(vec![-5.0; 2], vec![5.0; 2]).unwrap().subject_to(free.0, free.1).unwrap();
+    let domain = Domain::new(vec![-5.0; 2], vec![5.0; 2])
+        .unwrap()
+        .subject_to(free.0, free.1)
+        .unwrap();
     let options = Options::default();
     let stopped_in = |evaluation: usize| {
         let (flag, begun) = (Arc::new(AtomicBool::new(false)), Cell::new(0));
@@ -108,8 +169,14 @@ fn exact_points_of_a_front_that_is_stopped_within_any_evaluation() {
             flag.store(begun.get() == evaluation, Ordering::Relaxed);
             Exact(Distances).evaluate(x)
         };
-        let follow = Follow { interrupt: flag.clone(), ..Follow::default() };
-        (front(&problem, &domain, &[0.3, 0.9], (&options, 6), &follow), begun.get())
+        let follow = Follow {
+            interrupt: flag.clone(),
+            ..Follow::default()
+        };
+        (
+            front(&problem, &domain, &[0.3, 0.9], (&options, 6), &follow),
+            begun.get(),
+        )
     };
     let (whole, evaluations) = stopped_in(usize::MAX);
     let whole = whole.unwrap();
@@ -119,15 +186,30 @@ fn exact_points_of_a_front_that_is_stopped_within_any_evaluation() {
         assert_eq!(begun, evaluation, "evaluations after the flag");
         match found {
             Err(NoFront::NoEnd { function, found }) => {
-                assert_eq!((function, found.status, most), (0, Status::Interrupted, 0), "in evaluation {evaluation}");
+                assert_eq!(
+                    (function, found.status, most),
+                    (0, Status::Interrupted, 0),
+                    "in evaluation {evaluation}"
+                );
             }
-            Err(NoFront::Refused(error)) => assert_eq!((error.status(), most), ("interrupted", 0), "{error}"),
+            Err(NoFront::Refused(error)) => {
+                assert_eq!((error.status(), most), ("interrupted", 0), "{error}")
+            }
             Ok(found) => {
                 assert!(found.interrupted && found.ended.is_some() && !found.points.is_empty());
-                assert_eq!(found.points[0].values, whole.points[0].values, "the first end");
+                assert_eq!(
+                    found.points[0].values, whole.points[0].values,
+                    "the first end"
+                );
                 for point in &found.points {
                     let [first, second] = point.values;
-                    close(first.max(0.0).sqrt() + second.max(0.0).sqrt(), 5.0_f64.sqrt(), 1.0, 1e-6, "on the front");
+                    close(
+                        first.max(0.0).sqrt() + second.max(0.0).sqrt(),
+                        5.0_f64.sqrt(),
+                        1.0,
+                        1e-6,
+                        "on the front",
+                    );
                 }
                 most = most.max(found.points.len());
             }
@@ -140,7 +222,11 @@ fn exact_points_of_a_front_that_is_stopped_within_any_evaluation() {
 #[test]
 fn exact_place_where_a_bound_begins_to_hold_a_front() {
     let found = between(Distances, [-5.0; 2], [1.0, 5.0], 9);
-    let events: Vec<_> = found.points.iter().filter(|point| point.event.is_some()).collect();
+    let events: Vec<_> = found
+        .points
+        .iter()
+        .filter(|point| point.event.is_some())
+        .collect();
     assert_eq!(events.len(), 1, "{events:?}");
     let event = events[0];
     close(event.x[0], 1.0, 1.0, 1e-12, "at the bound");
@@ -156,7 +242,13 @@ fn exact_of_minima_as_good_a_front_ends_at_the_one_that_is_best_for_the_other() 
     for point in &found.points {
         close(point.x[1], 3.0, 1.0, 1e-5, "y");
     }
-    close(found.points.last().unwrap().values[0], 1.0, 1.0, 1e-3, "end");
+    close(
+        found.points.last().unwrap().values[0],
+        1.0,
+        1.0,
+        1e-3,
+        "end",
+    );
 }
 
 #[test]
@@ -169,11 +261,18 @@ fn exact_hollow_and_straight_fronts_have_no_knee() {
         close(point.x[0], point.x[1], 1.0, 1e-7, "on the diagonal");
     }
     let straight = between(Straight, [0.0; 2], [1.0; 2], 5);
-    assert_eq!((straight.points.len(), straight.knee), (5, None), "{straight:#?}");
+    assert_eq!(
+        (straight.points.len(), straight.knee),
+        (5, None),
+        "{straight:#?}"
+    );
     for (k, point) in straight.points.iter().enumerate() {
         close(point.values[0], k as f64 / 4.0, 1.0, 1e-9, "even");
         close(point.x[1], 0.0, 1.0, 1e-12, "y costs");
-        assert!(point.slope.is_none_or(|slope| (slope + 1.0).abs() < 1e-9), "{point:?}");
+        assert!(
+            point.slope.is_none_or(|slope| (slope + 1.0).abs() < 1e-9),
+            "{point:?}"
+        );
     }
 }
 
@@ -184,7 +283,10 @@ fn exact_no_front_where_one_point_is_best_for_both() {
     impl Functions for Both {
         fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
             let first = (x[0] - 1.0).powi(2) + x[1].powi(2);
-            Ok(Values { objective: first, constraints: vec![first * 2.0 + 1.0] })
+            Ok(Values {
+                objective: first,
+                constraints: vec![first * 2.0 + 1.0],
+            })
         }
     }
     let found = between(Both, [-5.0; 2], [5.0; 2], 9);

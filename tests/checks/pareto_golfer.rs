@@ -4,80 +4,145 @@ use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::optimize::{Follow, Observer, Options};
 use longdrive::study::swings::{
-    Goal, GoalLimit, ParetoSearch, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, pareto, swings_optimum,
+    Goal, GoalLimit, ParetoSearch, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, pareto,
+    swings_optimum,
 };
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
 
 fn golfer(setup: &Setup<f64>) -> Scenarios {
-    let inputs = ["swing.path=normal(0 deg, 2 deg)", "swing.face_angle=normal(0 deg, 2 deg)"];
-    let inputs = inputs.iter().map(|text| Uncertain::read(setup, text).unwrap()).collect();
-    Scenarios::new(&Swings::distributed(inputs, &[]).unwrap(), Rule::Quadrature(4)).unwrap()
+    let inputs = [
+        "swing.path=normal(0 deg, 2 deg)",
+        "swing.face_angle=normal(0 deg, 2 deg)",
+    ];
+    let inputs = inputs
+        .iter()
+        .map(|text| Uncertain::read(setup, text).unwrap())
+        .collect();
+    Scenarios::new(
+        &Swings::distributed(inputs, &[]).unwrap(),
+        Rule::Quadrature(4),
+    )
+    .unwrap()
 }
 
 fn goals() -> [(Goal, Sense); 2] {
     let read = |text: &str| Goal::read(text, None).unwrap();
-    [(read("mean(carry)"), Sense::Maximize), (read("std(lateral)"), Sense::Minimize)]
+    [
+        (read("mean(carry)"), Sense::Maximize),
+        (read("std(lateral)"), Sense::Minimize),
+    ]
 }
 
 fn vary(setup: &Setup<f64>) -> Vec<Vary> {
     let vary = ["club.loft=11deg..16deg", "club.cg_depth=20mm..45mm"];
-    vary.iter().map(|text| Vary::read(setup, text).unwrap()).collect()
+    vary.iter()
+        .map(|text| Vary::read(setup, text).unwrap())
+        .collect()
 }
 
 fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<GoalLimit>) -> SwingsOptimum {
     let (of, sense) = goals()[k].clone();
-    let search = SwingsSearch { of, sense, vary: vary(setup), subject_to, options: Options::default() };
+    let search = SwingsSearch {
+        of,
+        sense,
+        vary: vary(setup),
+        subject_to,
+        options: Options::default(),
+    };
     let best = swings_optimum(setup, search, golfer(setup), &Follow::default()).unwrap();
     assert_eq!(best.status(), "converged");
     best
 }
 
-/// The spin depends on the loft alone: of all drives with the least of it, the end of the front is the one that carries farthest.
+/// The spin depends on the loft alone: of all drives with the least of it, the end of the front is
+/// the one that carries farthest.
 #[test]
 fn independent_end_of_a_front_that_a_variable_does_not_change_is_the_best_for_the_other_goal() {
     let mut setup = Setup::preset("tour-average").unwrap();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
-    let goals = [(Outcome::Carry, Sense::Maximize), (Outcome::Spin, Sense::Minimize)];
+    let goals = [
+        (Outcome::Carry, Sense::Maximize),
+        (Outcome::Spin, Sense::Minimize),
+    ];
     let goals = goals.map(|(outcome, sense)| (Goal::outcome(outcome), sense));
     let read = |text: &str| Vary::read(&setup, text).unwrap();
-    let vary = vec![read("club.loft=4deg..20deg"), read("swing.attack_angle=-5deg..5deg")];
-    let search = ParetoSearch { goals, vary, subject_to: vec![], points: 4, options: Options::default() };
+    let vary = vec![
+        read("club.loft=4deg..20deg"),
+        read("swing.attack_angle=-5deg..5deg"),
+    ];
+    let search = ParetoSearch {
+        goals,
+        vary,
+        subject_to: vec![],
+        points: 4,
+        options: Options::default(),
+    };
     let found = pareto(&setup, search, Scenarios::one_drive(), &Follow::default()).unwrap();
     let end = found.points.last().unwrap();
     let mut search = Search::longest_drive(&setup).unwrap();
-    search.vary = vec![read("club.loft=4deg..4deg"), read("swing.attack_angle=-5deg..5deg")];
+    search.vary = vec![
+        read("club.loft=4deg..4deg"),
+        read("swing.attack_angle=-5deg..5deg"),
+    ];
     let longest = optimum(&setup, search, Observer::default()).unwrap();
-    close(end.goals[0], longest.value().unwrap(), 1.0, 1e-6, "carry at the least spin");
+    close(
+        end.goals[0],
+        longest.value().unwrap(),
+        1.0,
+        1e-6,
+        "carry at the least spin",
+    );
     for point in &found.points {
-        let as_good = found.points.iter().filter(|other| (other.goals[1] - point.goals[1]).abs() < 1e-6);
+        let as_good = found
+            .points
+            .iter()
+            .filter(|other| (other.goals[1] - point.goals[1]).abs() < 1e-6);
         assert_eq!(as_good.count(), 1, "{:?}", found.points);
     }
 }
 
-/// Each end is that of a search for its goal alone; every point is what a search finds that holds the other goal there, whose multiplier is
-/// the slope, as are differences of optima beside it; and none is better than another in both.
+/// Each end is that of a search for its goal alone; every point is what a search finds that holds
+/// the other goal there, whose multiplier is the slope, as are differences of optima beside it; and
+/// none is better than another in both.
 #[test]
 fn independent_front_of_carry_and_dispersion_beside_single_searches() {
     let mut setup = Setup::preset("tour-average").unwrap();
     // the front and the single searches are of the same drives, in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let options = Options::default();
-    let search = ParetoSearch { goals: goals(), vary: vary(&setup), subject_to: vec![], points: 7, options };
+    let search = ParetoSearch {
+        goals: goals(),
+        vary: vary(&setup),
+        subject_to: vec![],
+        points: 7,
+        options,
+    };
     let found = pareto(&setup, search, golfer(&setup), &Follow::default()).unwrap();
     assert_eq!((found.status(), found.dominated), ("done", 0));
     let (points, last) = (&found.points, found.points.len() - 1);
     for (point, k) in [(&points[0], 0), (&points[last], 1)] {
         let best = alone(&setup, k, vec![]);
-        close(point.goals[k], best.value().unwrap(), 1.0, 1e-9, "the best of one goal");
+        close(
+            point.goals[k],
+            best.value().unwrap(),
+            1.0,
+            1e-9,
+            "the best of one goal",
+        );
         for (x, own) in point.design.iter().zip(&best.solution.x) {
             close(*x, *own, 1.0, 1e-6, "its design");
         }
     }
     let held = |most: f64| {
         let (goal, _) = goals()[1].clone();
-        let limit = GoalLimit { expression: "std(lateral)".into(), goal, low: f64::NEG_INFINITY, high: most };
+        let limit = GoalLimit {
+            expression: "std(lateral)".into(),
+            goal,
+            low: f64::NEG_INFINITY,
+            high: most,
+        };
         alone(&setup, 0, vec![limit])
     };
     let mut told = 0;
@@ -92,70 +157,161 @@ fn independent_front_of_carry_and_dispersion_beside_single_searches() {
         close(slope, price, 1.0, 1e-5, "multiplier");
         let h = 1e-3;
         let [more, less] = [spread + h, spread - h].map(|spread| held(spread).value().unwrap());
-        close(slope, (more - less) / (2.0 * h), 1.0, 1e-3, "difference of optima");
+        close(
+            slope,
+            (more - less) / (2.0 * h),
+            1.0,
+            1e-3,
+            "difference of optima",
+        );
     }
     assert!(told >= 4, "{told} slopes");
     for pair in points.windows(2) {
-        assert!(pair[1].goals[0] < pair[0].goals[0] && pair[1].goals[1] < pair[0].goals[1], "{points:#?}");
+        assert!(
+            pair[1].goals[0] < pair[0].goals[0] && pair[1].goals[1] < pair[0].goals[1],
+            "{points:#?}"
+        );
     }
     assert!(found.as_set_up.is_some());
 }
 
-const SWINGS: [&str; 3] =
-    ["--distribution=swing.path=normal(0deg,2deg)", "--distribution=swing.face_angle=normal(0deg,2deg)", "--points=4"];
+const SWINGS: [&str; 3] = [
+    "--distribution=swing.path=normal(0deg,2deg)",
+    "--distribution=swing.face_angle=normal(0deg,2deg)",
+    "--points=4",
+];
 
-/// Where designs with little dispersion are not connected to those that carry far, both parts are found from their own end.
+/// Where designs with little dispersion are not connected to those that carry far, both parts are
+/// found from their own end.
 #[test]
 fn a_front_of_two_parts_says_where_other_designs_are_better() {
-    let more = ["--distribution=strike.toe=normal(0mm,8mm)", "--scenarios", "64", "--vary", "club.loft=7deg..16deg"];
-    let goals = ["pareto", "--maximize", "mean(carry)", "--minimize", "std(lateral)", "--vary"];
-    let (status, answer) = json(&[&goals[..], &["club.bulge_radius=200mm..600mm"], &SWINGS, &more].concat());
-    assert_eq!((status, answer["status"].as_str()), (0, Some("done")), "{answer:#}");
+    let more = [
+        "--distribution=strike.toe=normal(0mm,8mm)",
+        "--scenarios",
+        "64",
+        "--vary",
+        "club.loft=7deg..16deg",
+    ];
+    let goals = [
+        "pareto",
+        "--maximize",
+        "mean(carry)",
+        "--minimize",
+        "std(lateral)",
+        "--vary",
+    ];
+    let (status, answer) = json(
+        &[
+            &goals[..],
+            &["club.bulge_radius=200mm..600mm"],
+            &SWINGS,
+            &more,
+        ]
+        .concat(),
+    );
+    assert_eq!(
+        (status, answer["status"].as_str()),
+        (0, Some("done")),
+        "{answer:#}"
+    );
     let points = answer["points"].as_array().unwrap();
-    let said = points.iter().filter_map(|point| point["event"].as_str()).collect::<Vec<_>>().join("; ");
-    assert!(said.contains("other designs are better from here on"), "{said}");
+    let said = points
+        .iter()
+        .filter_map(|point| point["event"].as_str())
+        .collect::<Vec<_>>()
+        .join("; ");
+    assert!(
+        said.contains("other designs are better from here on"),
+        "{said}"
+    );
     for pair in points.windows(2) {
         let is_lower = |k: usize| number(&pair[1]["values"][k]) < number(&pair[0]["values"][k]);
         assert!(is_lower(0) && is_lower(1), "{answer:#}");
     }
 }
 
-/// The setup of a point has the outcomes that the table says, also where both goals are of one drive.
+/// The setup of a point has the outcomes that the table says, also where both goals are of one
+/// drive.
 #[test]
 fn exact_what_is_written_of_a_front_is_what_it_says() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).display().to_string();
-    let ask = ["pareto", "--maximize", "carry", "--minimize", "apex_height", "--points", "6"];
+    let ask = [
+        "pareto",
+        "--maximize",
+        "carry",
+        "--minimize",
+        "apex_height",
+        "--points",
+        "6",
+    ];
     let (_, answer) = json(&ask);
     let points = answer["points"].as_array().unwrap();
     let knee = answer["knee"].as_u64().unwrap() as usize;
-    for (name, more, place) in [("knee.toml", &[][..], knee), ("second.toml", &["--at", "2"][..], 1)] {
+    for (name, more, place) in [
+        ("knee.toml", &[][..], knee),
+        ("second.toml", &["--at", "2"][..], 1),
+    ] {
         let said = longdrive(&[&ask[..], &["-o", &file(name)], more].concat());
         assert_eq!(said.status, 0, "{}", said.err);
-        let drive =
-            Drive::new(&Setup::from_toml(&std::fs::read_to_string(file(name)).unwrap(), name).unwrap()).unwrap();
-        for (k, of) in [Outcome::Carry, Outcome::ApexHeight].into_iter().enumerate() {
-            close(of.of(&drive).unwrap(), number(&points[place]["values"][k]), 100.0, 1e-6, "outcome");
+        let drive = Drive::new(
+            &Setup::from_toml(&std::fs::read_to_string(file(name)).unwrap(), name).unwrap(),
+        )
+        .unwrap();
+        for (k, of) in [Outcome::Carry, Outcome::ApexHeight]
+            .into_iter()
+            .enumerate()
+        {
+            close(
+                of.of(&drive).unwrap(),
+                number(&points[place]["values"][k]),
+                100.0,
+                1e-6,
+                "outcome",
+            );
         }
     }
     let said = longdrive(&[&ask[..], &["-o", &file("none.toml"), "--at", "99"]].concat());
-    let words = format!("there is no point 99; choose one with --at, from 1 to {}", points.len());
+    let words = format!(
+        "there is no point 99; choose one with --at, from 1 to {}",
+        points.len()
+    );
     let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(said.status == 1 && told.contains(&words), "{told}");
     let said = longdrive(&[&ask[..], &["-o", &file("front.csv")]].concat());
     assert_eq!(said.status, 0, "{}", said.err);
     let table = std::fs::read_to_string(file("front.csv")).unwrap();
-    let head = "carry [m],apex_height [m],club.loft [rad],swing.attack_angle [rad],slope,role,active,event\n";
-    assert!(table.starts_with(head) && table.lines().count() == points.len() + 1, "{table}");
-    let first: Vec<f64> = table.lines().nth(1).unwrap().split(',').take(5).map(|cell| cell.parse().unwrap()).collect();
+    let head = "carry [m],apex_height [m],club.loft [rad],swing.attack_angle \
+                [rad],slope,role,active,event\n";
+    assert!(
+        table.starts_with(head) && table.lines().count() == points.len() + 1,
+        "{table}"
+    );
+    let first: Vec<f64> = table
+        .lines()
+        .nth(1)
+        .unwrap()
+        .split(',')
+        .take(5)
+        .map(|cell| cell.parse().unwrap())
+        .collect();
     assert_eq!(first[0], number(&points[0]["values"][0]));
     assert_eq!(first[4], number(&points[0]["slope"]));
-    for said in ["knee", "largest carry", "smallest apex_height", "as set up: carry", "[yd per yd]"] {
+    for said in [
+        "knee",
+        "largest carry",
+        "smallest apex_height",
+        "as set up: carry",
+        "[yd per yd]",
+    ] {
         let text = longdrive(&ask).out;
         assert!(text.contains(said), "{said}: {text}");
     }
     let picture = file("front.svg");
-    assert_eq!(longdrive(&[&["plot"], &ask[..], &["-o", &picture]].concat()).status, 0);
+    assert_eq!(
+        longdrive(&[&["plot"], &ask[..], &["-o", &picture]].concat()).status,
+        0
+    );
     let svg = std::fs::read_to_string(&picture).unwrap();
     for said in ["knee", "as set up", "largest carry", "slope at the knee"] {
         assert!(svg.contains(said), "{said}");
@@ -164,11 +320,22 @@ fn exact_what_is_written_of_a_front_is_what_it_says() {
 
 #[test]
 fn the_front_in_pareto_md_is_the_programs() {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/pareto.md")).unwrap();
-    let asked = text.split("```sh\nlongdrive ").nth(2).unwrap().lines().next().unwrap();
+    let text =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/pareto.md")).unwrap();
+    let asked = text
+        .split("```sh\nlongdrive ")
+        .nth(2)
+        .unwrap()
+        .lines()
+        .next()
+        .unwrap();
     let said = longdrive(&asked.split(' ').collect::<Vec<_>>());
     assert_eq!(said.status, 0, "{}", said.err);
-    assert!(text.contains(&format!("```text\n{}```", said.out)), "docs/pareto.md should have:\n{}", said.out);
+    assert!(
+        text.contains(&format!("```text\n{}```", said.out)),
+        "docs/pareto.md should have:\n{}",
+        said.out
+    );
 }
 
 #[test]
@@ -179,38 +346,95 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
     let both = ["--maximize", "carry", "--minimize", "apex_height"];
     let toml = folder.path().join("best.toml").display().to_string();
     let cases: [(Vec<&str>, &str); 10] = [
-        (vec!["--maximize", "carry"], "one is given, and a front is between two"),
+        (
+            vec!["--maximize", "carry"],
+            "one is given, and a front is between two",
+        ),
         (vec![], "0 are given"),
-        (vec!["--maximize", "carry", "--minimize", "carry"], "both are the same"),
-        (vec!["--maximize", "mean(carry)", "--minimize", "std(lateral)"], "give these too, with --swings FILE"),
-        (vec!["--maximize", "cary", "--minimize", "lateral"], "did you mean 'carry'"),
-        ([&["--maximize", "carry", "--minimize", "std(lateral)"][..], &SWINGS].concat(), "mean(carry)"),
-        ([&both[..], &["-o", &text]].concat(), "use .csv for all points or .toml"),
-        ([&both[..], &["-o", &csv, "--at", "2"]].concat(), "it chooses the point of a setup file"),
-        ([&both[..], &["--scenarios", "9"]].concat(), "give these too"),
-        ([&both[..], &["-o", &toml, "--at", "-1"]].concat(), "the number of a point in the table, from 1"),
+        (
+            vec!["--maximize", "carry", "--minimize", "carry"],
+            "both are the same",
+        ),
+        (
+            vec!["--maximize", "mean(carry)", "--minimize", "std(lateral)"],
+            "give these too, with --swings FILE",
+        ),
+        (
+            vec!["--maximize", "cary", "--minimize", "lateral"],
+            "did you mean 'carry'",
+        ),
+        (
+            [
+                &["--maximize", "carry", "--minimize", "std(lateral)"][..],
+                &SWINGS,
+            ]
+            .concat(),
+            "mean(carry)",
+        ),
+        (
+            [&both[..], &["-o", &text]].concat(),
+            "use .csv for all points or .toml",
+        ),
+        (
+            [&both[..], &["-o", &csv, "--at", "2"]].concat(),
+            "it chooses the point of a setup file",
+        ),
+        (
+            [&both[..], &["--scenarios", "9"]].concat(),
+            "give these too",
+        ),
+        (
+            [&both[..], &["-o", &toml, "--at", "-1"]].concat(),
+            "the number of a point in the table, from 1",
+        ),
     ];
     for (args, said) in cases {
         let failed = longdrive(&[&["pareto"], &args[..]].concat());
         let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(failed.status == 2 && told.contains(said), "{args:?}: {told}");
+        assert!(
+            failed.status == 2 && told.contains(said),
+            "{args:?}: {told}"
+        );
     }
     // as optimize says which limits cannot be kept, and by how much
-    let limits = ["--subject-to", "descent_angle >= 80 deg", "--subject-to", "carry >= 400 yd"];
+    let limits = [
+        "--subject-to",
+        "descent_angle >= 80 deg",
+        "--subject-to",
+        "carry >= 400 yd",
+    ];
     let failed = longdrive(&[&["pareto"][..], &both, &limits].concat());
     let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(failed.status, 1, "{told}");
-    for (expression, limit) in [("descent_angle >= 80 deg", 80.0), ("carry >= 400 yd", 400.0)] {
+    for (expression, limit) in [
+        ("descent_angle >= 80 deg", 80.0),
+        ("carry >= 400 yd", 400.0),
+    ] {
         // the value, and how far it is outside
-        let said = told.split(&format!("{expression} (it is ")).nth(1).unwrap_or_else(|| panic!("{told}"));
+        let said = told
+            .split(&format!("{expression} (it is "))
+            .nth(1)
+            .unwrap_or_else(|| panic!("{told}"));
         let [found, outside] = ["", "outside by "].map(|before| {
             let at = said.find(before).unwrap_or_else(|| panic!("{said}")) + before.len();
-            said[at..].split(' ').next().unwrap().parse::<f64>().unwrap()
+            said[at..]
+                .split(' ')
+                .next()
+                .unwrap()
+                .parse::<f64>()
+                .unwrap()
         });
         assert!(found < limit, "{expression}: {found}");
         close(outside, limit - found, limit, 1e-3, expression);
     }
-    let straight =
-        longdrive(&["pareto", "--maximize", "carry", "--minimize", "flight_time", "--vary", "club.loft=8deg..9deg"]);
+    let straight = longdrive(&[
+        "pareto",
+        "--maximize",
+        "carry",
+        "--minimize",
+        "flight_time",
+        "--vary",
+        "club.loft=8deg..9deg",
+    ]);
     assert!(straight.status < 2, "{}", straight.err);
 }

@@ -1,4 +1,5 @@
-//! Pictures and words as people see them: nothing is cut or hidden at any width, and numbers, units and signs have one spelling.
+//! Pictures and words as people see them: nothing is cut or hidden at any width, and numbers, units
+//! and signs have one spelling.
 
 use crate::command_line::longdrive;
 use longdrive::Error;
@@ -13,11 +14,39 @@ const KINDS: &[&[&str]] = &[
     &["tornado", "--show", "all", "--of", "lateral"],
     &["contour", "--subject-to", "descent_angle >= 38 deg"],
     &["chart", "--along", "swing.speed=90..110 mph"],
-    &["chart", "--along", "swing.speed=90..110 mph", "--show", "club.loft"],
-    &["pareto", "--maximize", "carry", "--minimize", "descent_angle", "--points", "5"],
+    &[
+        "chart",
+        "--along",
+        "swing.speed=90..110 mph",
+        "--show",
+        "club.loft",
+    ],
+    &[
+        "pareto",
+        "--maximize",
+        "carry",
+        "--minimize",
+        "descent_angle",
+        "--points",
+        "5",
+    ],
     &["trajectory"],
-    &["trajectory", "--view", "top", "--set", "swing.face_angle=3deg"],
-    &["compare", "--set-b", "club.loft=12deg", "--set-b", "aero.law=linear", "--set-b", "swing.path=2deg"],
+    &[
+        "trajectory",
+        "--view",
+        "top",
+        "--set",
+        "swing.face_angle=3deg",
+    ],
+    &[
+        "compare",
+        "--set-b",
+        "club.loft=12deg",
+        "--set-b",
+        "aero.law=linear",
+        "--set-b",
+        "swing.path=2deg",
+    ],
     &[
         "vcurve",
         "--wrt",
@@ -59,7 +88,9 @@ fn width(text: &str, size: f64, is_bold: bool) -> f64 {
 
 fn words(svg: &str) -> Vec<Words> {
     let picture = roxmltree::Document::parse(svg).unwrap();
-    let texts = picture.descendants().filter(|node| node.has_tag_name("text"));
+    let texts = picture
+        .descendants()
+        .filter(|node| node.has_tag_name("text"));
     let one = |node: roxmltree::Node<'_, '_>| {
         let of = |name: &str| node.attribute(name).unwrap().parse::<f64>().unwrap() / 10.0;
         let text = node.text()?.trim().to_owned();
@@ -67,9 +98,18 @@ fn words(svg: &str) -> Vec<Words> {
         let wide = width(&text, size, node.attribute("font-weight") == Some("bold"));
         // a view beside or below another one is moved
         let moved = |axis: usize| -> f64 {
-            let to = node.ancestors().filter_map(|node| node.attribute("transform"));
-            let parts = to.map(|to| to.trim_start_matches("translate(").trim_end_matches(')').split(' ').nth(axis));
-            parts.map(|part| part.unwrap().parse::<f64>().unwrap() / 10.0).sum()
+            let to = node
+                .ancestors()
+                .filter_map(|node| node.attribute("transform"));
+            let parts = to.map(|to| {
+                to.trim_start_matches("translate(")
+                    .trim_end_matches(')')
+                    .split(' ')
+                    .nth(axis)
+            });
+            parts
+                .map(|part| part.unwrap().parse::<f64>().unwrap() / 10.0)
+                .sum()
         };
         let (right, down) = (moved(0), moved(1));
         let left = right + of("x")
@@ -84,9 +124,16 @@ fn words(svg: &str) -> Vec<Words> {
             Some("0.5ex") => of("y") - 0.5 * size,
             other => panic!("{other:?}"),
         };
-        Some(Words { place: [left, down + top, left + wide, down + top + size], text, size })
+        Some(Words {
+            place: [left, down + top, left + wide, down + top + size],
+            text,
+            size,
+        })
     };
-    texts.filter_map(one).filter(|words| !words.text.is_empty()).collect()
+    texts
+        .filter_map(one)
+        .filter(|words| !words.text.is_empty())
+        .collect()
 }
 
 fn drawn(kind: &[&str], file: &str, width: u32) -> String {
@@ -109,16 +156,32 @@ fn no_words_are_cut_or_overlap_in_any_picture_at_any_width() {
                 let [left, top, right, bottom] = one.place;
                 let what = format!("{kind:?} at {width}: '{}' at {:?}", one.text, one.place);
                 assert!(one.size >= 11.999, "{what} is small");
-                assert!(left >= -1.0 && top >= -1.0 && right <= f64::from(width) + 1.0, "{what} is cut");
-                let height = svg.split_once("height=\"").unwrap().1.split_once('"').unwrap().0;
-                assert!(bottom <= height.parse::<f64>().unwrap() + 1.0, "{what} is cut below");
+                assert!(
+                    left >= -1.0 && top >= -1.0 && right <= f64::from(width) + 1.0,
+                    "{what} is cut"
+                );
+                let height = svg
+                    .split_once("height=\"")
+                    .unwrap()
+                    .1
+                    .split_once('"')
+                    .unwrap()
+                    .0;
+                assert!(
+                    bottom <= height.parse::<f64>().unwrap() + 1.0,
+                    "{what} is cut below"
+                );
                 for other in &found[..i] {
                     let slack = 1.5;
                     let apart = (0..2).any(|axis| {
                         one.place[axis] + slack >= other.place[axis + 2]
                             || other.place[axis] + slack >= one.place[axis + 2]
                     });
-                    assert!(apart, "{what} overlaps '{}' at {:?}", other.text, other.place);
+                    assert!(
+                        apart,
+                        "{what} overlaps '{}' at {:?}",
+                        other.text, other.place
+                    );
                 }
             }
         }
@@ -134,11 +197,36 @@ fn no_words_are_cut_or_overlap_in_any_picture_at_any_width() {
 #[test]
 fn a_width_too_narrow_for_a_picture_is_refused_with_the_least_width() {
     let axis = |label: &str| Axis::linear(Measure::plain(label));
-    let figure = Figure::new("n", "t", axis("x"), axis("y")).with(Layer::line("", 0, vec![[0.0, 0.0], [1.0, 1e9]]));
-    let at = |width: u32| figure_svg(&figure, &Look { width, ..Look::default() });
-    let Err(Error::Plot { reason, .. }) = at(130) else { panic!("it is too narrow") };
-    let least = reason.split_once("take ").unwrap().1.split(' ').next().unwrap().parse::<u32>().unwrap();
-    assert!(least > 130 && at(least).is_ok() && at(least - 1).is_err(), "{reason}");
+    let figure = Figure::new("n", "t", axis("x"), axis("y")).with(Layer::line(
+        "",
+        0,
+        vec![[0.0, 0.0], [1.0, 1e9]],
+    ));
+    let at = |width: u32| {
+        figure_svg(
+            &figure,
+            &Look {
+                width,
+                ..Look::default()
+            },
+        )
+    };
+    let Err(Error::Plot { reason, .. }) = at(130) else {
+        panic!("it is too narrow")
+    };
+    let least = reason
+        .split_once("take ")
+        .unwrap()
+        .1
+        .split(' ')
+        .next()
+        .unwrap()
+        .parse::<u32>()
+        .unwrap();
+    assert!(
+        least > 130 && at(least).is_ok() && at(least - 1).is_err(),
+        "{reason}"
+    );
 }
 
 /// The rows of bars of a table of data: name, from, to.
@@ -157,34 +245,69 @@ fn what_you_control_and_what_the_model_does_not_know_are_pictures_of_their_own()
     let file = |name: &str| folder.path().join(name).display().to_string();
     let (svg, csv) = (file("x.svg"), file("x.csv"));
     for (show, has, has_not) in [
-        ("control", ["club speed ± 0.5 mph", "attack angle ± 0.3°"], "cd0"),
-        ("model", ["cd0 ± 0.015", "wind downrange ± 2.24 mph"], "club speed"),
+        (
+            "control",
+            ["club speed ± 0.5 mph", "attack angle ± 0.3°"],
+            "cd0",
+        ),
+        (
+            "model",
+            ["cd0 ± 0.015", "wind downrange ± 2.24 mph"],
+            "club speed",
+        ),
     ] {
         let said = longdrive(&["plot", "tornado", "-o", &csv, "--overwrite", "--show", show]);
-        assert!(said.status == 0 && said.err.contains("as set up") && !said.err.contains("linear"), "{}", said.err);
+        assert!(
+            said.status == 0 && said.err.contains("as set up") && !said.err.contains("linear"),
+            "{}",
+            said.err
+        );
         let found = bars(&std::fs::read_to_string(&csv).unwrap());
-        assert!(has.iter().all(|name| found.iter().any(|(bar, _)| bar == name)), "{found:?}");
-        assert!(found.iter().all(|(bar, _)| !bar.contains(has_not)), "{found:?}");
+        assert!(
+            has.iter()
+                .all(|name| found.iter().any(|(bar, _)| bar == name)),
+            "{found:?}"
+        );
+        assert!(
+            found.iter().all(|(bar, _)| !bar.contains(has_not)),
+            "{found:?}"
+        );
         // the value of each bar stands at its end, in yards with the sign of print
         let picture = drawn(&["tornado", "--show", show], &svg, 480);
-        let texts: Vec<String> = words(&picture).into_iter().map(|words| words.text).collect();
+        let texts: Vec<String> = words(&picture)
+            .into_iter()
+            .map(|words| words.text)
+            .collect();
         for (bar, metres) in &found {
             let yards = metres / 0.9144;
             let sign = if yards < 0.0 { "−" } else { "+" };
             let value = format!("{sign}{:.1}", yards.abs());
-            assert!(yards.abs() < 0.05 || texts.contains(&value), "{bar}: {value} is not in {texts:?}");
+            assert!(
+                yards.abs() < 0.05 || texts.contains(&value),
+                "{bar}: {value} is not in {texts:?}"
+            );
         }
-        assert!(texts.iter().any(|text| text.contains(" more: ")), "small bars are in one row: {texts:?}");
+        assert!(
+            texts.iter().any(|text| text.contains(" more: ")),
+            "small bars are in one row: {texts:?}"
+        );
     }
 }
 
-/// A square face and a straight path are the longest: both bars go to the left, and neither hides the other.
+/// A square face and a straight path are the longest: both bars go to the left, and neither hides
+/// the other.
 #[test]
 fn two_bars_on_one_side_are_both_seen() {
     let folder = tempfile::tempdir().unwrap();
-    let svg = drawn(&["tornado"], &folder.path().join("x.svg").display().to_string(), 480);
+    let svg = drawn(
+        &["tornado"],
+        &folder.path().join("x.svg").display().to_string(),
+        480,
+    );
     let picture = roxmltree::Document::parse(&svg).unwrap();
-    let of = |node: &roxmltree::Node<'_, '_>, name: &str| node.attribute(name).unwrap().parse::<f64>().unwrap() / 10.0;
+    let of = |node: &roxmltree::Node<'_, '_>, name: &str| {
+        node.attribute(name).unwrap().parse::<f64>().unwrap() / 10.0
+    };
     let bars: Vec<[f64; 4]> = picture
         .descendants()
         .filter(|node| node.has_tag_name("rect") && node.attribute("opacity") == Some("0.85"))
@@ -197,30 +320,66 @@ fn two_bars_on_one_side_are_both_seen() {
     let mut one_sided = 0;
     for (i, one) in bars.iter().enumerate() {
         for other in &bars[..i] {
-            let covered = |axis: usize| one[axis + 2].min(other[axis + 2]) - one[axis].max(other[axis]);
-            assert!(covered(0) <= 0.2 || covered(1) <= 0.2, "{one:?} hides {other:?}");
+            let covered =
+                |axis: usize| one[axis + 2].min(other[axis + 2]) - one[axis].max(other[axis]);
+            assert!(
+                covered(0) <= 0.2 || covered(1) <= 0.2,
+                "{one:?} hides {other:?}"
+            );
             one_sided += usize::from(covered(0) > 1.0 && (one[1] - other[1]).abs() < 20.0);
         }
     }
-    assert!(one_sided >= 2, "face angle and path have both bars on one side: {bars:?}");
+    assert!(
+        one_sided >= 2,
+        "face angle and path have both bars on one side: {bars:?}"
+    );
 }
 
 #[test]
 fn a_price_says_which_way_it_counts_and_a_constraint_is_in_the_units_asked_for() {
     // lines are broken where they do not fit
-    let text =
-        |args: &[&str]| longdrive(&[&["optimize"], args].concat()).out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = |args: &[&str]| {
+        longdrive(&[&["optimize"], args].concat())
+            .out
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
     let bound = text(&[]);
     assert!(
-        bound.contains("at its upper bound: +") && bound.contains(" yd for each degree that it is raised"),
+        bound.contains("at its upper bound: +")
+            && bound.contains(" yd for each degree that it is raised"),
         "{bound}"
     );
-    let least = text(&["--minimize", "descent_angle", "--vary", "swing.speed=100mph..120mph"]);
-    assert!(least.contains("at its lower bound: -") && least.contains("° for each mph that it is lowered"), "{least}");
-    let limits =
-        ["--subject-to", "descent_angle >= 42 deg", "--subject-to", "lateral == 0 m", "--set", "swing.path=2deg"];
-    let both =
-        [limits.as_slice(), &["--vary", "club.loft=4deg..20deg", "--vary", "swing.face_angle=-5deg..5deg"]].concat();
+    let least = text(&[
+        "--minimize",
+        "descent_angle",
+        "--vary",
+        "swing.speed=100mph..120mph",
+    ]);
+    assert!(
+        least.contains("at its lower bound: -")
+            && least.contains("° for each mph that it is lowered"),
+        "{least}"
+    );
+    let limits = [
+        "--subject-to",
+        "descent_angle >= 42 deg",
+        "--subject-to",
+        "lateral == 0 m",
+        "--set",
+        "swing.path=2deg",
+    ];
+    let both = [
+        limits.as_slice(),
+        &[
+            "--vary",
+            "club.loft=4deg..20deg",
+            "--vary",
+            "swing.face_angle=-5deg..5deg",
+        ],
+    ]
+    .concat();
     let limited = text(&both);
     for words in [
         "descent angle ≥ 42°",
@@ -232,7 +391,8 @@ fn a_price_says_which_way_it_counts_and_a_constraint_is_in_the_units_asked_for()
     }
     let metric = text(&[both.as_slice(), &["--units", "metric"]].concat());
     assert!(
-        metric.contains("m for each degree that the limit is relaxed") && metric.contains("lateral = 0 m"),
+        metric.contains("m for each degree that the limit is relaxed")
+            && metric.contains("lateral = 0 m"),
         "{metric}"
     );
 }
@@ -248,7 +408,9 @@ fn visible(page: &str) -> String {
         }
         text.push('\n');
     }
-    text.replace("&gt;", ">").replace("&lt;", "<").replace("&amp;", "&")
+    text.replace("&gt;", ">")
+        .replace("&lt;", "<")
+        .replace("&amp;", "&")
 }
 
 #[test]
@@ -256,7 +418,15 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     let folder = tempfile::tempdir().unwrap();
     let directory = folder.path().join("r").display().to_string();
     let speed = ["--set", "swing.speed=110mph"];
-    let args = ["report", "-o", &directory, "--set", "swing.path=-2deg", "--subject-to", "descent_angle >= 38 deg"];
+    let args = [
+        "report",
+        "-o",
+        &directory,
+        "--set",
+        "swing.path=-2deg",
+        "--subject-to",
+        "descent_angle >= 38 deg",
+    ];
     let vary = [
         "--vary",
         "club.loft=4deg..20deg",
@@ -272,9 +442,14 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
         let file = entry.unwrap().path();
         let text = std::fs::read_to_string(&file).unwrap();
         match file.extension().and_then(|ending| ending.to_str()) {
-            Some("svg") => {
-                read.push((file, words(&text).into_iter().map(|words| words.text).collect::<Vec<_>>().join("\n")))
-            }
+            Some("svg") => read.push((
+                file,
+                words(&text)
+                    .into_iter()
+                    .map(|words| words.text)
+                    .collect::<Vec<_>>()
+                    .join("\n"),
+            )),
             Some("html") => read.push((file, visible(&text))),
             _ => {}
         }
@@ -283,12 +458,17 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     for (file, text) in &read {
         let letters: Vec<char> = text.chars().collect();
         for (i, part) in letters.windows(3).enumerate() {
-            let around = || letters[i.saturating_sub(30)..(i + 30).min(letters.len())].iter().collect::<String>();
+            let around = || {
+                letters[i.saturating_sub(30)..(i + 30).min(letters.len())]
+                    .iter()
+                    .collect::<String>()
+            };
             let [a, b, c] = [part[0], part[1], part[2]];
             let is_hyphen = (a.is_whitespace() || a == '(') && b == '-' && c.is_ascii_digit();
             let is_power = b == '^' || (matches!(a, '>' | '<') && b == '=');
             assert!(!is_hyphen && !is_power, "{}: {}", file.display(), around());
-            let is_degree = a.is_ascii_digit() && b == ' ' && letters[i + 2..].starts_with(&['d', 'e', 'g']);
+            let is_degree =
+                a.is_ascii_digit() && b == ' ' && letters[i + 2..].starts_with(&['d', 'e', 'g']);
             assert!(
                 !is_degree || letters.get(i + 5).is_some_and(|c| c.is_alphabetic()),
                 "{}: {}",
@@ -296,9 +476,17 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
                 around()
             );
         }
-        assert!(!text.contains("swing speed") && !text.contains("swing attack angle"), "{}", file.display());
+        assert!(
+            !text.contains("swing speed") && !text.contains("swing attack angle"),
+            "{}",
+            file.display()
+        );
     }
-    let page = &read.iter().find(|(file, _)| file.ends_with("index.html")).unwrap().1;
+    let page = &read
+        .iter()
+        .find(|(file, _)| file.ends_with("index.html"))
+        .unwrap()
+        .1;
     // the switch of units reaches the setup and the limits
     for words in [
         "110 mph",
@@ -313,9 +501,22 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     }
     // a terminal has the same, with hyphens that can be copied; a file has what is typed
     let said = longdrive(&["simulate", "--set", "swing.path=-2deg"]);
-    assert!(said.out.contains('°') && !said.out.contains(" deg") && !said.out.contains('−'), "{}", said.out);
-    let json = longdrive(&["optimize", "--json", "--subject-to", "descent_angle >= 80 deg"]);
-    assert!(json.out.contains("descent_angle >= 80 deg") && !json.out.contains('°'), "{}", json.out);
+    assert!(
+        said.out.contains('°') && !said.out.contains(" deg") && !said.out.contains('−'),
+        "{}",
+        said.out
+    );
+    let json = longdrive(&[
+        "optimize",
+        "--json",
+        "--subject-to",
+        "descent_angle >= 80 deg",
+    ]);
+    assert!(
+        json.out.contains("descent_angle >= 80 deg") && !json.out.contains('°'),
+        "{}",
+        json.out
+    );
 }
 
 /// A straight drive ends to the side of the target line by what rounding leaves.
@@ -325,7 +526,13 @@ fn what_rounding_leaves_is_shown_as_no_value() {
     let file = folder.path().join("x.svg").display().to_string();
     let slower = ["--set-b", "swing.speed=100mph", "--of", "lateral"];
     for args in [
-        vec!["gradient", "--of", "lateral", "--wrt", "swing.speed,swing.path"],
+        vec![
+            "gradient",
+            "--of",
+            "lateral",
+            "--wrt",
+            "swing.speed,swing.path",
+        ],
         vec!["sensitivity", "--of", "lateral"],
         [vec!["compare"], slower.to_vec()].concat(),
         [
@@ -334,7 +541,17 @@ fn what_rounding_leaves_is_shown_as_no_value() {
             slower[2..].to_vec(),
         ]
         .concat(),
-        vec!["plot", "tornado", "-o", &file, "--overwrite", "--of", "lateral", "--show", "all"],
+        vec![
+            "plot",
+            "tornado",
+            "-o",
+            &file,
+            "--overwrite",
+            "--of",
+            "lateral",
+            "--show",
+            "all",
+        ],
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 0, "{args:?}: {}", said.err);
@@ -344,7 +561,10 @@ fn what_rounding_leaves_is_shown_as_no_value() {
         }
         if let Ok(svg) = std::fs::read_to_string(&file) {
             let shown = words(&svg);
-            assert!(shown.iter().all(|words| !words.text.contains("e−1")), "{args:?}");
+            assert!(
+                shown.iter().all(|words| !words.text.contains("e−1")),
+                "{args:?}"
+            );
         }
     }
 }
@@ -355,7 +575,8 @@ fn the_optimum_has_its_own_colour_and_dashes_also_where_the_set_up_does_not_fly(
     let lines = |extra: &[&str], name: &str| {
         let directory = folder.path().join(name).display().to_string();
         longdrive(&[&["report", "-o", &directory], extra].concat());
-        let svg = std::fs::read_to_string(folder.path().join(name).join("trajectory-side-us.svg")).unwrap();
+        let svg = std::fs::read_to_string(folder.path().join(name).join("trajectory-side-us.svg"))
+            .unwrap();
         ["#0065A6", "#C04C00"].map(|color| svg.matches(&format!("stroke=\"{color}\"")).count())
     };
     let [set_up, optimum] = lines(&[], "flies");
@@ -363,7 +584,15 @@ fn the_optimum_has_its_own_colour_and_dashes_also_where_the_set_up_does_not_fly(
         set_up > 0 && optimum > 20,
         "one line of the drive as set up, many dashes of the optimum: {set_up} {optimum}"
     );
-    let vary = ["--vary", "swing.attack_angle=-25deg..5deg", "--vary", "club.loft=4deg..20deg"];
-    let [set_up, optimum] = lines(&[&["--set", "swing.attack_angle=-20deg"], vary.as_slice()].concat(), "does-not");
+    let vary = [
+        "--vary",
+        "swing.attack_angle=-25deg..5deg",
+        "--vary",
+        "club.loft=4deg..20deg",
+    ];
+    let [set_up, optimum] = lines(
+        &[&["--set", "swing.attack_angle=-20deg"], vary.as_slice()].concat(),
+        "does-not",
+    );
     assert!(set_up == 0 && optimum > 20, "{set_up} {optimum}");
 }

@@ -6,7 +6,8 @@ use longdrive::parameters::{Parameter, Vary};
 use longdrive::report::{SweepCsv, SweepJsonLines, SweepParquet};
 use longdrive::{Error, Outcome, Result, Setup};
 
-/// Rows of some parameters. `appended` values of each row are handed on, and `more` rows than were asked for.
+/// Rows of some parameters. `appended` values of each row are handed on, and `more` rows than were
+/// asked for.
 struct Mine {
     parameters: Vec<&'static Parameter>,
     rows: Vec<[f64; 2]>,
@@ -18,7 +19,13 @@ struct Mine {
 impl Mine {
     fn new(parameters: &[&'static Parameter], count: usize) -> Self {
         let rows = (0..count).map(|i| [0.15 + 1e-5 * i as f64, 45.0]).collect();
-        Self { parameters: parameters.to_vec(), rows, next: 0, appended: parameters.len(), more: 0 }
+        Self {
+            parameters: parameters.to_vec(),
+            rows,
+            next: 0,
+            appended: parameters.len(),
+            more: 0,
+        }
     }
 }
 
@@ -59,8 +66,10 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
     let setup = Setup::default();
     let [loft, speed] = loft_and_speed(&setup);
     let batch = Batch::new(&setup, &[loft, speed], &[Outcome::Carry], &[]).unwrap();
-    for (parameters, named) in [(vec![loft], "points of club.loft: "), (vec![speed, loft], "swing.speed, club.loft: ")]
-    {
+    for (parameters, named) in [
+        (vec![loft], "points of club.loft: "),
+        (vec![speed, loft], "swing.speed, club.loft: "),
+    ] {
         let mut handed_on = 0;
         let run = batch.run(
             &mut Mine::new(&parameters, 3),
@@ -72,11 +81,27 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
             },
         );
         let error = run.unwrap_err();
-        assert!(matches!(error, Error::Together { .. }) && handed_on == 0, "{error:?}");
+        assert!(
+            matches!(error, Error::Together { .. }) && handed_on == 0,
+            "{error:?}"
+        );
         let error = error.to_string();
-        assert!(error.contains(named) && error.contains("the batch is of club.loft, swing.speed"), "{error}");
+        assert!(
+            error.contains(named) && error.contains("the batch is of club.loft, swing.speed"),
+            "{error}"
+        );
     }
-    assert_eq!(batch.run(&mut Mine::new(&[loft, speed], 3), &Run::default(), |_| (), |()| Ok(())).unwrap(), 3);
+    assert_eq!(
+        batch
+            .run(
+                &mut Mine::new(&[loft, speed], 3),
+                &Run::default(),
+                |_| (),
+                |()| Ok(())
+            )
+            .unwrap(),
+        3
+    );
 }
 
 /// Where values are missing all that follow stand in the place of others.
@@ -84,13 +109,32 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
 fn points_that_append_other_numbers_of_values_than_they_say_are_refused_after_the_rows_before() {
     let setup = Setup::default();
     let of_both = loft_and_speed(&setup);
-    let short = Mine { appended: 1, ..Mine::new(&of_both, 10) };
-    let long = Mine { more: 5, ..Mine::new(&of_both, 5000) };
+    let short = Mine {
+        appended: 1,
+        ..Mine::new(&of_both, 10)
+    };
+    let long = Mine {
+        more: 5,
+        ..Mine::new(&of_both, 5000)
+    };
     for (mut points, says) in [
-        (short, "asked for at most 10 rows, tells of 10 and appends 10 values: it must append 2 values for each row"),
-        (long, "asked for at most 1024 rows, tells of 1029 and appends 2058 values"),
+        (
+            short,
+            "asked for at most 10 rows, tells of 10 and appends 10 values: it must append 2 values \
+             for each row",
+        ),
+        (
+            long,
+            "asked for at most 1024 rows, tells of 1029 and appends 2058 values",
+        ),
     ] {
-        let error = simulate_batch(&setup, &mut points, &[Outcome::BallSpeed], &Run::default(), |_| Ok(()));
+        let error = simulate_batch(
+            &setup,
+            &mut points,
+            &[Outcome::BallSpeed],
+            &Run::default(),
+            |_| Ok(()),
+        );
         let error = error.unwrap_err().to_string();
         assert!(error.contains(says), "{error}");
     }
@@ -122,20 +166,39 @@ fn points_that_append_other_numbers_of_values_than_they_say_are_refused_after_th
     }
     let mut rows = 0;
     let mut points = Late(Mine::new(&of_both, 1500));
-    let end = gradient_batch(&setup, &mut points, &[Outcome::BallSpeed], &of_both[..1], &Run::default(), |block| {
-        rows += block.rows();
-        Ok(())
-    });
-    assert!(end.unwrap_err().to_string().contains("951 values") && rows == 1024, "{rows}");
+    let end = gradient_batch(
+        &setup,
+        &mut points,
+        &[Outcome::BallSpeed],
+        &of_both[..1],
+        &Run::default(),
+        |block| {
+            rows += block.rows();
+            Ok(())
+        },
+    );
+    assert!(
+        end.unwrap_err().to_string().contains("951 values") && rows == 1024,
+        "{rows}"
+    );
 }
 
 /// What is not there is not handed on: the row that comes back is the one that was to be the first.
 #[test]
 fn exact_a_batch_from_behind_its_last_point_hands_nothing_on() {
     let setup = Setup::default();
-    let run = Run { first_row: 99_999, ..Run::default() };
+    let run = Run {
+        first_row: 99_999,
+        ..Run::default()
+    };
     let mut points = Mine::new(&loft_and_speed(&setup), 20);
-    assert_eq!(simulate_batch(&setup, &mut points, &[Outcome::Carry], &run, |_| panic!("no block")).unwrap(), 99_999);
+    assert_eq!(
+        simulate_batch(&setup, &mut points, &[Outcome::Carry], &run, |_| panic!(
+            "no block"
+        ))
+        .unwrap(),
+        99_999
+    );
 }
 
 /// Wrong lengths are mistakes of a program: they panic, with both lengths.
@@ -146,20 +209,33 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
     let batch = Batch::new(&setup, &[loft, speed], &[Outcome::Carry], &[loft]).unwrap();
     for points in [vec![0.2], vec![0.2, 45.0, 0.1]] {
         let said = panic_of(|| batch.evaluate(0, points.clone()));
-        assert!(said.contains(&format!("a multiple of 2 values; there are {}", points.len())), "{said}");
+        assert!(
+            said.contains(&format!(
+                "a multiple of 2 values; there are {}",
+                points.len()
+            )),
+            "{said}"
+        );
     }
     let block = batch.evaluate(0, vec![0.2, 45.0]);
-    assert_eq!((block.status(0), batch.evaluate(0, vec![]).rows()), (Status::Landed, 0));
+    assert_eq!(
+        (block.status(0), batch.evaluate(0, vec![]).rows()),
+        (Status::Landed, 0)
+    );
 
     let other = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
     let parquet = SweepParquet::new(&other, "").unwrap();
-    let written: [&dyn Fn(); 3] =
-        [&|| drop(SweepCsv::new(&other).rows(&block)), &|| drop(SweepJsonLines::new(&other).rows(&block)), &|| {
-            drop(parquet.group(std::slice::from_ref(&block)))
-        }];
+    let written: [&dyn Fn(); 3] = [
+        &|| drop(SweepCsv::new(&other).rows(&block)),
+        &|| drop(SweepJsonLines::new(&other).rows(&block)),
+        &|| drop(parquet.group(std::slice::from_ref(&block))),
+    ];
     for write in written {
         let said = panic_of(write);
-        assert!(said.contains("the table is of [1, 1, 0]") && said.contains("the block of [2, 1, 1]"), "{said}");
+        assert!(
+            said.contains("the table is of [1, 1, 0]") && said.contains("the block of [2, 1, 1]"),
+            "{said}"
+        );
     }
     assert!(!SweepCsv::new(&batch).rows(&block).is_empty() && block.result(7).next().is_none());
     let beyond: [&dyn Fn() -> usize; 6] = [

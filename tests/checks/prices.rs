@@ -1,4 +1,5 @@
-//! Bounds and limits as answers tell them: which are active, at what price, and which designs break one.
+//! Bounds and limits as answers tell them: which are active, at what price, and which designs break
+//! one.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -13,12 +14,22 @@ fn told(args: &[&str]) -> String {
 
 /// The number that stands between these words.
 fn between(text: &str, before: &str, after: &str) -> f64 {
-    let rest = text.split(before).nth(1).unwrap_or_else(|| panic!("no '{before}' in {text}"));
+    let rest = text
+        .split(before)
+        .nth(1)
+        .unwrap_or_else(|| panic!("no '{before}' in {text}"));
     let number = rest.split(after).next().unwrap().trim();
-    number.parse().unwrap_or_else(|_| panic!("'{number}' in {text}"))
+    number
+        .parse()
+        .unwrap_or_else(|_| panic!("'{number}' in {text}"))
 }
 
-const SWINGS: [&str; 4] = ["optimize", "-q", "--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
+const SWINGS: [&str; 4] = [
+    "optimize",
+    "-q",
+    "--distribution",
+    "swing.attack_angle=normal(-1deg,2deg)",
+];
 
 fn over_swings(limit: &str) -> Vec<&str> {
     [&SWINGS[..], &["--subject-to", limit]].concat()
@@ -27,24 +38,49 @@ fn over_swings(limit: &str) -> Vec<&str> {
 #[test]
 fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
     let text = told(&over_swings("std(carry) <= 4.5yd"));
-    let price = between(&text, "std(carry) <= 4.5yd active: +", " yd for each yard that the limit is relaxed");
+    let price = between(
+        &text,
+        "std(carry) <= 4.5yd active: +",
+        " yd for each yard that the limit is relaxed",
+    );
     let best = |limit: &str| number(&json(&over_swings(limit)).1["value"]);
     let slope = (best("std(carry) <= 4.52yd") - best("std(carry) <= 4.48yd")) / (0.04 * 0.9144);
     // shown to three digits
-    close(price, slope, slope, 5e-3, "yards of carry for a yard of scatter");
+    close(
+        price,
+        slope,
+        slope,
+        5e-3,
+        "yards of carry for a yard of scatter",
+    );
     // the mean swing's design and the one set up break it
     assert_eq!(text.matches("(broken)").count(), 2, "{text}");
-    assert!(text.contains("the design as set up breaks a limit"), "{text}");
-    assert!(text.contains("the best design of the mean swing breaks a limit"), "{text}");
+    assert!(
+        text.contains("the design as set up breaks a limit"),
+        "{text}"
+    );
+    assert!(
+        text.contains("the best design of the mean swing breaks a limit"),
+        "{text}"
+    );
 }
 
 #[test]
 fn exact_a_design_that_breaks_a_relation_is_marked() {
     let text = told(&over_swings("loft: club.loft >= 10 deg"));
-    assert!(text.contains("9.5° (broken)") || text.contains("9.50° (broken)"), "{text}");
-    assert!(text.contains("the design as set up breaks a limit"), "{text}");
+    assert!(
+        text.contains("9.5° (broken)") || text.contains("9.50° (broken)"),
+        "{text}"
+    );
+    assert!(
+        text.contains("the design as set up breaks a limit"),
+        "{text}"
+    );
     let kept = told(&over_swings("loft: club.loft >= 4.5 deg"));
-    assert!(!kept.contains("break") && !kept.contains("(broken)") && kept.contains("not active"), "{kept}");
+    assert!(
+        !kept.contains("break") && !kept.contains("(broken)") && kept.contains("not active"),
+        "{kept}"
+    );
 }
 
 #[test]
@@ -52,25 +88,46 @@ fn differences_of_optima_are_the_price_of_the_side_that_is_active() {
     for (limit, words, sides) in [
         (
             "20 yd <= apex_height <= 35 yd",
-            ["active at its upper limit: +", " yd for each yard that it is raised"],
+            [
+                "active at its upper limit: +",
+                " yd for each yard that it is raised",
+            ],
             ["apex_height <= 34.9 yd", "apex_height <= 35.1 yd"],
         ),
         (
             "45 yd <= apex_height <= 50 yd",
-            ["active at its lower limit: +", " yd for each yard that it is lowered"],
+            [
+                "active at its lower limit: +",
+                " yd for each yard that it is lowered",
+            ],
             ["apex_height >= 45.1 yd", "apex_height >= 44.9 yd"],
         ),
     ] {
-        let price = between(&told(&["optimize", "-q", "--subject-to", limit]), words[0], words[1]);
-        let [tight, loose] = sides.map(|limit| number(&json(&["optimize", "--subject-to", limit]).1["value"]));
+        let price = between(
+            &told(&["optimize", "-q", "--subject-to", limit]),
+            words[0],
+            words[1],
+        );
+        let [tight, loose] =
+            sides.map(|limit| number(&json(&["optimize", "--subject-to", limit]).1["value"]));
         let slope = (loose - tight) / (0.2 * 0.9144);
         close(price, slope, slope, 1e-2, limit);
     }
 }
 
 fn robust(more: &[&str]) -> Vec<String> {
-    let fixed = ["robust", "--model", "aero.law=ferguson", "--vary", "club.loft=4deg..20deg"];
-    fixed.iter().chain(more).map(|text| (*text).to_owned()).collect()
+    let fixed = [
+        "robust",
+        "--model",
+        "aero.law=ferguson",
+        "--vary",
+        "club.loft=4deg..20deg",
+    ];
+    fixed
+        .iter()
+        .chain(more)
+        .map(|text| (*text).to_owned())
+        .collect()
 }
 
 fn as_text(args: &[String]) -> Vec<&str> {
@@ -81,14 +138,18 @@ fn as_text(args: &[String]) -> Vec<&str> {
 fn differences_of_the_greatest_loss_are_the_prices_of_what_holds_a_robust_design() {
     // one model limits it by its apex
     let limited = |limit: &str| robust(&["--subject-to", limit]);
-    let (args, tight, loose) =
-        (limited("apex_height <= 30 yd"), limited("apex_height <= 29.9 yd"), limited("apex_height <= 30.1 yd"));
+    let (args, tight, loose) = (
+        limited("apex_height <= 30 yd"),
+        limited("apex_height <= 29.9 yd"),
+        limited("apex_height <= 30.1 yd"),
+    );
     let found = json(&as_text(&args)).1;
     let least = |model: &Value| number(&model["constraints"][0]["multiplier"]);
     let models = found["models"].as_array().unwrap();
     let prices: Vec<f64> = models.iter().map(least).collect();
     assert!(prices.iter().any(|price| *price > 1e-3), "{found:#}");
-    let [tight, loose] = [tight, loose].map(|args| number(&json(&as_text(&args)).1["greatest_loss"]));
+    let [tight, loose] =
+        [tight, loose].map(|args| number(&json(&as_text(&args)).1["greatest_loss"]));
     close(
         prices.iter().sum(),
         (tight - loose) / (0.2 * 0.9144),
@@ -97,13 +158,27 @@ fn differences_of_the_greatest_loss_are_the_prices_of_what_holds_a_robust_design
         "fall of the greatest loss for a metre of apex",
     );
     let text = told(&as_text(&[args, vec!["-q".into()]].concat()));
-    assert!(text.contains("apex_height <= 30 yd 1 ") && text.contains("that the limit is relaxed"), "{text}");
-    assert!(text.contains("its loss decides the robust design"), "{text}");
+    assert!(
+        text.contains("apex_height <= 30 yd 1 ") && text.contains("that the limit is relaxed"),
+        "{text}"
+    );
+    assert!(
+        text.contains("its loss decides the robust design"),
+        "{text}"
+    );
 
     // by default the attack angle is at its upper bound
     let of_attack = |high: &str| {
         let attack = format!("swing.attack_angle=-5deg..{high}");
-        let args = ["robust", "--model", "aero.law=ferguson", "--vary", "club.loft=4deg..20deg", "--vary", &attack];
+        let args = [
+            "robust",
+            "--model",
+            "aero.law=ferguson",
+            "--vary",
+            "club.loft=4deg..20deg",
+            "--vary",
+            &attack,
+        ];
         (json(&args).1, longdrive(&[&args[..], &["-q"]].concat()).out)
     };
     let (found, text) = of_attack("5deg");
@@ -114,29 +189,55 @@ fn differences_of_the_greatest_loss_are_the_prices_of_what_holds_a_robust_design
 #[test]
 fn a_search_without_an_optimum_does_not_call_its_end_one() {
     for (more, status, head) in [
-        (&["--subject-to", "apex_height >= 300 yd"][..], "infeasible", "nearest point"),
-        (&["--max-iterations", "1"][..], "iteration-limit", "last point"),
+        (
+            &["--subject-to", "apex_height >= 300 yd"][..],
+            "infeasible",
+            "nearest point",
+        ),
+        (
+            &["--max-iterations", "1"][..],
+            "iteration-limit",
+            "last point",
+        ),
     ] {
         for asked in [&["optimize", "-q"][..], &SWINGS[..]] {
             let more: Vec<&str> = match asked.len() {
-                4 if more[0] == "--subject-to" => vec!["--subject-to", "mean(apex_height) >= 300 yd"],
+                4 if more[0] == "--subject-to" => {
+                    vec!["--subject-to", "mean(apex_height) >= 300 yd"]
+                }
                 _ => more.to_vec(),
             };
             let said = longdrive(&[asked, &more[..]].concat());
             assert_eq!(said.status, 1, "{}", said.out);
             assert!(said.out.starts_with(status), "{}", said.out);
-            let line = said.out.lines().find(|line| line.trim_start().starts_with("vary ")).unwrap();
-            assert!(line.contains(head) && !line.contains("optimum") && !line.contains("best"), "{line}");
+            let line = said
+                .out
+                .lines()
+                .find(|line| line.trim_start().starts_with("vary "))
+                .unwrap();
+            assert!(
+                line.contains(head) && !line.contains("optimum") && !line.contains("best"),
+                "{line}"
+            );
         }
     }
     let best = longdrive(&["optimize", "-q"]).out;
-    assert!(best.contains("optimum") && !best.contains("last point"), "{best}");
+    assert!(
+        best.contains("optimum") && !best.contains("last point"),
+        "{best}"
+    );
 }
 
 #[test]
 fn exact_a_range_that_is_no_single_value_does_not_read_as_one() {
-    let narrow =
-        ["optimize", "-q", "--vary", "club.loft=10deg..10.0000001deg", "--vary", "swing.attack_angle=-5deg..5deg"];
+    let narrow = [
+        "optimize",
+        "-q",
+        "--vary",
+        "club.loft=10deg..10.0000001deg",
+        "--vary",
+        "swing.attack_angle=-5deg..5deg",
+    ];
     let text = told(&narrow);
     assert!(text.contains("10° .. 10.0000001°"), "{text}");
 }

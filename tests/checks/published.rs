@@ -1,4 +1,5 @@
-//! The presets of averages beside the averages that are published: `docs/sources.md` says what of each is chosen to agree.
+//! The presets of averages beside the averages that are published: `docs/sources.md` says what of
+//! each is chosen to agree.
 
 use longdrive::optimize::Observer;
 use longdrive::parameters::Vary;
@@ -10,26 +11,34 @@ const YARD: f64 = 0.9144;
 const RPM: f64 = std::f64::consts::TAU / 60.0;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// A published average: head speed and attack angle, mph and degrees, and ball speed, launch angle, spin, carry, apex and descent in mph,
-/// degrees, rpm and yards.
+/// A published average: head speed and attack angle, mph and degrees, and ball speed, launch angle,
+/// spin, carry, apex and descent in mph, degrees, rpm and yards.
 struct Average {
     preset: &'static str,
     delivery: [f64; 2],
     drive: [f64; 6],
 }
 
-const PGA: Average =
-    Average { preset: "tour-average", delivery: [115.0, -0.9], drive: [171.0, 10.4, 2545.0, 282.0, 35.0, 39.0] };
-const LPGA: Average =
-    Average { preset: "lpga-average", delivery: [96.0, 2.8], drive: [143.0, 12.6, 2506.0, 223.0, 26.0, 36.0] };
+const PGA: Average = Average {
+    preset: "tour-average",
+    delivery: [115.0, -0.9],
+    drive: [171.0, 10.4, 2545.0, 282.0, 35.0, 39.0],
+};
+const LPGA: Average = Average {
+    preset: "lpga-average",
+    delivery: [96.0, 2.8],
+    drive: [143.0, 12.6, 2506.0, 223.0, 26.0, 36.0],
+};
 
 impl Average {
-    /// Holds the preset to the bounds: 1 % of ball speed, 0.5°, 5 % of spin, 2 % of carry, 2 yd of apex, 2° of descent.
+    /// Holds the preset to the bounds: 1 % of ball speed, 0.5°, 5 % of spin, 2 % of carry, 2 yd of
+    /// apex, 2° of descent.
     fn hold(&self) {
         let setup = Setup::preset(self.preset).unwrap();
         let [speed, attack] = self.delivery;
         assert!(
-            (setup.swing.speed / MPH - speed).abs() < 1e-9 && (setup.swing.attack_angle / DEGREE - attack).abs() < 1e-9
+            (setup.swing.speed / MPH - speed).abs() < 1e-9
+                && (setup.swing.attack_angle / DEGREE - attack).abs() < 1e-9
         );
         let drive = Drive::new(&setup).unwrap();
         let [ball, launch, spin, carry, apex, descent] = self.drive;
@@ -44,7 +53,11 @@ impl Average {
         for (outcome, unit, published, bound) in held {
             let ours = outcome.value(&drive).unwrap() / unit;
             let name = outcome.name();
-            assert!((ours - published).abs() <= bound, "{}: {name} {ours} against {published} ± {bound}", self.preset);
+            assert!(
+                (ours - published).abs() <= bound,
+                "{}: {name} {ours} against {published} ± {bound}",
+                self.preset
+            );
         }
     }
 }
@@ -59,15 +72,20 @@ fn published_average_of_the_lpga_tour_is_met_by_its_preset() {
     LPGA.hold();
 }
 
-/// TrackMan's chart states the loft at impact: with it the club that strikes as the chart's has its ball, whatever flies it. The
-/// difference to the average of the PGA TOUR is one of the impact.
+/// TrackMan's chart states the loft at impact: with it the club that strikes as the chart's has its
+/// ball, whatever flies it. The difference to the average of the PGA TOUR is one of the impact.
 #[test]
 fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_average() {
-    let rows = include_str!("../data/trackman_chart_impacts.csv").lines().filter(|line| !line.starts_with('#')).skip(1);
+    let rows = include_str!("../data/trackman_chart_impacts.csv")
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .skip(1);
     let mut count = 0;
     for row in rows {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
-        let [speed, attack, loft, ball, launch, spin] = cells[..] else { panic!("{row}") };
+        let [speed, attack, loft, ball, launch, spin] = cells[..] else {
+            panic!("{row}")
+        };
         let struck = |preset: &str| {
             let mut setup = Setup::preset(preset).unwrap();
             (setup.swing.shaft_bend, setup.swing.shaft_growth) = (None, None);
@@ -75,11 +93,18 @@ fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_averag
             // loft at impact: club.loft + attack angle, and above the sweet spot what the roll adds
             setup.club.loft = (loft - attack) * DEGREE - setup.strike.high / setup.club.roll_radius;
             let drive = Drive::new(&setup).unwrap();
-            [(Outcome::BallSpeed, MPH), (Outcome::LaunchAngle, DEGREE), (Outcome::Spin, RPM)]
-                .map(|(of, unit)| of.value(&drive).unwrap() / unit)
+            [
+                (Outcome::BallSpeed, MPH),
+                (Outcome::LaunchAngle, DEGREE),
+                (Outcome::Spin, RPM),
+            ]
+            .map(|(of, unit)| of.value(&drive).unwrap() / unit)
         };
         let ours = struck("lpga-average");
-        assert!((ours[0] / ball - 1.0).abs() < 0.01 && (ours[1] - launch).abs() < 0.5, "{row}: {ours:?}");
+        assert!(
+            (ours[0] / ball - 1.0).abs() < 0.01 && (ours[1] - launch).abs() < 0.5,
+            "{row}: {ours:?}"
+        );
         assert!((ours[2] / spin - 1.0).abs() < 0.03, "{row}: {ours:?}");
         let less = 1.0 - struck("tour-average")[2] / spin;
         assert!((0.17..0.30).contains(&less), "{row}: {less}");
@@ -88,10 +113,12 @@ fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_averag
     assert_eq!(count, 60);
 }
 
-/// The misses of a club's optima in the rows of longest carry of TrackMan's chart: of launch angle, deg, of spin, rpm, and of carry, as a part of it.
+/// The misses of a club's optima in the rows of longest carry of TrackMan's chart: of launch angle,
+/// deg, of spin, rpm, and of carry, as a part of it.
 fn misses_of_optima(club: &Setup<f64>) -> Vec<[f64; 3]> {
-    let rows =
-        include_str!("../data/trackman_optimal_driver.csv").lines().filter(|line| line.starts_with("best carry"));
+    let rows = include_str!("../data/trackman_optimal_driver.csv")
+        .lines()
+        .filter(|line| line.starts_with("best carry"));
     let miss = |row: &str| {
         let cells: Vec<&str> = row.split(',').collect();
         let words: Vec<&str> = cells[0].split(' ').collect();
@@ -99,10 +126,19 @@ fn misses_of_optima(club: &Setup<f64>) -> Vec<[f64; 3]> {
         let mut setup = *club;
         (setup.swing.speed, setup.swing.attack_angle) = (speed * MPH, attack * DEGREE);
         let vary = vec![Vary::read(&setup, "club.loft=0deg..40deg").unwrap()];
-        let search = Search { vary, ..Search::largest(Outcome::CarryDistance) };
-        let drive = optimum(&setup, search, Observer::default()).unwrap().drive.unwrap();
+        let search = Search {
+            vary,
+            ..Search::largest(Outcome::CarryDistance)
+        };
+        let drive = optimum(&setup, search, Observer::default())
+            .unwrap()
+            .drive
+            .unwrap();
         let of = |of: Outcome, unit: f64| of.value(&drive).unwrap() / unit;
-        let published: Vec<f64> = cells[2..].iter().map(|cell| cell.parse().unwrap()).collect();
+        let published: Vec<f64> = cells[2..]
+            .iter()
+            .map(|cell| cell.parse().unwrap())
+            .collect();
         [
             (of(Outcome::LaunchAngle, DEGREE) - published[0]).abs(),
             (of(Outcome::Spin, RPM) - published[1]).abs(),
@@ -114,23 +150,33 @@ fn misses_of_optima(club: &Setup<f64>) -> Vec<[f64; 3]> {
     misses
 }
 
-/// At the loft of its longest carry the preset is the chart's within 1° of launch angle, 250 rpm and 2 % of carry, on average over the 30 rows.
+/// At the loft of its longest carry the preset is the chart's within 1° of launch angle, 250 rpm
+/// and 2 % of carry, on average over the 30 rows.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_by_the_lpga_average() {
     let misses = misses_of_optima(&Setup::preset("lpga-average").unwrap());
-    let [launch, spin, carry] = [0, 1, 2].map(|at| misses.iter().map(|miss| miss[at]).sum::<f64>() / 30.0);
-    assert!(launch < 1.0 && spin < 250.0 && carry < 0.02, "{launch} deg, {spin} rpm, {carry}");
+    let [launch, spin, carry] =
+        [0, 1, 2].map(|at| misses.iter().map(|miss| miss[at]).sum::<f64>() / 30.0);
+    assert!(
+        launch < 1.0 && spin < 250.0 && carry < 0.02,
+        "{launch} deg, {spin} rpm, {carry}"
+    );
 }
 
-/// With the chart's impact and Ferguson's law the default club's optima are the chart's within the same bounds in each of the 30 rows.
+/// With the chart's impact and Ferguson's law the default club's optima are the chart's within the
+/// same bounds in each of the 30 rows.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_row_by_row_with_its_impact_and_fergusons_law() {
     let mut club = Setup::preset("modern-driver").unwrap();
     club.set("impact.tangential_restitution", "-0.03").unwrap();
     club.set("aero.law", "ferguson").unwrap();
     let misses = misses_of_optima(&club);
-    let [launch, spin, carry] = [0, 1, 2].map(|at| misses.iter().map(|miss| miss[at]).fold(0.0, f64::max));
-    assert!(launch < 1.0 && spin < 250.0 && carry < 0.02, "at most {launch} deg, {spin} rpm, {carry}");
+    let [launch, spin, carry] =
+        [0, 1, 2].map(|at| misses.iter().map(|miss| miss[at]).fold(0.0, f64::max));
+    assert!(
+        launch < 1.0 && spin < 250.0 && carry < 0.02,
+        "at most {launch} deg, {spin} rpm, {carry}"
+    );
 }
 
 #[test]
@@ -146,14 +192,23 @@ fn published_launch_and_carry_of_the_average_amateur_are_met_by_its_preset() {
         (Outcome::DescentAngle, DEGREE, 37.5, 0.05),
     ] {
         let ours = outcome.value(&drive).unwrap() / unit;
-        assert!((ours - expected).abs() <= bound, "{}: {ours} against {expected}", outcome.name());
+        assert!(
+            (ours - expected).abs() <= bound,
+            "{}: {ours} against {expected}",
+            outcome.name()
+        );
     }
 }
 
 #[test]
 fn published_edition_of_2019_is_met_but_for_the_launch_angle() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    setup.set_all([("swing.speed", "113 mph"), ("swing.attack_angle", "-1.3 deg")]).unwrap();
+    setup
+        .set_all([
+            ("swing.speed", "113 mph"),
+            ("swing.attack_angle", "-1.3 deg"),
+        ])
+        .unwrap();
     let drive = Drive::new(&setup).unwrap();
     let of = |outcome: Outcome, unit: f64| outcome.value(&drive).unwrap() / unit;
     assert!((of(Outcome::BallSpeed, MPH) - 167.0).abs() <= 1.67);

@@ -1,10 +1,13 @@
-//! Published cases of strikes beside the centre and of a golfer's scatter, beside what this model gives; docs/swings.md has the numbers.
-//! A rigid impact is known to miss the side spin of such strikes by 30 to 50 % (Caldwell 2023): what is held here is what each case tells.
+//! Published cases of strikes beside the centre and of a golfer's scatter, beside what this model
+//! gives; docs/swings.md has the numbers. A rigid impact is known to miss the side spin of such
+//! strikes by 30 to 50 % (Caldwell 2023): what is held here is what each case tells.
 
 use longdrive::derivative::gradient;
 use longdrive::optimize::{Follow, Options};
 use longdrive::parameters::Law;
-use longdrive::study::swings::{Correlation, Goal, Rule, Scenarios, Swings, SwingsSearch, swings_optimum};
+use longdrive::study::swings::{
+    Correlation, Goal, Rule, Scenarios, Swings, SwingsSearch, swings_optimum,
+};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Sense, Vary};
 use longdrive::{Drive, Outcome, Setup};
@@ -45,7 +48,8 @@ fn mcnally() -> Setup<f64> {
     )
 }
 
-/// The bulge with which strikes spread evenly over ± 25 mm of the face land nearest to the target line.
+/// The bulge with which strikes spread evenly over ± 25 mm of the face land nearest to the target
+/// line.
 fn best_bulge(setup: &Setup<f64>) -> f64 {
     let strikes = Uncertain::read(setup, "strike.toe=uniform(-25 mm, 25 mm)").unwrap();
     let swings = Swings::distributed(vec![strikes], &[]).unwrap();
@@ -67,25 +71,41 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
     let setup = mcnally();
     let toe = changed(&setup, &[("strike.toe", "25 mm")]);
     let depth = toe.variable("club.cg_depth").unwrap();
-    let per_mm = 1e-3 * gradient(&toe, Outcome::Sidespin, &[depth]).unwrap().gradient[0];
+    let per_mm = 1e-3
+        * gradient(&toe, Outcome::Sidespin, &[depth])
+            .unwrap()
+            .gradient[0];
     println!("side spin by depth: {per_mm:.3} rad/s for each mm; McNally: -4.2");
     assert!((per_mm / -4.2 - 1.0).abs() < 0.1, "{per_mm}");
-    // how the measure of the best bulge was made is not known to us: ours, under four laws of drag and lift
-    for law in ["launch-monitor", "smits-smith", "bearman-harvey", "ferguson"] {
+    // how the measure of the best bulge was made is not known to us: ours, under four laws of drag
+    // and lift
+    for law in [
+        "launch-monitor",
+        "smits-smith",
+        "bearman-harvey",
+        "ferguson",
+    ] {
         assert!(Law::NAMES.contains(&law));
         let bulge = best_bulge(&changed(&setup, &[("aero.law", law)]));
-        println!("best bulge with {law}: {:.1} cm; McNally: 36 cm", 100.0 * bulge);
+        println!(
+            "best bulge with {law}: {:.1} cm; McNally: 36 cm",
+            100.0 * bulge
+        );
         assert!((0.30..0.33).contains(&bulge), "{law}: {bulge}");
     }
     // it goes with the gear effect: 15 % less depth, and so 15 % less of it, brings 36 cm
     let shallow = best_bulge(&changed(&setup, &[("club.cg_depth", "29.5 mm")]));
-    println!("best bulge with 29.5 mm of depth: {:.1} cm", 100.0 * shallow);
+    println!(
+        "best bulge with 29.5 mm of depth: {:.1} cm",
+        100.0 * shallow
+    );
     assert!((shallow - 0.36).abs() < 0.005, "{shallow}");
 }
 
 #[test]
 fn published_table_of_bulge_and_gear_effect() {
-    // Tutelman: 150 mph of ball speed, 11°, 12 in, 1.3 in of depth; his hook spins are those of 5150 g cm² in his formula
+    // Tutelman: 150 mph of ball speed, 11°, 12 in, 1.3 in of depth; his hook spins are those of
+    // 5150 g cm² in his formula
     let head = changed(
         &mcnally(),
         &[
@@ -98,16 +118,22 @@ fn published_table_of_bulge_and_gear_effect() {
             ("club.inertia.yy", "3500 g cm^2"),
         ],
     );
-    for (toe, direction, slice, hook, left) in
-        [("0.25 in", 1.1, 338.0, 553.0, 3.0), ("0.5 in", 2.1, 676.0, 1113.0, 6.0)]
-    {
+    for (toe, direction, slice, hook, left) in [
+        ("0.25 in", 1.1, 338.0, 553.0, 3.0),
+        ("0.5 in", 2.1, 676.0, 1113.0, 6.0),
+    ] {
         let bulged = changed(&head, &[("strike.toe", toe)]);
         let flat = changed(&bulged, &[("club.bulge_radius", "inf")]);
-        let [ours, without] = [&bulged, &flat]
-            .map(|setup| (value(setup, Outcome::LaunchDirection) / DEGREE, -value(setup, Outcome::Sidespin) / RPM));
+        let [ours, without] = [&bulged, &flat].map(|setup| {
+            (
+                value(setup, Outcome::LaunchDirection) / DEGREE,
+                -value(setup, Outcome::Sidespin) / RPM,
+            )
+        });
         let by_bulge = (ours.0 - without.0, without.1 - ours.1);
         println!(
-            "{toe}: right by bulge {:.2} ({direction}), by the turn of the head {:.2}; slice {:.0} ({slice}), hook {:.0} ({hook}), {:.1} yd ({left} left)",
+            "{toe}: right by bulge {:.2} ({direction}), by the turn of the head {:.2}; slice {:.0} \
+             ({slice}), hook {:.0} ({hook}), {:.1} yd ({left} left)",
             by_bulge.0,
             without.0,
             by_bulge.1,
@@ -115,9 +141,16 @@ fn published_table_of_bulge_and_gear_effect() {
             value(&bulged, Outcome::Lateral) / YARD
         );
         assert!((value(&bulged, Outcome::BallSpeed) / 0.44704 - 150.0).abs() < 2.0);
-        assert!((by_bulge.0 - direction).abs() < 0.2 && (by_bulge.1 / slice - 1.0).abs() < 0.06, "{by_bulge:?}");
-        // his ball takes all of the face's speed aside as spin; a solid ball that may move aside too takes 5/7 of it
-        assert!((without.1 / (5.0 / 7.0 * hook) - 1.0).abs() < 0.06, "{without:?}");
+        assert!(
+            (by_bulge.0 - direction).abs() < 0.2 && (by_bulge.1 / slice - 1.0).abs() < 0.06,
+            "{by_bulge:?}"
+        );
+        // his ball takes all of the face's speed aside as spin; a solid ball that may move aside
+        // too takes 5/7 of it
+        assert!(
+            (without.1 / (5.0 / 7.0 * hook) - 1.0).abs() < 0.06,
+            "{without:?}"
+        );
         // where it lands differs by what that hook and the turn of the head make
         let yards = value(&bulged, Outcome::Lateral) / YARD;
         assert!((yards + left).abs() < 13.0 && yards > 0.0, "{yards}");
@@ -140,17 +173,35 @@ fn scatter(
     correlations: &[(&str, &str, f64)],
     of: &[Outcome],
 ) -> Vec<(f64, f64)> {
-    let inputs: Vec<_> = distributions.iter().map(|text| Uncertain::read(setup, text).unwrap()).collect();
+    let inputs: Vec<_> = distributions
+        .iter()
+        .map(|text| Uncertain::read(setup, text).unwrap())
+        .collect();
     let correlated = |(one, other, by): &(&str, &str, f64)| {
-        Correlation::new([setup.variable(one).unwrap(), setup.variable(other).unwrap()], *by).unwrap()
+        Correlation::new(
+            [setup.variable(one).unwrap(), setup.variable(other).unwrap()],
+            *by,
+        )
+        .unwrap()
     };
     let correlations: Vec<_> = correlations.iter().map(correlated).collect();
-    scatter_over(setup, &Swings::distributed(inputs, &correlations).unwrap(), of)
+    scatter_over(
+        setup,
+        &Swings::distributed(inputs, &correlations).unwrap(),
+        of,
+    )
 }
 
 /// The same over swings.
 fn scatter_over(setup: &Setup<f64>, swings: &Swings, of: &[Outcome]) -> Vec<(f64, f64)> {
-    let scenarios = Scenarios::new(swings, Rule::Sequence { count: 1024, seed: 1 }).unwrap();
+    let scenarios = Scenarios::new(
+        swings,
+        Rule::Sequence {
+            count: 1024,
+            seed: 1,
+        },
+    )
+    .unwrap();
     let drive = |point: &Vec<f64>| {
         let mut swung = *setup;
         for (parameter, value) in scenarios.parameters.iter().zip(point) {
@@ -161,9 +212,16 @@ fn scatter_over(setup: &Setup<f64>, swings: &Swings, of: &[Outcome]) -> Vec<(f64
     let drives: Vec<_> = scenarios.points.iter().map(drive).collect();
     of.iter()
         .map(|of| {
-            let values: Vec<f64> = drives.iter().map(|drive| of.value(drive).unwrap()).collect();
+            let values: Vec<f64> = drives
+                .iter()
+                .map(|drive| of.value(drive).unwrap())
+                .collect();
             let mean = values.iter().sum::<f64>() / values.len() as f64;
-            let variance = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (values.len() - 1) as f64;
+            let variance = values
+                .iter()
+                .map(|value| (value - mean).powi(2))
+                .sum::<f64>()
+                / (values.len() - 1) as f64;
             (mean, variance.sqrt())
         })
         .collect()
@@ -175,9 +233,16 @@ fn of_path_and_face() -> f64 {
 }
 
 #[test]
-fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_spin_axis_half_as_much() {
+fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_spin_axis_half_as_much()
+ {
     // the loft at impact is the published 15.55°
-    let setup = changed(&Setup::default(), &[("swing.attack_angle", "2.73 deg"), ("swing.shaft_lean", "-3.02 deg")]);
+    let setup = changed(
+        &Setup::default(),
+        &[
+            ("swing.attack_angle", "2.73 deg"),
+            ("swing.shaft_lean", "-3.02 deg"),
+        ],
+    );
     let swings = [
         "swing.speed=normal(107.7 mph, 3.29 mph)",
         "swing.attack_angle=normal(2.73 deg, 2.05 deg)",
@@ -185,22 +250,45 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         "swing.face_angle=normal(-1.01 deg, 4.17 deg)",
     ];
     assert!((of_path_and_face() - 0.317).abs() < 0.001);
-    let of = [Outcome::Carry, Outcome::Lateral, Outcome::LaunchDirection, Outcome::SpinAxis];
+    let of = [
+        Outcome::Carry,
+        Outcome::Lateral,
+        Outcome::LaunchDirection,
+        Outcome::SpinAxis,
+    ];
     let scattered = |correlation: f64| {
-        let found = scatter(&setup, &swings, &[("swing.path", "swing.face_angle", correlation)], &of);
+        let found = scatter(
+            &setup,
+            &swings,
+            &[("swing.path", "swing.face_angle", correlation)],
+            &of,
+        );
         let [carry, lateral, direction, axis] = [0, 1, 2, 3].map(|i| found[i].1);
-        let found = [carry / YARD, lateral / YARD, direction / DEGREE, axis / DEGREE];
+        let found = [
+            carry / YARD,
+            lateral / YARD,
+            direction / DEGREE,
+            axis / DEGREE,
+        ];
         println!(
-            "correlation {correlation:.3}: carry {:.1} yd, lateral {:.1} yd, direction {:.2}°, axis {:.1}°",
+            "correlation {correlation:.3}: carry {:.1} yd, lateral {:.1} yd, direction {:.2}°, \
+             axis {:.1}°",
             found[0], found[1], found[2], found[3]
         );
         found
     };
     let [carry, lateral, direction, axis] = scattered(of_path_and_face());
-    assert!((carry / CARRY - 1.0).abs() < 0.2 && (direction / DIRECTION - 1.0).abs() < 0.05, "{carry} {direction}");
+    assert!(
+        (carry / CARRY - 1.0).abs() < 0.2 && (direction / DIRECTION - 1.0).abs() < 0.05,
+        "{carry} {direction}"
+    );
     // a rigid head tilts the axis 4° for each degree of face to path; of this golfer it was 2°
-    assert!((axis / AXIS - 2.0).abs() < 0.15 && (lateral / LATERAL - 1.5).abs() < 0.15, "{axis} {lateral}");
-    // strikes that go with the face (r = 0.6 with face to path, as of other golfers) by 8.2 mm: the measured face is that at the strike
+    assert!(
+        (axis / AXIS - 2.0).abs() < 0.15 && (lateral / LATERAL - 1.5).abs() < 0.15,
+        "{axis} {lateral}"
+    );
+    // strikes that go with the face (r = 0.6 with face to path, as of other golfers) by 8.2 mm: the
+    // measured face is that at the strike
     let toe = 8.2;
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
     let with_face = 0.62 * toe * FACE_TO_PATH;
@@ -208,19 +296,30 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
     let yawed = format!("swing.face_angle=normal(-1.01 deg, {yaw} deg)");
     let struck = [&swings[..3], &[&yawed, "strike.toe=normal(0 mm, 8.2 mm)"]].concat();
     let correlations = [
-        ("swing.path", "swing.face_angle", of_path_and_face() * FACE / yaw),
-        ("swing.face_angle", "strike.toe", (with_face - turn * toe * toe) / (yaw * toe)),
+        (
+            "swing.path",
+            "swing.face_angle",
+            of_path_and_face() * FACE / yaw,
+        ),
+        (
+            "swing.face_angle",
+            "strike.toe",
+            (with_face - turn * toe * toe) / (yaw * toe),
+        ),
     ];
     let found = scatter(&setup, &struck, &correlations, &of);
     let (off_lateral, off_axis) = (found[1].1 / YARD, found[3].1 / DEGREE);
     println!("with strikes off the centre: lateral {off_lateral:.1} yd, axis {off_axis:.1}°");
-    assert!((0.7..0.9).contains(&(off_axis / axis)) && off_lateral > 1.2 * LATERAL, "{off_axis} {off_lateral}");
+    assert!(
+        (0.7..0.9).contains(&(off_axis / axis)) && off_lateral > 1.2 * LATERAL,
+        "{off_axis} {off_lateral}"
+    );
     // no correlation of path and face brings 28.2 yd
     assert!(scattered(0.0)[1] > lateral && scattered(0.95)[1] > 1.15 * LATERAL);
 }
 
-/// The same golfer's loft at impact, and the launch: means and standard deviations of ball speed, mph; launch angle and direction, °; spin, rpm;
-/// its axis, °.
+/// The same golfer's loft at impact, and the launch: means and standard deviations of ball speed,
+/// mph; launch angle and direction, °; spin, rpm; its axis, °.
 const LOFT: f64 = 2.91;
 #[expect(clippy::approx_constant, reason = "a speed of 6.28 mph, and no angle")]
 const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
@@ -231,11 +330,18 @@ const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
     (Outcome::SpinAxis, DEGREE, 5.82, AXIS),
 ];
 
-/// The deviations of carry and of the lateral at rest, yd, with strikes of a mean and a deviation to the toe and up, mm, and a correlation of the measured
-/// face with the strike to the toe; and what each number of the launch is off by, in standard errors of 58 drives, its mean and its deviation.
-fn struck_beside_the_middle(toe: (f64, f64), high: (f64, f64), with_toe: f64) -> ([(f64, f64); 2], Vec<[f64; 2]>) {
+/// The deviations of carry and of the lateral at rest, yd, with strikes of a mean and a deviation
+/// to the toe and up, mm, and a correlation of the measured face with the strike to the toe; and
+/// what each number of the launch is off by, in standard errors of 58 drives, its mean and its
+/// deviation.
+fn struck_beside_the_middle(
+    toe: (f64, f64),
+    high: (f64, f64),
+    with_toe: f64,
+) -> ([(f64, f64); 2], Vec<[f64; 2]>) {
     let setup = changed(&Setup::default(), &[("swing.attack_angle", "2.73 deg")]);
-    // face and loft are measured at the strike, where bulge and roll have turned them by so many degrees for each mm
+    // face and loft are measured at the strike, where bulge and roll have turned them by so many
+    // degrees for each mm
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
     let yaw = (FACE * FACE - 2.0 * turn * with_toe * toe.1 * FACE + (turn * toe.1).powi(2)).sqrt();
     let lean = LOFT.hypot(turn * high.1);
@@ -243,30 +349,64 @@ fn struck_beside_the_middle(toe: (f64, f64), high: (f64, f64), with_toe: f64) ->
         "swing.speed=normal(107.7 mph, 3.29 mph)".to_owned(),
         "swing.attack_angle=normal(2.73 deg, 2.05 deg)".into(),
         "swing.path=normal(-3.75 deg, 2.28 deg)".into(),
-        format!("swing.face_angle=normal({} deg, {yaw} deg)", -1.01 - turn * toe.0),
-        format!("swing.shaft_lean=normal({} deg, {lean} deg)", -3.02 + turn * high.0),
-        format!("strike.toe=truncated({} mm, {} mm, -40 mm, 45 mm)", toe.0, toe.1),
+        format!(
+            "swing.face_angle=normal({} deg, {yaw} deg)",
+            -1.01 - turn * toe.0
+        ),
+        format!(
+            "swing.shaft_lean=normal({} deg, {lean} deg)",
+            -3.02 + turn * high.0
+        ),
+        format!(
+            "strike.toe=truncated({} mm, {} mm, -40 mm, 45 mm)",
+            toe.0, toe.1
+        ),
         format!("strike.high=normal({} mm, {} mm)", high.0, high.1),
     ];
     let correlations = [
-        ("swing.path", "swing.face_angle", of_path_and_face() * FACE / yaw),
-        ("swing.face_angle", "strike.toe", (with_toe * FACE - turn * toe.1) / yaw),
+        (
+            "swing.path",
+            "swing.face_angle",
+            of_path_and_face() * FACE / yaw,
+        ),
+        (
+            "swing.face_angle",
+            "strike.toe",
+            (with_toe * FACE - turn * toe.1) / yaw,
+        ),
         ("swing.shaft_lean", "strike.high", turn * high.1 / lean),
     ];
-    let of = [&LAUNCH.map(|(of, ..)| of)[..], &[Outcome::Carry, Outcome::LateralTotal]].concat();
-    let found = scatter(&setup, &swings.each_ref().map(String::as_str), &correlations, &of);
+    let of = [
+        &LAUNCH.map(|(of, ..)| of)[..],
+        &[Outcome::Carry, Outcome::LateralTotal],
+    ]
+    .concat();
+    let found = scatter(
+        &setup,
+        &swings.each_ref().map(String::as_str),
+        &correlations,
+        &of,
+    );
     let n: f64 = 58.0;
-    let off = LAUNCH.iter().zip(&found).map(|((_, unit, mean, deviation), found)| {
-        [
-            (found.0 / unit - mean) / (deviation / n.sqrt()),
-            (found.1 / unit - deviation) / (deviation / (2.0 * n).sqrt()),
-        ]
-    });
-    ([found[5], found[6]].map(|(mean, deviation)| (mean / YARD, deviation / YARD)), off.collect())
+    let off = LAUNCH
+        .iter()
+        .zip(&found)
+        .map(|((_, unit, mean, deviation), found)| {
+            [
+                (found.0 / unit - mean) / (deviation / n.sqrt()),
+                (found.1 / unit - deviation) / (deviation / (2.0 * n).sqrt()),
+            ]
+        });
+    (
+        [found[5], found[6]].map(|(mean, deviation)| (mean / YARD, deviation / YARD)),
+        off.collect(),
+    )
 }
 
-/// Where this golfer struck the ball was not measured. Five numbers of the strikes, found by least squares from the launch alone, give all ten published
-/// numbers of the launch back within the error of 58 drives; carry and lateral, of which the fit knows nothing, then scatter as published too.
+/// Where this golfer struck the ball was not measured. Five numbers of the strikes, found by least
+/// squares from the launch alone, give all ten published numbers of the launch back within the
+/// error of 58 drives; carry and lateral, of which the fit knows nothing, then scatter as published
+/// too.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {
     let ([carry, rest], off) = struck_beside_the_middle((4.6, 13.8), (-7.3, 5.2), 0.85);
@@ -274,21 +414,43 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         "carry {:.1} ± {:.1} yd, at rest {:.1} ± {:.1} yd to the right; off {off:.1?}",
         carry.0, carry.1, rest.0, rest.1
     );
-    assert!(off.iter().flatten().all(|errors| errors.abs() < 2.0), "{off:?}");
     assert!(
-        off.iter().flatten().map(|errors| errors * errors).sum::<f64>() < 11.1,
+        off.iter().flatten().all(|errors| errors.abs() < 2.0),
+        "{off:?}"
+    );
+    assert!(
+        off.iter()
+            .flatten()
+            .map(|errors| errors * errors)
+            .sum::<f64>()
+            < 11.1,
         "chi square of five, 95 %: {off:?}"
     );
-    assert!((carry.1 / CARRY - 1.0).abs() < 0.1 && (rest.1 / LATERAL - 1.0).abs() < 0.1, "{carry:?} {rest:?}");
-    assert!((carry.0 / 249.4 - 1.0).abs() < 0.03 && (rest.0 - 7.28).abs() < 2.0, "{carry:?} {rest:?}");
+    assert!(
+        (carry.1 / CARRY - 1.0).abs() < 0.1 && (rest.1 / LATERAL - 1.0).abs() < 0.1,
+        "{carry:?} {rest:?}"
+    );
+    assert!(
+        (carry.0 / 249.4 - 1.0).abs() < 0.03 && (rest.0 - 7.28).abs() < 2.0,
+        "{carry:?} {rest:?}"
+    );
     // strikes in the middle do not
     let ([_, centred], off) = struck_beside_the_middle((0.0, 0.01), (0.0, 0.01), 0.0);
-    println!("struck in the middle: at rest ± {:.1} yd; off {off:.1?}", centred.1);
-    assert!(centred.1 > 1.6 * LATERAL && off[4][1] > 8.0, "{centred:?} {off:?}");
+    println!(
+        "struck in the middle: at rest ± {:.1} yd; off {off:.1?}",
+        centred.1
+    );
+    assert!(
+        centred.1 > 1.6 * LATERAL && off[4][1] > 8.0,
+        "{centred:?} {off:?}"
+    );
     // how far they must go with the face, by how far they scatter
     for (toe, with_toe) in [(12.0, 0.88), (16.0, 0.80), (20.0, 0.78)] {
         let ([_, rest], _) = struck_beside_the_middle((4.6, toe), (-7.3, 5.2), with_toe);
-        println!("{toe} mm, correlation {with_toe}: at rest ± {:.1} yd", rest.1);
+        println!(
+            "{toe} mm, correlation {with_toe}: at rest ± {:.1} yd",
+            rest.1
+        );
         assert!((rest.1 / LATERAL - 1.0).abs() < 0.05, "{toe}: {rest:?}");
     }
     let ([_, rest], _) = struck_beside_the_middle((4.6, 8.2), (-7.3, 5.2), 0.94);
@@ -307,11 +469,24 @@ fn published_golfer_of_the_documents_scatters_as_published() {
     let path = folder.path().join("golfer.toml");
     std::fs::write(&path, file).unwrap();
     let swings = Swings::open(&Setup::default(), &path).unwrap();
-    let found = scatter_over(&Setup::default(), &swings, &[Outcome::Carry, Outcome::LateralTotal]);
+    let found = scatter_over(
+        &Setup::default(),
+        &swings,
+        &[Outcome::Carry, Outcome::LateralTotal],
+    );
     let [carry, rest] = [0, 1].map(|i| (found[i].0 / YARD, found[i].1 / YARD));
-    println!("carry {:.1} ± {:.1} yd, at rest {:.1} ± {:.1} yd", carry.0, carry.1, rest.0, rest.1);
-    assert!((carry.1 / CARRY - 1.0).abs() < 0.1 && (rest.1 / LATERAL - 1.0).abs() < 0.1, "{carry:?} {rest:?}");
-    assert!((carry.0 - 244.0).abs() < 1.0 && (rest.0 - 8.0).abs() < 1.0, "{carry:?} {rest:?}");
+    println!(
+        "carry {:.1} ± {:.1} yd, at rest {:.1} ± {:.1} yd",
+        carry.0, carry.1, rest.0, rest.1
+    );
+    assert!(
+        (carry.1 / CARRY - 1.0).abs() < 0.1 && (rest.1 / LATERAL - 1.0).abs() < 0.1,
+        "{carry:?} {rest:?}"
+    );
+    assert!(
+        (carry.0 - 244.0).abs() < 1.0 && (rest.0 - 8.0).abs() < 1.0,
+        "{carry:?} {rest:?}"
+    );
 }
 
 #[test]
@@ -338,16 +513,25 @@ fn published_golfer_scatters_as_published_where_the_launch_is_given_as_measured(
     let tilted = shared / (DIRECTION * FACE_TO_PATH);
     let of = [Outcome::Carry, Outcome::Lateral, Outcome::LateralTotal];
     for correlation in [0.0, 0.5, tilted] {
-        let found = scatter(&setup, &shots, &[("launch.launch_direction", "launch.spin_axis", correlation)], &of);
+        let found = scatter(
+            &setup,
+            &shots,
+            &[("launch.launch_direction", "launch.spin_axis", correlation)],
+            &of,
+        );
         let [carry, lateral, total] = [0, 1, 2].map(|i| (found[i].0 / YARD, found[i].1 / YARD));
         println!(
-            "direction and axis {correlation:.2}: carry {:.1} ± {:.1}, lateral {:.1} ± {:.1}, at rest {:.1} ± {:.1}",
+            "direction and axis {correlation:.2}: carry {:.1} ± {:.1}, lateral {:.1} ± {:.1}, at \
+             rest {:.1} ± {:.1}",
             carry.0, carry.1, lateral.0, lateral.1, total.0, total.1
         );
         assert!(
             (carry.1 / CARRY - 1.0).abs() < 0.2 && (lateral.1 / LATERAL - 1.0).abs() < 0.2,
             "{carry:?} {lateral:?}"
         );
-        assert!((total.0 - 7.28).abs() < 1.0 && (carry.0 - 249.4).abs() < 6.0, "{total:?} {carry:?}");
+        assert!(
+            (total.0 - 7.28).abs() < 1.0 && (carry.0 - 249.4).abs() < 6.0,
+            "{total:?} {carry:?}"
+        );
     }
 }

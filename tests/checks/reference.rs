@@ -1,5 +1,5 @@
-//! Values, gradients, Hessians and optima against `data/reference_drives.json`, computed independently of this
-//! project and checked there to 34 digits; the file prints 12.
+//! Values, gradients, Hessians and optima against `data/reference_drives.json`, computed
+//! independently of this project and checked there to 34 digits; the file prints 12.
 
 use crate::common::{close, drives, number, outcome_of, setup_of};
 use longdrive::flight::Flight;
@@ -19,7 +19,11 @@ fn independent_values_of_every_outcome() {
         let ours = Drive::new(&setup_of(&drive)).unwrap();
         let theirs = &drive["outcomes"];
         assert!(matches!(ours.flight, Flight::Landed(_)) && theirs["status"] == "landed");
-        assert_eq!(matches!(ours.impact.unwrap().grip, Grip::Slips(_)), theirs["slipped"].as_bool().unwrap(), "{name}");
+        assert_eq!(
+            matches!(ours.impact.unwrap().grip, Grip::Slips(_)),
+            theirs["slipped"].as_bool().unwrap(),
+            "{name}"
+        );
         for outcome in Outcome::ALL {
             let expected = outcome_of(theirs, *outcome);
             let what = format!("{name}: {}", outcome.name());
@@ -31,7 +35,13 @@ fn independent_values_of_every_outcome() {
                     close(value.cos(), expected.cos(), 1.0, 1e-10, &what);
                 }
                 Outcome::SpinAxis => {}
-                _ => close(outcome.value(&ours).unwrap(), expected, expected.abs().max(1e-3), 1e-9, &what),
+                _ => close(
+                    outcome.value(&ours).unwrap(),
+                    expected,
+                    expected.abs().max(1e-3),
+                    1e-9,
+                    &what,
+                ),
             }
         }
         let impact = &ours.impact.unwrap();
@@ -46,7 +56,10 @@ fn independent_values_of_every_outcome() {
         ] {
             let expected = Vector::from_array([0, 1, 2].map(|i| number(&theirs[key][i])));
             let (error, size) = ((vector - expected).norm(), expected.norm().max(1e-2));
-            assert!(error <= 1e-10 * size, "{name}: {key} {vector:?} against {expected:?}");
+            assert!(
+                error <= 1e-10 * size,
+                "{name}: {key} {vector:?} against {expected:?}"
+            );
         }
     }
 }
@@ -57,13 +70,19 @@ fn independent_gradients_by_every_parameter() {
         let setup = setup_of(&drive);
         for of in [Outcome::Carry, Outcome::Lateral] {
             let theirs = drive["gradient"][of.name()].as_object().unwrap();
-            let wrt: Vec<_> = theirs.keys().map(|name| setup.variable(name).unwrap()).collect();
+            let wrt: Vec<_> = theirs
+                .keys()
+                .map(|name| setup.variable(name).unwrap())
+                .collect();
             let ours = derivative::gradient(&setup, of, &wrt).unwrap();
             for (parameter, derivative) in wrt.iter().zip(ours.gradient) {
                 let expected = number(&theirs[parameter.name]);
-                // relative, but not finer than 1e-12 of the outcome per sensible change of the parameter
+                // relative, but not finer than 1e-12 of the outcome per sensible change of the
+                // parameter
                 let change = setup.value(parameter).unwrap().abs().max(1e-3);
-                let scale = expected.abs().max(1e-4 * ours.value.abs().max(1.0) / change);
+                let scale = expected
+                    .abs()
+                    .max(1e-4 * ours.value.abs().max(1.0) / change);
                 close(
                     derivative,
                     expected,
@@ -82,13 +101,23 @@ fn independent_hessians_by_loft_and_attack_angle() {
         let setup = setup_of(&drive);
         let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
         for of in [Outcome::Carry, Outcome::Lateral] {
-            let Value::Array(theirs) = &drive[format!("hessian_{}_loft_attack", of.name())] else { continue };
-            let theirs: Vec<Vec<f64>> =
-                theirs.iter().map(|row| row.as_array().unwrap().iter().map(number).collect()).collect();
+            let Value::Array(theirs) = &drive[format!("hessian_{}_loft_attack", of.name())] else {
+                continue;
+            };
+            let theirs: Vec<Vec<f64>> = theirs
+                .iter()
+                .map(|row| row.as_array().unwrap().iter().map(number).collect())
+                .collect();
             let ours = derivative::hessian(&setup, of, &wrt).unwrap().hessian;
             let scale = largest(theirs.concat()).max(1.0);
             for (ours, theirs) in ours.concat().into_iter().zip(theirs.concat()) {
-                close(ours, theirs, scale, 1e-8, &format!("{}: Hessian of {}", drive["name"], of.name()));
+                close(
+                    ours,
+                    theirs,
+                    scale,
+                    1e-8,
+                    &format!("{}: Hessian of {}", drive["name"], of.name()),
+                );
             }
         }
     }

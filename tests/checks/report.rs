@@ -1,4 +1,5 @@
-//! Plots and the page: what is drawn is what was computed, files are whole and need nothing else, and bad input is told.
+//! Plots and the page: what is drawn is what was computed, files are whole and need nothing else,
+//! and bad input is told.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -17,35 +18,65 @@ const XMLNS: &str = "http://www.w3.org/2000/svg";
 /// Parses a picture: it is well formed, names no other file, and nothing in it is not a number.
 pub fn whole(svg: &str) -> roxmltree::Document<'_> {
     assert_eq!(svg.matches("http").count(), 1, "the name space alone");
-    assert!(svg.contains(&format!("xmlns=\"{XMLNS}\"")) && !svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+    assert!(
+        svg.contains(&format!("xmlns=\"{XMLNS}\"")) && !svg.contains("NaN") && !svg.contains("inf"),
+        "{svg}"
+    );
     roxmltree::Document::parse(svg).unwrap_or_else(|error| panic!("{error}: {svg}"))
 }
 
 /// The places of each line that is drawn, pixels from the left and the top.
 pub fn polylines(svg: &roxmltree::Document<'_>) -> Vec<Vec<[f64; 2]>> {
-    let lines = svg.descendants().filter(|node| node.has_tag_name("polyline"));
+    let lines = svg
+        .descendants()
+        .filter(|node| node.has_tag_name("polyline"));
     let place = |point: &str| {
         let (x, y) = point.split_once(',').unwrap();
         [x, y].map(|at| at.parse().unwrap())
     };
-    lines.filter_map(|line| Some(line.attribute("points")?.split_whitespace().map(place).collect())).collect()
+    lines
+        .filter_map(|line| {
+            Some(
+                line.attribute("points")?
+                    .split_whitespace()
+                    .map(place)
+                    .collect(),
+            )
+        })
+        .collect()
 }
 
 fn words<'a>(svg: &'a roxmltree::Document<'_>) -> Vec<&'a str> {
-    svg.descendants().filter(|node| node.has_tag_name("text")).filter_map(|node| node.text()).map(str::trim).collect()
+    svg.descendants()
+        .filter(|node| node.has_tag_name("text"))
+        .filter_map(|node| node.text())
+        .map(str::trim)
+        .collect()
 }
 
 /// Rows of a table of data, of one kind.
 fn rows(csv: &str, kind: &str) -> Vec<Vec<f64>> {
-    let rows = csv.lines().skip(1).filter(|row| row.starts_with(&format!("{kind},")));
-    rows.map(|row| row.split(',').skip(2).map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
+    let rows = csv
+        .lines()
+        .skip(1)
+        .filter(|row| row.starts_with(&format!("{kind},")));
+    rows.map(|row| {
+        row.split(',')
+            .skip(2)
+            .map(|cell| cell.parse().unwrap_or(f64::NAN))
+            .collect()
+    })
+    .collect()
 }
 
 fn figures() -> Vec<Figure> {
     let setup = Setup::default();
-    let ranges =
-        ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"].map(|text| Vary::read(&setup, text).unwrap());
-    let fineness = Fineness { nodes: 21, slopes: 4 };
+    let ranges = ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"]
+        .map(|text| Vary::read(&setup, text).unwrap());
+    let fineness = Fineness {
+        nodes: 21,
+        slopes: 4,
+    };
     let landscape = map(&setup, Outcome::Carry, ranges[0], ranges[1], fineness).unwrap();
     let mut crooked = setup;
     crooked.set("swing.path", "3 deg").unwrap();
@@ -57,9 +88,22 @@ fn figures() -> Vec<Figure> {
     vec![
         trajectory_figure(&flown, View::Side, System::Us).unwrap(),
         trajectory_figure(&flown, View::Top, System::Us).unwrap(),
-        map_figure(&landscape, &OnMap { setup: &setup, limits: &[], best: None, region: None }, System::Us),
+        map_figure(
+            &landscape,
+            &OnMap {
+                setup: &setup,
+                limits: &[],
+                best: None,
+                region: None,
+            },
+            System::Us,
+        ),
         tornado_figure(&effects[0], Causes::All, At::SetUp, System::Us).unwrap(),
-        vcurve_figure(&certificate.rows, &longdrive::reproduce::while_loop(&setup, &certificate.rows), At::SetUp),
+        vcurve_figure(
+            &certificate.rows,
+            &longdrive::reproduce::while_loop(&setup, &certificate.rows),
+            At::SetUp,
+        ),
     ]
 }
 
@@ -67,42 +111,70 @@ fn figures() -> Vec<Figure> {
 fn exact_data_of_a_trajectory_are_the_points_flown() {
     let setup = Setup::default();
     let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
-    let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
+    let figure =
+        trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
     let csv = figure_csv(&figure).unwrap();
-    assert!(csv.starts_with("kind,name,downrange [m],height [m]\n"), "{csv}");
+    assert!(
+        csv.starts_with("kind,name,downrange [m],height [m]\n"),
+        "{csv}"
+    );
     // the line without a name is the path, that of the ground has one
     let points = rows(&csv, "line,");
     assert_eq!(points.len(), path.points.len());
     for (row, point) in points.iter().zip(&path.points) {
-        assert_eq!(*row, [point.position.z, point.position.x], "to the last bit");
+        assert_eq!(
+            *row,
+            [point.position.z, point.position.x],
+            "to the last bit"
+        );
     }
 }
 
-/// Seen from above with the target to the right of the picture, right of the target line is below it.
+/// Seen from above with the target to the right of the picture, right of the target line is below
+/// it.
 #[test]
 fn exact_a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
     let ends = |face_angle: &str| {
         let mut setup = Setup::default();
         setup.set("swing.face_angle", face_angle).unwrap();
-        let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Top, System::Us).unwrap();
+        let figure =
+            trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Top, System::Us).unwrap();
         let svg = figure_svg(&figure, &Look::default()).unwrap();
         let picture = whole(&svg);
-        let longest = polylines(&picture).into_iter().max_by_key(Vec::len).unwrap();
+        let longest = polylines(&picture)
+            .into_iter()
+            .max_by_key(Vec::len)
+            .unwrap();
         let csv = figure_csv(&figure).unwrap();
         let has = |letter: &str| words(&picture).iter().any(|text| text.ends_with(letter));
-        assert!(has(" L") && has(" R"), "ticks say which side they are on: {:?}", words(&picture));
-        (longest[0], longest[longest.len() - 1], rows(&csv, "line").last().unwrap()[1])
+        assert!(
+            has(" L") && has(" R"),
+            "ticks say which side they are on: {:?}",
+            words(&picture)
+        );
+        (
+            longest[0],
+            longest[longest.len() - 1],
+            rows(&csv, "line").last().unwrap()[1],
+        )
     };
     // pixels count down from the top
     let (tee, landing, right) = ends("3 deg");
-    assert!(right > 5.0 && landing[1] > tee[1] + 20.0 && landing[0] > tee[0] + 100.0, "{tee:?} {landing:?} {right}");
+    assert!(
+        right > 5.0 && landing[1] > tee[1] + 20.0 && landing[0] > tee[0] + 100.0,
+        "{tee:?} {landing:?} {right}"
+    );
     let (tee, landing, right) = ends("-3 deg");
-    assert!(right < -5.0 && landing[1] < tee[1] - 20.0, "{tee:?} {landing:?} {right}");
+    assert!(
+        right < -5.0 && landing[1] < tee[1] - 20.0,
+        "{tee:?} {landing:?} {right}"
+    );
 }
 
 #[test]
 fn exact_places_on_the_picture_are_those_of_the_data() {
-    // a line from corner to corner of exact axes ends in the corners of the frame, in metres as in yards
+    // a line from corner to corner of exact axes ends in the corners of the frame, in metres as in
+    // yards
     let length = || Axis::linear(Measure::outcome(Outcome::Carry)).exactly(0.0, 91.44);
     let figure = Figure::new("n", "t", length(), length()).with(Layer::line(
         "",
@@ -110,19 +182,40 @@ fn exact_places_on_the_picture_are_those_of_the_data() {
         vec![[0.0, 0.0], [45.72, 45.72], [91.44, 91.44]],
     ));
     let ends = |system| {
-        let svg = figure_svg(&figure, &Look { system, ..Look::default() }).unwrap();
-        polylines(&whole(&svg)).into_iter().find(|points| points.len() == 3).unwrap()
+        let svg = figure_svg(
+            &figure,
+            &Look {
+                system,
+                ..Look::default()
+            },
+        )
+        .unwrap();
+        polylines(&whole(&svg))
+            .into_iter()
+            .find(|points| points.len() == 3)
+            .unwrap()
     };
     for system in System::ALL {
-        let [low, middle, high] = ends(system)[..] else { panic!("three points") };
+        let [low, middle, high] = ends(system)[..] else {
+            panic!("three points")
+        };
         assert!(low[0] < high[0] && low[1] > high[1]);
         for axis in 0..2 {
-            close(middle[axis], 0.5 * (low[axis] + high[axis]), 1.0, 1.0, "half-way, to a tenth of a pixel");
+            close(
+                middle[axis],
+                0.5 * (low[axis] + high[axis]),
+                1.0,
+                1.0,
+                "half-way, to a tenth of a pixel",
+            );
         }
     }
     let us = figure_svg(&figure, &Look::default()).unwrap();
     let ticks = whole(&us);
-    assert!(words(&ticks).contains(&"100") && words(&ticks).contains(&"carry [yd]"), "100 yd are 91.44 m");
+    assert!(
+        words(&ticks).contains(&"100") && words(&ticks).contains(&"carry [yd]"),
+        "100 yd are 91.44 m"
+    );
 }
 
 /// A digit of the widest usual font (DejaVu Sans, Verdana) is 0.636 of its size wide.
@@ -130,18 +223,36 @@ fn exact_places_on_the_picture_are_those_of_the_data() {
 fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
     for (low, high) in [(4e4, 2.4e5), (0.0, 12.0), (1e6, 3e6), (0.0, 0.0004)] {
         let axis = || Axis::linear(Measure::plain("n"));
-        let figure = Figure::new("n", "t", axis(), axis()).with(Layer::line("", 0, vec![[low, 1.0], [high, 2.0]]));
+        let figure = Figure::new("n", "t", axis(), axis()).with(Layer::line(
+            "",
+            0,
+            vec![[low, 1.0], [high, 2.0]],
+        ));
         for width in [240, 480, 900, 1300] {
-            let svg = figure_svg(&figure, &Look { width, ..Look::default() }).unwrap();
+            let svg = figure_svg(
+                &figure,
+                &Look {
+                    width,
+                    ..Look::default()
+                },
+            )
+            .unwrap();
             let picture = whole(&svg);
-            let texts = picture.descendants().filter(|node| node.has_tag_name("text"));
+            let texts = picture
+                .descendants()
+                .filter(|node| node.has_tag_name("text"));
             let mut ticks = 0;
             for text in texts.filter(|text| text.attribute("text-anchor") == Some("middle")) {
-                let number = |name: &str| text.attribute(name).unwrap().parse::<f64>().unwrap() / 10.0;
+                let number =
+                    |name: &str| text.attribute(name).unwrap().parse::<f64>().unwrap() / 10.0;
                 let digits = text.text().unwrap().trim().chars().count() as f64;
                 let half = 0.5 * 0.636 * number("font-size") * digits;
                 let [from, to] = [number("x") - half, number("x") + half];
-                assert!(from >= 0.0 && to <= f64::from(width), "{:?}: {from} to {to} of {width}", text.text());
+                assert!(
+                    from >= 0.0 && to <= f64::from(width),
+                    "{:?}: {from} to {to} of {width}",
+                    text.text()
+                );
                 ticks += 1;
             }
             assert!(ticks >= 2, "{svg}");
@@ -153,7 +264,11 @@ fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
 fn every_series_differs_from_every_other_one() {
     let axis = || Axis::linear(Measure::plain("n")).exactly(0.0, 1.0);
     let line = |hue: usize, is_dashed: bool| {
-        let of = if is_dashed { Layer::dashed } else { Layer::line };
+        let of = if is_dashed {
+            Layer::dashed
+        } else {
+            Layer::line
+        };
         of("one", hue, vec![[0.0, 0.0], [0.5, 0.8], [1.0, 1.0]])
     };
     let picture = |layer: Layer| {
@@ -161,19 +276,31 @@ fn every_series_differs_from_every_other_one() {
         figure_svg(&figure, &Look::default()).unwrap()
     };
     let kinds: [&dyn Fn(usize) -> Layer; 3] =
-        [&|hue| line(hue, false), &|hue| line(hue, true), &|hue| Layer::dots("one", hue, vec![[0.5, 0.5]])];
+        [&|hue| line(hue, false), &|hue| line(hue, true), &|hue| {
+            Layer::dots("one", hue, vec![[0.5, 0.5]])
+        }];
     for kind in kinds {
         let pictures: Vec<String> = (0..20).map(|hue| picture(kind(hue))).collect();
         for (i, picture) in pictures.iter().enumerate() {
             whole(picture);
-            assert!(!pictures[..i].contains(picture), "series {i} looks like another one");
+            assert!(
+                !pictures[..i].contains(picture),
+                "series {i} looks like another one"
+            );
         }
     }
     // the sign in the legend, which is drawn before the axes, has its bar too
-    let figure = |hue: usize| Figure::new("n", "t", axis(), axis()).with(line(hue, false)).with(line(0, false));
+    let figure = |hue: usize| {
+        Figure::new("n", "t", axis(), axis())
+            .with(line(hue, false))
+            .with(line(0, false))
+    };
     let lines = |hue: usize| {
         let svg = figure_svg(&figure(hue), &Look::default()).unwrap();
-        polylines(&whole(&svg)).iter().filter(|points| points.iter().all(|[_, y]| *y < 450.0)).count()
+        polylines(&whole(&svg))
+            .iter()
+            .filter(|points| points.iter().all(|[_, y]| *y < 450.0))
+            .count()
     };
     assert_eq!(lines(6), lines(0) + 1, "one bar");
     assert_eq!(lines(12), lines(0) + 2, "two bars");
@@ -185,45 +312,99 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
         let mut seen: Vec<String> = vec![];
         for system in System::ALL {
             for shades in [Shades::Light, Shades::Dark] {
-                let svg = figure_svg(&figure, &Look { system, shades, ..Look::default() }).unwrap();
+                let svg = figure_svg(
+                    &figure,
+                    &Look {
+                        system,
+                        shades,
+                        ..Look::default()
+                    },
+                )
+                .unwrap();
                 let parsed = whole(&svg);
-                assert_eq!(parsed.root_element().attribute("aria-label"), Some(figure.title.as_str()));
-                assert!(!seen.contains(&svg) || figure.name == "vcurve", "{}: each looks its own way", figure.name);
+                assert_eq!(
+                    parsed.root_element().attribute("aria-label"),
+                    Some(figure.title.as_str())
+                );
+                assert!(
+                    !seen.contains(&svg) || figure.name == "vcurve",
+                    "{}: each looks its own way",
+                    figure.name
+                );
                 let unit = if system == System::Us { "[yd]" } else { "[m]" };
                 let has_lengths = figure.x.measure.titled_si().contains("[m]");
-                assert_eq!(words(&parsed).iter().any(|text| text.contains(unit)), has_lengths, "{}", figure.name);
+                assert_eq!(
+                    words(&parsed).iter().any(|text| text.contains(unit)),
+                    has_lengths,
+                    "{}",
+                    figure.name
+                );
                 drop(parsed);
                 seen.push(svg);
             }
         }
         let table = figure_csv(&figure).unwrap();
-        assert!(table.lines().count() > 2 && !table.contains("NaN"), "{table}");
+        assert!(
+            table.lines().count() > 2 && !table.contains("NaN"),
+            "{table}"
+        );
     }
 }
 
 #[test]
 fn what_cannot_be_drawn_is_told() {
-    let empty = Figure::new("none", "t", Axis::linear(Measure::plain("x")), Axis::log(Measure::plain("y")));
-    let error = figure_svg(&empty.with(Layer::line("", 0, vec![[1.0, 0.0]])), &Look::default()).unwrap_err();
-    assert!(matches!(&error, Error::Plot { name, reason } if name == "none" && reason.contains("vertical")), "{error}");
+    let empty = Figure::new(
+        "none",
+        "t",
+        Axis::linear(Measure::plain("x")),
+        Axis::log(Measure::plain("y")),
+    );
+    let error = figure_svg(
+        &empty.with(Layer::line("", 0, vec![[1.0, 0.0]])),
+        &Look::default(),
+    )
+    .unwrap_err();
+    assert!(
+        matches!(&error, Error::Plot { name, reason } if name == "none" && reason.contains("vertical")),
+        "{error}"
+    );
 }
 
 #[test]
 fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
     let folder = tempfile::tempdir().unwrap();
     let file = path(&folder, "x.csv");
-    let said = longdrive(&["plot", "contour", "-o", &file, "--subject-to", "descent_angle >= 38 deg"]);
+    let said = longdrive(&[
+        "plot",
+        "contour",
+        "-o",
+        &file,
+        "--subject-to",
+        "descent_angle >= 38 deg",
+    ]);
     assert_eq!(said.status, 0, "{}", said.err);
     let csv = std::fs::read_to_string(&file).unwrap();
-    let line: Vec<&str> = csv.lines().filter(|row| row.starts_with("line,descent angle ≥ 38°,")).collect();
+    let line: Vec<&str> = csv
+        .lines()
+        .filter(|row| row.starts_with("line,descent angle ≥ 38°,"))
+        .collect();
     assert!(line.len() > 20, "{csv}");
     // pieces are parted by rows without numbers
     for row in line.iter().filter(|row| !row.contains("°,,")).step_by(7) {
         let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
-        let set = [format!("club.loft={}rad", at[0]), format!("swing.attack_angle={}rad", at[1])];
+        let set = [
+            format!("club.loft={}rad", at[0]),
+            format!("swing.attack_angle={}rad", at[1]),
+        ];
         let (_, drive) = json(&["simulate", "--set", &set[0], "--set", &set[1]]);
         // between nodes a map is straight
-        close(number(&drive["flight"]["descent_angle"]).to_degrees(), 38.0, 1.0, 0.01, row);
+        close(
+            number(&drive["flight"]["descent_angle"]).to_degrees(),
+            38.0,
+            1.0,
+            0.01,
+            row,
+        );
     }
 }
 
@@ -231,17 +412,44 @@ fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
 fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
     let all = figures();
     let csv = figure_csv(&all[3]).unwrap();
-    let bar = csv.lines().find(|line| line.starts_with("bar,club speed ± 0.5 mph,0.0,-")).unwrap();
+    let bar = csv
+        .lines()
+        .find(|line| line.starts_with("bar,club speed ± 0.5 mph,0.0,-"))
+        .unwrap();
     let lower: f64 = bar.rsplit(',').next().unwrap().parse().unwrap();
     let carry = |speed: &str| {
-        number(&json(&["simulate", "modern-driver", "--set", &format!("swing.speed={speed}")]).1["flight"]["carry"])
+        number(
+            &json(&[
+                "simulate",
+                "modern-driver",
+                "--set",
+                &format!("swing.speed={speed}"),
+            ])
+            .1["flight"]["carry"],
+        )
     };
-    close(lower, carry("109.5 mph") - carry("110 mph"), 1.0, 1e-9, "the bar of a slower swing");
+    close(
+        lower,
+        carry("109.5 mph") - carry("110 mph"),
+        1.0,
+        1e-9,
+        "the bar of a slower swing",
+    );
 
     // the error falls as the square of the step, then rises as one over it
     let curve = rows(&figure_csv(&all[4]).unwrap(), "line");
-    let error = |step: f64| curve.iter().find(|row| (row[0] / step - 1.0).abs() < 1e-3).unwrap()[1];
-    assert!((error(1e-2) / error(1e-3) - 100.0).abs() < 20.0, "{} over {}", error(1e-2), error(1e-3));
+    let error = |step: f64| {
+        curve
+            .iter()
+            .find(|row| (row[0] / step - 1.0).abs() < 1e-3)
+            .unwrap()[1]
+    };
+    assert!(
+        (error(1e-2) / error(1e-3) - 100.0).abs() < 20.0,
+        "{} over {}",
+        error(1e-2),
+        error(1e-3)
+    );
     let lowest = curve.iter().map(|row| row[1]).fold(f64::INFINITY, f64::min);
     assert!(lowest < 1e-8 && error(1e-12) > 100.0 * lowest, "{curve:?}");
 }
@@ -249,29 +457,69 @@ fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
 #[test]
 fn independent_maps_hold_the_drives_and_gradients_of_other_commands() {
     let setup = Setup::default();
-    let [across, up] =
-        ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"].map(|text| Vary::read(&setup, text).unwrap());
-    let found = map(&setup, Outcome::Carry, across, up, Fineness { nodes: 5, slopes: 3 }).unwrap();
+    let [across, up] = ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"]
+        .map(|text| Vary::read(&setup, text).unwrap());
+    let found = map(
+        &setup,
+        Outcome::Carry,
+        across,
+        up,
+        Fineness {
+            nodes: 5,
+            slopes: 3,
+        },
+    )
+    .unwrap();
     assert!(
-        found.values[0].is_none() && found.missing.as_ref().unwrap().to_string().contains("no flight"),
+        found.values[0].is_none()
+            && found
+                .missing
+                .as_ref()
+                .unwrap()
+                .to_string()
+                .contains("no flight"),
         "{found:?}"
     );
     // the node in the third column of the top row: loft 12°, attack 5°
-    let set = ["--set", "club.loft=12deg", "--set", "swing.attack_angle=5deg"];
+    let set = [
+        "--set",
+        "club.loft=12deg",
+        "--set",
+        "swing.attack_angle=5deg",
+    ];
     let (_, drive) = json(&[&["simulate", "modern-driver"], set.as_slice()].concat());
-    close(found.values[22].unwrap(), number(&drive["flight"]["carry"]), 250.0, 1e-13, "carry");
+    close(
+        found.values[22].unwrap(),
+        number(&drive["flight"]["carry"]),
+        250.0,
+        1e-13,
+        "carry",
+    );
     let slope = found.slopes.last().unwrap();
     let mut there = setup;
     for (parameter, value) in [across.parameter, up.parameter].into_iter().zip(slope.at) {
         there.set_value(parameter, Some(value)).unwrap();
     }
-    let taylor = derivative::gradient(&there, Outcome::Carry, &[across.parameter, up.parameter]).unwrap();
+    let taylor =
+        derivative::gradient(&there, Outcome::Carry, &[across.parameter, up.parameter]).unwrap();
     for axis in 0..2 {
-        close(slope.gradient[axis], taylor.gradient[axis], 100.0, 1e-12, "gradient");
+        close(
+            slope.gradient[axis],
+            taylor.gradient[axis],
+            100.0,
+            1e-12,
+            "gradient",
+        );
     }
-    assert!(matches!(map(&setup, Outcome::Carry, across, across, Fineness::default()), Err(Error::SearchRange { .. })));
+    assert!(matches!(
+        map(&setup, Outcome::Carry, across, across, Fineness::default()),
+        Err(Error::SearchRange { .. })
+    ));
     let down = Vary::read(&setup, "swing.attack_angle=-40deg..-30deg").unwrap();
-    assert!(matches!(map(&setup, Outcome::Carry, across, down, Fineness::default()), Err(Error::NoFlight { .. })));
+    assert!(matches!(
+        map(&setup, Outcome::Carry, across, down, Fineness::default()),
+        Err(Error::NoFlight { .. })
+    ));
 }
 
 fn path(folder: &tempfile::TempDir, name: &str) -> String {
@@ -283,16 +531,35 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
     let folder = tempfile::tempdir().unwrap();
     let (svg, csv) = (path(&folder, "x.svg"), path(&folder, "x.csv"));
     for (kind, extra) in [
-        ("trajectory", vec!["--view", "top", "--set", "swing.path=3deg"]),
+        (
+            "trajectory",
+            vec!["--view", "top", "--set", "swing.path=3deg"],
+        ),
         ("contour", vec![]),
         ("chart", vec!["--along", "swing.speed=90..110 mph"]),
-        ("tornado", vec!["--of", "lateral", "--sigma", "swing.path=1deg"]),
-        ("compare", vec!["mae494", "--set-b", "club.loft=12deg", "--set-b", "aero.law=linear"]),
+        (
+            "tornado",
+            vec!["--of", "lateral", "--sigma", "swing.path=1deg"],
+        ),
+        (
+            "compare",
+            vec![
+                "mae494",
+                "--set-b",
+                "club.loft=12deg",
+                "--set-b",
+                "aero.law=linear",
+            ],
+        ),
         ("vcurve", vec!["--wrt", "swing.speed"]),
     ] {
         for file in [&svg, &csv] {
             let said = longdrive(
-                &[&["plot", kind, "-o", file, "--overwrite", "--units", "metric"], extra.as_slice()].concat(),
+                &[
+                    &["plot", kind, "-o", file, "--overwrite", "--units", "metric"],
+                    extra.as_slice(),
+                ]
+                .concat(),
             );
             assert!(
                 said.status == 0 && said.out.is_empty() && said.err.contains(file.as_str()),
@@ -301,10 +568,16 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
             );
         }
         let text = std::fs::read_to_string(&svg).unwrap();
+        assert!(words(&whole(&text)).iter().any(|text| {
+            ["[m]", "[°]", "relative"]
+                .iter()
+                .any(|end| text.ends_with(end))
+        }));
         assert!(
-            words(&whole(&text)).iter().any(|text| ["[m]", "[°]", "relative"].iter().any(|end| text.ends_with(end)))
+            std::fs::read_to_string(&csv)
+                .unwrap()
+                .starts_with("kind,name,")
         );
-        assert!(std::fs::read_to_string(&csv).unwrap().starts_with("kind,name,"));
     }
     let (status, answer) = json(&["plot", "trajectory", "-o", &svg, "--overwrite"]);
     assert_eq!((status, answer["file"].as_str()), (0, Some(svg.as_str())));
@@ -314,14 +587,40 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
 fn a_png_has_its_size_and_its_words() {
     let folder = tempfile::tempdir().unwrap();
     let file = path(&folder, "x.PNG");
-    assert_eq!(longdrive(&["plot", "trajectory", "-o", &file, "--overwrite", "--width", "300"]).status, 0);
+    assert_eq!(
+        longdrive(&[
+            "plot",
+            "trajectory",
+            "-o",
+            &file,
+            "--overwrite",
+            "--width",
+            "300"
+        ])
+        .status,
+        0
+    );
     let bytes = std::fs::read(&file).unwrap();
-    assert_eq!((&bytes[..8], &bytes[16..20]), (b"\x89PNG\r\n\x1a\n".as_slice(), 600_u32.to_be_bytes().as_slice()));
+    assert_eq!(
+        (&bytes[..8], &bytes[16..20]),
+        (
+            b"\x89PNG\r\n\x1a\n".as_slice(),
+            600_u32.to_be_bytes().as_slice()
+        )
+    );
     // with its text it takes more room than without: a missing font would leave blanks
     let setup = Setup::default();
-    let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
-    let silent = Figure { title: String::new(), ..figure.clone() };
-    let size = |figure| longdrive::report::plot::figure_png(figure, &Look::default(), 1.0).unwrap().len();
+    let figure =
+        trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
+    let silent = Figure {
+        title: String::new(),
+        ..figure.clone()
+    };
+    let size = |figure| {
+        longdrive::report::plot::figure_png(figure, &Look::default(), 1.0)
+            .unwrap()
+            .len()
+    };
     assert!(size(&figure) > size(&silent) + 500);
 }
 
@@ -333,21 +632,49 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
     let setup = folder.path().join("a<b>&c.toml");
     std::fs::write(&setup, "preset = 'mae494'\n[swing]\nspeed = '100 mph'\n").unwrap();
     let directory = folder.path().display().to_string();
-    let ranges = ["--vary", "club.loft=0deg..20deg", "--vary", "swing.attack_angle=-10deg..10deg"];
+    let ranges = [
+        "--vary",
+        "club.loft=0deg..20deg",
+        "--vary",
+        "swing.attack_angle=-10deg..10deg",
+    ];
     let options = ["-o", &directory, "--overwrite", "--units", "metric"];
-    let (status, answer) =
-        json(&[&["report", &setup.display().to_string()], options.as_slice(), ranges.as_slice()].concat());
+    let (status, answer) = json(
+        &[
+            &["report", &setup.display().to_string()],
+            options.as_slice(),
+            ranges.as_slice(),
+        ]
+        .concat(),
+    );
     assert_eq!(status, 0, "{answer}");
-    assert_eq!(std::fs::read_to_string(folder.path().join("mine.txt")).unwrap(), "left alone");
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("mine.txt")).unwrap(),
+        "left alone"
+    );
 
     let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
-    assert!(page.contains("a&lt;b&gt;&amp;c.toml") && !page.contains("a<b>"), "escaped");
-    assert_eq!(page.matches("http").count(), page.matches(XMLNS).count(), "nothing from elsewhere");
+    assert!(
+        page.contains("a&lt;b&gt;&amp;c.toml") && !page.contains("a<b>"),
+        "escaped"
+    );
+    assert_eq!(
+        page.matches("http").count(),
+        page.matches(XMLNS).count(),
+        "nothing from elsewhere"
+    );
     for word in ["<script", "src=", "@import", "url(", "NaN", "replaced"] {
         assert!(!page.contains(word), "{word}");
     }
-    let opens_in = |units: &str| page.contains(&format!("id=\"units-{units}\" type=\"radio\" name=\"units\" checked"));
-    assert!(opens_in("metric") && !opens_in("us"), "the units asked for are shown at first");
+    let opens_in = |units: &str| {
+        page.contains(&format!(
+            "id=\"units-{units}\" type=\"radio\" name=\"units\" checked"
+        ))
+    };
+    assert!(
+        opens_in("metric") && !opens_in("us"),
+        "the units asked for are shown at first"
+    );
     for words in [
         "as given, instead of 44.7 m/s",
         "MAE 494 report, listing",
@@ -361,24 +688,42 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
     for parameter in Setup::preset("mae494").unwrap().parameters() {
         assert!(page.contains(parameter.name), "{}", parameter.name);
     }
-    let pictures: Vec<&str> = page.split("<svg").skip(1).map(|rest| rest.split_once("</svg>").unwrap().0).collect();
+    let pictures: Vec<&str> = page
+        .split("<svg")
+        .skip(1)
+        .map(|rest| rest.split_once("</svg>").unwrap().0)
+        .collect();
     for picture in &pictures {
         whole(&format!("<svg{picture}</svg>"));
     }
-    let files: Vec<&str> = answer["files"].as_array().unwrap().iter().filter_map(|name| name.as_str()).collect();
+    let files: Vec<&str> = answer["files"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|name| name.as_str())
+        .collect();
     let count = |end: &str| files.iter().filter(|name| name.ends_with(end)).count();
     let figures = page.matches("<figure").count();
-    assert_eq!([count("-us.svg"), count("-metric.svg"), count(".csv")], [figures; 3]);
+    assert_eq!(
+        [count("-us.svg"), count("-metric.svg"), count(".csv")],
+        [figures; 3]
+    );
     // two widths, and two systems but for the plots without units
     let drawn = |class: &str| page.matches(&format!("<div class=\"{class}")).count();
-    assert!(pictures.len() == drawn("broad") + drawn("narrow") && drawn("broad us") + 1 == figures, "{figures}");
+    assert!(
+        pictures.len() == drawn("broad") + drawn("narrow") && drawn("broad us") + 1 == figures,
+        "{figures}"
+    );
     for name in files {
         let text = std::fs::read_to_string(folder.path().join(name)).unwrap();
         assert!(!text.is_empty());
         if name.ends_with(".svg") {
             whole(&text);
         }
-        assert!(name == "index.html" || page.contains(&format!("href=\"{name}\"")), "{name} is linked");
+        assert!(
+            name == "index.html" || page.contains(&format!("href=\"{name}\"")),
+            "{name} is linked"
+        );
     }
 }
 
@@ -390,7 +735,11 @@ fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
     let said = longdrive(&[&["report", "-o", &directory], limits.as_slice()].concat());
     assert_eq!(said.status, 1, "{}", said.err);
     let page = std::fs::read_to_string(Path::new(&directory).join("index.html")).unwrap();
-    assert!(page.contains("no optimum: infeasible") && page.contains("The map"), "{}", said.err);
+    assert!(
+        page.contains("no optimum: infeasible") && page.contains("The map"),
+        "{}",
+        said.err
+    );
     let said = longdrive(&[
         "report",
         "-o",
@@ -401,39 +750,117 @@ fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
         "--vary",
         "swing.attack_angle=-40deg..-30deg",
     ]);
-    assert!(said.status == 1 && said.err.contains("no flight"), "{}", said.err);
+    assert!(
+        said.status == 1 && said.err.contains("no flight"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
 fn bad_plots_and_folders_get_messages_that_help() {
     let folder = tempfile::tempdir().unwrap();
-    let (svg, csv, file) = (path(&folder, "x.svg"), path(&folder, "x.csv"), path(&folder, "file"));
+    let (svg, csv, file) = (
+        path(&folder, "x.svg"),
+        path(&folder, "x.csv"),
+        path(&folder, "file"),
+    );
     std::fs::write(&file, "").unwrap();
     let missing = path(&folder, "no/such/x.svg");
     let beneath = format!("{file}/report");
     for (args, status, says) in [
-        (vec!["plot", "trajectory", "-o", "x.jpg"], 2, vec!["'x.jpg'", ".svg", ".csv"]),
-        (vec!["plot", "trajectory", "-o", "x"], 2, vec!["'x'", "ending"]),
-        (vec!["plot", "trajectory", "-o", &missing], 2, vec![&missing, "there is no folder"]),
-        (vec!["plot", "trajectory", "-o", &svg, "--width", "10"], 2, vec!["240"]),
-        (vec!["plot", "trajectory", "-o", &csv, "--dark"], 2, vec!["--dark", "it is about pictures"]),
-        (vec!["plot", "tornado", "-o", &csv, "--width", "300"], 2, vec!["--width", "it is about pictures"]),
-        (vec!["plot", "trajectory", "-o", &svg, "--set", "swing.attack_angle=-20deg"], 1, vec!["no flight"]),
-        (vec!["plot", "contour", "-o", &svg, "--vary", "club.loft=4deg..20deg"], 2, vec!["two parameters", "--vary"]),
         (
-            vec!["plot", "chart", "-o", &svg, "--along", "swing.speed=40..50m/s", "--show", "club.lof"],
+            vec!["plot", "trajectory", "-o", "x.jpg"],
+            2,
+            vec!["'x.jpg'", ".svg", ".csv"],
+        ),
+        (
+            vec!["plot", "trajectory", "-o", "x"],
+            2,
+            vec!["'x'", "ending"],
+        ),
+        (
+            vec!["plot", "trajectory", "-o", &missing],
+            2,
+            vec![&missing, "there is no folder"],
+        ),
+        (
+            vec!["plot", "trajectory", "-o", &svg, "--width", "10"],
+            2,
+            vec!["240"],
+        ),
+        (
+            vec!["plot", "trajectory", "-o", &csv, "--dark"],
+            2,
+            vec!["--dark", "it is about pictures"],
+        ),
+        (
+            vec!["plot", "tornado", "-o", &csv, "--width", "300"],
+            2,
+            vec!["--width", "it is about pictures"],
+        ),
+        (
+            vec![
+                "plot",
+                "trajectory",
+                "-o",
+                &svg,
+                "--set",
+                "swing.attack_angle=-20deg",
+            ],
+            1,
+            vec!["no flight"],
+        ),
+        (
+            vec![
+                "plot",
+                "contour",
+                "-o",
+                &svg,
+                "--vary",
+                "club.loft=4deg..20deg",
+            ],
+            2,
+            vec!["two parameters", "--vary"],
+        ),
+        (
+            vec![
+                "plot",
+                "chart",
+                "-o",
+                &svg,
+                "--along",
+                "swing.speed=40..50m/s",
+                "--show",
+                "club.lof",
+            ],
             2,
             vec!["did you mean 'club.loft'?"],
         ),
-        (vec!["plot", "pie", "-o", &svg], 2, vec!["unrecognized subcommand"]),
-        (vec!["report", "-o", &beneath], 2, vec!["cannot be written", &beneath]),
+        (
+            vec!["plot", "pie", "-o", &svg],
+            2,
+            vec!["unrecognized subcommand"],
+        ),
+        (
+            vec!["report", "-o", &beneath],
+            2,
+            vec!["cannot be written", &beneath],
+        ),
         (vec!["report"], 2, vec!["--output"]),
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, status, "{args:?}: {}", said.err);
         for words in says {
-            assert!(said.err.contains(words), "{args:?}: no '{words}' in {}", said.err);
+            assert!(
+                said.err.contains(words),
+                "{args:?}: no '{words}' in {}",
+                said.err
+            );
         }
-        assert!(!Path::new(&svg).exists() && !Path::new(&csv).exists(), "{args:?}: nothing is written");
+        assert!(
+            !Path::new(&svg).exists() && !Path::new(&csv).exists(),
+            "{args:?}: nothing is written"
+        );
     }
 }

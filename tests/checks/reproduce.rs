@@ -11,7 +11,8 @@ pub static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
 pub static PAPER: LazyLock<WinfieldTan> = LazyLock::new(|| winfield_tan(|_| ()).unwrap());
 /// What the program says and writes of the report and of the paper, which takes it seconds.
 pub static REPORT: LazyLock<Written> = LazyLock::new(|| written(&["reproduce", "mae494"]));
-pub static PAPER_WRITTEN: LazyLock<Written> = LazyLock::new(|| written(&["reproduce", "winfield-tan"]));
+pub static PAPER_WRITTEN: LazyLock<Written> =
+    LazyLock::new(|| written(&["reproduce", "winfield-tan"]));
 
 fn carry(loft: f64, attack: f64) -> f64 {
     let mut setup = Setup::preset("mae494").unwrap();
@@ -23,8 +24,20 @@ fn carry(loft: f64, attack: f64) -> f64 {
 fn paper_the_slipped_regression_peaks_where_the_report_prints_its_optimum() {
     let regression = &FOUND.regression;
     // Table 1, at elevation 10°, to the four decimals printed
-    close(regression.slipped.loft.to_degrees(), 4.4166, 1.0, 5e-5, "slipped");
-    close(regression.as_fitted.loft.to_degrees(), 17.02, 1.0, 5e-3, "as fitted");
+    close(
+        regression.slipped.loft.to_degrees(),
+        4.4166,
+        1.0,
+        5e-5,
+        "slipped",
+    );
+    close(
+        regression.as_fitted.loft.to_degrees(),
+        17.02,
+        1.0,
+        5e-3,
+        "as fitted",
+    );
     // the same data and no other: a search that slips finds nothing near what the fit itself finds
     assert!(regression.slipped.distance > 1000.0 && regression.as_fitted.distance < 300.0);
 }
@@ -35,7 +48,13 @@ fn independent_optimum_of_the_reports_model_and_the_price_of_its_bound() {
     close(exact.loft.to_degrees(), 14.682_922_531_9, 1.0, 1e-8, "loft");
     assert_eq!(exact.attack_angle, 10.0_f64.to_radians());
     close(exact.carry, 153.333_552_730_536, 1.0, 1e-9, "carry");
-    close(FOUND.optimum.best.solution.upper_multipliers[1], 60.292_494_887_4, 1.0, 1e-6, "price");
+    close(
+        FOUND.optimum.best.solution.upper_multipliers[1],
+        60.292_494_887_4,
+        1.0,
+        1e-6,
+        "price",
+    );
 }
 
 #[test]
@@ -45,10 +64,17 @@ fn independent_bounds_hold_eight_of_thirteen_lofts_and_nine_of_nine_attack_angle
     assert_eq!((FOUND.table2.len(), active(&FOUND.table2)), (9, 9));
     for row in FOUND.table1.iter().chain(&FOUND.table2) {
         let exact = row.exact();
-        close(carry(exact.loft, exact.attack_angle), exact.carry, 100.0, 1e-12, "carry flown again");
+        close(
+            carry(exact.loft, exact.attack_angle),
+            exact.carry,
+            100.0,
+            1e-12,
+            "carry flown again",
+        );
         // no delivery of the row's own range carries farther: by brute force over it
         for part in 0..=40 {
-            let along = |low: f64, high: f64| (low + f64::from(part) / 40.0 * (high - low)).to_radians();
+            let along =
+                |low: f64, high: f64| (low + f64::from(part) / 40.0 * (high - low)).to_radians();
             let is_loft = row.best.search.vary[0].parameter.name == "club.loft";
             let mut setup = row.best.setup;
             if is_loft {
@@ -57,15 +83,22 @@ fn independent_bounds_hold_eight_of_thirteen_lofts_and_nine_of_nine_attack_angle
                 setup.swing.attack_angle = along(-10.0, 10.0)
             }
             if let Some(other) = Outcome::Carry.value(&Drive::new(&setup).unwrap()) {
-                assert!(other <= exact.carry + 1e-9, "{other} beyond {}", exact.carry);
+                assert!(
+                    other <= exact.carry + 1e-9,
+                    "{other} beyond {}",
+                    exact.carry
+                );
             }
         }
         match row.at_printed {
             Some(at) => close(row.cost(), exact.carry - at, 1.0, 1e-12, "cost"),
             None => {
                 let mut setup = row.best.setup;
-                (setup.club.loft, setup.swing.attack_angle) = (row.printed.loft, row.printed.attack_angle);
-                let angle = Outcome::LaunchAngle.of(&Drive::new(&setup).unwrap()).unwrap();
+                (setup.club.loft, setup.swing.attack_angle) =
+                    (row.printed.loft, row.printed.attack_angle);
+                let angle = Outcome::LaunchAngle
+                    .of(&Drive::new(&setup).unwrap())
+                    .unwrap();
                 assert!(angle < 0.0, "only a ball struck down does not fly");
             }
         }
@@ -75,26 +108,49 @@ fn independent_bounds_hold_eight_of_thirteen_lofts_and_nine_of_nine_attack_angle
 #[test]
 fn exact_energy_argument() {
     let energy = &FOUND.energy;
-    close(energy.fastest, 1.7 / (1.0 + 0.049 / 0.230) * 44.7, 1.0, 1e-12, "speed");
-    close(energy.farthest.carry, 170.574_315_6, 1.0, 1e-6, "the model page's global maximum");
+    close(
+        energy.fastest,
+        1.7 / (1.0 + 0.049 / 0.230) * 44.7,
+        1.0,
+        1e-12,
+        "speed",
+    );
+    close(
+        energy.farthest.carry,
+        170.574_315_6,
+        1.0,
+        1e-6,
+        "the model page's global maximum",
+    );
     assert_eq!(energy.farthest.speed, energy.fastest);
     // no launch on a grid carries farther, at that speed or less
     let setup = Setup::preset("mae494").unwrap();
-    for (speed, angle, spin) in
-        (1..=4).flat_map(|v| (1..18).flat_map(move |a| (0..8).map(move |s| (v, f64::from(5 * a), f64::from(100 * s)))))
-    {
+    for (speed, angle, spin) in (1..=4).flat_map(|v| {
+        (1..18).flat_map(move |a| (0..8).map(move |s| (v, f64::from(5 * a), f64::from(100 * s))))
+    }) {
         let speed = energy.fastest * f64::from(speed) / 4.0;
         let (sin, cos) = f64::to_radians(angle).sin_cos();
         let launch = longdrive::launch::Launch {
             velocity: longdrive::number::Vector::new(speed * sin, 0.0, speed * cos),
             spin: longdrive::number::Vector::new(0.0, spin, 0.0),
         };
-        if let longdrive::flight::Flight::Landed(landed) = longdrive::flight::fly(&setup, &launch).unwrap() {
-            assert!(landed.carry < energy.farthest.carry, "{speed} m/s, {angle}°, {spin} rad/s");
+        if let longdrive::flight::Flight::Landed(landed) =
+            longdrive::flight::fly(&setup, &launch).unwrap()
+        {
+            assert!(
+                landed.carry < energy.farthest.carry,
+                "{speed} m/s, {angle}°, {spin} rad/s"
+            );
         }
     }
     assert!(energy.needed.speed > 1.5 * energy.fastest && energy.ball_needed > 2.0 * energy.ball);
-    close(energy.needed.carry, 248.48, 1.0, 1e-6, "the report's longest distance");
+    close(
+        energy.needed.carry,
+        248.48,
+        1.0,
+        1e-6,
+        "the report's longest distance",
+    );
 }
 
 #[test]
@@ -103,26 +159,66 @@ fn exact_parts_of_the_launch_add_up_to_the_slopes_of_the_whole() {
     let setup = &FOUND.optimum.best.setup;
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
     let whole = derivative::gradient(setup, Outcome::Carry, &wrt).unwrap();
-    close(parts.by_loft.iter().sum(), whole.gradient[0], 60.0, 1e-10, "loft");
-    close(parts.by_attack_angle.iter().sum(), whole.gradient[1], 60.0, 1e-10, "attack angle");
-    assert!(parts.by_loft.iter().all(|part| part.abs() > 1.0), "each part pulls its way");
-    assert!(parts.flight.carry > parts.whole.carry + 10.0 && parts.flight.speed == parts.whole.speed);
+    close(
+        parts.by_loft.iter().sum(),
+        whole.gradient[0],
+        60.0,
+        1e-10,
+        "loft",
+    );
+    close(
+        parts.by_attack_angle.iter().sum(),
+        whole.gradient[1],
+        60.0,
+        1e-10,
+        "attack angle",
+    );
+    assert!(
+        parts.by_loft.iter().all(|part| part.abs() > 1.0),
+        "each part pulls its way"
+    );
+    assert!(
+        parts.flight.carry > parts.whole.carry + 10.0 && parts.flight.speed == parts.whole.speed
+    );
 }
 
 #[test]
 fn independent_slopes_of_the_loop_have_the_wrong_sign_at_every_loft() {
     let noise = &FOUND.noise;
     assert_eq!((noise.slopes.len(), noise.wrong_signs()), (15, 15));
-    let ten = noise.slopes.iter().find(|at| (at.loft.to_degrees() - 10.0).abs() < 1e-9).unwrap();
+    let ten = noise
+        .slopes
+        .iter()
+        .find(|at| (at.loft.to_degrees() - 10.0).abs() < 1e-9)
+        .unwrap();
     close(ten.exact, 336.769_746_388_603, 1.0, 1e-8, "exact");
     close(ten.overshot, -65.0, 1.0, 1.0, "the loop's");
     for at in &noise.slopes {
-        // what the loop sees is the slope at fixed time; what interpolation mends is the slope at landing
-        close(at.overshot, at.at_fixed_time, at.at_fixed_time.abs(), 0.01, "at fixed time");
-        close(at.interpolated, at.exact, at.exact.abs().max(100.0), 0.02, "interpolated");
+        // what the loop sees is the slope at fixed time; what interpolation mends is the slope at
+        // landing
+        close(
+            at.overshot,
+            at.at_fixed_time,
+            at.at_fixed_time.abs(),
+            0.01,
+            "at fixed time",
+        );
+        close(
+            at.interpolated,
+            at.exact,
+            at.exact.abs().max(100.0),
+            0.02,
+            "interpolated",
+        );
     }
     for (_, slope) in &noise.shorter_steps {
-        close(*slope, ten.at_fixed_time, 65.0, 0.01, "a shorter step does not help");
+        close(
+            *slope,
+            ten.at_fixed_time,
+            65.0,
+            0.01,
+            "a shorter step does not help",
+        );
     }
     // a tooth is as high as the ball flies downrange in a step, or less
     assert!(noise.teeth.count > 10 && (0.1..0.6).contains(&noise.teeth.height));
@@ -136,10 +232,18 @@ fn differences_on_the_loop_find_nothing_and_exact_derivatives_everything() {
         let found = searches.within(0.01, best);
         match (searches.landing, searches.method) {
             (Landing::Overshot, _) => assert!(found <= 1, "{found} by {:?}", searches.method),
-            (Landing::Interpolated, _) | (_, Method::QuasiNewton) => assert_eq!(found, 20, "{:?}", searches.method),
+            (Landing::Interpolated, _) | (_, Method::QuasiNewton) => {
+                assert_eq!(found, 20, "{:?}", searches.method)
+            }
             (Landing::Smooth, Method::Exact) => {
                 assert_eq!(found, 20);
-                assert!(searches.flights() < 200 && searches.ends.iter().all(|end| end.message.contains("converged")));
+                assert!(
+                    searches.flights() < 200
+                        && searches
+                            .ends
+                            .iter()
+                            .all(|end| end.message.contains("converged"))
+                );
             }
             (Landing::Smooth, _) => assert!(found >= 15, "{found} by {:?}", searches.method),
         }
@@ -154,12 +258,23 @@ fn exact_sensitivities_of_the_parametric_study_predict_the_optimum_searched_anew
     for changed in &study.changes {
         let moved = changed.resolved.value().unwrap();
         let size = (moved - FOUND.optimum.exact().carry).abs();
-        close(changed.second_order, moved, size, 0.02, changed.change.parameter.name);
+        close(
+            changed.second_order,
+            moved,
+            size,
+            0.02,
+            changed.change.parameter.name,
+        );
     }
     let idle = ["club.inertia.xx", "club.inertia.zz"];
     for constant in &study.sensitivities {
         let takes_part = !idle.contains(&constant.sensitivity.parameter.name);
-        assert_eq!(constant.carry_per_cent() != 0.0, takes_part, "{}", constant.sensitivity.parameter.name);
+        assert_eq!(
+            constant.carry_per_cent() != 0.0,
+            takes_part,
+            "{}",
+            constant.sensitivity.parameter.name
+        );
     }
 }
 
@@ -170,8 +285,16 @@ fn paper_third_study_ends_before_its_optimum() {
     // carry grows to the last of the lofts that the report looks at, 18°
     assert!(average.rows.windows(2).all(|pair| pair[0].1 < pair[1].1));
     assert!(average.best.0.to_degrees() > 18.0);
-    assert!(average.rows.iter().all(|(_, carry)| *carry <= average.best.1));
-    let mean = (0..=10).map(|attack| carry(average.best.0, f64::from(attack).to_radians())).sum::<f64>() / 11.0;
+    assert!(
+        average
+            .rows
+            .iter()
+            .all(|(_, carry)| *carry <= average.best.1)
+    );
+    let mean = (0..=10)
+        .map(|attack| carry(average.best.0, f64::from(attack).to_radians()))
+        .sum::<f64>()
+        / 11.0;
     close(average.best.1, mean, 100.0, 1e-12, "mean");
 }
 
@@ -179,9 +302,27 @@ fn paper_third_study_ends_before_its_optimum() {
 fn paper_numbers_and_ours_side_by_side_in_json_and_text() {
     let (status, found) = json(&["reproduce", "mae494"]);
     assert_eq!(status, 0);
-    close(number(&found["slipped_optimum"]["club.loft"]).to_degrees(), 4.4166, 1.0, 5e-5, "slipped");
-    close(number(&found["optimum"]["carry"]), 153.333_553, 1.0, 1e-6, "optimum");
-    close(number(&found["optimum"]["multipliers"]["swing.attack_angle"]["upper"]), 60.2925, 1.0, 5e-5, "price");
+    close(
+        number(&found["slipped_optimum"]["club.loft"]).to_degrees(),
+        4.4166,
+        1.0,
+        5e-5,
+        "slipped",
+    );
+    close(
+        number(&found["optimum"]["carry"]),
+        153.333_553,
+        1.0,
+        1e-6,
+        "optimum",
+    );
+    close(
+        number(&found["optimum"]["multipliers"]["swing.attack_angle"]["upper"]),
+        60.2925,
+        1.0,
+        5e-5,
+        "price",
+    );
     let rows = |table: &Value| table.as_array().unwrap().len();
     for at in [&found, &found["printed"]] {
         assert_eq!((rows(&at["table1"]), rows(&at["table2"])), (13, 9));
@@ -190,13 +331,25 @@ fn paper_numbers_and_ours_side_by_side_in_json_and_text() {
         }
     }
     assert_eq!(number(&found["printed"]["table1"][10]["carry"]), 248.48);
-    assert_eq!(found["table1"][0]["carry_at_printed"], Value::Null, "no flight is no carry of zero");
+    assert_eq!(
+        found["table1"][0]["carry_at_printed"],
+        Value::Null,
+        "no flight is no carry of zero"
+    );
     assert_eq!(rows(&found["noise"]["slopes"]), 15);
 
     let said = &REPORT.said;
     assert_eq!(said.status, 0);
-    for words in ["14.6829°", "4.4166°", "17.0206°", "170.57 m", "8 of 13", "9 of 9", "-65.4 m/rad", "+336.8 m/rad"]
-    {
+    for words in [
+        "14.6829°",
+        "4.4166°",
+        "17.0206°",
+        "170.57 m",
+        "8 of 13",
+        "9 of 9",
+        "-65.4 m/rad",
+        "+336.8 m/rad",
+    ] {
         assert!(said.out.contains(words), "{words}: {}", said.out);
     }
 }
@@ -207,20 +360,36 @@ fn a_folder_gets_the_report_with_its_figures_and_their_data() {
     let read = |name: &str| REPORT.file(name);
     let (markdown, page) = (read("report.md"), read("index.html"));
     for name in ["table-1", "teeth", "slopes", "ends"] {
-        assert!(markdown.contains(&format!("({name}-metric.svg)")), "in the units of the report");
+        assert!(
+            markdown.contains(&format!("({name}-metric.svg)")),
+            "in the units of the report"
+        );
         for system in ["us", "metric"] {
             roxmltree::Document::parse(read(&format!("{name}-{system}.svg"))).unwrap();
         }
         assert!(read(&format!("{name}.csv")).lines().count() > 5);
     }
     assert_eq!(page.matches("<figure>").count(), 4);
-    assert_eq!(page.matches("http").count(), page.matches("xmlns=\"http://www.w3.org/2000/svg\"").count(), "no link");
+    assert_eq!(
+        page.matches("http").count(),
+        page.matches("xmlns=\"http://www.w3.org/2000/svg\"").count(),
+        "no link"
+    );
 
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("file"), "").unwrap();
-    let refused = longdrive(&["reproduce", "mae494", "-o", folder.path().join("file").to_str().unwrap()]);
+    let refused = longdrive(&[
+        "reproduce",
+        "mae494",
+        "-o",
+        folder.path().join("file").to_str().unwrap(),
+    ]);
     assert_eq!(refused.status, 2);
-    assert!(refused.err.contains("it is a file; name a folder"), "{}", refused.err);
+    assert!(
+        refused.err.contains("it is a file; name a folder"),
+        "{}",
+        refused.err
+    );
 }
 
 #[test]

@@ -13,43 +13,106 @@ use std::sync::atomic::{AtomicBool, Ordering};
 fn search(setup: &Setup<f64>) -> SwingsSearch {
     let vary = vec![Vary::read(setup, "club.loft=4deg..20deg").unwrap()];
     let (of, sense) = (Goal::outcome(Outcome::Carry), Sense::Maximize);
-    SwingsSearch { of, sense, vary, subject_to: vec![], options: Options::default() }
+    SwingsSearch {
+        of,
+        sense,
+        vary,
+        subject_to: vec![],
+        options: Options::default(),
+    }
 }
 
 fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
     let own = [Model::as_set_up(setup)].into_iter();
-    let models = own.chain(changes.iter().map(|text| Model::read(setup, text).unwrap())).collect();
-    robust(models, search(setup), &Scenarios::one_drive(), 1, &Follow::default()).unwrap()
+    let models = own
+        .chain(changes.iter().map(|text| Model::read(setup, text).unwrap()))
+        .collect();
+    robust(
+        models,
+        search(setup),
+        &Scenarios::one_drive(),
+        1,
+        &Follow::default(),
+    )
+    .unwrap()
 }
 
-/// Two models whose best lofts differ: at the design that loses least both lose the same, and a fine grid of lofts has none that loses less.
+/// Two models whose best lofts differ: at the design that loses least both lose the same, and a
+/// fine grid of lofts has none that loses less.
 #[test]
 fn independent_loft_that_loses_least_with_either_of_two_models() {
     let mut setup = Setup::preset("modern-driver").unwrap();
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup
+        .set_all([("flight.method", "dp8"), ("flight.step", "400 ms")])
+        .unwrap();
     let change = "swing.attack_angle=-4 deg";
     let best = found(&setup, &[change]);
     assert_eq!(best.status(), "converged");
-    close(best.losses[0], best.losses[1], 1.0, 1e-8, "both lose the same");
+    close(
+        best.losses[0],
+        best.losses[1],
+        1.0,
+        1e-8,
+        "both lose the same",
+    );
     close(best.shares[0] + best.shares[1], 1.0, 1.0, 1e-8, "shares");
-    assert!(best.shares.iter().all(|share| *share > 0.01), "{:?}", best.shares);
+    assert!(
+        best.shares.iter().all(|share| *share > 0.01),
+        "{:?}",
+        best.shares
+    );
     let models = [setup, Model::read(&setup, change).unwrap().setup];
     let carry = |model: &Setup<f64>, loft: f64| {
         let mut model = *model;
         model.club.loft = loft;
         Outcome::Carry.of(&Drive::new(&model).unwrap()).unwrap()
     };
-    let lofts = best.models.iter().map(|(_, best)| best.solution.x[0]).collect::<Vec<_>>();
-    assert!((lofts[0] - lofts[1]).abs() > 1e-3, "the best lofts differ: {lofts:?}");
-    let own = best.models.iter().map(|(_, best)| best.value().unwrap()).collect::<Vec<_>>();
-    let greatest = |loft: f64| models.iter().zip(&own).map(|(model, own)| own - carry(model, loft)).fold(0.0, f64::max);
-    close(best.greatest(), greatest(best.design[0]), 1.0, 1e-6, "greatest loss");
+    let lofts = best
+        .models
+        .iter()
+        .map(|(_, best)| best.solution.x[0])
+        .collect::<Vec<_>>();
+    assert!(
+        (lofts[0] - lofts[1]).abs() > 1e-3,
+        "the best lofts differ: {lofts:?}"
+    );
+    let own = best
+        .models
+        .iter()
+        .map(|(_, best)| best.value().unwrap())
+        .collect::<Vec<_>>();
+    let greatest = |loft: f64| {
+        models
+            .iter()
+            .zip(&own)
+            .map(|(model, own)| own - carry(model, loft))
+            .fold(0.0, f64::max)
+    };
+    close(
+        best.greatest(),
+        greatest(best.design[0]),
+        1.0,
+        1e-6,
+        "greatest loss",
+    );
     let grid = (0..400).map(|k| greatest((8.0 + 0.02 * f64::from(k)).to_radians()));
     assert!(grid.fold(f64::INFINITY, f64::min) >= best.greatest() - 1e-7);
     for (k, row) in best.matrix.iter().enumerate() {
-        close(row[k].unwrap(), 0.0, 1.0, 1e-8, "nothing is lost at the own best");
+        close(
+            row[k].unwrap(),
+            0.0,
+            1.0,
+            1e-8,
+            "nothing is lost at the own best",
+        );
         let other = best.models[1 - k].1.solution.x[0];
-        close(row[1 - k].unwrap(), own[k] - carry(&models[k], other), 1.0, 1e-6, "at the other's best");
+        close(
+            row[1 - k].unwrap(),
+            own[k] - carry(&models[k], other),
+            1.0,
+            1e-6,
+            "at the other's best",
+        );
     }
 }
 
@@ -66,57 +129,123 @@ fn the_answer_says_whether_one_design_holds_for_all_models() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml").display().to_string();
     let ask = ["robust", "--vary", "club.loft=6deg..16deg"];
-    let models = ["--model", "aero.law=ferguson", "--model", "impact.gear_scale=0.5,impact.friction=0.3"];
+    let models = [
+        "--model",
+        "aero.law=ferguson",
+        "--model",
+        "impact.gear_scale=0.5,impact.friction=0.3",
+    ];
     let (status, answer) = json(&[&ask[..], &models, &["-o", &file]].concat());
-    assert_eq!((status, answer["status"].as_str()), (0, Some("converged")), "{answer:#}");
+    assert_eq!(
+        (status, answer["status"].as_str()),
+        (0, Some("converged")),
+        "{answer:#}"
+    );
     let greatest = number(&answer["greatest_loss"]);
     assert_eq!(answer["holds_for_all"], (greatest <= 0.9144), "{answer:#}");
     let written = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), "best.toml").unwrap();
     assert_eq!(written.club.loft, number(&answer["optimum"]["club.loft"]));
     let text = longdrive(&[&ask[..], &models, &["--within", "0 yd"]].concat()).out;
-    for said in ["no design is within", "best for 2", "aero.law=ferguson", "losses of carry"] {
+    for said in [
+        "no design is within",
+        "best for 2",
+        "aero.law=ferguson",
+        "losses of carry",
+    ] {
         assert!(text.contains(said), "{said}: {text}");
     }
-    let swings = ["--distribution=swing.face_angle=normal(0deg,2deg)", "--distribution=strike.toe=normal(0mm,8mm)"];
+    let swings = [
+        "--distribution=swing.face_angle=normal(0deg,2deg)",
+        "--distribution=strike.toe=normal(0mm,8mm)",
+    ];
     let (_, usual) = json(&[&ask[..], &swings, &["--scenarios", "16"]].concat());
-    let names: Vec<_> =
-        usual["models"].as_array().unwrap().iter().map(|model| model["model"].as_str().unwrap()).collect();
-    assert!(names.contains(&"impact.gear_scale=0.5") && names[0] == "as set up", "{names:?}");
+    let names: Vec<_> = usual["models"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|model| model["model"].as_str().unwrap())
+        .collect();
+    assert!(
+        names.contains(&"impact.gear_scale=0.5") && names[0] == "as set up",
+        "{names:?}"
+    );
 }
 
 #[test]
 fn bad_models_say_what_is_wrong() {
     let launch = "ball_speed=167mph,launch_angle=10deg,spin=2500rpm";
-    let launched =
-        ["--launch", launch, "--vary", "launch.launch_angle=5deg..20deg", "--model", "impact.gear_scale=0.5"];
+    let launched = [
+        "--launch",
+        launch,
+        "--vary",
+        "launch.launch_angle=5deg..20deg",
+        "--model",
+        "impact.gear_scale=0.5",
+    ];
     let cases: [(&[&str], &str); 7] = [
-        (&launched, "impact.gear_scale changes nothing: no club strikes the ball"),
+        (
+            &launched,
+            "impact.gear_scale changes nothing: no club strikes the ball",
+        ),
         (&["--model", "aero.law"], "write NAME=VALUE"),
         (&["--model", "aero.law=ferguzon"], "did you mean 'ferguson'"),
-        (&["--model", "club.loft=12deg"], "this value would not be used"),
+        (
+            &["--model", "club.loft=12deg"],
+            "this value would not be used",
+        ),
         (&["--model", "impact.gear_scale=3"], "impact.gear_scale"),
-        (&["--model", "aero.law=ferguson", "--model", "aero.law=ferguson"], "it is the same as 'aero.law=ferguson'"),
+        (
+            &[
+                "--model",
+                "aero.law=ferguson",
+                "--model",
+                "aero.law=ferguson",
+            ],
+            "it is the same as 'aero.law=ferguson'",
+        ),
         (&["--within", "-1 yd"], "0 or more"),
     ];
     for (args, said) in cases {
         let failed = longdrive(&[&["robust"], args].concat());
         let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(failed.status == 2 && told.contains(said), "{args:?}: {told}");
+        assert!(
+            failed.status == 2 && told.contains(said),
+            "{args:?}: {told}"
+        );
     }
     let mut setup = Setup::default();
-    let names: Vec<String> = Model::usual(&setup).unwrap().into_iter().map(|model| model.name).collect();
+    let names: Vec<String> = Model::usual(&setup)
+        .unwrap()
+        .into_iter()
+        .map(|model| model.name)
+        .collect();
     assert!(names.contains(&"impact.friction=0.3".into()), "{names:?}");
     setup
-        .set_all([("launch.ball_speed", "70 m/s"), ("launch.launch_angle", "10 deg"), ("launch.spin", "2500 rpm")])
+        .set_all([
+            ("launch.ball_speed", "70 m/s"),
+            ("launch.launch_angle", "10 deg"),
+            ("launch.spin", "2500 rpm"),
+        ])
         .unwrap();
-    assert!(Model::usual(&setup).unwrap().iter().all(|model| !model.name.contains("impact.")));
+    assert!(
+        Model::usual(&setup)
+            .unwrap()
+            .iter()
+            .all(|model| !model.name.contains("impact."))
+    );
     let setup = Setup::default();
-    let alone = robust(vec![Model::as_set_up(&setup)], search(&setup), &Scenarios::one_drive(), 1, &Follow::default());
+    let alone = robust(
+        vec![Model::as_set_up(&setup)],
+        search(&setup),
+        &Scenarios::one_drive(),
+        1,
+        &Follow::default(),
+    );
     assert!(matches!(alone, Err(Error::Unreadable { .. })));
 }
 
-/// A goal that grows to either side has two best designs, of which the setup's own is nearer to the worse: from several starts the better one is found
-/// for every model, and for all of them.
+/// A goal that grows to either side has two best designs, of which the setup's own is nearer to the
+/// worse: from several starts the better one is found for every model, and for all of them.
 #[test]
 fn exact_several_starts_find_the_better_end_for_every_model() {
     let args = [
@@ -142,8 +271,8 @@ fn exact_several_starts_find_the_better_end_for_every_model() {
     close(face(&["--starts", "8"]), -5.0, 1.0, 1e-9, "the better end");
 }
 
-/// Ctrl-C in the search for all models ends interrupted, whatever the searches that had ended found, and says how many they are; before it, in which
-/// model's search.
+/// Ctrl-C in the search for all models ends interrupted, whatever the searches that had ended
+/// found, and says how many they are; before it, in which model's search.
 #[test]
 fn a_search_that_is_stopped_says_how_far_it_was() {
     let setup = Setup::preset("mae494").unwrap();
@@ -155,18 +284,36 @@ fn a_search_that_is_stopped_says_how_far_it_was() {
                 flag.store(true, Ordering::Relaxed);
             }
         };
-        let follow = Follow { iteration: Some(Arc::new(look)), interrupt, ..Follow::default() };
-        let models = vec![Model::as_set_up(&setup), Model::read(&setup, "swing.attack_angle=-4 deg").unwrap()];
+        let follow = Follow {
+            iteration: Some(Arc::new(look)),
+            interrupt,
+            ..Follow::default()
+        };
+        let models = vec![
+            Model::as_set_up(&setup),
+            Model::read(&setup, "swing.attack_angle=-4 deg").unwrap(),
+        ];
         robust(models, search(&setup), &Scenarios::one_drive(), 4, &follow)
     };
     // the loft and the greatest loss
     let found = stopping_at(2).unwrap();
-    assert!(found.stopped > 0 && !found.is_found() && found.status() == "interrupted", "{found:?}");
+    assert!(
+        found.stopped > 0 && !found.is_found() && found.status() == "interrupted",
+        "{found:?}"
+    );
     let (ended, stopped) = (found.searches - found.stopped, found.stopped);
-    let says = format!("{ended} of {} searches ended, and {stopped} were stopped before their end", found.searches);
+    let says = format!(
+        "{ended} of {} searches ended, and {stopped} were stopped before their end",
+        found.searches
+    );
     assert_eq!(found.interrupted().unwrap(), says);
     let told = robust_reply(&found, Some(0.9144), vec![], None);
-    assert!(told.message.unwrap().to_string().starts_with(&format!("{says}; so far ")));
+    assert!(
+        told.message
+            .unwrap()
+            .to_string()
+            .starts_with(&format!("{says}; so far "))
+    );
     let early = stopping_at(1).unwrap_err();
     assert_eq!(early.status(), "interrupted");
     assert!(
@@ -176,13 +323,21 @@ fn a_search_that_is_stopped_says_how_far_it_was() {
     );
 }
 
-/// The price of a bound and of a limit: what the greatest loss falls by where it is moved, with the best of each model moving too.
+/// The price of a bound and of a limit: what the greatest loss falls by where it is moved, with the
+/// best of each model moving too.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let asked = |attack: f64, limit: &str| {
         let vary = format!("--vary=swing.attack_angle=-5deg..{attack}deg");
         let models = ["--model=ball.mass=44 g", "--model=swing.speed=108 mph"];
-        let args = ["robust", "modern-driver", "--vary=club.loft=4deg..20deg", &vary, "--subject-to", limit];
+        let args = [
+            "robust",
+            "modern-driver",
+            "--vary=club.loft=4deg..20deg",
+            &vary,
+            "--subject-to",
+            limit,
+        ];
         let (status, found) = json(&[&args[..], &models].concat());
         assert_eq!(status, 0, "{found}");
         found
@@ -194,14 +349,22 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     close(price, falls, falls.abs(), 1e-5, "bound");
     // the bests gain more by it, so that the greatest loss rises
     assert!(price < 0.0, "{price}");
-    for (limit, unit, relaxed) in [("apex_height <= 33", "m", 1.0), ("descent_angle >= 42", "deg", -1.0)] {
+    for (limit, unit, relaxed) in [
+        ("apex_height <= 33", "m", 1.0),
+        ("descent_angle >= 42", "deg", -1.0),
+    ] {
         let moved = |by: f64| {
             let (name, at) = limit.rsplit_once(' ').unwrap();
-            format!("{name} {} {unit}", at.parse::<f64>().unwrap() + relaxed * by)
+            format!(
+                "{name} {} {unit}",
+                at.parse::<f64>().unwrap() + relaxed * by
+            )
         };
         let found = asked(3.0, &moved(0.0));
         let of_models = found["models"].as_array().unwrap().iter();
-        let price: f64 = of_models.map(|model| number(&model["constraints"][0]["multiplier"])).sum();
+        let price: f64 = of_models
+            .map(|model| number(&model["constraints"][0]["multiplier"]))
+            .sum();
         if unit == "deg" {
             // the text has the part of the model that keeps to the limit at its own best alone
             let bests: Vec<_> = found["models"]
@@ -231,7 +394,11 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
                 .concat(),
             );
             let told = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
-            assert!(told.contains("not active; +0.67 yd for each degree that the limit is relaxed"), "{}", said.out);
+            assert!(
+                told.contains("not active; +0.67 yd for each degree that the limit is relaxed"),
+                "{}",
+                said.out
+            );
         }
         let size = if unit == "deg" { by.to_radians() } else { by };
         let falls = (greatest(3.0, &moved(-by)) - greatest(3.0, &moved(by))) / (2.0 * size);

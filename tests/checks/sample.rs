@@ -47,19 +47,30 @@ const LIMITED: [Outcome; 7] = [
     Outcome::LaunchAngle,
 ];
 
-const LAWS: [&str; 6] = ["winfield-tan", "nathan", "ferguson", "robinson", "bearman-harvey", "launch-monitor"];
+const LAWS: [&str; 6] = [
+    "winfield-tan",
+    "nathan",
+    "ferguson",
+    "robinson",
+    "bearman-harvey",
+    "launch-monitor",
+];
 
-/// A search, and the best objective of random points that meet its constraints: an outcome times the sense's sign.
+/// A search, and the best objective of random points that meet its constraints: an outcome times
+/// the sense's sign.
 struct Generated {
     setup: Setup<f64>,
     search: Search,
     best: f64,
 }
 
-/// A search over random ranges with up to two constraints, each met by at least one of 760 random points; `None` where no point meets them all.
+/// A search over random ranges with up to two constraints, each met by at least one of 760 random
+/// points; `None` where no point meets them all.
 fn generated(random: &mut Random) -> Option<Generated> {
     let mut setup = Setup::preset(PRESETS[random.below(PRESETS.len())].name).unwrap();
-    setup.set("aero.law", LAWS[random.below(LAWS.len())]).unwrap();
+    setup
+        .set("aero.law", LAWS[random.below(LAWS.len())])
+        .unwrap();
     setup.set_all(LARGE_STEPS).unwrap();
     let mut vary: Vec<Vary> = vec![];
     for _ in 0..=random.below(4) {
@@ -71,13 +82,23 @@ fn generated(random: &mut Random) -> Option<Generated> {
     }
     let of = [Outcome::Carry, Outcome::CarryDistance, Outcome::Total][random.below(3)];
     let first = random.below(LIMITED.len());
-    let limited: Vec<_> = (0..random.below(3)).map(|j| LIMITED[(first + j) % LIMITED.len()]).collect();
+    let limited: Vec<_> = (0..random.below(3))
+        .map(|j| LIMITED[(first + j) % LIMITED.len()])
+        .collect();
     let parameters: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
     let outcomes: Vec<_> = [of].into_iter().chain(limited.iter().copied()).collect();
-    let point = |_| vary.iter().map(|vary| random.between(vary.low, vary.high)).collect::<Vec<_>>();
+    let point = |_| {
+        vary.iter()
+            .map(|vary| random.between(vary.low, vary.high))
+            .collect::<Vec<_>>()
+    };
     let points: Vec<f64> = (0..760).flat_map(point).collect();
-    let block = Batch::new(&setup, &parameters, &outcomes, &[]).unwrap().evaluate(0, points);
-    let flown: Vec<Vec<f64>> = (0..block.rows()).filter_map(|row| block.outcomes(row).collect()).collect();
+    let block = Batch::new(&setup, &parameters, &outcomes, &[])
+        .unwrap()
+        .evaluate(0, points);
+    let flown: Vec<Vec<f64>> = (0..block.rows())
+        .filter_map(|row| block.outcomes(row).collect())
+        .collect();
     let mut subject_to = vec![];
     for (j, outcome) in limited.into_iter().enumerate() {
         let mut values: Vec<f64> = flown.iter().map(|values| values[1 + j]).collect();
@@ -92,28 +113,65 @@ fn generated(random: &mut Random) -> Option<Generated> {
             0 => (f64::NEG_INFINITY, values[place]),
             _ => (values[values.len() - 1 - place], f64::INFINITY),
         };
-        subject_to.push(Constraint { expression: format!("{low} <= {outcome} <= {high}"), outcome, low, high });
+        subject_to.push(Constraint {
+            expression: format!("{low} <= {outcome} <= {high}"),
+            outcome,
+            low,
+            high,
+        });
     }
     let is_met = |values: &&Vec<f64>| {
-        subject_to.iter().zip(&values[1..]).all(|(limit, value)| (limit.low..=limit.high).contains(value))
+        subject_to
+            .iter()
+            .zip(&values[1..])
+            .all(|(limit, value)| (limit.low..=limit.high).contains(value))
     };
-    let best = flown.iter().filter(is_met).map(|values| -values[0]).reduce(f64::min)?;
-    let search = Search { of, sense: Sense::Maximize, vary, subject_to, options: Options::default() };
-    Some(Generated { setup, search, best })
+    let best = flown
+        .iter()
+        .filter(is_met)
+        .map(|values| -values[0])
+        .reduce(f64::min)?;
+    let search = Search {
+        of,
+        sense: Sense::Maximize,
+        vary,
+        subject_to,
+        options: Options::default(),
+    };
+    Some(Generated {
+        setup,
+        search,
+        best,
+    })
 }
 
-/// Few generated searches end more than half a metre below the best of 760 random points of the same ranges, and none says that no point meets the
-/// constraints.
+/// Few generated searches end more than half a metre below the best of 760 random points of the
+/// same ranges, and none says that no point meets the constraints.
 #[test]
 fn independent_optima_are_hardly_ever_below_random_points() {
     let mut random = Random(Xoshiro256PlusPlus::seed_from_u64(51));
     let (mut below, mut improved) = (vec![], 0);
     for number in 0..400 {
-        let Some(Generated { setup, search, best }) = generated(&mut random) else { continue };
+        let Some(Generated {
+            setup,
+            search,
+            best,
+        }) = generated(&mut random)
+        else {
+            continue;
+        };
         let found = optimum(&setup, search, Observer::default()).unwrap();
         let sample = found.sample.unwrap();
-        assert!(sample.feasible <= sample.points && sample.better <= sample.feasible, "{number}: {sample:?}");
-        assert_ne!(found.solution.status, Status::Infeasible, "{number}: {}", found.message());
+        assert!(
+            sample.feasible <= sample.points && sample.better <= sample.feasible,
+            "{number}: {sample:?}"
+        );
+        assert_ne!(
+            found.solution.status,
+            Status::Infeasible,
+            "{number}: {}",
+            found.message()
+        );
         improved += usize::from(sample.improved);
         let value = found.solution.value.unwrap();
         if value > best + 0.5 {
@@ -121,10 +179,14 @@ fn independent_optima_are_hardly_ever_below_random_points() {
         }
     }
     assert!(below.len() <= 1, "{below:?}");
-    assert!(improved >= 1, "{improved} searches were improved by their samples");
+    assert!(
+        improved >= 1,
+        "{improved} searches were improved by their samples"
+    );
 }
 
-/// 47 of 2,000 random points meet these constraints, but the search from the preset's own values ends where none is met.
+/// 47 of 2,000 random points meet these constraints, but the search from the preset's own values
+/// ends where none is met.
 #[test]
 fn independent_a_small_feasible_region_is_found() {
     let asked = [
@@ -146,24 +208,42 @@ fn independent_a_small_feasible_region_is_found() {
         "apex_height <= 14.362690438633521 m",
     ];
     let (status, found) = json(&asked);
-    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{}", found["message"]);
+    assert_eq!(
+        (status, found["status"].as_str()),
+        (0, Some("converged")),
+        "{}",
+        found["message"]
+    );
     // of searches from eight starts
     assert!(number(&found["value"]) > 181.36, "{}", found["value"]);
     assert_eq!(found["sample"]["improved"], true);
     assert_eq!(found["optima"].as_array().unwrap().len(), 2);
     let said = longdrive(&asked);
-    assert!(said.out.contains("found from a point of a sample of the ranges"), "{}", said.out);
+    assert!(
+        said.out
+            .contains("found from a point of a sample of the ranges"),
+        "{}",
+        said.out
+    );
 }
 
 /// `infeasible` says how many points were tried, and not that there is no other.
 #[test]
 fn infeasible_says_how_many_points_were_tried() {
-    let asked = ["optimize", "--subject-to", "apex_height <= 30 m", "--subject-to", "apex_height >= 31 m"];
+    let asked = [
+        "optimize",
+        "--subject-to",
+        "apex_height <= 30 m",
+        "--subject-to",
+        "apex_height >= 31 m",
+    ];
     let (status, found) = json(&asked);
     assert_eq!((status, found["status"].as_str()), (1, Some("infeasible")));
     let message = found["message"].as_str().unwrap();
     let points = &found["sample"]["points"];
-    let told = format!("no point was found that meets the constraints (the search and {points} other points");
+    let told = format!(
+        "no point was found that meets the constraints (the search and {points} other points"
+    );
     assert!(message.starts_with(&told), "{message}");
     assert_eq!(found["sample"]["feasible"], 0);
 }

@@ -1,4 +1,5 @@
-//! Tables as people have them, after real exports: each shot is the same as one that is written plainly.
+//! Tables as people have them, after real exports: each shot is the same as one that is written
+//! plainly.
 
 use crate::command_line::longdrive;
 use crate::common::close;
@@ -27,10 +28,13 @@ fn landed(flown: &[Flown]) -> Vec<[f64; 2]> {
     flown.iter().flat_map(of).collect()
 }
 
-/// The same of launches that are written plainly: ball speed in mph, launch angle, direction and axis in degrees, spin in rpm.
+/// The same of launches that are written plainly: ball speed in mph, launch angle, direction and
+/// axis in degrees, spin in rpm.
 fn plain(launches: &[[f64; 5]]) -> Vec<[f64; 2]> {
-    let mut text =
-        String::from("Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg]\n");
+    let mut text = String::from(
+        "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis \
+         [deg]\n",
+    );
     for launch in launches {
         let cells: Vec<String> = launch.iter().map(f64::to_string).collect();
         text += &(cells.join(",") + "\n");
@@ -69,16 +73,30 @@ fn exact_heads_in_other_spellings() {
     // by German heads; its speed is 257.495 km/h, and its air 1.184 kg/m³ as a column states it
     let (shots, found, _) = case("garmin-german.csv");
     assert_eq!(shots.maker(), Some("Garmin"));
-    close(landed(&found)[0][0], 269.9 * 0.9144, 247.0, 5e-4, "garmin-german.csv");
+    close(
+        landed(&found)[0][0],
+        269.9 * 0.9144,
+        247.0,
+        5e-4,
+        "garmin-german.csv",
+    );
 }
 
-/// A dot in a head is no decimal point: `61,468` has decimals, as the other numbers of its table have.
+/// A dot in a head is no decimal point: `61,468` has decimals, as the other numbers of its table
+/// have.
 #[test]
 fn exact_decimal_commas_below_heads_with_dots() {
-    let text = "Ball Speed [m/s];Launch Ang. [deg];Launch Dir. [deg];Spin Rate [rpm];Spin Axis [deg]\n61,468;17,8;-3,3;2507;-12,2\n";
+    let text = "Ball Speed [m/s];Launch Ang. [deg];Launch Dir. [deg];Spin Rate [rpm];Spin Axis \
+                [deg]\n61,468;17,8;-3,3;2507;-12,2\n";
     let (_, found, _) = flown(text.as_bytes());
     let expected = plain(&[[61.468 / 0.447_04, 17.8, -3.3, 2507.0, -12.2]]);
-    close(landed(&found)[0][0], expected[0][0], expected[0][0], 1e-9, "carry");
+    close(
+        landed(&found)[0][0],
+        expected[0][0],
+        expected[0][0],
+        1e-9,
+        "carry",
+    );
 }
 
 #[test]
@@ -96,18 +114,29 @@ fn exact_units_in_cells() {
     same_within("foresight-units-in-cells-cp1252.csv", &launches, 2e-4);
     let (shots, ..) = case("foresight-units-in-cells-cp1252.csv");
     let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|told| told.contains("Windows-1252")), "{told:?}");
+    assert!(
+        told.iter().any(|told| told.contains("Windows-1252")),
+        "{told:?}"
+    );
     // a cell beside them without a unit, and one that contradicts its head
     for (text, says) in [
-        ("Ball Speed,Launch Angle,Spin Rate\n160 mph,12,2500\n70,12,2500\n", "'70' has no unit"),
+        (
+            "Ball Speed,Launch Angle,Spin Rate\n160 mph,12,2500\n70,12,2500\n",
+            "'70' has no unit",
+        ),
         (
             "Ball Speed [km/h],Launch Angle,Spin Rate\n160 mph,12,2500\n",
             "'160 mph' states another unit than its head, [km/h]",
         ),
     ] {
         let (_, found, _) = flown(text.as_bytes());
-        let reasons: Vec<&str> = (0..found[0].rows()).filter_map(|row| found[0].reason(row)).collect();
-        assert!(reasons.len() == 1 && reasons[0].contains(says), "{reasons:?}");
+        let reasons: Vec<&str> = (0..found[0].rows())
+            .filter_map(|row| found[0].reason(row))
+            .collect();
+        assert!(
+            reasons.len() == 1 && reasons[0].contains(says),
+            "{reasons:?}"
+        );
     }
 }
 
@@ -115,11 +144,23 @@ fn exact_units_in_cells() {
 fn exact_a_line_of_units_is_one_whatever_its_other_cells_are() {
     let (_, found, _) = case("units-row-with-a-pattern.csv");
     for (found, expected) in landed(&found).iter().zip([269.9, 261.6]) {
-        close(found[0] / 0.9144, expected, expected, 4e-4, "units-row-with-a-pattern.csv");
+        close(
+            found[0] / 0.9144,
+            expected,
+            expected,
+            4e-4,
+            "units-row-with-a-pattern.csv",
+        );
     }
     let text = "Date,Ball Speed,Launch Angle,Spin Rate\nyyyy,furlongs,deg,rpm\n1,160,12,2500\n";
-    let error = Shots::read(&Setup::default(), "a.csv", text.as_bytes()).err().unwrap().to_string();
-    assert!(error.contains("column 2") && error.contains("furlongs"), "{error}");
+    let error = Shots::read(&Setup::default(), "a.csv", text.as_bytes())
+        .err()
+        .unwrap()
+        .to_string();
+    assert!(
+        error.contains("column 2") && error.contains("furlongs"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -127,9 +168,24 @@ fn exact_sections_have_heads_and_units_of_their_own() {
     let (_, found, _) = case("two-exports-mph-then-kmh.csv");
     let carries = landed(&found);
     assert_eq!(carries.len(), 2);
-    close(carries[1][0], carries[0][0], carries[0][0], 1e-6, "the same shot in km/h");
-    close(carries[0][0] / 0.9144, 269.9, 269.9, 4e-4, "two-exports-mph-then-kmh.csv");
-    same("sections-with-heads.csv", &[FIRST, SECOND, [148.0, 11.5, -0.8, 3305.0, -3.3]]);
+    close(
+        carries[1][0],
+        carries[0][0],
+        carries[0][0],
+        1e-6,
+        "the same shot in km/h",
+    );
+    close(
+        carries[0][0] / 0.9144,
+        269.9,
+        269.9,
+        4e-4,
+        "two-exports-mph-then-kmh.csv",
+    );
+    same(
+        "sections-with-heads.csv",
+        &[FIRST, SECOND, [148.0, 11.5, -0.8, 3305.0, -3.3]],
+    );
     let (_, found, tally) = case("sections-with-heads.csv");
     let kinds: Vec<&str> = tally.refused.keys().copied().collect();
     assert_eq!(kinds, ["sums up other rows", "title"]);
@@ -137,18 +193,32 @@ fn exact_sections_have_heads_and_units_of_their_own() {
     let setup = Setup::default();
     for name in ["two-exports-mph-then-kmh.csv", "sections-with-heads.csv"] {
         let (shots, first, _) = case(name);
-        let writer = ShotWriter::new(ShotFormat::Csv, &shots, &[Outcome::CarryDistance], System::Us);
+        let writer = ShotWriter::new(
+            ShotFormat::Csv,
+            &shots,
+            &[Outcome::CarryDistance],
+            System::Us,
+        );
         let mut text = writer.head();
         for flown in &first {
             text.extend(writer.rows(flown));
         }
         let again = landed(&flown(Cursor::new(text.clone())).1);
-        assert_eq!(again, landed(&first), "{name}: {}", String::from_utf8(text).unwrap());
+        assert_eq!(
+            again,
+            landed(&first),
+            "{name}: {}",
+            String::from_utf8(text).unwrap()
+        );
     }
     // calibration reads the same rows
-    let table = ShotTable::read(&setup, "a.csv", &bytes("two-exports-mph-then-kmh.csv")[..]).unwrap();
+    let table =
+        ShotTable::read(&setup, "a.csv", &bytes("two-exports-mph-then-kmh.csv")[..]).unwrap();
     let speeds: Vec<f64> = table.shots.iter().map(|shot| shot.inputs[0].1).collect();
-    assert!(table.shots.len() == 2 && (speeds[0] - speeds[1]).abs() < 1e-4, "{speeds:?}");
+    assert!(
+        table.shots.len() == 2 && (speeds[0] - speeds[1]).abs() < 1e-4,
+        "{speeds:?}"
+    );
     assert_eq!(found.iter().map(Flown::rows).sum::<usize>(), 5);
 }
 
@@ -159,7 +229,14 @@ fn exact_values_of_a_club_that_were_not_measured_are_not_used() {
     let speeds: Vec<Option<f64>> = shots.iter().map(|shot| shot.club.speed).collect();
     assert_eq!(speeds[..2], [Some(48.5), None]);
     assert_eq!(shots[1].club.values(), [None; 4]);
-    assert!(shots[1].notes.iter().any(|note| note.contains("counts as not measured")), "{:?}", shots[1].notes);
+    assert!(
+        shots[1]
+            .notes
+            .iter()
+            .any(|note| note.contains("counts as not measured")),
+        "{:?}",
+        shots[1].notes
+    );
     let (_, found, _) = case("open-connect-zero-club.jsonl");
     assert_eq!(found[0].shots()[0].club.values(), [None; 4]);
 }
@@ -167,7 +244,12 @@ fn exact_values_of_a_club_that_were_not_measured_are_not_used() {
 #[test]
 fn exact_up_and_down_inside_and_outside_open_and_closed() {
     let (_, found, _) = case("flightscope-up-down.csv");
-    let club = |row: usize| found[0].shots()[row].club.values().map(|value| value.map(f64::to_degrees));
+    let club = |row: usize| {
+        found[0].shots()[row]
+            .club
+            .values()
+            .map(|value| value.map(f64::to_degrees))
+    };
     let near = |found: [Option<f64>; 4], expected: [f64; 3]| {
         for (found, expected) in found[1..].iter().zip(expected) {
             close(found.unwrap(), expected, 1.0, 1e-12, "degrees");
@@ -184,43 +266,84 @@ fn published_signs_of_garmin_are_turned() {
     let sides: Vec<f64> = landed(&found).iter().map(|landed| landed[1]).collect();
     assert!(sides[0] > 0.0 && sides[1] < 0.0, "{sides:?}");
     let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|told| told.contains("Sidespin is read with + to the left")), "{told:?}");
+    assert!(
+        told.iter()
+            .any(|told| told.contains("Sidespin is read with + to the left")),
+        "{told:?}"
+    );
     // beside an axis of the other sign, nothing contradicts
-    let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
+    let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+                Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
                 Distance [yd]\n150,12,0,2500,10,2462,-434,12\n";
     let (_, found, _) = flown(text.as_bytes());
-    assert!(found[0].shots()[0].notes.is_empty() && landed(&found)[0][1] > 0.0, "{:?}", found[0].shots()[0].notes);
+    assert!(
+        found[0].shots()[0].notes.is_empty() && landed(&found)[0][1] > 0.0,
+        "{:?}",
+        found[0].shots()[0].notes
+    );
     // both agree, and the balls curve to the other side
     let row = "150,12,0,2500,10,2462,434,240,-12\n";
-    let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Backspin [rpm],Sidespin [rpm],Carry \
+    let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry \
                  Distance [yd],Carry Deviation Distance [yd]\n";
     let (shots, found, _) = flown(Cursor::new(format!("{heads}{row}{row}")));
     assert!(landed(&found).iter().all(|landed| landed[1] < 0.0));
     let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|told| told.contains("Spin Axis and Sidespin are read with + to the left")), "{told:?}");
+    assert!(
+        told.iter()
+            .any(|told| told.contains("Spin Axis and Sidespin are read with + to the left")),
+        "{told:?}"
+    );
 }
 
-/// In the second section the columns stand in another order: its signs and units come from its own rows.
+/// In the second section the columns stand in another order: its signs and units come from its own
+/// rows.
 #[test]
 fn exact_a_section_is_interpreted_by_its_own_rows() {
-    let text = "Ball Speed,Launch Angle,Launch Direction,Spin Rate,Spin Axis,Sidespin,Carry Deviation Distance\n\
+    let text = "Ball Speed,Launch Angle,Launch Direction,Spin Rate,Spin Axis,Sidespin,Carry \
+                Deviation Distance\n\
                 160 mph,12 deg,0 deg,2500 rpm,10 deg,-434 rpm,12 yd\n\
-                Sidespin,Spin Axis,Ball Speed,Launch Angle,Launch Direction,Spin Rate,Carry Deviation Distance\n\
+                Sidespin,Spin Axis,Ball Speed,Launch Angle,Launch Direction,Spin Rate,Carry \
+                Deviation Distance\n\
                 434,10,160,12,0,2500,12\n";
     let (_, found, tally) = flown(text.as_bytes());
     let carries = landed(&found);
-    assert_eq!((tally.flown, carries[0]), (2, carries[1]), "{:?}", found[1].reason(0));
-    assert!(found.iter().flat_map(Flown::shots).all(|shot| shot.notes.is_empty()));
+    assert_eq!(
+        (tally.flown, carries[0]),
+        (2, carries[1]),
+        "{:?}",
+        found[1].reason(0)
+    );
+    assert!(
+        found
+            .iter()
+            .flat_map(Flown::shots)
+            .all(|shot| shot.notes.is_empty())
+    );
 }
 
-/// 1135 ft and 77 °F: 1.1367 kg/m³ by the standard atmosphere's pressure and the density of dry air.
+/// 1135 ft and 77 °F: 1.1367 kg/m³ by the standard atmosphere's pressure and the density of dry
+/// air.
 #[test]
 fn independent_the_air_of_a_condition_is_that_of_its_altitude_and_temperature() {
     let (shots, found, _) = case("trackman-short-heads.csv");
-    assert_eq!(shots.further().iter().map(|parameter| parameter.name).collect::<Vec<_>>(), ["air.density"]);
+    assert_eq!(
+        shots
+            .further()
+            .iter()
+            .map(|parameter| parameter.name)
+            .collect::<Vec<_>>(),
+        ["air.density"]
+    );
     let kelvin = 273.15 + 25.0;
     let pressure = 101_325.0 * (1.0 - 0.0065 * (1135.0 * 0.3048) / 288.15_f64).powf(5.255_88);
-    close(found[0].shots()[0].further()[0], pressure / (287.05 * kelvin), 1.1, 2e-3, "density");
+    close(
+        found[0].shots()[0].further()[0],
+        pressure / (287.05 * kelvin),
+        1.1,
+        2e-3,
+        "density",
+    );
 }
 
 #[test]
@@ -236,10 +359,14 @@ fn every_shot_is_explained_with_what_it_states() {
         let table = ShotTable::open_launches(&setup, std::path::Path::new(&file)).unwrap();
         assert_eq!(table.shots.len(), rows, "{name}");
     }
-    let file = format!("{}/data/cases/blank-club-path.csv", env!("CARGO_MANIFEST_DIR"));
+    let file = format!(
+        "{}/data/cases/blank-club-path.csv",
+        env!("CARGO_MANIFEST_DIR")
+    );
     let table = ShotTable::open_launches(&Setup::default(), std::path::Path::new(&file)).unwrap();
     let told: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
-    let says = "Club Path: not stated; what is known before the shot stands for it: row 2, row 3, row 4";
+    let says =
+        "Club Path: not stated; what is known before the shot stands for it: row 2, row 3, row 4";
     assert!(told.iter().any(|told| told == says), "{told:?}");
 }
 
@@ -250,7 +377,9 @@ fn exact_generated_tables_are_those_that_are_written_plainly() {
         .map(|k| {
             let part = |i: u32| (f64::from(k) * (0.754_877_666 + 0.1 * f64::from(i))).fract();
             // no −0
-            let one = |low: f64, high: f64, i| (10.0 * (low + (high - low) * part(i))).round() / 10.0 + 0.0;
+            let one = |low: f64, high: f64, i| {
+                (10.0 * (low + (high - low) * part(i))).round() / 10.0 + 0.0
+            };
             [
                 one(120.0, 170.0, 1),
                 one(8.0, 16.0, 2),
@@ -277,14 +406,19 @@ fn exact_generated_tables_are_those_that_are_written_plainly() {
                             if has_comma && separator == ',' {
                                 continue;
                             }
-                            let line = |cells: Vec<String>| cells.join(&separator.to_string()) + "\r\n";
+                            let line =
+                                |cells: Vec<String>| cells.join(&separator.to_string()) + "\r\n";
                             let heads = style.replace('U', unit);
                             let mut text = String::from("Session of May\r\n");
                             text += &line(heads.split('|').map(String::from).collect());
                             for launch in &launches {
                                 let number = |value: f64| {
                                     let text = value.to_string();
-                                    if has_comma { text.replace('.', ",") } else { text }
+                                    if has_comma {
+                                        text.replace('.', ",")
+                                    } else {
+                                        text
+                                    }
                                 };
                                 let sided = |value: f64| match has_sides {
                                     true if value < 0.0 => format!("{} L", number(-value)),
@@ -304,7 +438,10 @@ fn exact_generated_tables_are_those_that_are_written_plainly() {
                                 0 => text.clone().into_bytes(),
                                 1 => text.encode_utf16().flat_map(u16::to_le_bytes).collect(),
                                 // Latin-1, which Windows-1252 contains
-                                _ => text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect(),
+                                _ => text
+                                    .chars()
+                                    .map(|c| u8::try_from(u32::from(c)).unwrap())
+                                    .collect(),
                             };
                             let found = landed(&flown(Cursor::new(bytes)).1);
                             assert_eq!(found.len(), expected.len(), "{text}");
@@ -325,14 +462,25 @@ fn exact_generated_tables_are_those_that_are_written_plainly() {
 /// Carries are those that are predicted, written in one unit under the head of another.
 #[test]
 fn exact_units_that_are_likely_to_be_others_are_warned_of() {
-    let launches: Vec<[f64; 5]> = (0..6).map(|k| [150.0 + 4.0 * f64::from(k), 12.0, 0.0, 2600.0, 2.0]).collect();
+    let launches: Vec<[f64; 5]> = (0..6)
+        .map(|k| [150.0 + 4.0 * f64::from(k), 12.0, 0.0, 2600.0, 2.0])
+        .collect();
     let carries: Vec<f64> = plain(&launches).iter().map(|landed| landed[0]).collect();
     let text = |speed: f64, carry: f64, side: f64| {
         let mut text = String::from(
-            "Ball Speed,Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Carry [yd],Side [yd]\n",
+            "Ball Speed,Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis \
+             [deg],Carry [yd],Side [yd]\n",
         );
         for ([mph, angle, direction, spin, axis], metres) in launches.iter().zip(&carries) {
-            let cells = [mph * speed, *angle, *direction, *spin, *axis, metres * carry, side];
+            let cells = [
+                mph * speed,
+                *angle,
+                *direction,
+                *spin,
+                *axis,
+                metres * carry,
+                side,
+            ];
             text += &(cells.map(|cell| cell.to_string()).join(",") + "\n");
         }
         text
@@ -343,31 +491,51 @@ fn exact_units_that_are_likely_to_be_others_are_warned_of() {
         told.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     let yards = 1.0 / 0.9144;
-    assert!(warned(text(1.0, yards, 7.0)).is_empty(), "{:?}", warned(text(1.0, yards, 7.0)));
+    assert!(
+        warned(text(1.0, yards, 7.0)).is_empty(),
+        "{:?}",
+        warned(text(1.0, yards, 7.0))
+    );
     for (told, words) in [
         (
             warned(text(1.0, 1.0, 7.0)),
-            "Carry: predicted values are 1.09 times the measured ones in the median, as if these were in m",
+            "Carry: predicted values are 1.09 times the measured ones in the median, as if these \
+             were in m",
         ),
         (
             warned(text(0.447_04, yards, 7.0)),
             "Ball Speed: the balls carry farther than such speeds allow, as if they were in m/s",
         ),
-        (warned(text(1.609_344, yards, 7.0)), "as if they were in km/h and read in mph"),
-        (warned(text(1.0, yards, -7.0)), "Side: of 6 rows that end beside the target line 6 end on the other side"),
+        (
+            warned(text(1.609_344, yards, 7.0)),
+            "as if they were in km/h and read in mph",
+        ),
+        (
+            warned(text(1.0, yards, -7.0)),
+            "Side: of 6 rows that end beside the target line 6 end on the other side",
+        ),
     ] {
-        assert!(told.len() == 1 && told[0].contains(words), "{words}: {told:?}");
+        assert!(
+            told.len() == 1 && told[0].contains(words),
+            "{words}: {told:?}"
+        );
     }
 }
 
 #[test]
 fn a_line_of_units_that_contradicts_its_head_is_refused() {
     let text = |head: &str, below: &str| {
-        format!("Ball Speed [{head}],Launch Angle [deg],Spin Rate [rpm]\n[{below}],[deg],[rpm]\n70,12,2600\n")
+        format!(
+            "Ball Speed [{head}],Launch Angle [deg],Spin Rate \
+             [rpm]\n[{below}],[deg],[rpm]\n70,12,2600\n"
+        )
     };
     let read = |text: String| Shots::read(&Setup::default(), "a.csv", Cursor::new(text)).map(drop);
     let error = read(text("mph", "m/s")).err().unwrap().to_string();
-    assert!(error.contains("the head says [mph], and the line of units [m/s]; correct one of them"), "{error}");
+    assert!(
+        error.contains("the head says [mph], and the line of units [m/s]; correct one of them"),
+        "{error}"
+    );
     for (head, below) in [("mph", "mph"), ("km/h", "kph")] {
         read(text(head, below)).unwrap();
     }
@@ -377,7 +545,8 @@ fn a_line_of_units_that_contradicts_its_head_is_refused() {
 fn exact_a_club_of_zeros_is_as_one_that_is_not_stated() {
     let text = |club: &str| {
         format!(
-            "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Speed [mph],Attack Angle [deg],Club Path [deg],Face Angle [deg]\n\
+            "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Speed [mph],Attack Angle \
+             [deg],Club Path [deg],Face Angle [deg]\n\
              160,12,2600,110,-1.2,0.8,0.1\n160,12,2600,{club}\n"
         )
     };
@@ -386,27 +555,42 @@ fn exact_a_club_of_zeros_is_as_one_that_is_not_stated() {
         let path = folder.path().join("a.csv");
         std::fs::write(&path, text(club)).unwrap();
         let table = ShotTable::open_launches(&Setup::default(), &path).unwrap();
-        table.shots.iter().map(|shot| shot.inputs.len()).collect::<Vec<_>>()
+        table
+            .shots
+            .iter()
+            .map(|shot| shot.inputs.len())
+            .collect::<Vec<_>>()
     };
     assert_eq!((inputs("0,0,0,0"), inputs(",,,")), (vec![4, 0], vec![4, 0]));
 }
 
 #[test]
 fn rows_that_sum_up_others_are_known_in_german_too() {
-    let rows =
-        "A;257,5;12,0;2600\nDurchschnitt;257,5;12,0;2600\nStandardabweichung;2,5;1,0;200\n\u{d8};257,5;12,0;2600\n";
-    let text = format!("Spieler;Ballgeschwindigkeit;Abflugwinkel;Drehrate\n;[km/h];[deg];[rpm]\n{rows}");
+    let rows = "A;257,5;12,0;2600\nDurchschnitt;257,5;12,0;2600\nStandardabweichung;2,5;1,0;200\n\u{d8};257,5;12,0;2600\n";
+    let text =
+        format!("Spieler;Ballgeschwindigkeit;Abflugwinkel;Drehrate\n;[km/h];[deg];[rpm]\n{rows}");
     let (_, _, tally) = flown(Cursor::new(text));
     assert_eq!((tally.rows, tally.flown), (4, 1));
 }
 
 #[test]
 fn a_launch_that_is_set_beside_shots_is_refused() {
-    let file = format!("{}/data/cases/heads-camel-case.csv", env!("CARGO_MANIFEST_DIR"));
-    for set in
-        ["launch.backspin=4000rpm", "launch.launch_direction=5deg", "launch.spin_axis=3deg", "launch.ball_speed=150mph"]
-    {
+    let file = format!(
+        "{}/data/cases/heads-camel-case.csv",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    for set in [
+        "launch.backspin=4000rpm",
+        "launch.launch_direction=5deg",
+        "launch.spin_axis=3deg",
+        "launch.ball_speed=150mph",
+    ] {
         let said = longdrive(&["fly", &file, "--set", set]);
-        assert!(said.status == 2 && said.err.contains("leave"), "{set}: {} {}", said.status, said.err);
+        assert!(
+            said.status == 2 && said.err.contains("leave"),
+            "{set}: {} {}",
+            said.status,
+            said.err
+        );
     }
 }

@@ -1,5 +1,5 @@
-//! Shots of launch monitors: the exports of each maker, what is refused and kept, what is predicted and compared, and the formats that are
-//! written.
+//! Shots of launch monitors: the exports of each maker, what is refused and kept, what is predicted
+//! and compared, and the formats that are written.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -17,11 +17,18 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const OF: [Outcome; 5] =
-    [Outcome::CarryDistance, Outcome::Lateral, Outcome::ApexHeight, Outcome::FlightTime, Outcome::DescentAngle];
+const OF: [Outcome; 5] = [
+    Outcome::CarryDistance,
+    Outcome::Lateral,
+    Outcome::ApexHeight,
+    Outcome::FlightTime,
+    Outcome::DescentAngle,
+];
 
 fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data/shots").join(name)
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("data/shots")
+        .join(name)
 }
 
 /// All that was flown of a text.
@@ -82,50 +89,117 @@ fn exact_the_same_shot_flies_alike_in_every_makers_export() {
         ("open-connect.jsonl", Some("GSPro Open Connect"), 5, 1),
     ] {
         let (shots, flown, tally) = file(name);
-        assert_eq!((shots.maker(), flown.rows(), tally.flown), (maker, rows, landed), "{name}: {:?}", tally.refused);
+        assert_eq!(
+            (shots.maker(), flown.rows(), tally.flown),
+            (maker, rows, landed),
+            "{name}: {:?}",
+            tally.refused
+        );
         for (at, of) in OF.iter().enumerate() {
             let expected = of.of(&full).unwrap();
             // sidespin and backspin are written to a thousandth
-            close(flown.predicted(0, at).unwrap(), expected, expected.abs(), 1e-4, &format!("{name}: {}", of.name()));
+            close(
+                flown.predicted(0, at).unwrap(),
+                expected,
+                expected.abs(),
+                1e-4,
+                &format!("{name}: {}", of.name()),
+            );
         }
-        let carry = flown.shots()[0].value(Outcome::CarryDistance).unwrap().value;
+        let carry = flown.shots()[0]
+            .value(Outcome::CarryDistance)
+            .unwrap()
+            .value;
         close(carry, 262.0 * yard, 262.0, 1e-9, name);
         let residual = flown.residual(0, 0).unwrap();
-        close(residual, flown.predicted(0, 0).unwrap() - carry, 1.0, 1e-12, name);
+        close(
+            residual,
+            flown.predicted(0, 0).unwrap() - carry,
+            1.0,
+            1e-12,
+            name,
+        );
     }
     // without a direction nothing sideways is compared, and the row says what is assumed
     let (_, flown, _) = file("mevo.csv");
     let straight = Outcome::CarryDistance.of(&sample(0.0, 0.0)).unwrap();
-    close(flown.predicted(0, 0).unwrap(), straight, straight, 1e-9, "mevo");
+    close(
+        flown.predicted(0, 0).unwrap(),
+        straight,
+        straight,
+        1e-9,
+        "mevo",
+    );
     assert_eq!(
         flown.shots()[0].notes,
-        ["launch direction is missing: 0 deg is assumed", "spin axis is missing: 0 deg is assumed"]
+        [
+            "launch direction is missing: 0 deg is assumed",
+            "spin axis is missing: 0 deg is assumed"
+        ]
     );
     let (_, flown, _) = file("trackman.csv");
-    assert!(flown.predicted(1, 1).is_some() && flown.residual(1, 1).is_none(), "the axis is assumed");
+    assert!(
+        flown.predicted(1, 1).is_some() && flown.residual(1, 1).is_none(),
+        "the axis is assumed"
+    );
 }
 
 #[test]
 fn measured_estimated_and_normalized_are_kept_where_the_export_says_so() {
-    let origin = |name: &str, row: usize| file(name).1.shots()[row].value(Outcome::Spin).unwrap().origin;
+    let origin = |name: &str, row: usize| {
+        file(name).1.shots()[row]
+            .value(Outcome::Spin)
+            .unwrap()
+            .origin
+    };
     assert_eq!(origin("trackman.csv", 0), Some(Origin::Measured));
     assert_eq!(origin("trackman.csv", 1), Some(Origin::Estimated));
     assert_eq!(
         (origin("garmin.csv", 0), origin("awesome-golf.csv", 0)),
         (Some(Origin::Estimated), Some(Origin::Estimated))
     );
-    assert_eq!((origin("rapsodo.csv", 0), origin("foresight-app.csv", 0)), (None, None));
+    assert_eq!(
+        (origin("rapsodo.csv", 0), origin("foresight-app.csv", 0)),
+        (None, None)
+    );
     let (shots, flown, tally) = file("trackman.csv");
     assert_eq!((tally.spin_not_measured, tally.normalized), (1, 2));
     assert_eq!(flown.shots()[0].is_normalized, Some(true));
-    assert_eq!(file("garmin.csv").1.shots()[0].is_normalized, None, "not said");
+    assert_eq!(
+        file("garmin.csv").1.shots()[0].is_normalized,
+        None,
+        "not said"
+    );
     // values of another flight model are not those of the shot
-    assert_eq!(flown.shots()[0].values.iter().filter(|value| value.of == Outcome::SpinAxis).count(), 1);
-    let told = shots.remarks().iter().map(ToString::to_string).collect::<String>();
-    assert!(told.contains("Carry (Sim)") && told.contains("TMD No") && !told.contains("did you mean"), "{told}");
-    let told = file("rapsodo.csv").0.remarks().iter().map(ToString::to_string).collect::<String>();
-    for says in ["Ball Speed in mph", "Carry Distance in yd", "Apex in ft", "angles without a unit are read in degrees"]
-    {
+    assert_eq!(
+        flown.shots()[0]
+            .values
+            .iter()
+            .filter(|value| value.of == Outcome::SpinAxis)
+            .count(),
+        1
+    );
+    let told = shots
+        .remarks()
+        .iter()
+        .map(ToString::to_string)
+        .collect::<String>();
+    assert!(
+        told.contains("Carry (Sim)") && told.contains("TMD No") && !told.contains("did you mean"),
+        "{told}"
+    );
+    let told = file("rapsodo.csv")
+        .0
+        .remarks()
+        .iter()
+        .map(ToString::to_string)
+        .collect::<String>();
+    for says in [
+        "Ball Speed in mph",
+        "Carry Distance in yd",
+        "Apex in ft",
+        "angles without a unit are read in degrees",
+    ] {
         assert!(told.contains(says), "no '{says}' in {told}");
     }
 }
@@ -133,9 +207,16 @@ fn measured_estimated_and_normalized_are_kept_where_the_export_says_so() {
 #[test]
 fn exact_a_table_is_the_same_in_every_encoding() {
     let text = fs::read_to_string(path("trackman.csv")).unwrap();
-    let wide: Vec<u8> = format!("\u{feff}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let wide: Vec<u8> = format!("\u{feff}{text}")
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect();
     let expected = flown(io::Cursor::new(text.clone())).1.remove(0);
-    for bytes in [format!("\u{feff}\u{feff}{text}").into_bytes(), wide, text.replace('\n', "\r\n").into_bytes()] {
+    for bytes in [
+        format!("\u{feff}\u{feff}{text}").into_bytes(),
+        wide,
+        text.replace('\n', "\r\n").into_bytes(),
+    ] {
         let found = flown(io::Cursor::new(bytes)).1.remove(0);
         assert_eq!(found.rows(), 2);
         for row in 0..2 {
@@ -144,71 +225,154 @@ fn exact_a_table_is_the_same_in_every_encoding() {
         }
     }
     // calibrations read them too
-    let table = |bytes: Vec<u8>| longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", &bytes[..]);
+    let table = |bytes: Vec<u8>| {
+        longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", &bytes[..])
+    };
     let own = "ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n160,12,2500,262\n";
-    let wide: Vec<u8> = format!("\u{feff}{own}").encode_utf16().flat_map(u16::to_le_bytes).collect();
-    assert_eq!(table(wide).unwrap().shots[0].measured, table(own.into()).unwrap().shots[0].measured);
+    let wide: Vec<u8> = format!("\u{feff}{own}")
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    assert_eq!(
+        table(wide).unwrap().shots[0].measured,
+        table(own.into()).unwrap().shots[0].measured
+    );
 }
 
 /// Rows that cannot be flown, each with the kind of its reason and words of it.
 const BAD: [(&str, &str, &str); 13] = [
-    (",12,2500,3,262", "missing value", "Ball Speed: the cell is empty"),
-    ("160,,2500,3,262", "missing value", "Launch Angle: the cell is empty"),
-    ("160,12,,3,262", "missing value", "Spin Rate: the cells of the spin are empty"),
-    ("N/A,12,2500,3,262", "missing value", "Ball Speed: the cell is empty"),
-    ("fast,12,2500,3,262", "not a number", "Ball Speed: 'fast' is not a number"),
-    ("nan,12,2500,3,262", "missing value", "Ball Speed: the cell is empty"),
-    ("500,12,2500,3,262", "out of range", "500 mph is outside of what a drive has, above 0 to 270 mph"),
+    (
+        ",12,2500,3,262",
+        "missing value",
+        "Ball Speed: the cell is empty",
+    ),
+    (
+        "160,,2500,3,262",
+        "missing value",
+        "Launch Angle: the cell is empty",
+    ),
+    (
+        "160,12,,3,262",
+        "missing value",
+        "Spin Rate: the cells of the spin are empty",
+    ),
+    (
+        "N/A,12,2500,3,262",
+        "missing value",
+        "Ball Speed: the cell is empty",
+    ),
+    (
+        "fast,12,2500,3,262",
+        "not a number",
+        "Ball Speed: 'fast' is not a number",
+    ),
+    (
+        "nan,12,2500,3,262",
+        "missing value",
+        "Ball Speed: the cell is empty",
+    ),
+    (
+        "500,12,2500,3,262",
+        "out of range",
+        "500 mph is outside of what a drive has, above 0 to 270 mph",
+    ),
     ("0,12,2500,3,262", "out of range", "Ball Speed: 0 mph"),
     ("160,95,2500,3,262", "out of range", "Launch Angle: 95 deg"),
     ("160,12,90000,3,262", "out of range", "Spin Rate: 90000 rpm"),
-    ("160,12,2500", "number of cells", "the row has 3 cells, but the head has 5 cells"),
-    ("160,12,2500,3,262,7", "number of cells", "the row has 6 cells"),
+    (
+        "160,12,2500",
+        "number of cells",
+        "the row has 3 cells, but the head has 5 cells",
+    ),
+    (
+        "160,12,2500,3,262,7",
+        "number of cells",
+        "the row has 6 cells",
+    ),
     ("Average,12,2500,3,262", "sums up other rows", "(Average)"),
 ];
 
-const HEAD: &str = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Axis [deg],Carry [yds]\n";
+const HEAD: &str =
+    "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Axis [deg],Carry [yds]\n";
 
 #[test]
 fn every_row_is_kept_with_its_line_and_its_reason() {
     let good = "160,12,2500,3,262\n";
-    let text = BAD.iter().fold(HEAD.to_owned(), |text, (row, ..)| text + row + "\n" + good);
+    let text = BAD
+        .iter()
+        .fold(HEAD.to_owned(), |text, (row, ..)| text + row + "\n" + good);
     let text = text + "160,12,2500,\"3,262\n" + good;
     let rows = 2 * BAD.len() + 2;
     let (shots, all, tally) = flown(io::Cursor::new(text.clone()));
     let flown = &all[0];
-    assert_eq!((flown.rows(), tally.rows, tally.flown), (rows, rows as u64, rows as u64 / 2));
+    assert_eq!(
+        (flown.rows(), tally.rows, tally.flown),
+        (rows, rows as u64, rows as u64 / 2)
+    );
     for (at, (row, kind, says)) in BAD.iter().enumerate() {
-        let refusal = flown.shots()[2 * at].refusal().unwrap_or_else(|| panic!("{row} is flown"));
-        assert!(refusal.kind == *kind && refusal.reason.contains(says), "{row}: {refusal:?}");
+        let refusal = flown.shots()[2 * at]
+            .refusal()
+            .unwrap_or_else(|| panic!("{row} is flown"));
+        assert!(
+            refusal.kind == *kind && refusal.reason.contains(says),
+            "{row}: {refusal:?}"
+        );
         assert_eq!(flown.shots()[2 * at].line, 2 * at as u64 + 2);
-        assert!(flown.shots()[2 * at + 1].refusal().is_none(), "the row after {row}");
+        assert!(
+            flown.shots()[2 * at + 1].refusal().is_none(),
+            "the row after {row}"
+        );
     }
-    assert_eq!(flown.shots()[rows - 2].refusal().unwrap().kind, "quote not closed");
+    assert_eq!(
+        flown.shots()[rows - 2].refusal().unwrap().kind,
+        "quote not closed"
+    );
     let counted: u64 = tally.refused.values().map(|refused| refused.count).sum();
     assert_eq!(counted, rows as u64 / 2);
     // in every format there is a line for every row, and the table can be read again
-    for format in [ShotFormat::Csv, ShotFormat::LaunchMonitor, ShotFormat::JsonLines, ShotFormat::OpenConnect] {
+    for format in [
+        ShotFormat::Csv,
+        ShotFormat::LaunchMonitor,
+        ShotFormat::JsonLines,
+        ShotFormat::OpenConnect,
+    ] {
         let writer = ShotWriter::new(format, &shots, &OF, System::Us);
         let written = String::from_utf8([writer.head(), writer.rows(flown)].concat()).unwrap();
         let heads = written.lines().count() - rows;
-        assert_eq!(heads, usize::from(matches!(format, ShotFormat::Csv | ShotFormat::LaunchMonitor)), "{format:?}");
+        assert_eq!(
+            heads,
+            usize::from(matches!(
+                format,
+                ShotFormat::Csv | ShotFormat::LaunchMonitor
+            )),
+            "{format:?}"
+        );
         if format == ShotFormat::JsonLines {
             for line in written.lines() {
-                let row: Value = serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"));
+                let row: Value =
+                    serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"));
                 assert_eq!(faults("fly-row", &row), [""; 0], "{line}");
             }
             continue;
         }
         let again = crate::shots::flown(io::Cursor::new(written));
-        assert_eq!((again.2.rows, again.2.flown), (rows as u64, rows as u64 / 2), "{format:?}: {:?}", again.2.refused);
+        assert_eq!(
+            (again.2.rows, again.2.flown),
+            (rows as u64, rows as u64 / 2),
+            "{format:?}: {:?}",
+            again.2.refused
+        );
         for row in 0..rows {
             let (first, second) = (flown.predicted(row, 0), again.1[0].predicted(row, 0));
             assert_eq!(first.is_some(), second.is_some(), "{format:?}");
             if let (Some(first), Some(second)) = (first, second) {
                 close(second, first, first, 1e-6, &format!("{format:?}"));
             }
-            assert_eq!(flown.residual(row, 0).is_some(), again.1[0].residual(row, 0).is_some(), "{format:?}");
+            assert_eq!(
+                flown.residual(row, 0).is_some(),
+                again.1[0].residual(row, 0).is_some(),
+                "{format:?}"
+            );
         }
     }
     // what was measured and cannot be is no reason not to fly
@@ -226,24 +390,48 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
 fn messages_that_cannot_be_flown_say_what_is_wrong() {
     let (_, flown, _) = file("open-connect.jsonl");
     for (row, kind, says) in [
-        (1, "missing value", "BallData.Speed (did you mean 'Speed' where it has 'Sped'?): the cell is empty"),
+        (
+            1,
+            "missing value",
+            "BallData.Speed (did you mean 'Speed' where it has 'Sped'?): the cell is empty",
+        ),
         (2, "not JSON", "the JSON object does not end"),
-        (3, "not a number", "Units: 'Furlongs' is unknown; write \"Yards\" or \"Meters\""),
-        (4, "not a number", "BallData.Speed: \"fast\" is not a number"),
+        (
+            3,
+            "not a number",
+            "Units: 'Furlongs' is unknown; write \"Yards\" or \"Meters\"",
+        ),
+        (
+            4,
+            "not a number",
+            "BallData.Speed: \"fast\" is not a number",
+        ),
     ] {
         let refusal = flown.shots()[row].refusal().unwrap();
-        assert!(refusal.kind == kind && refusal.reason.contains(says), "{row}: {refusal:?}");
+        assert!(
+            refusal.kind == kind && refusal.reason.contains(says),
+            "{row}: {refusal:?}"
+        );
         assert_eq!(flown.shots()[row].line, row as u64 + 1);
     }
     let metric = "{\"Units\": \"Meters\", \"BallData\": {\"Speed\": 71.5264, \"TotalSpin\": 2500, \"SpinAxis\": 3, \"HLA\": -1.5, \"VLA\": 12}}";
     let found = crate::shots::flown(io::Cursor::new(metric));
-    close(found.1[0].predicted(0, 0).unwrap(), flown.predicted(0, 0).unwrap(), 240.0, 1e-5, "metric");
+    close(
+        found.1[0].predicted(0, 0).unwrap(),
+        flown.predicted(0, 0).unwrap(),
+        240.0,
+        1e-5,
+        "metric",
+    );
 }
 
 #[test]
 fn tables_without_a_launch_name_the_nearest_head() {
     let misspelt = "Club,Ball Sped (mph),Launch Angl (deg),Spin (rpm)\nDriver,160,12,2500\n";
-    let error = Shots::read(&Setup::default(), "a.csv", misspelt.as_bytes()).map(drop).unwrap_err().to_string();
+    let error = Shots::read(&Setup::default(), "a.csv", misspelt.as_bytes())
+        .map(drop)
+        .unwrap_err()
+        .to_string();
     for says in [
         "no column has the ball speed or the launch angle",
         "'Ball Sped' (did you mean 'ball speed'?)",
@@ -251,13 +439,18 @@ fn tables_without_a_launch_name_the_nearest_head() {
     ] {
         assert!(error.contains(says), "no '{says}' in {error}");
     }
-    let refused =
-        |text: &'static str| Shots::read(&Setup::default(), "a.csv", text.as_bytes()).err().unwrap().to_string();
+    let refused = |text: &'static str| {
+        Shots::read(&Setup::default(), "a.csv", text.as_bytes())
+            .err()
+            .unwrap()
+            .to_string()
+    };
     for (text, says) in [
         ("", "a.csv: it is empty"),
         (
             "Ball Sped [mph],Launch Angle [deg],Spin Rate [rpm]\n1,2,3\n",
-            "no column has the ball speed; near a known head: 'Ball Sped' (did you mean 'ball speed'?)",
+            "no column has the ball speed; near a known head: 'Ball Sped' (did you mean 'ball \
+             speed'?)",
         ),
         (
             "Ball Speed [mph],Launch Angle [deg],Carry [yds]\n1,2,3\n",
@@ -265,41 +458,75 @@ fn tables_without_a_launch_name_the_nearest_head() {
         ),
         (
             "Foo,Bar,Baz\n1,2,3\n",
-            "unknown columns 'Foo', 'Bar', 'Baz'; give the columns of the launch heads that are known, as in 'Ball Speed [mph]', 'Launch \
+            "unknown columns 'Foo', 'Bar', 'Baz'; give the columns of the launch heads that are \
+             known, as in 'Ball Speed [mph]', 'Launch \
              Angle [deg]', 'Spin Rate [rpm]'",
         ),
-        ("Ballgeschwindigkeit;Abflugwinkel;Spinrate\n165;11,2;2600\n", "as in 'Ball Speed [mph]'"),
-        ("ball_sped [mph],launch_angle [deg],backspin [rpm]\n1,2,3\n", "did you mean 'ball_speed'?"),
-        ("Ball Speed [kg],Launch Angle [deg],Spin Rate [rpm]\n1,2,3\n", "[kg] is not the unit of a speed"),
-        ("ball_speed,launch_angle [deg],backspin [rpm]\n1,2,3\n", "it has no unit"),
+        (
+            "Ballgeschwindigkeit;Abflugwinkel;Spinrate\n165;11,2;2600\n",
+            "as in 'Ball Speed [mph]'",
+        ),
+        (
+            "ball_sped [mph],launch_angle [deg],backspin [rpm]\n1,2,3\n",
+            "did you mean 'ball_speed'?",
+        ),
+        (
+            "Ball Speed [kg],Launch Angle [deg],Spin Rate [rpm]\n1,2,3\n",
+            "[kg] is not the unit of a speed",
+        ),
+        (
+            "ball_speed,launch_angle [deg],backspin [rpm]\n1,2,3\n",
+            "it has no unit",
+        ),
     ] {
         assert!(refused(text).contains(says), "{text}: {}", refused(text));
     }
     // so do calibrate and delivery
-    let read = |text: &str| longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", text.as_bytes());
-    let error = read("Ball Sped (mph),Lanch Angle (deg),Backspin (rpm),Carry (yd)\n150,12,2600,240\n").err().unwrap();
+    let read = |text: &str| {
+        longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", text.as_bytes())
+    };
+    let error =
+        read("Ball Sped (mph),Lanch Angle (deg),Backspin (rpm),Carry (yd)\n150,12,2600,240\n")
+            .err()
+            .unwrap();
     let error = error.to_string();
-    for says in ["neither a whole launch", "'Ball Sped' (did you mean 'ball speed'?)", "'Lanch Angle' (did you mean"] {
+    for says in [
+        "neither a whole launch",
+        "'Ball Sped' (did you mean 'ball speed'?)",
+        "'Lanch Angle' (did you mean",
+    ] {
         assert!(error.contains(says), "no '{says}' in {error}");
     }
-    let error = read("swing.sped [mph],club.lft [deg],carry [yd]\n100,10,200\n").err().unwrap().to_string();
+    let error = read("swing.sped [mph],club.lft [deg],carry [yd]\n100,10,200\n")
+        .err()
+        .unwrap()
+        .to_string();
     assert!(
         error.contains(
-            "unknown columns 'swing.sped' (did you mean 'swing.speed'?), 'club.lft' (did you mean 'club.loft'?)"
+            "unknown columns 'swing.sped' (did you mean 'swing.speed'?), 'club.lft' (did you mean \
+             'club.loft'?)"
         ),
         "{error}"
     );
     // of two columns of the same the first is used, and the other is named
-    let text = "Ball Speed [mph],Ball Speed [m/s],Launch Angle [deg],Spin Rate [rpm]\n165,73.8,11,2500\n";
+    let text =
+        "Ball Speed [mph],Ball Speed [m/s],Launch Angle [deg],Spin Rate [rpm]\n165,73.8,11,2500\n";
     let (shots, ..) = flown(text.as_bytes());
     let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
-    assert_eq!(told, ["given twice; the first is used, and not 'Ball Speed [m/s]' beside 'Ball Speed [mph]'"]);
+    assert_eq!(
+        told,
+        ["given twice; the first is used, and not 'Ball Speed [m/s]' beside 'Ball Speed [mph]'"]
+    );
     // columns that are not used are told, with the head that may have been meant
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carri [yds]\n160,12,2500,262\n";
     let (shots, ..) = flown(text.as_bytes());
     assert!(
-        shots.remarks()[0].to_string().contains("Carri [yds] (did you mean 'carry'?)")
-            || shots.remarks()[0].to_string().contains("Carri (did you mean 'carry'?)"),
+        shots.remarks()[0]
+            .to_string()
+            .contains("Carri [yds] (did you mean 'carry'?)")
+            || shots.remarks()[0]
+                .to_string()
+                .contains("Carri (did you mean 'carry'?)"),
         "{:?}",
         shots.remarks()
     );
@@ -308,18 +535,27 @@ fn tables_without_a_launch_name_the_nearest_head() {
 #[test]
 fn decimals_and_thousands_that_cannot_be_told_apart_are_refused() {
     // a comma that parts no thousands, in a table whose cells it separates
-    let quoted = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
+    let quoted =
+        "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
     let (_, all, _) = flown(quoted.as_bytes());
     let reason = &all[0].shots()[0].refusal().unwrap().reason;
-    let says = "Ball Speed: '165,5' is not a number: decimals stand behind a comma only in tables whose cells are separated by semicolons or \
+    let says = "Ball Speed: '165,5' is not a number: decimals stand behind a comma only in tables \
+                whose cells are separated by semicolons or \
                 tabs; write 165.5, or separate the cells so";
     assert_eq!(reason, says);
     let (_, flown, _) = file("decimal-commas.csv");
     let refusal = flown.shots()[1].refusal().unwrap();
-    assert!(refusal.reason.contains("'2.500' may have decimals or thousands"), "{refusal:?}");
+    assert!(
+        refusal
+            .reason
+            .contains("'2.500' may have decimals or thousands"),
+        "{refusal:?}"
+    );
     let rows = |text: &'static str| crate::shots::flown(text.as_bytes());
     // points are decimals here, so that a comma is between thousands
-    let (_, all, _) = rows("Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160.5;12.1;2,500\n160.5;12.1;2500\n");
+    let (_, all, _) = rows(
+        "Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160.5;12.1;2,500\n160.5;12.1;2500\n",
+    );
     assert_eq!(all[0].predicted(0, 0), all[0].predicted(1, 0));
     let (_, all, _) = rows("Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160;12;2,500\n");
     assert!(all[0].shots()[0].refusal().is_some(), "nothing tells");
@@ -331,23 +567,43 @@ fn exact_bias_and_errors_by_ball_speed_are_those_of_the_residuals() {
     let speeds = [110.0, 150.0, 155.0, 165.0, 190.0];
     let off = [-1.0, 2.0, -4.0, 3.0, 0.5];
     let row = |speed: f64, carry: f64| format!("{speed},12,2500,3,{carry:?}\n");
-    let carries =
-        flown(io::Cursor::new(speeds.iter().fold(HEAD.to_owned(), |text, speed| text + &row(*speed, 100.0)))).1;
+    let carries = flown(io::Cursor::new(
+        speeds
+            .iter()
+            .fold(HEAD.to_owned(), |text, speed| text + &row(*speed, 100.0)),
+    ))
+    .1;
     let carry = |at: usize| carries[0].predicted(at, 0).unwrap() / 0.9144;
-    let text = (0..5).fold(HEAD.to_owned(), |text, at| text + &row(speeds[at], carry(at) - off[at]));
+    let text = (0..5).fold(HEAD.to_owned(), |text, at| {
+        text + &row(speeds[at], carry(at) - off[at])
+    });
     let tally = flown(io::Cursor::new(text)).2;
     let yards = |value: Option<f64>| value.unwrap() / 0.9144;
     close(yards(tally.all[0].bias()), 0.1, 1.0, 1e-9, "bias");
-    close(yards(tally.all[0].mean_absolute()), 2.1, 1.0, 1e-9, "mean of the sizes");
+    close(
+        yards(tally.all[0].mean_absolute()),
+        2.1,
+        1.0,
+        1e-9,
+        "mean of the sizes",
+    );
     let variance = off.iter().map(|off| (off - 0.1_f64).powi(2)).sum::<f64>() / 4.0;
-    close(yards(tally.all[0].deviation()), variance.sqrt(), 1.0, 1e-9, "deviation");
+    close(
+        yards(tally.all[0].deviation()),
+        variance.sqrt(),
+        1.0,
+        1e-9,
+        "deviation",
+    );
     let bands: Vec<(u64, f64)> = tally
         .bands
         .iter()
         .filter(|band| band.sums[0].count > 0)
         .map(|band| (band.sums[0].count, yards(band.sums[0].bias())))
         .collect();
-    for ((count, bias), (expected, of)) in bands.iter().zip([(1, -1.0), (2, -1.0), (1, 3.0), (1, 0.5)]) {
+    for ((count, bias), (expected, of)) in
+        bands.iter().zip([(1, -1.0), (2, -1.0), (1, 3.0), (1, 0.5)])
+    {
         assert_eq!(*count, expected);
         close(*bias, of, 1.0, 1e-9, "bias of a band");
     }
@@ -370,7 +626,14 @@ impl Read for Many {
                 return Ok(0);
             }
             let mut line = String::new();
-            let _ = writeln!(line, "{:.1},{:.1},{},{:.1},250", 140 + row % 50, 8 + row % 9, 2000 + row % 1500, row % 7);
+            let _ = writeln!(
+                line,
+                "{:.1},{:.1},{},{:.1},250",
+                140 + row % 50,
+                8 + row % 9,
+                2000 + row % 1500,
+                row % 7
+            );
             (self.line, self.at) = (line.into_bytes(), 0);
         }
         let count = into.len().min(self.line.len() - self.at);
@@ -383,17 +646,26 @@ impl Read for Many {
 #[test]
 fn regress_rows_stream_and_do_not_depend_on_the_number_of_threads() {
     let mut setup = Setup::default();
-    // the fewer steps to a flight, the more of the time is the reading and writing that is looked at
+    // the fewer steps to a flight, the more of the time is the reading and writing that is looked
+    // at
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let rows = 60_000;
     let written = [1, 3].map(|threads| {
         let given = Arc::new(AtomicUsize::new(0));
-        let source = Many { rows, given: given.clone(), line: HEAD.into(), at: 0 };
+        let source = Many {
+            rows,
+            given: given.clone(),
+            line: HEAD.into(),
+            at: 0,
+        };
         let mut shots = Shots::read(&setup, "many.csv", source).unwrap();
         let writer = ShotWriter::new(ShotFormat::Csv, &shots, &OF, System::Us);
         let flying = Flying::new(&setup, &shots, &OF).unwrap();
         let (mut bytes, mut taken, mut most) = (vec![], 0, 0);
-        let run = Run { threads, ..Run::default() };
+        let run = Run {
+            threads,
+            ..Run::default()
+        };
         flying
             .fly(
                 &mut shots,
@@ -408,8 +680,12 @@ fn regress_rows_stream_and_do_not_depend_on_the_number_of_threads() {
             )
             .unwrap();
         assert_eq!(taken, rows);
-        // what was read and not written yet: the beginning of the file and a few chunks, however long it is
-        assert!(most < 24_000, "{most} rows at a time with {threads} threads");
+        // what was read and not written yet: the beginning of the file and a few chunks, however
+        // long it is
+        assert!(
+            most < 24_000,
+            "{most} rows at a time with {threads} threads"
+        );
         bytes
     });
     assert!(written[0] == written[1]);
@@ -421,78 +697,172 @@ fn the_command_writes_rows_and_says_how_well_they_are_predicted() {
     let to = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let shots = path("trackman.csv").display().to_string();
     let (status, answer) = json(&["fly", &shots]);
-    assert_eq!((status, answer["status"].as_str(), answer["source"].as_str()), (0, Some("done"), Some("TrackMan")));
-    assert_eq!((number(&answer["rows"]), number(&answer["flown"]), &answer["file"]), (2.0, 2.0, &Value::Null));
-    close(number(&answer["residuals"][0]["instruments"]), 6.72 * 0.9144, 1.0, 1e-12, "Bliss & Langdown");
+    assert_eq!(
+        (status, answer["status"].as_str(), answer["source"].as_str()),
+        (0, Some("done"), Some("TrackMan"))
+    );
+    assert_eq!(
+        (
+            number(&answer["rows"]),
+            number(&answer["flown"]),
+            &answer["file"]
+        ),
+        (2.0, 2.0, &Value::Null)
+    );
+    close(
+        number(&answer["residuals"][0]["instruments"]),
+        6.72 * 0.9144,
+        1.0,
+        1e-12,
+        "Bliss & Langdown",
+    );
     for (name, lines) in [("a.csv", 4), ("a.jsonl", 2), ("a.json", 2)] {
         let said = longdrive(&["fly", &shots, "-o", &to(name)]);
         assert_eq!(said.status, 0, "{}", said.err);
         let out = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(out.contains("predicted − measured") && out.contains("Bliss & Langdown 2026"), "{out}");
-        assert!(said.out.lines().all(|line| line.chars().count() <= 100), "{}", said.out);
-        assert_eq!(fs::read_to_string(to(name)).unwrap().lines().count(), lines, "{name}");
+        assert!(
+            out.contains("predicted − measured") && out.contains("Bliss & Langdown 2026"),
+            "{out}"
+        );
+        assert!(
+            said.out.lines().all(|line| line.chars().count() <= 100),
+            "{}",
+            said.out
+        );
+        assert_eq!(
+            fs::read_to_string(to(name)).unwrap().lines().count(),
+            lines,
+            "{name}"
+        );
     }
     // the rows of the export, to the letter, and what is predicted beside them
-    let (own, written) = (fs::read_to_string(&shots).unwrap(), fs::read_to_string(to("a.csv")).unwrap());
+    let (own, written) = (
+        fs::read_to_string(&shots).unwrap(),
+        fs::read_to_string(to("a.csv")).unwrap(),
+    );
     for (own, written) in own.lines().skip(3).zip(written.lines().skip(2)) {
         assert!(written.starts_with(own), "{written}");
     }
     let standard = longdrive(&["fly", &shots, "--units", "metric"]);
     assert!(
-        standard.out.contains("[m]") && standard.err.contains("2 rows (TrackMan): 2 flown, 0 not flown"),
+        standard.out.contains("[m]")
+            && standard
+                .err
+                .contains("2 rows (TrackMan): 2 flown, 0 not flown"),
         "{}",
         standard.err
     );
     // with the setup's own air
-    let carry = longdrive(&["fly", &shots, "--of", "carry"]).err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(carry.contains("the measured carry is not compared: it is the distance from the tee"), "{carry}");
-    assert!(!standard.err.contains("is not compared"), "{}", standard.err);
+    let carry = longdrive(&["fly", &shots, "--of", "carry"])
+        .err
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert!(
+        carry.contains("the measured carry is not compared: it is the distance from the tee"),
+        "{carry}"
+    );
+    assert!(
+        !standard.err.contains("is not compared"),
+        "{}",
+        standard.err
+    );
     let (_, thin) = json(&["fly", &shots, "--set", "air.density=1.0kg/m^3"]);
     assert!(number(&thin["residuals"][0]["bias"]) > number(&answer["residuals"][0]["bias"]) + 3.0);
     let only = to("own.csv");
     fs::write(
         &only,
-        "ball_speed [mph],launch_angle [deg],backspin [rpm],air.density [kg/m^3]\n160,12,2500,1.0\n160,12,2500,1.2\n",
+        "ball_speed [mph],launch_angle [deg],backspin [rpm],air.density \
+         [kg/m^3]\n160,12,2500,1.0\n160,12,2500,1.2\n",
     )
     .unwrap();
     let said = longdrive(&["fly", &only, "-q", "--of", "carry"]);
-    let carries: Vec<f64> =
-        said.out.lines().skip(1).map(|line| line.split(',').nth(8).unwrap().parse().unwrap()).collect();
+    let carries: Vec<f64> = said
+        .out
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').nth(8).unwrap().parse().unwrap())
+        .collect();
     assert!(carries[0] > carries[1] + 5.0, "{}", said.out);
     let none = to("none.csv");
     fs::write(&none, format!("{HEAD},12,2500,3,262\n")).unwrap();
     let (status, answer) = json(&["fly", &none]);
     assert_eq!((status, answer["status"].as_str()), (1, Some("no-answer")));
-    assert!(answer["message"].as_str().unwrap().contains("line 2: Ball Speed"), "{answer}");
+    assert!(
+        answer["message"]
+            .as_str()
+            .unwrap()
+            .contains("line 2: Ball Speed"),
+        "{answer}"
+    );
     let warning = answer["warnings"][0].as_str().unwrap();
     for word in ["the only row could not be flown", "line 2: Ball Speed"] {
         assert!(warning.contains(word), "'{word}' is not in {warning}");
     }
     fs::write(to("head.csv"), HEAD).unwrap();
     for (args, says) in [
-        (vec!["fly", "none.csv"], "none.csv: it cannot be read (there is no such file)"),
-        (vec!["fly", &to("head.csv")], "it has no rows; give a row for each shot"),
-        (vec!["fly", &shots, "-o", &to("a.csv")], "it already exists; use --overwrite to replace it"),
-        (vec!["fly", &shots, "-o", &shots, "--overwrite"], "it is also an input"),
-        (vec!["fly", &shots, "-o", &to("a.txt")], "must end in .csv, .jsonl, .json or .parquet"),
-        (vec!["fly", &shots, "--overwrite"], "--overwrite replaces a file"),
-        (vec!["fly", &shots, "--of", "ball_speed"], "it is of the launch, which each row gives"),
-        (vec!["fly", &shots, "--of", "cary"], "did you mean 'carry'?"),
-        (vec!["fly", &shots, "--set", "club.loft=10deg"], "trackman.csv are launches"),
         (
-            vec!["fly", &shots, "--launch", "ball_speed=160mph,launch_angle=12deg,spin=2500rpm"],
+            vec!["fly", "none.csv"],
+            "none.csv: it cannot be read (there is no such file)",
+        ),
+        (
+            vec!["fly", &to("head.csv")],
+            "it has no rows; give a row for each shot",
+        ),
+        (
+            vec!["fly", &shots, "-o", &to("a.csv")],
+            "it already exists; use --overwrite to replace it",
+        ),
+        (
+            vec!["fly", &shots, "-o", &shots, "--overwrite"],
+            "it is also an input",
+        ),
+        (
+            vec!["fly", &shots, "-o", &to("a.txt")],
+            "must end in .csv, .jsonl, .json or .parquet",
+        ),
+        (
+            vec!["fly", &shots, "--overwrite"],
+            "--overwrite replaces a file",
+        ),
+        (
+            vec!["fly", &shots, "--of", "ball_speed"],
+            "it is of the launch, which each row gives",
+        ),
+        (vec!["fly", &shots, "--of", "cary"], "did you mean 'carry'?"),
+        (
+            vec!["fly", &shots, "--set", "club.loft=10deg"],
+            "trackman.csv are launches",
+        ),
+        (
+            vec![
+                "fly",
+                &shots,
+                "--launch",
+                "ball_speed=160mph,launch_angle=12deg,spin=2500rpm",
+            ],
             "give the launch of each ball",
         ),
         (vec!["fly", &shots, "--address", "0.0.0.0"], "--listen"),
         (
             vec!["fly", &shots, "--listen", "0"],
-            "trackman.csv are both given: beside --listen the one file is the setup of all messages",
+            "trackman.csv are both given: beside --listen the one file is the setup of all \
+             messages",
         ),
-        (vec!["fly", &shots, "mae494", "--listen", "0"], "a setup stands behind it); to fly the shots"),
-        (vec!["fly", "--listen", "x"], "it must be a whole number from 0 to 65535"),
+        (
+            vec!["fly", &shots, "mae494", "--listen", "0"],
+            "a setup stands behind it); to fly the shots",
+        ),
+        (
+            vec!["fly", "--listen", "x"],
+            "it must be a whole number from 0 to 65535",
+        ),
     ] {
         let said = longdrive(&args);
         let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(said.status == 2 && err.contains(says), "{args:?}: no '{says}' in {err}");
+        assert!(
+            said.status == 2 && err.contains(says),
+            "{args:?}: no '{says}' in {err}"
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! Shots that this program wrote, read again; totals; and the same files in `calibrate`, `delivery` and `sweep`.
+//! Shots that this program wrote, read again; totals; and the same files in `calibrate`, `delivery`
+//! and `sweep`.
 
 use crate::command_line::{json, longdrive, number};
 use longdrive::Setup;
@@ -18,15 +19,28 @@ fn written(folder: &Path, name: &str, text: &str) -> String {
 }
 
 fn lines(path: &str) -> Vec<Value> {
-    fs::read_to_string(path).unwrap().lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+    fs::read_to_string(path)
+        .unwrap()
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect()
 }
 
 #[test]
 fn exact_json_lines_are_read_again_and_written_the_same() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
-    for name in ["trackman.csv", "garmin.csv", "flightscope.csv", "uneekor.csv", "open-connect.jsonl"] {
-        let (first, second) = (place(&format!("{name}.1.jsonl")), place(&format!("{name}.2.jsonl")));
+    for name in [
+        "trackman.csv",
+        "garmin.csv",
+        "flightscope.csv",
+        "uneekor.csv",
+        "open-connect.jsonl",
+    ] {
+        let (first, second) = (
+            place(&format!("{name}.1.jsonl")),
+            place(&format!("{name}.2.jsonl")),
+        );
         for (from, to) in [(&shots(name), &first), (&first, &second)] {
             let said = longdrive(&["fly", from, "-o", to]);
             assert_eq!(said.status, 0, "{name}: {}", said.err);
@@ -46,18 +60,37 @@ fn exact_json_lines_are_read_again_and_written_the_same() {
 fn exact_json_lines_with_parameters_of_their_own_are_flown_with_them_again() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
-    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],air.density [kg/m^3]\n150,12,2700,1.1\n";
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],air.density \
+                [kg/m^3]\n150,12,2700,1.1\n";
     let table = written(folder.path(), "shots.csv", text);
-    assert_eq!(longdrive(&["fly", &table, "-o", &place("shots.jsonl")]).status, 0);
-    assert_eq!(lines(&place("shots.jsonl"))[0]["parameters"]["air.density"], 1.1);
+    assert_eq!(
+        longdrive(&["fly", &table, "-o", &place("shots.jsonl")]).status,
+        0
+    );
+    assert_eq!(
+        lines(&place("shots.jsonl"))[0]["parameters"]["air.density"],
+        1.1
+    );
     let said = longdrive(&["fly", &place("shots.jsonl"), "-o", &place("again.jsonl")]);
     assert_eq!(said.status, 0, "{}", said.err);
-    assert_eq!(lines(&place("shots.jsonl"))[0]["predicted"], lines(&place("again.jsonl"))[0]["predicted"]);
+    assert_eq!(
+        lines(&place("shots.jsonl"))[0]["predicted"],
+        lines(&place("again.jsonl"))[0]["predicted"]
+    );
     // in a table every row has a value of the same parameters
     let first = fs::read_to_string(place("shots.jsonl")).unwrap();
     let other = first.replace("air.density", "ball.mass");
-    let said = longdrive(&["fly", &written(folder.path(), "mixed.jsonl", &format!("{first}{other}")), "--json"]);
-    assert!(said.out.contains("a value of its own of ball.mass, which the first row has not"), "{}", said.out);
+    let said = longdrive(&[
+        "fly",
+        &written(folder.path(), "mixed.jsonl", &format!("{first}{other}")),
+        "--json",
+    ]);
+    assert!(
+        said.out
+            .contains("a value of its own of ball.mass, which the first row has not"),
+        "{}",
+        said.out
+    );
 }
 
 #[test]
@@ -65,87 +98,179 @@ fn totals_are_compared_on_a_ground_that_is_named_alone() {
     let file = shots("trackman.csv");
     let (_, told) = json(&["fly", &file, "--of", "total"]);
     let remarks = told["remarks"].to_string();
-    assert!(remarks.contains("the measured totals are not compared") && !remarks.contains("Est. Total"), "{remarks}");
-    let (_, told) = json(&["fly", &file, "--of", "total", "--set", "ground.turf=average"]);
+    assert!(
+        remarks.contains("the measured totals are not compared") && !remarks.contains("Est. Total"),
+        "{remarks}"
+    );
+    let (_, told) = json(&[
+        "fly",
+        &file,
+        "--of",
+        "total",
+        "--set",
+        "ground.turf=average",
+    ]);
     assert!(!told["remarks"].to_string().contains("totals"), "{told}");
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("flown.jsonl").display().to_string();
-    assert_eq!(longdrive(&["fly", &file, "--of", "total", "--set", "ground.turf=average", "-o", &place]).status, 0);
+    assert_eq!(
+        longdrive(&[
+            "fly",
+            &file,
+            "--of",
+            "total",
+            "--set",
+            "ground.turf=average",
+            "-o",
+            &place
+        ])
+        .status,
+        0
+    );
     let first = &lines(&place)[0];
     // 283.0 yd in the export, estimated as its head says
     let stated = number(&first["stated"]["total"]);
-    assert!((stated / 0.9144 - 283.0).abs() < 1e-9 && first["origins"]["total"] == "estimated", "{first}");
-    assert!((number(&first["predicted"]["total"]) - stated - number(&first["residual"]["total"])).abs() < 1e-9);
+    assert!(
+        (stated / 0.9144 - 283.0).abs() < 1e-9 && first["origins"]["total"] == "estimated",
+        "{first}"
+    );
+    assert!(
+        (number(&first["predicted"]["total"]) - stated - number(&first["residual"]["total"])).abs()
+            < 1e-9
+    );
 }
 
 #[test]
 fn what_is_assumed_of_a_launch_is_not_measured_when_it_is_read_again() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
-    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd],Side [yd]\n150,12,2500,250,12 R\n";
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd],Side \
+                [yd]\n150,12,2500,250,12 R\n";
     let table = written(folder.path(), "shots.csv", text);
-    for (format, name) in
-        [("csv", "a.csv"), ("launch-monitor", "b.csv"), ("jsonl", "c.jsonl"), ("open-connect", "d.json")]
-    {
-        assert_eq!(longdrive(&["fly", &table, "--format", format, "-o", &place(name)]).status, 0);
-        assert_eq!(longdrive(&["fly", &place(name), "-o", &place(&format!("{name}.jsonl"))]).status, 0);
+    for (format, name) in [
+        ("csv", "a.csv"),
+        ("launch-monitor", "b.csv"),
+        ("jsonl", "c.jsonl"),
+        ("open-connect", "d.json"),
+    ] {
+        assert_eq!(
+            longdrive(&["fly", &table, "--format", format, "-o", &place(name)]).status,
+            0
+        );
+        assert_eq!(
+            longdrive(&["fly", &place(name), "-o", &place(&format!("{name}.jsonl"))]).status,
+            0
+        );
         let again = &lines(&place(&format!("{name}.jsonl")))[0];
         assert!(again["residual"]["lateral"].is_null(), "{name}: {again}");
-        assert!(again["stated"]["launch_direction"].is_null() && again["stated"]["spin_axis"].is_null(), "{again}");
-        let notes = ["launch direction is missing: 0 deg is assumed", "spin axis is missing: 0 deg is assumed"];
+        assert!(
+            again["stated"]["launch_direction"].is_null() && again["stated"]["spin_axis"].is_null(),
+            "{again}"
+        );
+        let notes = [
+            "launch direction is missing: 0 deg is assumed",
+            "spin axis is missing: 0 deg is assumed",
+        ];
         assert_eq!(again["notes"], serde_json::json!(notes), "{name}");
         // a message rounds its numbers
         let predicted = |line: &Value| number(&line["predicted"]["carry_distance"]);
-        assert!((predicted(again) / predicted(&lines(&place("a.csv.jsonl"))[0]) - 1.0).abs() < 1e-9, "{name}");
+        assert!(
+            (predicted(again) / predicted(&lines(&place("a.csv.jsonl"))[0]) - 1.0).abs() < 1e-9,
+            "{name}"
+        );
     }
     // a simulator finds every number of a launch
     let message = &lines(&place("d.json"))[0];
-    assert!(message["BallData"]["HLA"] == 0.0 && message["BallData"]["SpinAxis"] == 0.0, "{message}");
+    assert!(
+        message["BallData"]["HLA"] == 0.0 && message["BallData"]["SpinAxis"] == 0.0,
+        "{message}"
+    );
 }
 
 #[test]
 fn exact_rows_of_a_table_that_was_flown_are_the_same_when_it_is_flown_again() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
-    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Player\n150,12,2700,\"A, B\"\n150,abc,2700,A\n150,12\n,12,2700,A\n";
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Player\n150,12,2700,\"A, \
+                B\"\n150,abc,2700,A\n150,12\n,12,2700,A\n";
     let table = written(folder.path(), "shots.csv", text);
     for format in ["csv", "launch-monitor"] {
-        let (first, second) = (place(&format!("1.{format}.csv")), place(&format!("2.{format}.csv")));
-        assert_eq!(longdrive(&["fly", &table, "--format", format, "-o", &first]).status, 0);
+        let (first, second) = (
+            place(&format!("1.{format}.csv")),
+            place(&format!("2.{format}.csv")),
+        );
+        assert_eq!(
+            longdrive(&["fly", &table, "--format", format, "-o", &first]).status,
+            0
+        );
         let said = longdrive(&["fly", &first, "-o", &second]);
         assert_eq!(said.status, 0, "{}", said.err);
         assert!(said.err.contains("an earlier 'fly' added"), "{}", said.err);
-        assert_eq!(fs::read_to_string(&first).unwrap(), fs::read_to_string(&second).unwrap());
+        assert_eq!(
+            fs::read_to_string(&first).unwrap(),
+            fs::read_to_string(&second).unwrap()
+        );
     }
     // a row that was put right is flown
-    let mended = fs::read_to_string(place("1.csv.csv")).unwrap().replace("150,abc", "150,11");
+    let mended = fs::read_to_string(place("1.csv.csv"))
+        .unwrap()
+        .replace("150,abc", "150,11");
     let (_, told) = json(&["fly", &written(folder.path(), "mended.csv", &mended)]);
     assert_eq!(told["flown"], 2, "{told}");
     // columns of the same names that a launch monitor has are its own
-    let own = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
-    assert_eq!(longdrive(&["fly", &written(folder.path(), "own.csv", own), "-o", &place("own2.csv")]).status, 0);
-    assert!(fs::read_to_string(place("own2.csv")).unwrap().contains("\n150,12,2700,windy,3,2,landed,"));
+    let own =
+        "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
+    assert_eq!(
+        longdrive(&[
+            "fly",
+            &written(folder.path(), "own.csv", own),
+            "-o",
+            &place("own2.csv")
+        ])
+        .status,
+        0
+    );
+    assert!(
+        fs::read_to_string(place("own2.csv"))
+            .unwrap()
+            .contains("\n150,12,2700,windy,3,2,landed,")
+    );
 }
 
 #[test]
 fn an_estimated_spin_stays_estimated_in_open_connect() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
-    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Rate Type\n150,12,2700,Estimated\n151,12,2700,Measured\n";
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Rate \
+                Type\n150,12,2700,Estimated\n151,12,2700,Measured\n";
     let table = written(folder.path(), "shots.csv", text);
-    assert_eq!(longdrive(&["fly", &table, "-o", &place("shots.json")]).status, 0);
-    assert_eq!(longdrive(&["fly", &place("shots.json"), "-o", &place("again.jsonl")]).status, 0);
-    let origins: Vec<Value> = lines(&place("again.jsonl")).iter().map(|line| line["origins"]["spin"].clone()).collect();
+    assert_eq!(
+        longdrive(&["fly", &table, "-o", &place("shots.json")]).status,
+        0
+    );
+    assert_eq!(
+        longdrive(&["fly", &place("shots.json"), "-o", &place("again.jsonl")]).status,
+        0
+    );
+    let origins: Vec<Value> = lines(&place("again.jsonl"))
+        .iter()
+        .map(|line| line["origins"]["spin"].clone())
+        .collect();
     assert_eq!(origins, ["estimated", "measured"]);
 }
 
 #[test]
 fn messages_and_title_lines_are_read_by_calibrate_and_delivery_too() {
     let folder = tempfile::tempdir().unwrap();
-    let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Carry [yd],Club Speed [mph]";
+    let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+                Axis [deg],Carry [yd],Club Speed [mph]";
     let rows = "150,12,0,2700,0,240,102\n155,11,0,2600,0,250,105\n160,11,0,2500,0,262,108\n";
     let plain = written(folder.path(), "plain.csv", &format!("{head}\n{rows}"));
-    let titled = written(folder.path(), "titled.csv", &format!("Session of May\nA. Player\n\n{head}\n{rows}"));
+    let titled = written(
+        folder.path(),
+        "titled.csv",
+        &format!("Session of May\nA. Player\n\n{head}\n{rows}"),
+    );
     let messages = folder.path().join("messages.json").display().to_string();
     assert_eq!(longdrive(&["fly", &plain, "-o", &messages]).status, 0);
     let fit = |file: &str| {
@@ -159,7 +284,10 @@ fn messages_and_title_lines_are_read_by_calibrate_and_delivery_too() {
     }
     for file in [&plain, &titled, &messages] {
         let (status, found) = json(&["delivery", "--shots", file]);
-        assert!(status == 0 && found["rows"].as_array().unwrap().len() == 3, "{file}: {found}");
+        assert!(
+            status == 0 && found["rows"].as_array().unwrap().len() == 3,
+            "{file}: {found}"
+        );
     }
 }
 
@@ -193,7 +321,10 @@ fn rows_of_points_that_are_no_drives_are_told_with_their_value() {
         assert!(told.contains(wrong), "{told}");
     }
     let rows: Vec<&str> = said.out.lines().collect();
-    assert!(rows.len() == 5 && rows[2].starts_with(',') && rows[2].contains(",out-of-range,"), "{rows:?}");
+    assert!(
+        rows.len() == 5 && rows[2].starts_with(',') && rows[2].contains(",out-of-range,"),
+        "{rows:?}"
+    );
 }
 
 #[test]
@@ -206,22 +337,55 @@ fn flat_landings_are_counted_where_the_run_is_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let over = ["sweep", "--over", "club.loft=1deg..12deg:12"];
-    let total = told(&[&over[..], &["--outcomes", "total", "-o", &place("total.csv")]].concat());
-    assert!(total.contains(flat) && total.contains(" of 12 drives that landed: "), "{total}");
-    let carry = told(&[&over[..], &["--outcomes", "carry", "-o", &place("carry.csv")]].concat());
+    let total = told(
+        &[
+            &over[..],
+            &["--outcomes", "total", "-o", &place("total.csv")],
+        ]
+        .concat(),
+    );
+    assert!(
+        total.contains(flat) && total.contains(" of 12 drives that landed: "),
+        "{total}"
+    );
+    let carry = told(
+        &[
+            &over[..],
+            &["--outcomes", "carry", "-o", &place("carry.csv")],
+        ]
+        .concat(),
+    );
     assert!(!carry.contains(flat), "{carry}");
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n160,4,1500\n160,12,2700\n";
     let table = written(folder.path(), "shots.csv", text);
     let flown = told(&["fly", &table, "--of", "total"]);
-    assert!(flown.contains("1 of 2 shots that landed: the ball lands at less than 25 deg"), "{flown}");
-    let along = ["chart", "--maximize", "total", "--along", "swing.attack_angle", "--at=-5deg,5deg"];
+    assert!(
+        flown.contains("1 of 2 shots that landed: the ball lands at less than 25 deg"),
+        "{flown}"
+    );
+    let along = [
+        "chart",
+        "--maximize",
+        "total",
+        "--along",
+        "swing.attack_angle",
+        "--at=-5deg,5deg",
+    ];
     let chart = told(&[&along[..], &["--vary", "club.loft=4deg..5deg"]].concat());
-    assert!(chart.contains("1 of 2 optima: the ball lands at less than 25 deg"), "{chart}");
+    assert!(
+        chart.contains("1 of 2 optima: the ball lands at less than 25 deg"),
+        "{chart}"
+    );
 }
 
 #[test]
 fn parameters_without_a_value_are_varied_as_they_are_swept() {
-    let (status, swept) = json(&["optimize", "modern-driver", "--vary", "swing.shaft_bend=0deg..3deg"]);
+    let (status, swept) = json(&[
+        "optimize",
+        "modern-driver",
+        "--vary",
+        "swing.shaft_bend=0deg..3deg",
+    ]);
     assert_eq!(status, 0, "{swept}");
     let (_, set) = json(&[
         "optimize",
@@ -232,9 +396,31 @@ fn parameters_without_a_value_are_varied_as_they_are_swept() {
         "swing.shaft_bend=0deg..3deg",
     ]);
     assert_eq!(swept["value"], set["value"]);
-    let said = longdrive(&["chart", "modern-driver", "--along", "swing.shaft_bend=0deg..1deg", "--at", "0deg,1deg"]);
-    assert!(said.status == 0 && said.err.contains("swing.shaft_bend has no value in modern-driver"), "{}", said.err);
-    let along = longdrive(&["chart", "modern-driver", "--along", "swing.shaft_bend", "--at", "0deg,1deg", "--csv"]);
+    let said = longdrive(&[
+        "chart",
+        "modern-driver",
+        "--along",
+        "swing.shaft_bend=0deg..1deg",
+        "--at",
+        "0deg,1deg",
+    ]);
+    assert!(
+        said.status == 0
+            && said
+                .err
+                .contains("swing.shaft_bend has no value in modern-driver"),
+        "{}",
+        said.err
+    );
+    let along = longdrive(&[
+        "chart",
+        "modern-driver",
+        "--along",
+        "swing.shaft_bend",
+        "--at",
+        "0deg,1deg",
+        "--csv",
+    ]);
     assert!(
         along.status == 0
             && along.out
@@ -257,10 +443,21 @@ fn weather_without_a_value_is_uncertain_about_the_mean_of_its_distribution() {
     for command in ["uncertainty", "optimize"] {
         let said = longdrive(&[command, given[0], given[1]]);
         assert_eq!(said.status, 0, "{command}: {}", said.err);
-        assert!(said.err.contains("air.humidity has no value in tour-average; it varies about 0.5"), "{}", said.err);
+        assert!(
+            said.err
+                .contains("air.humidity has no value in tour-average; it varies about 0.5"),
+            "{}",
+            said.err
+        );
     }
     let (_, alone) = json(&["uncertainty", given[0], given[1]]);
-    let (_, set) = json(&["uncertainty", given[0], given[1], "--set", "air.humidity=0.5"]);
+    let (_, set) = json(&[
+        "uncertainty",
+        given[0],
+        given[1],
+        "--set",
+        "air.humidity=0.5",
+    ]);
     assert_eq!(alone["outcomes"], set["outcomes"]);
 }
 
@@ -269,7 +466,8 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
     let said = longdrive(&["optimize", "--maximize", "total"]);
     let rows: Vec<&str> = said.out.lines().map(str::trim).collect();
     assert!(
-        rows.iter().any(|row| row.starts_with("run ")) && rows.iter().any(|row| row.starts_with("carry ")),
+        rows.iter().any(|row| row.starts_with("run "))
+            && rows.iter().any(|row| row.starts_with("carry ")),
         "{rows:?}"
     );
     let said = longdrive(&[
@@ -282,7 +480,11 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
         "air.humidity=0",
     ]);
     // CIPM-2007: dry air of 10 °C at 101 325 Pa
-    assert!(said.out.contains("the weather gives a density of 1.247"), "{}", said.out);
+    assert!(
+        said.out.contains("the weather gives a density of 1.247"),
+        "{}",
+        said.out
+    );
     assert!(!longdrive(&["simulate"]).out.contains("weather"));
 }
 
@@ -293,40 +495,76 @@ fn exact_shots_in_parquet_are_those_in_json_lines() {
     use parquet::record::Field;
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
-    let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Rate Type,Carry [yd],Club Speed [mph]\n";
+    let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Rate Type,Carry [yd],Club \
+                Speed [mph]\n";
     let row = |i: u32| match i % 1000 {
         7 => "150,12,,Measured,240,102\n".to_owned(),
-        i => format!("{},12,{},Estimated,240,102\n", 140.0 + 0.01 * f64::from(i), 2500 + i),
+        i => format!(
+            "{},12,{},Estimated,240,102\n",
+            140.0 + 0.01 * f64::from(i),
+            2500 + i
+        ),
     };
-    let table = written(folder.path(), "shots.csv", &(head.to_owned() + &(0..33_000).map(row).collect::<String>()));
+    let table = written(
+        folder.path(),
+        "shots.csv",
+        &(head.to_owned() + &(0..33_000).map(row).collect::<String>()),
+    );
     for name in ["a.jsonl", "a.parquet"] {
         let said = longdrive(&["fly", &table, "--of", "carry_distance", "-o", &place(name)]);
         assert_eq!(said.status, 0, "{}", said.err);
     }
     let file = SerializedFileReader::new(fs::File::open(place("a.parquet")).unwrap()).unwrap();
-    assert_eq!((file.num_row_groups(), file.metadata().file_metadata().num_rows()), (2, 33_000));
+    assert_eq!(
+        (
+            file.num_row_groups(),
+            file.metadata().file_metadata().num_rows()
+        ),
+        (2, 33_000)
+    );
     let json = lines(&place("a.jsonl"));
     for (row, line) in file.get_row_iter(None).unwrap().zip(&json) {
         let row = row.unwrap();
-        let cell = |name: &str| match row.get_column_iter().find(|(column, _)| *column == name).unwrap().1 {
+        let cell = |name: &str| match row
+            .get_column_iter()
+            .find(|(column, _)| *column == name)
+            .unwrap()
+            .1
+        {
             Field::Double(value) => Value::from(*value),
             Field::Str(text) => Value::from(text.as_str()),
             _ => Value::Null,
         };
-        assert_eq!((number(&cell("line")), cell("flight")), (number(&line["line"]), line["flight"].clone()));
+        assert_eq!(
+            (number(&cell("line")), cell("flight")),
+            (number(&line["line"]), line["flight"].clone())
+        );
         assert_eq!(
             (cell("reason"), cell("spin_origin").is_null()),
             (line["reason"].clone(), line["stated"].get("spin").is_none())
         );
-        assert_eq!(cell("predicted_carry_distance"), line["predicted"]["carry_distance"]);
-        assert_eq!(cell("residual_carry_distance"), line["residual"]["carry_distance"]);
+        assert_eq!(
+            cell("predicted_carry_distance"),
+            line["predicted"]["carry_distance"]
+        );
+        assert_eq!(
+            cell("residual_carry_distance"),
+            line["residual"]["carry_distance"]
+        );
         assert_eq!(
             (cell("measured_carry_distance"), cell("swing.speed")),
-            (line["stated"]["carry_distance"].clone(), line["club"]["swing.speed"].clone())
+            (
+                line["stated"]["carry_distance"].clone(),
+                line["club"]["swing.speed"].clone()
+            )
         );
     }
     let said = longdrive(&["fly", &table, "--format", "parquet"]);
-    assert!(said.status == 2 && said.err.contains("Parquet needs a file"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("Parquet needs a file"),
+        "{}",
+        said.err
+    );
 }
 
 #[test]
@@ -345,5 +583,8 @@ fn exact_json_lines_of_fly_have_all_that_was_measured() {
         }
     }
     let (status, found) = json(&["fly", &lines]);
-    assert_eq!((status, found["source"].as_str()), (0, Some("JSON lines of longdrive fly")));
+    assert_eq!(
+        (status, found["source"].as_str()),
+        (0, Some("JSON lines of longdrive fly"))
+    );
 }

@@ -14,7 +14,9 @@ fn garmin(air: &[&str]) -> String {
     let text = include_str!("../data/shots/garmin.csv");
     let (heads, row) = text.trim_end().rsplit_once('\n').unwrap();
     let shot = row.strip_suffix("1.184,77,101.3,50").unwrap();
-    air.iter().fold(format!("{heads}\n"), |text, air| format!("{text}{shot}{air}\n"))
+    air.iter().fold(format!("{heads}\n"), |text, air| {
+        format!("{text}{shot}{air}\n")
+    })
 }
 
 /// The carry of that shot in air of this density.
@@ -30,26 +32,69 @@ fn carry(density: f64) -> f64 {
     ] {
         setup.set(name, value).unwrap();
     }
-    Outcome::CarryDistance.of(&Drive::new(&setup).unwrap()).unwrap()
+    Outcome::CarryDistance
+        .of(&Drive::new(&setup).unwrap())
+        .unwrap()
 }
 
 #[test]
 fn exact_a_row_flies_in_the_air_that_its_export_states() {
-    let text = garmin(&["0.997,77,85.3,50", ",,,", "15,77,101.3,50", "1.1,77,101.3,50"]);
+    let text = garmin(&[
+        "0.997,77,85.3,50",
+        ",,,",
+        "15,77,101.3,50",
+        "1.1,77,101.3,50",
+    ]);
     let (shots, all, _) = flown(Cursor::new(text.clone()));
     for (row, density) in [0.997, 1.184, 1.184, 1.1].into_iter().enumerate() {
-        close(all[0].predicted(row, 0).unwrap(), carry(density), 250.0, 1e-6, &format!("row {row}"));
+        close(
+            all[0].predicted(row, 0).unwrap(),
+            carry(density),
+            250.0,
+            1e-6,
+            &format!("row {row}"),
+        );
     }
-    let told = shots.remarks().iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    assert!(told.contains("the air is each row's, as the export states it: Air Density"), "{told}");
+    let told = shots
+        .remarks()
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("\n");
+    assert!(
+        told.contains("the air is each row's, as the export states it: Air Density"),
+        "{told}"
+    );
     let notes = |row: usize| all[0].shots()[row].notes.join("\n");
     assert_eq!((notes(0), notes(3)), (String::new(), String::new()));
-    assert!(notes(1).contains("the air of the setup is assumed; Air Density: the cell is empty"), "{}", notes(1));
-    assert!(notes(2).contains("15 kg/m^3 is outside of what air has on a course"), "{}", notes(2));
+    assert!(
+        notes(1).contains("the air of the setup is assumed; Air Density: the cell is empty"),
+        "{}",
+        notes(1)
+    );
+    assert!(
+        notes(2).contains("15 kg/m^3 is outside of what air has on a course"),
+        "{}",
+        notes(2)
+    );
     // what states no unit may be of any
     let (shots, all, _) = flown(Cursor::new(text.replace("[g/L]", "")));
-    close(all[0].predicted(0, 0).unwrap(), carry(1.184), 250.0, 1e-6, "without a unit");
-    assert!(shots.remarks().last().unwrap().to_string().contains("not used: ") && shots.further().is_empty());
+    close(
+        all[0].predicted(0, 0).unwrap(),
+        carry(1.184),
+        250.0,
+        1e-6,
+        "without a unit",
+    );
+    assert!(
+        shots
+            .remarks()
+            .last()
+            .unwrap()
+            .to_string()
+            .contains("not used: ")
+            && shots.further().is_empty()
+    );
 }
 
 #[test]
@@ -57,15 +102,37 @@ fn exact_calibrate_reads_the_air_of_each_row_as_fly_does() {
     let text = garmin(&["0.997,77,85.3,50", ",,,"]);
     let mut table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
     let air = |table: &ShotTable, shot: usize| {
-        table.shots[shot].inputs.iter().find(|(row, _)| row.name == "air.density").map(|(_, value)| *value)
+        table.shots[shot]
+            .inputs
+            .iter()
+            .find(|(row, _)| row.name == "air.density")
+            .map(|(_, value)| *value)
     };
-    let told = |table: &ShotTable| table.remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+    let told = |table: &ShotTable| {
+        table
+            .remarks
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+            .join("\n")
+    };
     assert_eq!((air(&table, 0), air(&table, 1)), (Some(0.997), None));
-    for says in ["the air is each row's", "row 2: the air of the setup is assumed"] {
-        assert!(told(&table).contains(says), "no '{says}' in {}", told(&table));
+    for says in [
+        "the air is each row's",
+        "row 2: the air of the setup is assumed",
+    ] {
+        assert!(
+            told(&table).contains(says),
+            "no '{says}' in {}",
+            told(&table)
+        );
     }
     table.in_given_air();
-    assert!(air(&table, 0).is_none() && told(&table).contains("the air is the one that is given"), "{}", told(&table));
+    assert!(
+        air(&table, 0).is_none() && told(&table).contains("the air is the one that is given"),
+        "{}",
+        told(&table)
+    );
 }
 
 #[test]
@@ -78,7 +145,8 @@ fn the_air_that_is_given_comes_before_that_of_the_export() {
         let output = place("flown.jsonl");
         let said = longdrive(&[&["fly", &file, "-o", &output, "--overwrite"], args].concat());
         assert_eq!(said.status, 0, "{}", said.err);
-        let line: Value = serde_json::from_str(fs::read_to_string(&output).unwrap().trim()).unwrap();
+        let line: Value =
+            serde_json::from_str(fs::read_to_string(&output).unwrap().trim()).unwrap();
         (number(&line["predicted"]["carry_distance"]), said.err)
     };
     let (own, told) = fly(&[]);
@@ -86,16 +154,43 @@ fn the_air_that_is_given_comes_before_that_of_the_export() {
     assert!(told.contains("the air is each row's"), "{told}");
     let (given, told) = fly(&["--set", "air.density=1.3kg/m^3"]);
     close(given, carry(1.3), 250.0, 1e-5, "given");
-    assert!(told.contains("the air is the one that is given, and not each row's"), "{told}");
+    assert!(
+        told.contains("the air is the one that is given, and not each row's"),
+        "{told}"
+    );
     let (cold, told) = fly(&["--set", "air.temperature=0degC"]);
-    let says = "the air is the one that is given, and not each row's, which the export states: Air Density";
+    let says = "the air is the one that is given, and not each row's, which the export states: Air \
+                Density";
     let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says), "{cold} {told}");
-    let weather = ["calibrate", &file, "--fit", "aero.cd0", "--set", "air.temperature=0degC"];
+    assert!(
+        cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says),
+        "{cold} {told}"
+    );
+    let weather = [
+        "calibrate",
+        &file,
+        "--fit",
+        "aero.cd0",
+        "--set",
+        "air.temperature=0degC",
+    ];
     let said = longdrive(&weather);
-    let words = (said.out + &said.err).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.matches("Air Density").count() == 1 && words.contains(says), "{words}");
+    let words = (said.out + &said.err)
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert!(
+        words.matches("Air Density").count() == 1 && words.contains(says),
+        "{words}"
+    );
     // calibrate too
-    let (status, answer) = json(&["calibrate", &file, "--fit", "aero.cd0", "--set", "air.density=1.3kg/m^3"]);
+    let (status, answer) = json(&[
+        "calibrate",
+        &file,
+        "--fit",
+        "aero.cd0",
+        "--set",
+        "air.density=1.3kg/m^3",
+    ]);
     assert!(status != 2, "{answer}");
 }

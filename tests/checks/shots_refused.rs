@@ -1,4 +1,5 @@
-//! Rows of an export that are no drives, and exports without units: `calibrate` and `delivery --shots` read them as `fly` does.
+//! Rows of an export that are no drives, and exports without units: `calibrate` and
+//! `delivery --shots` read them as `fly` does.
 
 use crate::command_line::json;
 use crate::shots::flown;
@@ -8,7 +9,8 @@ use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
-const HEAD: &str = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Total Spin [rpm],Spin Axis [deg],Carry [yd],Side [yd]\n";
+const HEAD: &str = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Total Spin \
+                    [rpm],Spin Axis [deg],Carry [yd],Side [yd]\n";
 
 const GOOD: &str = "150,12,0,2600,3,245,5\n";
 
@@ -17,7 +19,12 @@ fn read(text: &str) -> ShotTable {
 }
 
 fn remarks(table: &ShotTable) -> String {
-    table.remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+    table
+        .remarks
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("\n")
 }
 
 fn rows(table: &ShotTable) -> Vec<usize> {
@@ -45,8 +52,16 @@ fn place(folder: &Path, name: &str, text: &str) -> String {
 
 #[test]
 fn calibrate_and_delivery_leave_out_the_rows_that_fly_refuses() {
-    let bad = ["150,12,0,0,3,245,5", "350,12,0,2600,3,245,5", "150,95,0,2600,3,245,5", "150,12,0,2600,170,245,5"];
-    let text = bad.iter().fold(HEAD.to_owned(), |text, row| text + GOOD + row + "\n") + GOOD;
+    let bad = [
+        "150,12,0,0,3,245,5",
+        "350,12,0,2600,3,245,5",
+        "150,95,0,2600,3,245,5",
+        "150,12,0,2600,170,245,5",
+    ];
+    let text = bad
+        .iter()
+        .fold(HEAD.to_owned(), |text, row| text + GOOD + row + "\n")
+        + GOOD;
     let (flies, reasons) = of_fly(&text);
     assert_eq!((&flies, reasons.len()), (&vec![1, 3, 5, 7, 9], bad.len()));
     let table = read(&text);
@@ -54,31 +69,55 @@ fn calibrate_and_delivery_leave_out_the_rows_that_fly_refuses() {
     let folder = tempfile::tempdir().unwrap();
     let file = place(folder.path(), "shots.csv", &text);
     let launches = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
-    let with_club = text.replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n").replace(",5\n", ",5,103\n");
+    let with_club = text
+        .replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n")
+        .replace(",5\n", ",5,103\n");
     let file = place(folder.path(), "club.csv", &with_club);
     let clubs = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
-    for (table, of) in [(&table, "calibrate"), (&launches, "delivery"), (&clubs, "delivery with a club")] {
+    for (table, of) in [
+        (&table, "calibrate"),
+        (&launches, "delivery"),
+        (&clubs, "delivery with a club"),
+    ] {
         assert_eq!(rows(table), flies, "{of}");
         for reason in &reasons {
-            assert!(remarks(table).contains(reason), "{of}: no '{reason}' in {}", remarks(table));
+            assert!(
+                remarks(table).contains(reason),
+                "{of}: no '{reason}' in {}",
+                remarks(table)
+            );
         }
     }
 }
 
 #[test]
 fn delivery_leaves_out_the_rows_without_a_whole_launch_that_fly_refuses() {
-    let bad = [",12,0,2600,3,245,5", "150,,0,2600,3,245,5", "150,12,0,,3,245,5"];
-    let text = bad.iter().fold(HEAD.to_owned(), |text, row| text + GOOD + row + "\n") + GOOD;
+    let bad = [
+        ",12,0,2600,3,245,5",
+        "150,,0,2600,3,245,5",
+        "150,12,0,,3,245,5",
+    ];
+    let text = bad
+        .iter()
+        .fold(HEAD.to_owned(), |text, row| text + GOOD + row + "\n")
+        + GOOD;
     let (flies, reasons) = of_fly(&text);
     assert_eq!((&flies, reasons.len()), (&vec![1, 3, 5, 7], bad.len()));
     let folder = tempfile::tempdir().unwrap();
-    let with_club = text.replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n").replace(",5\n", ",5,103\n");
+    let with_club = text
+        .replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n")
+        .replace(",5\n", ",5,103\n");
     for (name, text) in [("shots.csv", &text), ("club.csv", &with_club)] {
         let file = place(folder.path(), name, text);
         let table = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
         assert_eq!(rows(&table), flies, "{name}");
-        let told = "rows left out, since they lack a value that every shot needs: row 2 (Ball Speed), row 4 (Launch Angle), row 6 (Total Spin)";
-        assert!(remarks(&table).contains(told), "{name}: {}", remarks(&table));
+        let told = "rows left out, since they lack a value that every shot needs: row 2 (Ball \
+                    Speed), row 4 (Launch Angle), row 6 (Total Spin)";
+        assert!(
+            remarks(&table).contains(told),
+            "{name}: {}",
+            remarks(&table)
+        );
     }
     // a table that states no spin has no whole launch: what it states is explained
     let file = place(
@@ -92,42 +131,79 @@ fn delivery_leaves_out_the_rows_without_a_whole_launch_that_fly_refuses() {
 
 #[test]
 fn a_measured_value_that_no_drive_has_is_not_compared() {
-    let table = read(&format!("{HEAD}{GOOD}150,12,0,2600,3,-10,5\n150,12,0,2600,3,9999,5\n150,12,0,2600,3,0,5\n"));
+    let table = read(&format!(
+        "{HEAD}{GOOD}150,12,0,2600,3,-10,5\n150,12,0,2600,3,9999,5\n150,12,0,2600,3,0,5\n"
+    ));
     assert_eq!(rows(&table), [1, 2, 3, 4]);
     for shot in &table.shots[1..] {
-        let of: Vec<Outcome> = shot.measured.iter().map(|measured| measured.outcome).collect();
+        let of: Vec<Outcome> = shot
+            .measured
+            .iter()
+            .map(|measured| measured.outcome)
+            .collect();
         assert_eq!(of, [Outcome::Lateral], "row {}", shot.row);
     }
-    for told in ["row 2: not compared: Carry: ", "row 3: not compared: Carry: 9999 yd is outside of what a drive has"] {
-        assert!(remarks(&table).contains(told), "no '{told}' in {}", remarks(&table));
+    for told in [
+        "row 2: not compared: Carry: ",
+        "row 3: not compared: Carry: 9999 yd is outside of what a drive has",
+    ] {
+        assert!(
+            remarks(&table).contains(told),
+            "no '{told}' in {}",
+            remarks(&table)
+        );
     }
     let table = read(&format!("{HEAD}{GOOD}150,12,0,2600,3,far,5\n"));
-    assert_eq!(rows(&table), [1, 2], "a cell that cannot be read costs its own comparison alone");
-    assert!(remarks(&table).contains("row 2: not compared: Carry: "), "{}", remarks(&table));
+    assert_eq!(
+        rows(&table),
+        [1, 2],
+        "a cell that cannot be read costs its own comparison alone"
+    );
+    assert!(
+        remarks(&table).contains("row 2: not compared: Carry: "),
+        "{}",
+        remarks(&table)
+    );
     // where nothing else is measured there is nothing to fit
-    let alone =
-        read("Ball Speed [mph],Launch Angle [deg],Total Spin [rpm],Carry [yd]\n150,12,2600,245\n150,12,2600,9999\n");
+    let alone = read(
+        "Ball Speed [mph],Launch Angle [deg],Total Spin [rpm],Carry \
+         [yd]\n150,12,2600,245\n150,12,2600,9999\n",
+    );
     assert_eq!(rows(&alone), [1]);
-    assert!(remarks(&alone).contains("row 2 (Carry: 9999 yd is outside"), "{}", remarks(&alone));
+    assert!(
+        remarks(&alone).contains("row 2 (Carry: 9999 yd is outside"),
+        "{}",
+        remarks(&alone)
+    );
 }
 
 #[test]
 fn a_quote_that_is_not_closed_takes_its_row_alone() {
     let head = "Ball Speed [mph],Launch Angle [deg],Total Spin [rpm],Carry [yd],Club Name\n";
-    let text = format!("{head}150,12,2600,245,A\n151,12,2600,246,\"C\n152,12,2600,247,D\n153,12,2600,248,E\n");
+    let text = format!(
+        "{head}150,12,2600,245,A\n151,12,2600,246,\"C\n152,12,2600,247,D\n153,12,2600,248,E\n"
+    );
     let (flies, reasons) = of_fly(&text);
     assert_eq!(flies, [1, 3, 4]);
     let table = read(&text);
     assert_eq!(rows(&table), flies);
-    assert!(remarks(&table).contains(&format!("row 2 ({})", reasons[0])), "{}", remarks(&table));
+    assert!(
+        remarks(&table).contains(&format!("row 2 ({})", reasons[0])),
+        "{}",
+        remarks(&table)
+    );
 }
 
 #[test]
 fn no_spin_and_topspin_are_out_of_range_in_every_format() {
     let of_cells = |heads: &str, cells: &str| {
-        format!("Ball Speed [mph],Launch Angle [deg],Carry [yd],{heads}\n150,12,240,{cells}\n150,12,240,{cells}\n")
+        format!(
+            "Ball Speed [mph],Launch Angle [deg],Carry \
+             [yd],{heads}\n150,12,240,{cells}\n150,12,240,{cells}\n"
+        )
     };
-    let message = |ball: &str| format!("{{\"BallData\":{{\"Speed\":150,\"VLA\":12,\"HLA\":0,{ball}}}}}\n");
+    let message =
+        |ball: &str| format!("{{\"BallData\":{{\"Speed\":150,\"VLA\":12,\"HLA\":0,{ball}}}}}\n");
     let none = "0 rpm is outside of what a drive has, above 0 to 20000 rpm";
     let top = "2500 rpm is outside of what a drive has, 0 to 20000 rpm";
     for (text, says) in [
@@ -135,18 +211,35 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
         (of_cells("Back Spin [rpm]", "0"), none),
         (of_cells("Back Spin [rpm],Side Spin [rpm]", "0,0"), none),
         (of_cells("Back Spin [rpm]", "-2500"), top),
-        (of_cells("Total Spin [rpm],Spin Axis [deg]", "2500,180"), top),
-        (of_cells("Back Spin [rpm],Side Spin [rpm]", "19000,19000"), "Back Spin (spin = √(backspin² + sidespin²)): 26"),
+        (
+            of_cells("Total Spin [rpm],Spin Axis [deg]", "2500,180"),
+            top,
+        ),
+        (
+            of_cells("Back Spin [rpm],Side Spin [rpm]", "19000,19000"),
+            "Back Spin (spin = √(backspin² + sidespin²)): 26",
+        ),
         (message("\"BackSpin\":0,\"SideSpin\":0"), none),
-        (message("\"TotalSpin\":0,\"BackSpin\":0,\"SideSpin\":0"), none),
+        (
+            message("\"TotalSpin\":0,\"BackSpin\":0,\"SideSpin\":0"),
+            none,
+        ),
         (message("\"BackSpin\":-2500,\"SideSpin\":0"), top),
     ] {
         let (_, all, _) = flown(Cursor::new(text.clone()));
-        let refusal = all[0].shots()[0].refusal().unwrap_or_else(|| panic!("{text} is flown"));
-        assert!(refusal.kind == "out of range" && refusal.reason.contains(says), "{text}: {refusal:?}");
+        let refusal = all[0].shots()[0]
+            .refusal()
+            .unwrap_or_else(|| panic!("{text} is flown"));
+        assert!(
+            refusal.kind == "out of range" && refusal.reason.contains(says),
+            "{text}: {refusal:?}"
+        );
     }
     // a ball that spins about the vertical alone has no backspin, and spins
-    assert_eq!(of_fly(&of_cells("Back Spin [rpm],Side Spin [rpm]", "0,800")).0, [1, 2]);
+    assert_eq!(
+        of_fly(&of_cells("Back Spin [rpm],Side Spin [rpm]", "0,800")).0,
+        [1, 2]
+    );
 }
 
 #[test]
@@ -154,13 +247,18 @@ fn exports_without_units_are_read_as_fly_reads_them() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/data/shots/rapsodo.csv");
     let table = ShotTable::open(&Setup::default(), Path::new(file)).unwrap();
     let with_units = read(
-        "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Apex [ft],Carry Distance [yd],\
+        "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis \
+         [deg],Apex [ft],Carry Distance [yd],\
          Side Carry [yd],Descent Angle [deg]\n160,12,-1.5,2500,3,99,262,-4,37.5\n",
     );
     assert_eq!(table.shots[0].measured, with_units.shots[0].measured);
     assert_eq!(table.shots[0].inputs, with_units.shots[0].inputs);
-    let told = "heads without a unit are read as Ball Speed in mph, Spin Rate in rpm, Apex in ft, Carry Distance in yd, Side Carry in yd";
+    let told = "heads without a unit are read as Ball Speed in mph, Spin Rate in rpm, Apex in ft, \
+                Carry Distance in yd, Side Carry in yd";
     assert!(remarks(&table).contains(told), "{}", remarks(&table));
     let (status, found) = json(&["delivery", "--shots", file]);
-    assert!(status == 0 && found["rows"].as_array().unwrap().len() == 1, "{found}");
+    assert!(
+        status == 0 && found["rows"].as_array().unwrap().len() == 1,
+        "{found}"
+    );
 }

@@ -1,4 +1,5 @@
-//! What rows of shots state: a spin in several ways, values that are missing, columns that are known and not used.
+//! What rows of shots state: a spin in several ways, values that are missing, columns that are
+//! known and not used.
 
 use crate::common::close;
 use crate::shots::flown;
@@ -16,7 +17,9 @@ fn rows(text: &str) -> Flown {
 
 /// Backspin and sidespin of a row, rpm.
 fn spins(flown: &Flown, row: usize) -> [f64; 2] {
-    let launch = flown.shots()[row].launch().unwrap_or_else(|| panic!("{:?}", flown.reason(row)));
+    let launch = flown.shots()[row]
+        .launch()
+        .unwrap_or_else(|| panic!("{:?}", flown.reason(row)));
     [launch[3], launch[4]].map(|spin| spin * 30.0 / std::f64::consts::PI)
 }
 
@@ -34,21 +37,35 @@ fn message(ball: &str) -> String {
 #[test]
 fn exact_an_axis_beside_a_backspin_gives_the_sidespin() {
     let side = 2500.0 * 10.0_f64.to_radians().tan();
-    let sent = rows(&(message(r#""BackSpin":2500,"SpinAxis":10"#) + &message(r#""BackSpin":2500,"SpinAxis":95"#)));
+    let sent = rows(
+        &(message(r#""BackSpin":2500,"SpinAxis":10"#)
+            + &message(r#""BackSpin":2500,"SpinAxis":95"#)),
+    );
     let table = rows(
-        "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Backspin [rpm],Spin Axis [deg],Side [yd]\n\
+        "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Backspin [rpm],Spin Axis \
+         [deg],Side [yd]\n\
          150,12,0,2500,10,5\n150,12,0,2500,95,5\n150,12,0,2500,89.9,5\n",
     );
     for flown in [&sent, &table] {
         is_near(spins(flown, 0), [2500.0, side], "axis of 10°");
         assert_eq!(flown.shots()[0].notes, [""; 0]);
         let reason = flown.reason(1).unwrap();
-        assert!(reason.contains("the axis must be between −90° and 90°"), "{reason}");
-        assert_eq!(flown.shots()[1].refusal().map(|refusal| refusal.kind), Some("out of range"));
+        assert!(
+            reason.contains("the axis must be between −90° and 90°"),
+            "{reason}"
+        );
+        assert_eq!(
+            flown.shots()[1].refusal().map(|refusal| refusal.kind),
+            Some("out of range")
+        );
     }
     assert!(table.residual(0, 1).is_some(), "the tilt is stated");
     let reason = table.reason(2).unwrap();
-    assert!(reason.contains("Spin Axis (sidespin = backspin · tan(axis)): ") && reason.contains("20000"), "{reason}");
+    assert!(
+        reason.contains("Spin Axis (sidespin = backspin · tan(axis)): ")
+            && reason.contains("20000"),
+        "{reason}"
+    );
 }
 
 #[test]
@@ -66,96 +83,199 @@ fn spins_that_contradict_each_other_are_told_with_what_is_used() {
     );
     let (sin, cos) = 5.0_f64.to_radians().sin_cos();
     let total = [2500.0 * cos, 2500.0 * sin];
-    for (row, expected) in [total, total, total, [2400.0, -500.0], [2400.0, -700.0]].into_iter().enumerate() {
+    for (row, expected) in [total, total, total, [2400.0, -500.0], [2400.0, -700.0]]
+        .into_iter()
+        .enumerate()
+    {
         is_near(spins(&sent, row), expected, &format!("message {row}"));
-        assert_eq!(sent.shots()[row].notes.len(), usize::from(row == 0), "{row}: {:?}", sent.shots()[row].notes);
+        assert_eq!(
+            sent.shots()[row].notes.len(),
+            usize::from(row == 0),
+            "{row}: {:?}",
+            sent.shots()[row].notes
+        );
     }
     let note = &sent.shots()[0].notes[0];
-    for says in
-        ["BallData.TotalSpin and BallData.SpinAxis are used, not BallData.BackSpin (1000 rpm)", "SideSpin (-500 rpm)"]
-    {
-        assert!(note.replace('−', "-").contains(says), "no '{says}' in {note}");
+    for says in [
+        "BallData.TotalSpin and BallData.SpinAxis are used, not BallData.BackSpin (1000 rpm)",
+        "SideSpin (-500 rpm)",
+    ] {
+        assert!(
+            note.replace('−', "-").contains(says),
+            "no '{says}' in {note}"
+        );
     }
-    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Axis [deg],Backspin [rpm],Carry [yd]\n\
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Axis [deg],Backspin \
+                [rpm],Carry [yd]\n\
                 150,12,2500,5,1000,240\n150,12,2500,5,2490,240\n";
     let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
-    let told: Vec<String> =
-        table.remarks.iter().map(ToString::to_string).filter(|told| told.contains("contradict")).collect();
+    let told: Vec<String> = table
+        .remarks
+        .iter()
+        .map(ToString::to_string)
+        .filter(|told| told.contains("contradict"))
+        .collect();
     assert!(
-        told.len() == 1 && told[0].starts_with("row 1: ") && told[0].contains("not Backspin (1000 rpm)"),
+        told.len() == 1
+            && told[0].starts_with("row 1: ")
+            && told[0].contains("not Backspin (1000 rpm)"),
         "{told:?}"
     );
 }
 
 #[test]
 fn exact_the_spin_is_taken_from_what_each_row_has() {
-    let text = "Ball Speed,Launch Angle,Launch Direction,Backspin,Sidespin,Spin Rate,Spin Axis,Carry Distance,Carry Deviation Distance\n\
+    let text = "Ball Speed,Launch Angle,Launch Direction,Backspin,Sidespin,Spin Rate,Spin \
+                Axis,Carry Distance,Carry Deviation Distance\n\
                 [mph],[deg],[deg],[rpm],[rpm],[rpm],[deg],[yds],[yds]\n\
                 150,12,0,2400,-700,,,240,1\n150,12,0,,,2500,0,240,1\n150,12,0,,-700,2500,,240,1\n150,12,0,2500,,,,240,1\n150,12,0,,,,3,240,1\n";
     let flown = rows(text);
-    let expected = [[2400.0, -700.0], [2500.0, 0.0], [2400.0, -700.0], [2500.0, 0.0]];
+    let expected = [
+        [2400.0, -700.0],
+        [2500.0, 0.0],
+        [2400.0, -700.0],
+        [2500.0, 0.0],
+    ];
     for (row, expected) in expected.into_iter().enumerate() {
         is_near(spins(&flown, row), expected, &format!("row {row}"));
     }
-    assert_eq!(flown.shots()[4].refusal().map(|Refusal { kind, .. }| *kind), Some("missing value"));
+    assert_eq!(
+        flown.shots()[4].refusal().map(|Refusal { kind, .. }| *kind),
+        Some("missing value")
+    );
     let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
-    assert_eq!(table.shots.iter().map(|shot| shot.row).collect::<Vec<_>>(), [1, 2, 3, 4]);
+    assert_eq!(
+        table.shots.iter().map(|shot| shot.row).collect::<Vec<_>>(),
+        [1, 2, 3, 4]
+    );
     let rpm = |shot: usize, name: &str| {
-        let input = table.shots[shot].inputs.iter().find(|(parameter, _)| parameter.name == name).unwrap();
+        let input = table.shots[shot]
+            .inputs
+            .iter()
+            .find(|(parameter, _)| parameter.name == name)
+            .unwrap();
         input.1 * 30.0 / std::f64::consts::PI
     };
     for (shot, expected) in expected.into_iter().enumerate() {
-        is_near([rpm(shot, "launch.backspin"), rpm(shot, "launch.sidespin")], expected, "calibrate");
+        is_near(
+            [rpm(shot, "launch.backspin"), rpm(shot, "launch.sidespin")],
+            expected,
+            "calibrate",
+        );
     }
 }
 
 #[test]
 fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
     let read = |text: &str| ShotTable::read(&Setup::default(), "a.csv", text.as_bytes());
-    let text = "ball_speed [mph],launch_angle [deg],launch_direction [deg],spin [rpm],spin_axis [deg],carry [yd],lateral [yd]\n\
+    let text = "ball_speed [mph],launch_angle [deg],launch_direction [deg],spin [rpm],spin_axis \
+                [deg],carry [yd],lateral [yd]\n\
                 150,12,1,2500,2,240,5\n150,12,,2500,2,240,5\n150,12,1,2500,,240,5\n";
     let table = read(text).unwrap();
-    let measured = |shot: usize| table.shots[shot].measured.iter().map(|one| one.outcome).collect::<Vec<_>>();
+    let measured = |shot: usize| {
+        table.shots[shot]
+            .measured
+            .iter()
+            .map(|one| one.outcome)
+            .collect::<Vec<_>>()
+    };
     assert_eq!(measured(0), [Outcome::CarryDistance, Outcome::Lateral]);
-    assert_eq!((measured(1), measured(2)), (vec![Outcome::CarryDistance], vec![Outcome::CarryDistance]));
-    let told = table.remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    assert!(told.contains("lateral is not compared in rows without") && told.contains(": row 2, row 3"), "{told}");
+    assert_eq!(
+        (measured(1), measured(2)),
+        (vec![Outcome::CarryDistance], vec![Outcome::CarryDistance])
+    );
+    let told = table
+        .remarks
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("\n");
+    assert!(
+        told.contains("lateral is not compared in rows without") && told.contains(": row 2, row 3"),
+        "{told}"
+    );
     // without their columns too; and nothing is said of an uncertainty that is not used
-    let table =
-        read("ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd],lateral [yd]\n150,12,2500,240,5\n").unwrap();
-    let told = table.remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    assert!(told.contains("lateral is not compared") && !told.contains("sigma lateral"), "{told}");
+    let table = read(
+        "ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd],lateral \
+              [yd]\n150,12,2500,240,5\n",
+    )
+    .unwrap();
+    let told = table
+        .remarks
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("\n");
+    assert!(
+        told.contains("lateral is not compared") && !told.contains("sigma lateral"),
+        "{told}"
+    );
     let error =
-        read("ball_speed [mph],launch_angle [deg],spin [rpm],lateral [yd]\n150,12,2500,5\n").unwrap_err().to_string();
-    assert!(error.contains("nothing but lateral is measured in it"), "{error}");
+        read("ball_speed [mph],launch_angle [deg],spin [rpm],lateral [yd]\n150,12,2500,5\n")
+            .unwrap_err()
+            .to_string();
+    assert!(
+        error.contains("nothing but lateral is measured in it"),
+        "{error}"
+    );
 }
 
 #[test]
 fn numbers_from_1e38_are_missing_values() {
     let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Axis [deg],Carry [yds]\n";
-    for cell in ["3.4e38", "3.4028235e+38", "-3.4E38", "1e38", "340282346638528859811704183484516925440"] {
-        let flown = rows(&format!("{head}160,12,2500,3,{cell}\n160,12,{cell},3,262\n"));
+    for cell in [
+        "3.4e38",
+        "3.4028235e+38",
+        "-3.4E38",
+        "1e38",
+        "340282346638528859811704183484516925440",
+    ] {
+        let flown = rows(&format!(
+            "{head}160,12,2500,3,{cell}\n160,12,{cell},3,262\n"
+        ));
         assert_eq!(
             (flown.shots()[0].notes.len(), flown.residual(0, 0)),
             (1, None),
             "{cell}: {:?}",
             flown.shots()[0].notes
         );
-        assert_eq!(flown.shots()[1].refusal().map(|refusal| refusal.kind), Some("missing value"), "{cell}");
+        assert_eq!(
+            flown.shots()[1].refusal().map(|refusal| refusal.kind),
+            Some("missing value"),
+            "{cell}"
+        );
     }
 }
 
 #[test]
 fn the_condition_of_a_shot_is_written_and_known_heads_are_no_slips() {
-    let head =
-        "Club Name,Club Type,Face to Path,Lie Angle,Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Condition\n";
-    let text = format!("{head}Driver,d,1,2,160,12,2500,\"Normalized, 25 C\"\nDriver,d,1,2,160,12,2500,Actual\n");
+    let head = "Club Name,Club Type,Face to Path,Lie Angle,Ball Speed [mph],Launch Angle \
+                [deg],Spin Rate [rpm],Condition\n";
+    let text = format!(
+        "{head}Driver,d,1,2,160,12,2500,\"Normalized, 25 C\"\nDriver,d,1,2,160,12,2500,Actual\n"
+    );
     let (shots, all, tally) = flown(Cursor::new(text));
-    let told = shots.remarks().iter().map(ToString::to_string).collect::<String>();
-    assert!(told.contains("Club Name") && !told.contains("did you mean"), "{told}");
-    let writer = ShotWriter::new(ShotFormat::LaunchMonitor, &shots, &[Outcome::CarryDistance], System::Us);
+    let told = shots
+        .remarks()
+        .iter()
+        .map(ToString::to_string)
+        .collect::<String>();
+    assert!(
+        told.contains("Club Name") && !told.contains("did you mean"),
+        "{told}"
+    );
+    let writer = ShotWriter::new(
+        ShotFormat::LaunchMonitor,
+        &shots,
+        &[Outcome::CarryDistance],
+        System::Us,
+    );
     let written = String::from_utf8([writer.head(), writer.rows(&all[0])].concat()).unwrap();
-    for says in ["Spin Rate Type,Condition,Line", "\"Normalized, 25 C\"", ",Actual,"] {
+    for says in [
+        "Spin Rate Type,Condition,Line",
+        "\"Normalized, 25 C\"",
+        ",Actual,",
+    ] {
         assert!(written.contains(says), "no '{says}' in {written}");
     }
     let again = flown(Cursor::new(written));

@@ -1,5 +1,5 @@
-//! Continuity of value, gradient and Hessian along lines of lofts that cross many changes of the number of steps,
-//! measured at each change on the two adjacent floating-point lofts.
+//! Continuity of value, gradient and Hessian along lines of lofts that cross many changes of the
+//! number of steps, measured at each change on the two adjacent floating-point lofts.
 
 use longdrive::derivative::{Order, Taylor, evaluate, hessian};
 use longdrive::flight::Flight;
@@ -37,8 +37,16 @@ fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
     // close to where the flight time, nearly straight in the loft, is a whole number of steps
     for _ in 0..4 {
         let [(low, (_, first)), (high, (_, last))] = ends;
-        let whole = setup.flight.step * if first < last { few as f64 } else { few as f64 - 1.0 };
-        let (crossed, near) = (low + (whole - first) / (last - first) * (high - low), 1e-3 * (high - low));
+        let whole = setup.flight.step
+            * if first < last {
+                few as f64
+            } else {
+                few as f64 - 1.0
+            };
+        let (crossed, near) = (
+            low + (whole - first) / (last - first) * (high - low),
+            1e-3 * (high - low),
+        );
         narrow(&mut ends, crossed - near);
         narrow(&mut ends, crossed + near);
     }
@@ -49,17 +57,20 @@ fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
     ends.map(|(loft, _)| loft)
 }
 
-/// The largest relative jumps of value, gradient and Hessian of each outcome at the changes along a line of lofts, and how many
-/// changes there were.
+/// The largest relative jumps of value, gradient and Hessian of each outcome at the changes along a
+/// line of lofts, and how many changes there were.
 fn jumps(setup: &Setup<f64>, of: &[Outcome], degrees: (f64, f64)) -> (usize, Vec<[f64; 3]>) {
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
     let (mut changes, mut worst) = (0, vec![[0.0_f64; 3]; of.len()]);
     let loft = |k: usize| (degrees.0 + (degrees.1 - degrees.0) * k as f64 / 200.0).to_radians();
-    let lofts: Vec<_> = (0..=200).map(|k| (loft(k), steps(&at(setup, loft(k))))).collect();
+    let lofts: Vec<_> = (0..=200)
+        .map(|k| (loft(k), steps(&at(setup, loft(k)))))
+        .collect();
     for pair in lofts.windows(2).filter(|pair| pair[0].1 != pair[1].1) {
         changes += 1;
         let sides = change_between(setup, pair[0].0, pair[1].0);
-        let [left, right] = sides.map(|loft| evaluate(&at(setup, loft), of, &wrt, Order::Second).unwrap());
+        let [left, right] =
+            sides.map(|loft| evaluate(&at(setup, loft), of, &wrt, Order::Second).unwrap());
         for (worst, (a, b)) in worst.iter_mut().zip(left.iter().zip(&right)) {
             for (worst, jump) in worst.iter_mut().zip(jump(a, b)) {
                 *worst = worst.max(jump);
@@ -71,13 +82,24 @@ fn jumps(setup: &Setup<f64>, of: &[Outcome], degrees: (f64, f64)) -> (usize, Vec
 
 /// By how much value, gradient and Hessian differ, relative to their sizes.
 fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
-    let size = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let size = |values: &[f64]| {
+        values
+            .iter()
+            .fold(0.0_f64, |most, value| most.max(value.abs()))
+    };
     let jump = |a: &[f64], b: &[f64]| {
-        let most = a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        let most = a
+            .iter()
+            .zip(b)
+            .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
         most / size(a)
     };
     let value = (a.value - b.value).abs() / a.value.abs();
-    [value, jump(&a.gradient, &b.gradient), jump(&a.hessian.concat(), &b.hessian.concat())]
+    [
+        value,
+        jump(&a.gradient, &b.gradient),
+        jump(&a.hessian.concat(), &b.hessian.concat()),
+    ]
 }
 
 #[test]
@@ -94,14 +116,27 @@ fn exact_continuity_of_every_outcome_at_landing_where_the_number_of_steps_change
         let mut setup = Setup::preset(preset).unwrap();
         setup.set("flight.method", method).unwrap();
         setup.flight.step = step;
-        setup.set_all([("swing.attack_angle", "3 deg"), ("wind.right", "4 m/s")]).unwrap();
-        let at_landing =
-            [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::DescentAngle, Outcome::LandingSpeed];
+        setup
+            .set_all([("swing.attack_angle", "3 deg"), ("wind.right", "4 m/s")])
+            .unwrap();
+        let at_landing = [
+            Outcome::Carry,
+            Outcome::Lateral,
+            Outcome::FlightTime,
+            Outcome::DescentAngle,
+            Outcome::LandingSpeed,
+        ];
         let (changes, worst) = jumps(&setup, &at_landing, (8.0, 18.0));
         assert!(changes > if step > 0.05 { 5 } else { 20 }, "{changes}");
         for (of, worst) in at_landing.iter().zip(worst) {
-            println!("{preset}, step {step} s, {}: {changes} changes, jumps {worst:?}", of.name());
-            assert!(worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-10, "{preset} at {step} s: {worst:?}");
+            println!(
+                "{preset}, step {step} s, {}: {changes} changes, jumps {worst:?}",
+                of.name()
+            );
+            assert!(
+                worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-10,
+                "{preset} at {step} s: {worst:?}"
+            );
         }
     }
 }
@@ -110,10 +145,18 @@ fn exact_continuity_of_every_outcome_at_landing_where_the_number_of_steps_change
 fn exact_continuity_of_the_apex_where_it_moves_from_one_step_to_the_next() {
     let mut setup = Setup::preset("mae494").unwrap();
     setup.flight.step = 0.05;
-    for of in [Outcome::ApexHeight, Outcome::ApexTime, Outcome::ApexDownrange] {
+    for of in [
+        Outcome::ApexHeight,
+        Outcome::ApexTime,
+        Outcome::ApexDownrange,
+    ] {
         let (changes, worst) = apex_jumps(&setup, of);
         assert!(changes > 5);
-        assert!(worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-10, "{}: {worst:?}", of.name());
+        assert!(
+            worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-10,
+            "{}: {worst:?}",
+            of.name()
+        );
     }
 }
 
@@ -121,7 +164,9 @@ fn exact_continuity_of_the_apex_where_it_moves_from_one_step_to_the_next() {
 fn apex_jumps(setup: &Setup<f64>, of: Outcome) -> (usize, [f64; 3]) {
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
     let apex_step = |loft: f64| {
-        let time = Outcome::ApexTime.of(&Drive::new(&at(setup, loft)).unwrap()).unwrap();
+        let time = Outcome::ApexTime
+            .of(&Drive::new(&at(setup, loft)).unwrap())
+            .unwrap();
         (time / setup.flight.step).floor()
     };
     let (mut changes, mut worst) = (0, [0.0_f64; 3]);
@@ -134,7 +179,11 @@ fn apex_jumps(setup: &Setup<f64>, of: Outcome) -> (usize, [f64; 3]) {
         let first = apex_step(low);
         while high.next_down() > low {
             let middle = (low + high) / 2.0;
-            if apex_step(middle) == first { low = middle } else { high = middle }
+            if apex_step(middle) == first {
+                low = middle
+            } else {
+                high = middle
+            }
         }
         let [a, b] = [low, high].map(|loft| hessian(&at(setup, loft), of, &wrt).unwrap());
         worst[0] = worst[0].max(((a.value - b.value) / a.value).abs());

@@ -11,15 +11,22 @@ use longdrive::study::Face;
 use longdrive::units::System;
 use longdrive::{Outcome, Setup};
 
-/// Each node of the maps of strikes is a drive; designs beside each other share their levels, and the data name every view.
+/// Each node of the maps of strikes is a drive; designs beside each other share their levels, and
+/// the data name every view.
 #[test]
 fn exact_maps_of_strikes_are_drives_from_there_for_both_hands() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    setup.set_all([("strike.toe", "-6 mm"), ("swing.path", "1 deg")]).unwrap();
-    let mut flat = Setup { golfer: Golfer::Left, ..setup };
+    setup
+        .set_all([("strike.toe", "-6 mm"), ("swing.path", "1 deg")])
+        .unwrap();
+    let mut flat = Setup {
+        golfer: Golfer::Left,
+        ..setup
+    };
     flat.set("club.bulge_radius", "600 mm").unwrap();
     let faces = [&setup, &flat].map(|setup| Face::of(setup).unwrap());
-    let figure = strikes_figure(&[("as set up", &faces[0]), ("flat", &faces[1])], System::Us).unwrap();
+    let figure =
+        strikes_figure(&[("as set up", &faces[0]), ("flat", &faces[1])], System::Us).unwrap();
     let views: Vec<_> = std::iter::once(&figure).chain(&figure.panels).collect();
     assert_eq!((views.len(), figure.columns), (8, 2));
     let field = |view: &Figure| match &view.layers[0] {
@@ -32,16 +39,32 @@ fn exact_maps_of_strikes_are_drives_from_there_for_both_hands() {
         for (field, setup, side) in [(&pair[0], &setup, -1.0), (&pair[1], &flat, 1.0)] {
             for node in (3..field.values.len()).step_by(53) {
                 let at = field.place((node % field.columns) as f64, (node / field.columns) as f64);
-                let drive = flown(setup, &[("strike.toe", side * at[0]), ("strike.high", at[1])], of);
-                close(field.values[node].unwrap(), drive, drive.abs().max(1.0), 1e-8, of.name());
+                let drive = flown(
+                    setup,
+                    &[("strike.toe", side * at[0]), ("strike.high", at[1])],
+                    of,
+                );
+                close(
+                    field.values[node].unwrap(),
+                    drive,
+                    drive.abs().max(1.0),
+                    1e-8,
+                    of.name(),
+                );
             }
         }
     }
-    // the gear effect: towards the toe the axis tilts to the hook of a right-hander, and the other way of a left-hander
+    // the gear effect: towards the toe the axis tilts to the hook of a right-hander, and the other
+    // way of a left-hander
     let slopes = faces.each_ref().map(|face| face.by_toe.unwrap()[3]);
     assert!(slopes[0] < 0.0 && slopes[1] > 0.0, "{slopes:?}");
-    let by_difference =
-        [1e-4, -1e-4].map(|toe| flown(&setup, &[("strike.toe", toe), ("strike.high", 0.0)], Outcome::Lateral));
+    let by_difference = [1e-4, -1e-4].map(|toe| {
+        flown(
+            &setup,
+            &[("strike.toe", toe), ("strike.high", 0.0)],
+            Outcome::Lateral,
+        )
+    });
     close(
         faces[0].by_toe.unwrap()[1],
         (by_difference[0] - by_difference[1]) / 2e-4,
@@ -51,42 +74,99 @@ fn exact_maps_of_strikes_are_drives_from_there_for_both_hands() {
     );
     let data = figure_csv(&figure).unwrap();
     let head = data.lines().next().unwrap();
-    assert!(head.ends_with(",carry [m],lateral [m],ball speed [m/s],spin axis [rad]"), "{head}");
-    for row in ["field,\"carry, as set up\"", "field,\"spin axis, flat\"", "mark,\"strike, flat\""] {
+    assert!(
+        head.ends_with(",carry [m],lateral [m],ball speed [m/s],spin axis [rad]"),
+        "{head}"
+    );
+    for row in [
+        "field,\"carry, as set up\"",
+        "field,\"spin axis, flat\"",
+        "mark,\"strike, flat\"",
+    ] {
         assert!(data.lines().any(|line| line.starts_with(row)), "{row}");
     }
 }
 
-/// Where the centre of mass is not behind the centre of the face, strikes are measured from there, and the sweet spot is another place.
+/// Where the centre of mass is not behind the centre of the face, strikes are measured from there,
+/// and the sweet spot is another place.
 #[test]
 fn exact_the_sweet_spot_is_where_the_normal_goes_through_the_centre_of_mass() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    setup.set_all([("club.cg_toe", "5 mm"), ("club.cg_high", "4 mm"), ("club.bulge_radius", "200 mm")]).unwrap();
-    setup.set_all([("strike.toe", "0 mm"), ("strike.high", "0 mm")]).unwrap();
+    setup
+        .set_all([
+            ("club.cg_toe", "5 mm"),
+            ("club.cg_high", "4 mm"),
+            ("club.bulge_radius", "200 mm"),
+        ])
+        .unwrap();
+    setup
+        .set_all([("strike.toe", "0 mm"), ("strike.high", "0 mm")])
+        .unwrap();
     let face = Face::of(&setup).unwrap();
     let [toe, high] = face.sweet_spot.unwrap();
     let mut there = setup;
     (there.strike.toe, there.strike.high) = (toe, high);
     let point = FacePoint::new(&there.club, &there.strike).unwrap();
-    assert!(point.position.cross(point.normal).norm() < 1e-13, "{point:?}");
+    assert!(
+        point.position.cross(point.normal).norm() < 1e-13,
+        "{point:?}"
+    );
     // beyond the centre of mass, as the face is curved
-    assert!(toe > 5.5e-3 && toe < 8e-3 && high > 4.2e-3 && high < 6e-3, "{toe} {high}");
-    let slope = [1e-4, -1e-4].map(|off| flown(&there, &[("strike.toe", toe + off)], Outcome::Lateral));
-    close(face.by_toe.unwrap()[1], (slope[0] - slope[1]) / 2e-4, 100.0, 1e-4, "slope of the landing");
-    for figure in [face_figure(&face, System::Us), strikes_figure(&[("", &face)], System::Us).unwrap()] {
+    assert!(
+        toe > 5.5e-3 && toe < 8e-3 && high > 4.2e-3 && high < 6e-3,
+        "{toe} {high}"
+    );
+    let slope =
+        [1e-4, -1e-4].map(|off| flown(&there, &[("strike.toe", toe + off)], Outcome::Lateral));
+    close(
+        face.by_toe.unwrap()[1],
+        (slope[0] - slope[1]) / 2e-4,
+        100.0,
+        1e-4,
+        "slope of the landing",
+    );
+    for figure in [
+        face_figure(&face, System::Us),
+        strikes_figure(&[("", &face)], System::Us).unwrap(),
+    ] {
         let data = figure_csv(&figure).unwrap();
-        let marks: Vec<&str> = data.lines().filter(|line| line.contains("sweet spot")).collect();
-        assert!(marks.iter().any(|line| line.contains(&format!("{:?}", -toe))), "{marks:?}");
+        let marks: Vec<&str> = data
+            .lines()
+            .filter(|line| line.contains("sweet spot"))
+            .collect();
+        assert!(
+            marks
+                .iter()
+                .any(|line| line.contains(&format!("{:?}", -toe))),
+            "{marks:?}"
+        );
         let labels = [&figure.x, &figure.y].map(|axis| axis.measure.label.clone());
-        assert!(labels.iter().all(|label| label.contains("the centre of the face")), "{labels:?}");
+        assert!(
+            labels
+                .iter()
+                .all(|label| label.contains("the centre of the face")),
+            "{labels:?}"
+        );
     }
-    assert!(face_figure(&face, System::Us).note.contains("The strike is at the centre of the face"));
+    assert!(
+        face_figure(&face, System::Us)
+            .note
+            .contains("The strike is at the centre of the face")
+    );
     // a movable weight moves it too, and without either it is where strikes are measured from
     let mut weighted = Setup::preset("tour-average").unwrap();
     assert_eq!(Face::of(&weighted).unwrap().sweet_spot, Some([0.0; 2]));
-    weighted.set_all([("club.weight_1.mass", "10 g"), ("club.weight_1.toe", "30 mm")]).unwrap();
+    weighted
+        .set_all([
+            ("club.weight_1.mass", "10 g"),
+            ("club.weight_1.toe", "30 mm"),
+        ])
+        .unwrap();
     let face = Face::of(&weighted).unwrap();
-    assert!(face.is_from_centre && face.sweet_spot.unwrap()[0] > 1e-3, "{face:?}");
+    assert!(
+        face.is_from_centre && face.sweet_spot.unwrap()[0] > 1e-3,
+        "{face:?}"
+    );
 }
 
 #[test]
@@ -94,8 +174,20 @@ fn two_designs_stand_beside_each_other_on_the_face() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
     let (after, data) = (at("after.toml"), at("a.csv"));
-    std::fs::write(&after, "preset = 'tour-average'\n[club]\nbulge_radius = '400 mm'\n").unwrap();
-    let said = longdrive(&["plot", "strike", "tour-average", "--after", &after, "-o", &data]);
+    std::fs::write(
+        &after,
+        "preset = 'tour-average'\n[club]\nbulge_radius = '400 mm'\n",
+    )
+    .unwrap();
+    let said = longdrive(&[
+        "plot",
+        "strike",
+        "tour-average",
+        "--after",
+        &after,
+        "-o",
+        &data,
+    ]);
     assert_eq!(said.status, 0, "{}", said.err);
     let text = std::fs::read_to_string(&data).unwrap();
     assert!(
@@ -108,17 +200,52 @@ fn two_designs_stand_beside_each_other_on_the_face() {
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let more = "differ in more than the club";
     assert!(!words(&said.err).contains(more), "{}", said.err);
-    let faster =
-        ["plot", "strike", "tour-average", "--after", &after, "-o", &at("c.csv"), "--set", "swing.speed=100mph"];
+    let faster = [
+        "plot",
+        "strike",
+        "tour-average",
+        "--after",
+        &after,
+        "-o",
+        &at("c.csv"),
+        "--set",
+        "swing.speed=100mph",
+    ];
     let said = longdrive(&faster);
-    assert!(words(&said.err).contains(&format!("{more}: swing.speed;")), "{}", said.err);
+    assert!(
+        words(&said.err).contains(&format!("{more}: swing.speed;")),
+        "{}",
+        said.err
+    );
     for (args, why) in [
-        (vec!["--after", &after, "--set", "golfer=left"], "the toe is on opposite sides"),
-        (vec!["--after", &after, "--vary", "club.loft=8deg..12deg"], "none is looked for"),
+        (
+            vec!["--after", &after, "--set", "golfer=left"],
+            "the toe is on opposite sides",
+        ),
+        (
+            vec!["--after", &after, "--vary", "club.loft=8deg..12deg"],
+            "none is looked for",
+        ),
         (vec!["--after", "no-such.toml"], "no-such.toml"),
     ] {
         let said = longdrive(&[&["plot", "strike", "-o", &at("b.svg")][..], &args].concat());
-        assert!(said.status == 2 && words(&said.err).contains(why), "{}", said.err);
+        assert!(
+            said.status == 2 && words(&said.err).contains(why),
+            "{}",
+            said.err
+        );
     }
-    assert_eq!(longdrive(&["plot", "strike", "--after", &after, "-o", &after, "--overwrite"]).status, 2);
+    assert_eq!(
+        longdrive(&[
+            "plot",
+            "strike",
+            "--after",
+            &after,
+            "-o",
+            &after,
+            "--overwrite"
+        ])
+        .status,
+        2
+    );
 }

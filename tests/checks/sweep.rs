@@ -1,4 +1,5 @@
-//! Batches as a library: points in order, values against single drives, statuses, tables, and the bytes of the formats.
+//! Batches as a library: points in order, values against single drives, statuses, tables, and the
+//! bytes of the formats.
 
 use crate::common::close;
 use longdrive::batch::{Axis, Batch, Block, CHUNK, Grid, Points, Run, Sequence, Status, Tally};
@@ -11,7 +12,12 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 fn grid(setup: &Setup<f64>, axes: &[&str]) -> Grid {
-    Grid::new(axes.iter().map(|text| Axis::read(setup, text).unwrap()).collect()).unwrap()
+    Grid::new(
+        axes.iter()
+            .map(|text| Axis::read(setup, text).unwrap())
+            .collect(),
+    )
+    .unwrap()
 }
 
 pub fn all(points: &mut dyn Points) -> Vec<f64> {
@@ -31,44 +37,82 @@ fn quick() -> Setup<f64> {
 #[test]
 fn exact_grid_has_its_first_axis_outermost_and_both_ends() {
     let setup = Setup::default();
-    let mut points =
-        grid(&setup, &["swing.speed=40m/s..50m/s:3", "club.loft=0.1..0.4rad:4", "air.density=1..1kg/m^3:1"]);
-    assert_eq!((points.rows(), points.parameters()[0].name), (12, "swing.speed"));
+    let mut points = grid(
+        &setup,
+        &[
+            "swing.speed=40m/s..50m/s:3",
+            "club.loft=0.1..0.4rad:4",
+            "air.density=1..1kg/m^3:1",
+        ],
+    );
+    assert_eq!(
+        (points.rows(), points.parameters()[0].name),
+        (12, "swing.speed")
+    );
     let step = 0.4 - 0.1;
     let lofts = [0.1, 0.1 + step * 1.0 / 3.0, 0.1 + step * 2.0 / 3.0, 0.4];
-    let expected = [40.0, 45.0, 50.0].into_iter().flat_map(|v| lofts.into_iter().flat_map(move |loft| [v, loft, 1.0]));
+    let expected = [40.0, 45.0, 50.0]
+        .into_iter()
+        .flat_map(|v| lofts.into_iter().flat_map(move |loft| [v, loft, 1.0]));
     assert_eq!(all(&mut points), expected.collect::<Vec<f64>>());
     let mut values = vec![];
     points.seek(5).unwrap();
-    assert_eq!((points.read(1, &mut values).unwrap(), values), (1, vec![45.0, lofts[1], 1.0]));
+    assert_eq!(
+        (points.read(1, &mut values).unwrap(), values),
+        (1, vec![45.0, lofts[1], 1.0])
+    );
 }
 
 #[test]
 fn exact_values_and_gradients_are_those_of_single_drives() {
     let setup = Setup::default();
-    let of = [Outcome::Carry, Outcome::Lateral, Outcome::SpinAxis, Outcome::LandingSpeed];
+    let of = [
+        Outcome::Carry,
+        Outcome::Lateral,
+        Outcome::SpinAxis,
+        Outcome::LandingSpeed,
+    ];
     let wrt = ["swing.face_angle", "air.density"].map(|name| setup.variable(name).unwrap());
     let axes = ["club.loft=8deg..14deg:3", "swing.face_angle=-2deg..3deg:4"];
     let mut seen = 0;
-    let rows = gradient_batch(&setup, &mut grid(&setup, &axes), &of, &wrt, &Run::default(), |block| {
-        for row in 0..block.rows() {
-            let mut moved = setup;
-            [moved.club.loft, moved.swing.face_angle] = block.point(row).try_into().unwrap();
-            assert_eq!(block.status(row), Status::Landed);
-            let taylors = derivative::jacobian(&moved, &of, &wrt).unwrap();
-            let drive = Drive::new(&moved).unwrap();
-            let mut derivatives = block.derivatives(row);
-            for (at, (outcome, taylor)) in of.iter().zip(&taylors).enumerate() {
-                let value = outcome.value(&drive).unwrap();
-                close(block.outcome(row, at).unwrap(), value, value.abs().max(1.0), 1e-12, outcome.name());
-                for d in &taylor.gradient {
-                    close(derivatives.next().unwrap().unwrap(), *d, d.abs().max(1.0), 1e-12, outcome.name());
+    let rows = gradient_batch(
+        &setup,
+        &mut grid(&setup, &axes),
+        &of,
+        &wrt,
+        &Run::default(),
+        |block| {
+            for row in 0..block.rows() {
+                let mut moved = setup;
+                [moved.club.loft, moved.swing.face_angle] = block.point(row).try_into().unwrap();
+                assert_eq!(block.status(row), Status::Landed);
+                let taylors = derivative::jacobian(&moved, &of, &wrt).unwrap();
+                let drive = Drive::new(&moved).unwrap();
+                let mut derivatives = block.derivatives(row);
+                for (at, (outcome, taylor)) in of.iter().zip(&taylors).enumerate() {
+                    let value = outcome.value(&drive).unwrap();
+                    close(
+                        block.outcome(row, at).unwrap(),
+                        value,
+                        value.abs().max(1.0),
+                        1e-12,
+                        outcome.name(),
+                    );
+                    for d in &taylor.gradient {
+                        close(
+                            derivatives.next().unwrap().unwrap(),
+                            *d,
+                            d.abs().max(1.0),
+                            1e-12,
+                            outcome.name(),
+                        );
+                    }
                 }
+                seen += 1;
             }
-            seen += 1;
-        }
-        Ok(())
-    });
+            Ok(())
+        },
+    );
     assert_eq!((rows.unwrap(), seen), (12, 12));
 }
 
@@ -79,48 +123,86 @@ fn drives_of_every_kind_have_a_status_and_no_nan() {
         let mut found = vec![];
         let of = [Outcome::Carry, Outcome::LaunchAngle];
         let wrt = [setup.variable("club.loft").unwrap()];
-        gradient_batch(setup, &mut grid(setup, &[axis]), &of, &wrt, &Run::default(), |block| {
-            for row in 0..block.rows() {
-                let numbers = block.outcomes(row).chain(block.derivatives(row));
-                assert!(numbers.flatten().all(f64::is_finite));
-                let exist: Vec<_> = block.outcomes(row).chain(block.derivatives(row)).map(|x| x.is_some()).collect();
-                found.push((block.status(row), exist));
-            }
-            Ok(())
-        })
+        gradient_batch(
+            setup,
+            &mut grid(setup, &[axis]),
+            &of,
+            &wrt,
+            &Run::default(),
+            |block| {
+                for row in 0..block.rows() {
+                    let numbers = block.outcomes(row).chain(block.derivatives(row));
+                    assert!(numbers.flatten().all(f64::is_finite));
+                    let exist: Vec<_> = block
+                        .outcomes(row)
+                        .chain(block.derivatives(row))
+                        .map(|x| x.is_some())
+                        .collect();
+                    found.push((block.status(row), exist));
+                }
+                Ok(())
+            },
+        )
         .unwrap();
         found
     };
     let launch_only = vec![false, true, false, true];
     assert_eq!(
         status(&setup, "club.loft=-20deg..10deg:2"),
-        [(Status::NoFlight, launch_only.clone()), (Status::Landed, vec![true; 4])]
+        [
+            (Status::NoFlight, launch_only.clone()),
+            (Status::Landed, vec![true; 4])
+        ]
     );
     // 89° of loft against the ball: the face slides by without approaching it
-    assert_eq!(status(&setup, "swing.face_angle=0deg..89.9deg:2")[0].0, Status::Landed);
+    assert_eq!(
+        status(&setup, "swing.face_angle=0deg..89.9deg:2")[0].0,
+        Status::Landed
+    );
     setup.set("club.roll_radius", "100 mm").unwrap();
     assert_eq!(
         status(&setup, "strike.high=0mm..200mm:2"),
-        [(Status::Landed, vec![true; 4]), (Status::NoStrike, vec![false; 4])]
+        [
+            (Status::Landed, vec![true; 4]),
+            (Status::NoStrike, vec![false; 4])
+        ]
     );
     // a tensor that no body has
     assert_eq!(
         status(&setup, "club.inertia.xz=0..0.5kg m^2:2"),
-        [(Status::Landed, vec![true; 4]), (Status::OutOfRange, vec![false; 4])]
+        [
+            (Status::Landed, vec![true; 4]),
+            (Status::OutOfRange, vec![false; 4])
+        ]
     );
     setup.set("flight.time_limit", "1 s").unwrap();
-    assert_eq!(status(&setup, "club.loft=10deg..10deg:1"), [(Status::Aloft, launch_only)]);
+    assert_eq!(
+        status(&setup, "club.loft=10deg..10deg:1"),
+        [(Status::Aloft, launch_only)]
+    );
 }
 
 /// All blocks of a batch.
 fn blocks(run: &Run<'_>) -> Vec<Block> {
     let setup = quick();
-    let mut points = grid(&setup, &["club.loft=-2deg..20deg:41", "swing.attack_angle=-5deg..5deg:100"]);
+    let mut points = grid(
+        &setup,
+        &[
+            "club.loft=-2deg..20deg:41",
+            "swing.attack_angle=-5deg..5deg:100",
+        ],
+    );
     let mut blocks = vec![];
-    simulate_batch(&setup, &mut points, &[Outcome::Carry, Outcome::LaunchAngle], run, |block| {
-        blocks.push(block.clone());
-        Ok(())
-    })
+    simulate_batch(
+        &setup,
+        &mut points,
+        &[Outcome::Carry, Outcome::LaunchAngle],
+        run,
+        |block| {
+            blocks.push(block.clone());
+            Ok(())
+        },
+    )
     .unwrap();
     blocks
 }
@@ -132,15 +214,40 @@ fn bits(blocks: &[Block]) -> String {
 
 #[test]
 fn exact_order_and_bits_whatever_the_threads_and_from_any_chunk_on() {
-    let whole = blocks(&Run { threads: 1, ..Run::default() });
-    assert_eq!(whole.iter().map(Block::rows).collect::<Vec<_>>(), [CHUNK, CHUNK, CHUNK, CHUNK, 4]);
-    assert_eq!(whole.iter().map(Block::first_row).collect::<Vec<_>>(), [0, 1024, 2048, 3072, 4096]);
-    assert_eq!(bits(&blocks(&Run { threads: 3, ..Run::default() })), bits(&whole));
-    assert_eq!(bits(&blocks(&Run { first_row: 2048, threads: 2, ..Run::default() })), bits(&whole[2..]));
+    let whole = blocks(&Run {
+        threads: 1,
+        ..Run::default()
+    });
+    assert_eq!(
+        whole.iter().map(Block::rows).collect::<Vec<_>>(),
+        [CHUNK, CHUNK, CHUNK, CHUNK, 4]
+    );
+    assert_eq!(
+        whole.iter().map(Block::first_row).collect::<Vec<_>>(),
+        [0, 1024, 2048, 3072, 4096]
+    );
+    assert_eq!(
+        bits(&blocks(&Run {
+            threads: 3,
+            ..Run::default()
+        })),
+        bits(&whole)
+    );
+    assert_eq!(
+        bits(&blocks(&Run {
+            first_row: 2048,
+            threads: 2,
+            ..Run::default()
+        })),
+        bits(&whole[2..])
+    );
     let mut tally = Tally::default();
     whole.iter().for_each(|block| tally.add(block));
     assert_eq!(tally.counts().map(|(_, count)| count).sum::<u64>(), 4100);
-    assert!(tally.counts().take(2).all(|(_, count)| count > 100), "{tally:?}");
+    assert!(
+        tally.counts().take(2).all(|(_, count)| count > 100),
+        "{tally:?}"
+    );
 }
 
 #[test]
@@ -148,7 +255,11 @@ fn a_batch_stops_when_asked_and_ends_with_what_the_sink_refuses() {
     let setup = quick();
     let stop = AtomicBool::new(false);
     let mut points = grid(&setup, &["club.loft=5deg..20deg:1000000"]);
-    let run = Run { threads: 2, stop: Some(&stop), ..Run::default() };
+    let run = Run {
+        threads: 2,
+        stop: Some(&stop),
+        ..Run::default()
+    };
     let mut rows = 0;
     let done = simulate_batch(&setup, &mut points, &[Outcome::BallSpeed], &run, |block| {
         rows += block.rows() as u64;
@@ -161,14 +272,17 @@ fn a_batch_stops_when_asked_and_ends_with_what_the_sink_refuses() {
 
     let full = || Error::Output(std::io::ErrorKind::StorageFull.into());
     let run = Run::default();
-    let refused = simulate_batch(&setup, &mut points, &[Outcome::BallSpeed], &run, |_| Err(full()));
+    let refused = simulate_batch(&setup, &mut points, &[Outcome::BallSpeed], &run, |_| {
+        Err(full())
+    });
     assert!(matches!(refused, Err(Error::Output(_))));
 }
 
 #[test]
 fn exact_sequences_are_the_same_from_any_row_and_fill_their_ranges() {
     let setup = Setup::default();
-    let over = ["club.loft=5..15deg", "swing.speed=80..120mph"].map(|text| Vary::read(&setup, text).unwrap());
+    let over = ["club.loft=5..15deg", "swing.speed=80..120mph"]
+        .map(|text| Vary::read(&setup, text).unwrap());
     let mut points = Sequence::new(over.to_vec(), 70_000, 0).unwrap();
     let values = all(&mut points);
     let mut other = Sequence::new(over.to_vec(), 70_000, 1).unwrap();
@@ -183,7 +297,13 @@ fn exact_sequences_are_the_same_from_any_row_and_fill_their_ranges() {
         let of = || values.iter().skip(i).step_by(2);
         assert!(of().all(|x| *x >= vary.low && *x < vary.high));
         let mean = of().sum::<f64>() / 70_000.0;
-        close(mean, 0.5 * (vary.low + vary.high), vary.high - vary.low, 1e-4, "the mean of an even spread");
+        close(
+            mean,
+            0.5 * (vary.low + vary.high),
+            vary.high - vary.low,
+            1e-4,
+            "the mean of an even spread",
+        );
     }
 }
 
@@ -192,9 +312,15 @@ fn bad_axes_say_what_to_write() {
     let setup = Setup::default();
     for (text, says) in [
         ("club.loft=5deg..15deg", "the number of values is missing"),
-        ("club.loft=5deg..15deg:0", "the number of values must be at least 1"),
+        (
+            "club.loft=5deg..15deg:0",
+            "the number of values must be at least 1",
+        ),
         ("club.loft=5deg..15deg:-3", "'-3' is not a number of values"),
-        ("club.loft=5deg..15deg:1e3", "'1e3' is not a number of values"),
+        (
+            "club.loft=5deg..15deg:1e3",
+            "'1e3' is not a number of values",
+        ),
         ("club.loft=15deg..5deg:3", "the range is reversed"),
         ("club.lofft=5deg..15deg:3", "did you mean 'club.loft'?"),
         ("club.loft=5kg..15kg:3", "not an angle"),
@@ -206,12 +332,22 @@ fn bad_axes_say_what_to_write() {
         assert!(message.contains(says), "{text}: {message}");
     }
     let axis = |text| Axis::read(&setup, text).unwrap();
-    let twice = Grid::new(vec![axis("club.loft=5deg..15deg:3"), axis("club.loft=5deg..15deg:3")]).unwrap_err();
+    let twice = Grid::new(vec![
+        axis("club.loft=5deg..15deg:3"),
+        axis("club.loft=5deg..15deg:3"),
+    ])
+    .unwrap_err();
     assert!(twice.to_string().contains("given twice"), "{twice}");
     assert!(matches!(Grid::new(vec![]), Err(Error::Nothing { .. })));
-    let huge = vec![axis("club.loft=5deg..15deg:10000000000"), axis("swing.path=-1deg..1deg:10000000000")];
+    let huge = vec![
+        axis("club.loft=5deg..15deg:10000000000"),
+        axis("swing.path=-1deg..1deg:10000000000"),
+    ];
     let message = Grid::new(huge).unwrap_err().to_string();
-    assert!(message.contains("1.0e20 drives would take 2.4e12 GB, more than any disk"), "{message}");
+    assert!(
+        message.contains("1.0e20 drives would take 2.4e12 GB, more than any disk"),
+        "{message}"
+    );
 }
 
 pub fn table(name: &str, text: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf) {
@@ -224,15 +360,26 @@ pub fn table(name: &str, text: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf)
 #[test]
 fn exact_csv_tables_carry_units_in_their_head() {
     let setup = Setup::default();
-    let text = "\u{feff}club.loft [deg], swing.speed [mph],air.density [kg/m^3]\n10.5,110,1.2\n\n -3 , 9.5e1,\"0\"\n";
+    let text = "\u{feff}club.loft [deg], swing.speed [mph],air.density [kg/m^3]\n10.5,110,1.2\n\n \
+                -3 , 9.5e1,\"0\"\n";
     let (_folder, path) = table("points.csv", text);
     let mut points = open_table(&setup, &path).unwrap();
     assert_eq!(points.rows(), 2);
-    let expected = [10.5_f64.to_radians(), 49.1744, 1.2, -(3.0_f64.to_radians()), 95.0 * 0.44704, 0.0];
+    let expected = [
+        10.5_f64.to_radians(),
+        49.1744,
+        1.2,
+        -(3.0_f64.to_radians()),
+        95.0 * 0.44704,
+        0.0,
+    ];
     assert_eq!(all(points.as_mut()), expected);
     points.seek(1).unwrap();
     let mut last = vec![];
-    assert_eq!((points.read(5, &mut last).unwrap(), last), (1, expected[3..].to_vec()));
+    assert_eq!(
+        (points.read(5, &mut last).unwrap(), last),
+        (1, expected[3..].to_vec())
+    );
 }
 
 #[test]
@@ -241,7 +388,13 @@ fn exact_csv_tables_in_utf_16_are_those_in_utf_8() {
     let text = "\u{feff}club.loft [deg]\tswing.speed [mph]\r\n10.5\t110\r\n11\t95\r\n";
     let (folder, path) = table("points.csv", text);
     let wide = folder.path().join("wide.csv");
-    std::fs::write(&wide, text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>()).unwrap();
+    std::fs::write(
+        &wide,
+        text.encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect::<Vec<u8>>(),
+    )
+    .unwrap();
     let [plain, wide] = [path, wide].map(|path| all(open_table(&setup, &path).unwrap().as_mut()));
     assert!(plain == wide && plain.len() == 4, "{wide:?}");
 }
@@ -250,39 +403,85 @@ fn exact_csv_tables_in_utf_16_are_those_in_utf_8() {
 fn bad_tables_are_told_by_row_and_column_before_any_work() {
     let setup = Setup::default();
     for (name, text, says) in [
-        ("a.csv", "club.loft [rad]\n0.1\nten\n", "a.csv, row 2, column club.loft: 'ten' is not a number"),
-        ("a.csv", "club.loft [rad]\n0.1\n1e400\n", "row 2, column club.loft: '1e400' is not finite"),
-        ("a.csv", "gravity [m/s^2]\ninf\n", "row 1, column gravity: 'inf' is not finite"),
-        ("a.csv", "club.loft [rad],air.density [kg/m^3]\n0.1\n", "row 1"),
-        ("a.csv", "club.loft [rad]\n10 deg\n", "a unit is written in the head, as in 'club.loft [rad]'"),
-        ("a.csv", "club.lofft\n0.1\n", "column 1: unknown column 'club.lofft'; did you mean 'club.loft'?"),
+        (
+            "a.csv",
+            "club.loft [rad]\n0.1\nten\n",
+            "a.csv, row 2, column club.loft: 'ten' is not a number",
+        ),
+        (
+            "a.csv",
+            "club.loft [rad]\n0.1\n1e400\n",
+            "row 2, column club.loft: '1e400' is not finite",
+        ),
+        (
+            "a.csv",
+            "gravity [m/s^2]\ninf\n",
+            "row 1, column gravity: 'inf' is not finite",
+        ),
+        (
+            "a.csv",
+            "club.loft [rad],air.density [kg/m^3]\n0.1\n",
+            "row 1",
+        ),
+        (
+            "a.csv",
+            "club.loft [rad]\n10 deg\n",
+            "a unit is written in the head, as in 'club.loft [rad]'",
+        ),
+        (
+            "a.csv",
+            "club.lofft\n0.1\n",
+            "column 1: unknown column 'club.lofft'; did you mean 'club.loft'?",
+        ),
         (
             "a.csv",
             "swing.sped [mph],club.lft [deg],qqqq\n100,10,1\n",
-            "a.csv, columns 1, 2, 3: unknown columns 'swing.sped' (did you mean 'swing.speed'?), 'club.lft' (did you mean 'club.loft'?), 'qqqq'; give \
+            "a.csv, columns 1, 2, 3: unknown columns 'swing.sped' (did you mean 'swing.speed'?), \
+             'club.lft' (did you mean 'club.loft'?), 'qqqq'; give \
              each a name that is known, or take it out: a column is a parameter",
         ),
         (
             "a.csv",
             "Ball Sped (mph),Lanch Angle (deg),Backspin (rpm)\n150,12,2600\n",
-            "near a known head: 'Ball Sped' (did you mean 'ball speed'?), 'Lanch Angle' (did you mean 'launch angle'?)",
+            "near a known head: 'Ball Sped' (did you mean 'ball speed'?), 'Lanch Angle' (did you \
+             mean 'launch angle'?)",
         ),
-        ("a.csv", "club.loft [kg]\n0.1\n", "column 1: the column 'club.loft': [kg] is not the unit of an angle"),
-        ("a.csv", "club.loft [deg],club.loft [rad]\n0.1,0.1\n", "club.loft has two columns"),
+        (
+            "a.csv",
+            "club.loft [kg]\n0.1\n",
+            "column 1: the column 'club.loft': [kg] is not the unit of an angle",
+        ),
+        (
+            "a.csv",
+            "club.loft [deg],club.loft [rad]\n0.1,0.1\n",
+            "club.loft has two columns",
+        ),
         (
             "a.csv",
             "club.loft\n0.1\n",
-            "column 1: the column 'club.loft': it has no unit; write it into the head, as in 'club.loft [deg]'",
+            "column 1: the column 'club.loft': it has no unit; write it into the head, as in \
+             'club.loft [deg]'",
         ),
         ("a.csv", "", "it is empty; give a head"),
-        ("a.txt", "club.loft [rad]\n0.1\n", "a table's name must end in .csv"),
-        ("a.parquet", "club.loft [rad]\n0.1\n", "it is not a Parquet file"),
+        (
+            "a.txt",
+            "club.loft [rad]\n0.1\n",
+            "a table's name must end in .csv",
+        ),
+        (
+            "a.parquet",
+            "club.loft [rad]\n0.1\n",
+            "it is not a Parquet file",
+        ),
     ] {
         let (_folder, path) = table(name, text);
         let message = open_table(&setup, &path).err().expect(text).to_string();
         assert!(message.contains(says), "{text}: {message}");
     }
-    let none = open_table(&setup, std::path::Path::new("/nowhere/a.csv")).err().unwrap().to_string();
+    let none = open_table(&setup, std::path::Path::new("/nowhere/a.csv"))
+        .err()
+        .unwrap()
+        .to_string();
     assert!(none.contains("/nowhere/a.csv: it cannot be read"), "{none}");
 }
 
@@ -292,19 +491,40 @@ fn rows_out_of_range_are_rows_of_their_own() {
     let (_folder, path) = table("points.csv", "club.loft [deg]\n10\n120\n-30\n");
     let mut points = open_table(&setup, &path).unwrap();
     let mut found = vec![];
-    simulate_batch(&setup, points.as_mut(), &[Outcome::Carry], &Run::default(), |block| {
-        found.extend((0..block.rows()).map(|row| (block.status(row), block.outcome(row, 0).is_some())));
-        Ok(())
-    })
+    simulate_batch(
+        &setup,
+        points.as_mut(),
+        &[Outcome::Carry],
+        &Run::default(),
+        |block| {
+            found.extend(
+                (0..block.rows()).map(|row| (block.status(row), block.outcome(row, 0).is_some())),
+            );
+            Ok(())
+        },
+    )
     .unwrap();
-    assert_eq!(found, [(Status::Landed, true), (Status::OutOfRange, false), (Status::NoFlight, false)]);
+    assert_eq!(
+        found,
+        [
+            (Status::Landed, true),
+            (Status::OutOfRange, false),
+            (Status::NoFlight, false)
+        ]
+    );
 }
 
 /// A batch of one landed and one failed drive, with derivatives.
 fn small() -> (Batch, Block) {
     let setup = Setup::default();
     let loft: &'static Parameter = setup.variable("club.loft").unwrap();
-    let batch = Batch::new(&setup, &[loft], &[Outcome::Carry, Outcome::BallSpeed], &[loft]).unwrap();
+    let batch = Batch::new(
+        &setup,
+        &[loft],
+        &[Outcome::Carry, Outcome::BallSpeed],
+        &[loft],
+    )
+    .unwrap();
     let block = batch.evaluate(0, vec![0.2, -0.3]);
     (batch, block)
 }
@@ -312,18 +532,29 @@ fn small() -> (Batch, Block) {
 #[test]
 fn exact_csv_and_json_lines_read_back_equal() {
     let (batch, block) = small();
-    let values: Vec<Vec<_>> = (0..2).map(|row| block.outcomes(row).chain(block.derivatives(row)).collect()).collect();
-    assert!(values[0].iter().all(Option::is_some) && values[1][0].is_none() && values[1][1].is_some());
+    let values: Vec<Vec<_>> = (0..2)
+        .map(|row| block.outcomes(row).chain(block.derivatives(row)).collect())
+        .collect();
+    assert!(
+        values[0].iter().all(Option::is_some) && values[1][0].is_none() && values[1][1].is_some()
+    );
 
     let table = SweepCsv::new(&batch);
     let text = String::from_utf8([table.head(), table.rows(&block)].concat()).unwrap();
     let lines: Vec<_> = text.lines().collect();
     assert_eq!(
         lines[0],
-        "club.loft [rad],status,carry [m],ball_speed [m/s],d_carry/d_club.loft [m/rad],d_ball_speed/d_club.loft [m/s/rad]"
+        "club.loft [rad],status,carry [m],ball_speed [m/s],d_carry/d_club.loft \
+         [m/rad],d_ball_speed/d_club.loft [m/s/rad]"
     );
-    let cells: Vec<Vec<_>> = lines[1..].iter().map(|line| line.split(',').collect()).collect();
-    assert_eq!((cells[0][0], cells[0][1], cells[1][1], cells[1][2]), ("0.2", "landed", "no-flight", ""));
+    let cells: Vec<Vec<_>> = lines[1..]
+        .iter()
+        .map(|line| line.split(',').collect())
+        .collect();
+    assert_eq!(
+        (cells[0][0], cells[0][1], cells[1][1], cells[1][2]),
+        ("0.2", "landed", "no-flight", "")
+    );
     for (cells, values) in cells.iter().zip(&values) {
         let read: Vec<Option<f64>> = cells[2..].iter().map(|cell| cell.parse().ok()).collect();
         assert_eq!(read, *values, "to the last bit");
@@ -331,11 +562,19 @@ fn exact_csv_and_json_lines_read_back_equal() {
 
     let text = String::from_utf8(SweepJsonLines::new(&batch).rows(&block)).unwrap();
     for ((line, values), status) in text.lines().zip(&values).zip(["landed", "no-flight"]) {
-        let object: serde_json::Map<String, serde_json::Value> = serde_json::from_str(line).unwrap();
+        let object: serde_json::Map<String, serde_json::Value> =
+            serde_json::from_str(line).unwrap();
         let names: Vec<_> = object.keys().map(String::as_str).collect();
-        assert_eq!(names.join(","), "club.loft,status,carry,ball_speed,d_carry/d_club.loft,d_ball_speed/d_club.loft");
+        assert_eq!(
+            names.join(","),
+            "club.loft,status,carry,ball_speed,d_carry/d_club.loft,d_ball_speed/d_club.loft"
+        );
         assert_eq!(object["status"], status);
-        let read: Vec<_> = object.values().skip(2).map(serde_json::Value::as_f64).collect();
+        let read: Vec<_> = object
+            .values()
+            .skip(2)
+            .map(serde_json::Value::as_f64)
+            .collect();
         assert_eq!(read, *values);
     }
 }
@@ -359,14 +598,25 @@ mod in_parquet {
     fn exact_row_groups_made_apart_read_back_as_one_file() {
         let setup = super::quick();
         let whole = blocks(&Run::default());
-        let parameters = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
-        let batch = Batch::new(&setup, &parameters, &[Outcome::Carry, Outcome::LaunchAngle], &[]).unwrap();
+        let parameters =
+            ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
+        let batch = Batch::new(
+            &setup,
+            &parameters,
+            &[Outcome::Carry, Outcome::LaunchAngle],
+            &[],
+        )
+        .unwrap();
         let table = SweepParquet::new(&batch, "why").unwrap();
         let mut bytes = table.head();
         let mut groups: Vec<PlacedGroup> = vec![];
         for part in whole.chunks(2) {
             let group = table.group(part).unwrap();
-            groups.push(table.place(&group.metadata, bytes.len() as u64, groups.len()).unwrap());
+            groups.push(
+                table
+                    .place(&group.metadata, bytes.len() as u64, groups.len())
+                    .unwrap(),
+            );
             bytes.extend(group.bytes);
         }
         bytes.extend(table.foot(&groups).unwrap());
@@ -375,14 +625,30 @@ mod in_parquet {
         std::fs::write(&path, bytes).unwrap();
 
         let file = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
-        assert_eq!((file.num_row_groups(), file.metadata().file_metadata().num_rows()), (3, 4100));
-        let notes = file.metadata().file_metadata().key_value_metadata().unwrap();
-        assert_eq!((notes[0].key.as_str(), notes[0].value.as_deref()), ("longdrive", Some("why")));
+        assert_eq!(
+            (
+                file.num_row_groups(),
+                file.metadata().file_metadata().num_rows()
+            ),
+            (3, 4100)
+        );
+        let notes = file
+            .metadata()
+            .file_metadata()
+            .key_value_metadata()
+            .unwrap();
+        assert_eq!(
+            (notes[0].key.as_str(), notes[0].value.as_deref()),
+            ("longdrive", Some("why"))
+        );
         let mut rows = file.get_row_iter(None).unwrap();
         for block in &whole {
             for row in 0..block.rows() {
                 let read = rows.next().unwrap().unwrap();
-                assert_eq!([read.get_double(0).unwrap(), read.get_double(1).unwrap()], block.point(row));
+                assert_eq!(
+                    [read.get_double(0).unwrap(), read.get_double(1).unwrap()],
+                    block.point(row)
+                );
                 assert_eq!(read.get_string(2).unwrap(), block.status(row).name());
                 assert_eq!(
                     [read.get_double(3).ok(), read.get_double(4).ok()],
@@ -391,7 +657,10 @@ mod in_parquet {
             }
         }
         assert!(rows.next().is_none());
-        assert!(matches!(table.place(b"no metadata", 4, 0), Err(Error::Output(_))));
+        assert!(matches!(
+            table.place(b"no metadata", 4, 0),
+            Err(Error::Output(_))
+        ));
     }
 
     #[test]
@@ -406,8 +675,8 @@ mod in_parquet {
 
     /// A table of three columns and two row groups; a missing value where asked for.
     fn write(path: &Path, is_missing: bool) {
-        let schema =
-            "message points { required double club.loft; optional float air.density; required int32 swing.speed; }";
+        let schema = "message points \
+                      { required double club.loft; optional float air.density; required int32 swing.speed; }";
         // the parser takes no dots in names
         let schema = parse_message_type(&schema.replace('.', "_")).unwrap();
         let fields = schema.get_fields().iter().map(|field| {
@@ -417,23 +686,36 @@ mod in_parquet {
                 .with_repetition(field.get_basic_info().repetition());
             Arc::new(field.build().unwrap())
         });
-        let schema = parquet::schema::types::Type::group_type_builder("points").with_fields(fields.collect());
+        let schema = parquet::schema::types::Type::group_type_builder("points")
+            .with_fields(fields.collect());
         let properties = Arc::new(WriterProperties::builder().build());
         let schema = Arc::new(schema.build().unwrap());
-        let mut file = SerializedFileWriter::new(File::create(path).unwrap(), schema, properties).unwrap();
+        let mut file =
+            SerializedFileWriter::new(File::create(path).unwrap(), schema, properties).unwrap();
         for first in [0_i32, 5] {
             let mut group = file.next_row_group().unwrap();
             let mut column = group.next_column().unwrap().unwrap();
-            let lofts: Vec<f64> = (first..first + 5).map(|i| 0.1 + 0.01 * f64::from(i)).collect();
-            column.typed::<DoubleType>().write_batch(&lofts, None, None).unwrap();
+            let lofts: Vec<f64> = (first..first + 5)
+                .map(|i| 0.1 + 0.01 * f64::from(i))
+                .collect();
+            column
+                .typed::<DoubleType>()
+                .write_batch(&lofts, None, None)
+                .unwrap();
             column.close().unwrap();
             let mut column = group.next_column().unwrap().unwrap();
             let missing = i16::from(!is_missing);
             let present = 4 + usize::from(!is_missing);
-            column.typed::<FloatType>().write_batch(&[1.25; 5][..present], Some(&[1, 1, missing, 1, 1]), None).unwrap();
+            column
+                .typed::<FloatType>()
+                .write_batch(&[1.25; 5][..present], Some(&[1, 1, missing, 1, 1]), None)
+                .unwrap();
             column.close().unwrap();
             let mut column = group.next_column().unwrap().unwrap();
-            column.typed::<Int32Type>().write_batch(&[40; 5], None, None).unwrap();
+            column
+                .typed::<Int32Type>()
+                .write_batch(&[40; 5], None, None)
+                .unwrap();
             column.close().unwrap();
             group.close().unwrap();
         }
@@ -447,16 +729,27 @@ mod in_parquet {
         write(&path, false);
         let setup = Setup::default();
         let mut points = open_table(&setup, &path).unwrap();
-        let expected: Vec<f64> = (0..10).flat_map(|i| [0.1 + 0.01 * f64::from(i), 1.25, 40.0]).collect();
-        assert_eq!((points.rows(), all(points.as_mut())), (10, expected.clone()));
+        let expected: Vec<f64> = (0..10)
+            .flat_map(|i| [0.1 + 0.01 * f64::from(i), 1.25, 40.0])
+            .collect();
+        assert_eq!(
+            (points.rows(), all(points.as_mut())),
+            (10, expected.clone())
+        );
         points.seek(6).unwrap();
         let mut rest = vec![];
-        assert_eq!((points.read(100, &mut rest).unwrap(), rest), (4, expected[18..].to_vec()));
+        assert_eq!(
+            (points.read(100, &mut rest).unwrap(), rest),
+            (4, expected[18..].to_vec())
+        );
 
         write(&path, true);
         let mut points = open_table(&setup, &path).unwrap();
         assert!(all(points.as_mut())[7].is_nan());
         let notes: Vec<String> = points.notes().iter().map(ToString::to_string).collect();
-        assert!(notes.concat().contains("row 3: air.density is missing"), "{notes:?}");
+        assert!(
+            notes.concat().contains("row 3: air.density is missing"),
+            "{notes:?}"
+        );
     }
 }

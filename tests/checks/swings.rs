@@ -5,7 +5,8 @@ use crate::common::close;
 use longdrive::derivative::{Order, Taylor, hessian};
 use longdrive::optimize::{Follow, Options};
 use longdrive::study::swings::{
-    Goal, GoalFunction, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, resampled, swings_optimum,
+    Goal, GoalFunction, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, resampled,
+    swings_optimum,
 };
 use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::study::{Sense, Vary};
@@ -13,32 +14,56 @@ use longdrive::{Drive, Outcome, Setup};
 use std::sync::Arc;
 
 fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
-    Swings::distributed(distributions.iter().map(|text| Uncertain::read(setup, text).unwrap()).collect(), &[]).unwrap()
+    Swings::distributed(
+        distributions
+            .iter()
+            .map(|text| Uncertain::read(setup, text).unwrap())
+            .collect(),
+        &[],
+    )
+    .unwrap()
 }
 
 fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str], scenarios: Scenarios) -> SwingsOptimum {
     let search = SwingsSearch {
         of: Goal::read(goal, None).unwrap(),
         sense: Sense::Maximize,
-        vary: vary.iter().map(|text| Vary::read(setup, text).unwrap()).collect(),
+        vary: vary
+            .iter()
+            .map(|text| Vary::read(setup, text).unwrap())
+            .collect(),
         subject_to: vec![],
         options: Options::default(),
     };
     swings_optimum(setup, search, scenarios, &Follow::default()).unwrap()
 }
 
-/// Value, gradient and Hessian of a mean at the optimum beside the weighted sums of single drives, one by one.
+/// Value, gradient and Hessian of a mean at the optimum beside the weighted sums of single drives,
+/// one by one.
 #[test]
 fn exact_a_mean_and_its_derivatives_are_the_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
-    let swings = swings(&setup, &["swing.attack_angle=normal(1 deg, 2 deg)", "swing.speed=uniform(95 mph, 110 mph)"]);
+    let swings = swings(
+        &setup,
+        &[
+            "swing.attack_angle=normal(1 deg, 2 deg)",
+            "swing.speed=uniform(95 mph, 110 mph)",
+        ],
+    );
     let scenarios = Scenarios::new(&swings, Rule::Quadrature(5)).unwrap();
-    let best = searched(&setup, "mean(carry)", &["club.loft=4deg..20deg", "club.mass=180g..210g"], scenarios.clone());
+    let best = searched(
+        &setup,
+        "mean(carry)",
+        &["club.loft=4deg..20deg", "club.mass=180g..210g"],
+        scenarios.clone(),
+    );
     assert_eq!(best.status(), "converged");
     let wrt = ["club.loft", "club.mass"].map(|name| setup.variable(name).unwrap());
     let (mut value, mut gradient, mut second) = (0.0, vec![0.0; 2], vec![0.0; 4]);
     let add = |sums: &mut [f64], weight: f64, terms: &[f64]| {
-        sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += weight * term);
+        sums.iter_mut()
+            .zip(terms)
+            .for_each(|(sum, term)| *sum += weight * term);
     };
     for (point, weight) in scenarios.points.iter().zip(&scenarios.weights) {
         let mut swung = best.setup;
@@ -60,8 +85,8 @@ fn exact_a_mean_and_its_derivatives_are_the_sums_over_single_drives() {
     }
 }
 
-/// Winfield & Tan's average over attack angles of 0 to 10°, all alike: the mean over 2001 drives by Simpson's rule, whose best loft is
-/// found here by the zero of the mean slope.
+/// Winfield & Tan's average over attack angles of 0 to 10°, all alike: the mean over 2001 drives by
+/// Simpson's rule, whose best loft is found here by the zero of the mean slope.
 #[test]
 fn independent_best_loft_of_the_average_over_attack_angles() {
     let setup = Setup::preset("winfield-tan").unwrap();
@@ -76,17 +101,34 @@ fn independent_best_loft_of_the_average_over_attack_angles() {
             swung.swing.attack_angle = (10.0 * k as f64 / PARTS as f64).to_radians();
             Outcome::Carry.of(&Drive::new(&swung).unwrap()).unwrap()
         };
-        let weight = |k: usize| if k == 0 || k == PARTS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+        let weight = |k: usize| {
+            if k == 0 || k == PARTS {
+                1.0
+            } else {
+                2.0 + 2.0 * (k % 2) as f64
+            }
+        };
         (0..=PARTS).map(|k| weight(k) * carry(k)).sum::<f64>() / (3.0 * PARTS as f64)
     };
     let loft = best.solution.x[0];
-    close(best.value().unwrap(), mean(loft), 200.0, 1e-10, "mean carry");
+    close(
+        best.value().unwrap(),
+        mean(loft),
+        200.0,
+        1e-10,
+        "mean carry",
+    );
     let h = 2e-4;
     let slope = (mean(loft + h) - mean(loft - h)) / (2.0 * h);
     let bend = (mean(loft + h) - 2.0 * mean(loft) + mean(loft - h)) / (h * h);
     assert!((slope / bend).abs() < 1e-6, "{} rad off", slope / bend);
-    // their polynomial through five lofts has its top at 10.68°; the average itself is highest a third of a degree below
-    assert!((loft.to_degrees() - 10.32).abs() < 0.01, "{}", loft.to_degrees());
+    // their polynomial through five lofts has its top at 10.68°; the average itself is highest a
+    // third of a degree below
+    assert!(
+        (loft.to_degrees() - 10.32).abs() < 0.01,
+        "{}",
+        loft.to_degrees()
+    );
 }
 
 /// Gauss's rules converge faster than any power; a quasi-random sequence faster than 1/√n.
@@ -95,15 +137,29 @@ fn order_of_quadrature_and_of_sequences() {
     let mut setup = Setup::preset("mae494").unwrap();
     // every mean is of drives as they are computed
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
-    let all = swings(&setup, &["swing.attack_angle=normal(1 deg, 0.7 deg)", "swing.speed=normal(105 mph, 3 mph)"]);
+    let all = swings(
+        &setup,
+        &[
+            "swing.attack_angle=normal(1 deg, 0.7 deg)",
+            "swing.speed=normal(105 mph, 3 mph)",
+        ],
+    );
     let mean = |rule: Rule| {
         let scenarios = Scenarios::new(&all, rule).unwrap();
-        let best = searched(&setup, "mean(carry)", &["club.loft=9.99deg..10.01deg"], scenarios);
+        let best = searched(
+            &setup,
+            "mean(carry)",
+            &["club.loft=9.99deg..10.01deg"],
+            scenarios,
+        );
         (best.value().unwrap(), best.solution.x[0])
     };
     let (exact, _) = mean(Rule::Quadrature(20));
     let errors = [2, 4, 8].map(|nodes| (mean(Rule::Quadrature(nodes)).0 - exact).abs());
-    assert!(errors[1] < 1e-3 * errors[0] && errors[2] < 1e-8, "{errors:?}");
+    assert!(
+        errors[1] < 1e-3 * errors[0] && errors[2] < 1e-8,
+        "{errors:?}"
+    );
     // the root of the mean square over seeds, with 16 times as many points
     let off = |count: usize| {
         let squares = (0..4).map(|seed| (mean(Rule::Sequence { count, seed }).0 - exact).powi(2));
@@ -118,10 +174,27 @@ fn order_of_quadrature_and_of_sequences() {
 fn exact_symmetric_swings_have_no_lateral_mean() {
     let setup = Setup::preset("tour-average").unwrap();
     let mut straight = setup;
-    straight.set_all([("swing.shaft_droop", "none"), ("strike.toe", "0 mm"), ("swing.face_angle", "0 deg")]).unwrap();
-    let all = swings(&straight, &["swing.path=normal(0 deg, 2 deg)", "swing.face_angle=normal(0 deg, 2 deg)"]);
+    straight
+        .set_all([
+            ("swing.shaft_droop", "none"),
+            ("strike.toe", "0 mm"),
+            ("swing.face_angle", "0 deg"),
+        ])
+        .unwrap();
+    let all = swings(
+        &straight,
+        &[
+            "swing.path=normal(0 deg, 2 deg)",
+            "swing.face_angle=normal(0 deg, 2 deg)",
+        ],
+    );
     let scenarios = Scenarios::new(&all, Rule::Quadrature(6)).unwrap();
-    let best = searched(&straight, "mean(lateral)", &["club.loft=9deg..9.1deg"], scenarios);
+    let best = searched(
+        &straight,
+        "mean(lateral)",
+        &["club.loft=9deg..9.1deg"],
+        scenarios,
+    );
     assert!(best.value().unwrap().abs() < 1e-9, "{:?}", best.value());
 }
 
@@ -129,44 +202,87 @@ fn exact_symmetric_swings_have_no_lateral_mean() {
 #[test]
 fn exact_correlation_of_normal_swings() {
     let setup = Setup::default();
-    let inputs = ["swing.path=normal(1 deg, 2 deg)", "swing.face_angle=normal(-1 deg, 3 deg)"];
-    let inputs: Vec<_> = inputs.iter().map(|text| Uncertain::read(&setup, text).unwrap()).collect();
+    let inputs = [
+        "swing.path=normal(1 deg, 2 deg)",
+        "swing.face_angle=normal(-1 deg, 3 deg)",
+    ];
+    let inputs: Vec<_> = inputs
+        .iter()
+        .map(|text| Uncertain::read(&setup, text).unwrap())
+        .collect();
     let parameters = [inputs[0].parameter, inputs[1].parameter];
     let correlation = longdrive::study::swings::Correlation::new(parameters, 0.6).unwrap();
     let all = Swings::distributed(inputs, &[correlation]).unwrap();
     let scenarios = Scenarios::new(&all, Rule::Quadrature(12)).unwrap();
     let moment = |f: &dyn Fn(f64, f64) -> f64| {
         let terms = scenarios.points.iter().zip(&scenarios.weights);
-        terms.map(|(point, weight)| weight * f(point[0].to_degrees(), point[1].to_degrees())).sum::<f64>()
+        terms
+            .map(|(point, weight)| weight * f(point[0].to_degrees(), point[1].to_degrees()))
+            .sum::<f64>()
     };
     // what a normal distribution keeps of its variance between ± 4 σ: 1 − 8 φ(4)/(2 Φ(4) − 1)
     let kept = 0.9989292903724738;
     close(moment(&|x, _| x), 1.0, 1.0, 1e-12, "mean path");
-    close(moment(&|x, _| (x - 1.0).powi(2)), 4.0 * kept, 4.0, 1e-10, "variance of path");
-    close(moment(&|_, y| (y + 1.0).powi(2)), 9.0 * kept, 9.0, 1e-10, "variance of face");
-    close(moment(&|x, y| (x - 1.0) * (y + 1.0)), 0.6 * 6.0 * kept, 6.0, 1e-10, "covariance");
+    close(
+        moment(&|x, _| (x - 1.0).powi(2)),
+        4.0 * kept,
+        4.0,
+        1e-10,
+        "variance of path",
+    );
+    close(
+        moment(&|_, y| (y + 1.0).powi(2)),
+        9.0 * kept,
+        9.0,
+        1e-10,
+        "variance of face",
+    );
+    close(
+        moment(&|x, y| (x - 1.0) * (y + 1.0)),
+        0.6 * 6.0 * kept,
+        6.0,
+        1e-10,
+        "covariance",
+    );
 }
 
-/// A normal distribution between two ends: its quantiles are where its moments say, and `uncertainty` samples it.
+/// A normal distribution between two ends: its quantiles are where its moments say, and
+/// `uncertainty` samples it.
 #[test]
 fn exact_truncated_distribution_lies_between_its_ends() {
     let read = |text: &str| Uncertain::read(&Setup::default(), text);
     let input = read("swing.speed=truncated(110 mph, 5 mph, 100 mph, 112 mph)").unwrap();
-    let Distribution::Truncated { low, high, .. } = input.distribution else { panic!("{input:?}") };
+    let Distribution::Truncated { low, high, .. } = input.distribution else {
+        panic!("{input:?}")
+    };
     let n = 20_000;
-    let quantiles: Vec<f64> =
-        (0..n).map(|k| input.distribution.quantile((f64::from(k) + 0.5) / f64::from(n))).collect();
-    assert!(quantiles.iter().all(|x| (low..=high).contains(x)) && quantiles.windows(2).all(|pair| pair[0] < pair[1]));
+    let quantiles: Vec<f64> = (0..n)
+        .map(|k| {
+            input
+                .distribution
+                .quantile((f64::from(k) + 0.5) / f64::from(n))
+        })
+        .collect();
+    assert!(
+        quantiles.iter().all(|x| (low..=high).contains(x))
+            && quantiles.windows(2).all(|pair| pair[0] < pair[1])
+    );
     let mean = quantiles.iter().sum::<f64>() / f64::from(n);
     close(mean, input.distribution.mean(), mean, 1e-7, "mean");
     let variance = quantiles.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / f64::from(n);
-    close(variance.sqrt(), input.distribution.deviation(), 1.0, 1e-4, "deviation");
+    close(
+        variance.sqrt(),
+        input.distribution.deviation(),
+        1.0,
+        1e-4,
+        "deviation",
+    );
     assert!(read("swing.speed=truncated(110 mph, 5 mph, 112 mph, 100 mph)").is_err());
     assert!(read("swing.speed=truncated(110 mph, 1e-9 mph, 1 mph, 2 mph)").is_err());
 }
 
-/// Recorded swings that are a sample of known ones: the interval of the best loft holds the loft that is best for all, and more swings
-/// make it narrower.
+/// Recorded swings that are a sample of known ones: the interval of the best loft holds the loft
+/// that is best for all, and more swings make it narrower.
 #[test]
 fn measured_interval_of_the_best_loft_from_recorded_swings() {
     let mut setup = Setup::preset("mae494").unwrap();
@@ -182,14 +298,21 @@ fn measured_interval_of_the_best_loft_from_recorded_swings() {
     let parameter = setup.variable("swing.attack_angle").unwrap();
     let widths = [12, 108].map(|count| {
         // a fixed stride through the unit interval, not more even than chance
-        let rows = (0..count).map(|k| vec![((f64::from(k * k) * 0.618_034).fract() * 12.0 - 6.0).to_radians()]);
+        let rows = (0..count)
+            .map(|k| vec![((f64::from(k * k) * 0.618_034).fract() * 12.0 - 6.0).to_radians()]);
         let recorded = Swings::recorded(vec![parameter], rows.collect()).unwrap();
         let scenarios = Scenarios::new(&recorded, Rule::Recorded).unwrap();
         let best = searched(&setup, "mean(carry)", &["club.loft=4deg..30deg"], scenarios);
-        let found = resampled(&setup, &best, 40, 0, &Arc::default()).unwrap().unwrap();
+        let found = resampled(&setup, &best, 40, 0, &Arc::default())
+            .unwrap()
+            .unwrap();
         let design = found.design[0];
         assert!(design.low < best.solution.x[0] && best.solution.x[0] < design.high);
-        assert!(design.contains(truth.solution.x[0]), "{count}: {design:?} {}", truth.solution.x[0]);
+        assert!(
+            design.contains(truth.solution.x[0]),
+            "{count}: {design:?} {}",
+            truth.solution.x[0]
+        );
         assert!(found.rounds == 40 && found.apart.is_some_and(|apart| apart.better.low > 0.0));
         design.high - design.low
     });
@@ -205,17 +328,40 @@ const GOLFER: [&str; 4] = [
 
 #[test]
 fn the_best_loft_over_swings_is_told_with_its_price_and_its_doubt() {
-    let args =
-        [&["optimize", "--maximize", "mean(carry)", "--subject-to", "std(lateral) <= 60yd"][..], &GOLFER].concat();
+    let args = [
+        &[
+            "optimize",
+            "--maximize",
+            "mean(carry)",
+            "--subject-to",
+            "std(lateral) <= 60yd",
+        ][..],
+        &GOLFER,
+    ]
+    .concat();
     let text = longdrive(&args).out;
-    for said in ["best for mean swing", "std(lateral) <= 60yd", "by Gauss's rules", "as set up"] {
+    for said in [
+        "best for mean swing",
+        "std(lateral) <= 60yd",
+        "by Gauss's rules",
+        "as set up",
+    ] {
         assert!(text.contains(said), "{said}: {text}");
     }
     let (_, answer) = json(&args);
     let swings = &answer["swings"];
-    assert_eq!((&answer["status"], &answer["objective"]), (&"converged".into(), &"mean(carry)".into()));
-    let (best, kept) = (number(&answer["value"]), number(&swings["nominal"]["kept"]["mean(carry)"]));
-    assert!(best >= kept && number(&swings["nominal"]["promised"]["mean(carry)"]) > best, "{answer}");
+    assert_eq!(
+        (&answer["status"], &answer["objective"]),
+        (&"converged".into(), &"mean(carry)".into())
+    );
+    let (best, kept) = (
+        number(&answer["value"]),
+        number(&swings["nominal"]["kept"]["mean(carry)"]),
+    );
+    assert!(
+        best >= kept && number(&swings["nominal"]["promised"]["mean(carry)"]) > best,
+        "{answer}"
+    );
     assert!(number(&swings["quadrature_error"]) < 1e-3);
     // the same swings, the same answer to the last bit
     let many = [&args[..], &["--scenarios", "64", "--seed", "7"]].concat();
@@ -231,29 +377,60 @@ fn the_best_loft_over_swings_is_told_with_its_price_and_its_doubt() {
 fn exact_a_search_over_swings_that_was_stopped_goes_on_to_the_same_bits() {
     let folder = tempfile::tempdir().unwrap();
     let kept = folder.path().join("kept").display().to_string();
-    let args =
-        [&["optimize", "--vary", "club.loft=6deg..16deg", "--vary", "club.cg_depth=20mm..45mm"][..], &GOLFER].concat();
+    let args = [
+        &[
+            "optimize",
+            "--vary",
+            "club.loft=6deg..16deg",
+            "--vary",
+            "club.cg_depth=20mm..45mm",
+        ][..],
+        &GOLFER,
+    ]
+    .concat();
     let whole = json(&args);
     let kept = ["--checkpoint", &kept];
-    assert_eq!(longdrive(&[&args[..], &kept, &["--max-iterations", "2"]].concat()).status, 1);
+    assert_eq!(
+        longdrive(&[&args[..], &kept, &["--max-iterations", "2"]].concat()).status,
+        1
+    );
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
 }
 
-/// A goal that grows to either side has a local best at each end of the range: from one side one search finds the nearer end alone. Of a range that is
-/// turned about, the best is the mirror image.
+/// A goal that grows to either side has a local best at each end of the range: from one side one
+/// search finds the nearer end alone. Of a range that is turned about, the best is the mirror
+/// image.
 #[test]
 fn exact_several_starts_find_both_ends_of_a_goal_that_grows_to_either_side() {
     let asked = |set: &str, vary: &str, starts: &str| {
         let vary = format!("swing.face_angle={vary}");
-        let args =
-            ["optimize", "mae494", "--distribution", "swing.speed=normal(100mph,2mph)", "--maximize", "rms(lateral)"];
+        let args = [
+            "optimize",
+            "mae494",
+            "--distribution",
+            "swing.speed=normal(100mph,2mph)",
+            "--maximize",
+            "rms(lateral)",
+        ];
         let (status, found) = json(
-            &[&args[..], &["--set", &format!("swing.face_angle={set}"), "--vary", &vary, "--starts", starts]].concat(),
+            &[
+                &args[..],
+                &[
+                    "--set",
+                    &format!("swing.face_angle={set}"),
+                    "--vary",
+                    &vary,
+                    "--starts",
+                    starts,
+                ],
+            ]
+            .concat(),
         );
         assert_eq!(status, 0, "{found}");
         found
     };
-    let face = |found: &serde_json::Value| number(&found["optimum"]["swing.face_angle"]).to_degrees();
+    let face =
+        |found: &serde_json::Value| number(&found["optimum"]["swing.face_angle"]).to_degrees();
     let one = asked("1deg", "-5deg..3deg", "1");
     close(face(&one), 3.0, 1.0, 1e-12, "the nearer end");
     assert!(one["optima"].is_null());
@@ -261,11 +438,32 @@ fn exact_several_starts_find_both_ends_of_a_goal_that_grows_to_either_side() {
     close(face(&many), -5.0, 1.0, 1e-12, "the better end");
     let optima = many["optima"].as_array().unwrap();
     assert_eq!(optima.len(), 2, "{optima:?}");
-    assert_eq!(optima.iter().map(|local| number(&local["starts"])).sum::<f64>(), 8.0);
-    assert_eq!((&optima[0]["value"], &optima[1]["value"]), (&many["value"], &one["value"]));
+    assert_eq!(
+        optima
+            .iter()
+            .map(|local| number(&local["starts"]))
+            .sum::<f64>(),
+        8.0
+    );
+    assert_eq!(
+        (&optima[0]["value"], &optima[1]["value"]),
+        (&many["value"], &one["value"])
+    );
     let turned = asked("-1deg", "-3deg..5deg", "8");
-    close(face(&turned), 5.0, 1.0, 1e-12, "the better end, turned about");
-    close(number(&turned["value"]), number(&many["value"]), 1.0, 1e-9, "its mirror image");
+    close(
+        face(&turned),
+        5.0,
+        1.0,
+        1e-12,
+        "the better end, turned about",
+    );
+    close(
+        number(&turned["value"]),
+        number(&many["value"]),
+        1.0,
+        1e-9,
+        "its mirror image",
+    );
     let text = longdrive(&[
         "optimize",
         "mae494",
@@ -280,21 +478,52 @@ fn exact_several_starts_find_both_ends_of_a_goal_that_grows_to_either_side() {
         "--starts",
         "8",
     ]);
-    assert!(text.out.contains("of 8") && text.out.contains("-5.00°") && text.out.contains("3.00°"), "{}", text.out);
-    let design =
-        ["design", "--set", "club.loft=12deg", "--vary", "club.bulge_radius=150mm..1000mm", "--scenarios", "64"];
+    assert!(
+        text.out.contains("of 8") && text.out.contains("-5.00°") && text.out.contains("3.00°"),
+        "{}",
+        text.out
+    );
+    let design = [
+        "design",
+        "--set",
+        "club.loft=12deg",
+        "--vary",
+        "club.bulge_radius=150mm..1000mm",
+        "--scenarios",
+        "64",
+    ];
     let (_, one) = json(&design);
     let (_, many) = json(&[&design[..], &["--starts", "4"]].concat());
-    assert_eq!(many["optima"].as_array().unwrap().iter().map(|local| number(&local["starts"])).sum::<f64>(), 4.0);
-    close(number(&many["value"]), number(&one["value"]), 100.0, 1e-9, "one bulge is best");
+    assert_eq!(
+        many["optima"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|local| number(&local["starts"]))
+            .sum::<f64>(),
+        4.0
+    );
+    close(
+        number(&many["value"]),
+        number(&one["value"]),
+        100.0,
+        1e-9,
+        "one bulge is best",
+    );
 }
 
-/// Value, gradient and Hessian of goals as functions beside the searched problem's own and beside sums over single drives; without swings that vary,
-/// beside the drive.
+/// Value, gradient and Hessian of goals as functions beside the searched problem's own and beside
+/// sums over single drives; without swings that vary, beside the drive.
 #[test]
 fn exact_goals_as_functions_are_the_sums_over_single_drives_to_every_order() {
     let setup = Setup::preset("mae494").unwrap();
-    let swings = swings(&setup, &["swing.attack_angle=normal(1 deg, 2 deg)", "swing.speed=uniform(95 mph, 110 mph)"]);
+    let swings = swings(
+        &setup,
+        &[
+            "swing.attack_angle=normal(1 deg, 2 deg)",
+            "swing.speed=uniform(95 mph, 110 mph)",
+        ],
+    );
     let scenarios = Scenarios::new(&swings, Rule::Quadrature(5)).unwrap();
     let wrt = ["club.loft", "club.mass"].map(|name| setup.variable(name).unwrap());
     let goal = Goal::read("2*mean(carry) - 3*std(flight_time)", None);
@@ -307,19 +536,29 @@ fn exact_goals_as_functions_are_the_sums_over_single_drives_to_every_order() {
         .iter()
         .map(|point| {
             let mut swung = setup;
-            for (parameter, at) in scenarios.parameters.iter().chain(&wrt).zip(point.iter().chain(&x)) {
+            for (parameter, at) in scenarios
+                .parameters
+                .iter()
+                .chain(&wrt)
+                .zip(point.iter().chain(&x))
+            {
                 swung.set_value(parameter, Some(*at)).unwrap();
             }
             hessian(&swung, Outcome::Carry, &wrt).unwrap()
         })
         .collect();
-    let mean =
-        |f: &dyn Fn(&Taylor) -> f64| all.iter().zip(&scenarios.weights).map(|(drive, w)| w * f(drive)).sum::<f64>();
+    let mean = |f: &dyn Fn(&Taylor) -> f64| {
+        all.iter()
+            .zip(&scenarios.weights)
+            .map(|(drive, w)| w * f(drive))
+            .sum::<f64>()
+    };
     let carry = mean(&|drive| drive.value);
     let slope = [0, 1].map(|i| mean(&|drive| drive.gradient[i]));
     let deviation = mean(&|drive| (drive.value - carry).powi(2)).sqrt();
     // of σ² = E f² − (E f)² the derivatives, and of its root
-    let of_variance = [0, 1].map(|i| 2.0 * mean(&|drive| (drive.value - carry) * (drive.gradient[i] - slope[i])));
+    let of_variance =
+        [0, 1].map(|i| 2.0 * mean(&|drive| (drive.value - carry) * (drive.gradient[i] - slope[i])));
     let bent = |i: usize, j: usize| {
         let variance = 2.0
             * mean(&|drive| {
@@ -330,19 +569,48 @@ fn exact_goals_as_functions_are_the_sums_over_single_drives_to_every_order() {
     };
     for order in [Order::Value, Order::First, Order::Second] {
         let found = function.at(&x, order).unwrap();
-        close(found.value, 2.0 * carry - 0.5 * deviation, carry, 1e-14, "value");
+        close(
+            found.value,
+            2.0 * carry - 0.5 * deviation,
+            carry,
+            1e-14,
+            "value",
+        );
         assert_eq!(found.gradient.is_empty(), order == Order::Value);
         for (i, d) in found.gradient.iter().enumerate() {
-            close(*d, 2.0 * slope[i] - 0.5 * of_variance[i] / (2.0 * deviation), 1e3, 1e-11, "gradient");
+            close(
+                *d,
+                2.0 * slope[i] - 0.5 * of_variance[i] / (2.0 * deviation),
+                1e3,
+                1e-11,
+                "gradient",
+            );
         }
-        for (i, j) in [(0, 0), (0, 1), (1, 1)].into_iter().filter(|_| order == Order::Second) {
+        for (i, j) in [(0, 0), (0, 1), (1, 1)]
+            .into_iter()
+            .filter(|_| order == Order::Second)
+        {
             let expected = 2.0 * mean(&|drive| drive.hessian[i][j]) - 0.5 * bent(i, j);
-            close(found.hessian[i][j], expected, expected.abs().max(1.0), 1e-9, "Hessian");
+            close(
+                found.hessian[i][j],
+                expected,
+                expected.abs().max(1.0),
+                1e-9,
+                "Hessian",
+            );
         }
     }
-    let refused =
-        |goal: Option<f64>| function.at(&[goal.unwrap_or(x[0]), 0.195], Order::Value).unwrap_err().to_string();
-    assert!(refused(Some(2.0)).contains("club.loft"), "{}", refused(Some(2.0)));
+    let refused = |goal: Option<f64>| {
+        function
+            .at(&[goal.unwrap_or(x[0]), 0.195], Order::Value)
+            .unwrap_err()
+            .to_string()
+    };
+    assert!(
+        refused(Some(2.0)).contains("club.loft"),
+        "{}",
+        refused(Some(2.0))
+    );
     let own = setup.variable("swing.speed").unwrap();
     assert!(
         GoalFunction::new(&setup, &goal, &[own], scenarios)
@@ -354,49 +622,90 @@ fn exact_goals_as_functions_are_the_sums_over_single_drives_to_every_order() {
 fn bad_swings_and_goals_say_what_is_wrong() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("swings.csv");
-    std::fs::write(&file, "swing.path [deg],swing.face_angle [deg]\n1,0\n0,200\n").unwrap();
+    std::fs::write(
+        &file,
+        "swing.path [deg],swing.face_angle [deg]\n1,0\n0,200\n",
+    )
+    .unwrap();
     let file = file.display().to_string();
     let written = |name: &str, text: &str| {
         let file = folder.path().join(name);
         std::fs::write(&file, text).unwrap();
         file.display().to_string()
     };
-    let hole = written("hole.csv", "swing.path [deg],swing.face_angle [deg]\n1,0\n0,\n");
+    let hole = written(
+        "hole.csv",
+        "swing.path [deg],swing.face_angle [deg]\n1,0\n0,\n",
+    );
     let empty = written("empty.csv", "swing.path [deg]\n");
-    let launches = written("launches.csv", "Ball Speed [mph],Launch Angle [deg],Back Spin [rpm]\n150,12,2500\n");
+    let launches = written(
+        "launches.csv",
+        "Ball Speed [mph],Launch Angle [deg],Back Spin [rpm]\n150,12,2500\n",
+    );
     let one = "--distribution=swing.path=normal(0deg,2deg)";
     let cases: [(&[&str], &str); 19] = [
         (&["--scenarios", "9"], "give these too"),
         (&[one, "--scenarios", "1"], "from 2 to 100000"),
         (&[one, one], "two distributions"),
-        (&[one, "--correlation", "swing.path,swing.face_angle=0.5"], "has no distribution"),
-        (&[one, "--correlation", "swing.path,swing.path=0.5"], "itself"),
-        (&[one, "--correlation", "swing.path,swing.face_angle=1.5"], "outside of -1 to 1"),
+        (
+            &[one, "--correlation", "swing.path,swing.face_angle=0.5"],
+            "has no distribution",
+        ),
+        (
+            &[one, "--correlation", "swing.path,swing.path=0.5"],
+            "itself",
+        ),
+        (
+            &[one, "--correlation", "swing.path,swing.face_angle=1.5"],
+            "outside of -1 to 1",
+        ),
         (&[one, "--maximize", "carry"], "mean(carry)"),
         (&[one, "--maximize", "mean(cary)"], "did you mean 'carry'"),
-        (&[one, "--maximize", "mean(carry) + std(descent_angle)"], "an angle"),
+        (
+            &[one, "--maximize", "mean(carry) + std(descent_angle)"],
+            "an angle",
+        ),
         (&[one, "--maximize", "lowest(carry, 0%)"], "share"),
         (&[one, "--maximize", "strokes(400yd)"], "--strokes FILE"),
-        (&[one, "--vary", "swing.path=-2deg..2deg"], "the swings have values of it"),
+        (
+            &[one, "--vary", "swing.path=-2deg..2deg"],
+            "the swings have values of it",
+        ),
         (&["--swings", &file], "recorded swing 2: swing.face_angle"),
         (&["--swings", &file, one], "leave --swings out"),
-        (&["--swings", &hole], "recorded swing 2: swing.face_angle is missing"),
+        (
+            &["--swings", &hole],
+            "recorded swing 2: swing.face_angle is missing",
+        ),
         (&["--swings", &empty], "it has no row"),
         (&["--swings", &launches], "longdrive delivery --shots"),
-        (&[one, "--set", "swing.path=1deg"], "the swings have values of it"),
-        (&[one, "--maximize", "median(carry)"], "--maximize: 'median' is no measure"),
+        (
+            &[one, "--set", "swing.path=1deg"],
+            "the swings have values of it",
+        ),
+        (
+            &[one, "--maximize", "median(carry)"],
+            "--maximize: 'median' is no measure",
+        ),
     ];
     for (args, said) in cases {
         let failed = longdrive(&[&["optimize"], args].concat());
         let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(failed.status == 2 && told.contains(said), "{args:?}: {told}");
+        assert!(
+            failed.status == 2 && told.contains(said),
+            "{args:?}: {told}"
+        );
     }
     let failed = longdrive(&["optimum-sensitivity", one]);
-    assert!(failed.status == 2 && failed.err.contains("use \"optimize\""), "{}", failed.err);
+    assert!(
+        failed.status == 2 && failed.err.contains("use \"optimize\""),
+        "{}",
+        failed.err
+    );
 }
 
-/// The strokes to the hole after a drive: nearer is better, so that the best loft for strokes is one for carry where the hole is straight
-/// ahead and out of reach.
+/// The strokes to the hole after a drive: nearer is better, so that the best loft for strokes is
+/// one for carry where the hole is straight ahead and out of reach.
 #[test]
 fn exact_fewest_strokes_are_the_longest_drive_where_only_length_counts() {
     let folder = tempfile::tempdir().unwrap();
@@ -405,34 +714,87 @@ fn exact_fewest_strokes_are_the_longest_drive_where_only_length_counts() {
     std::fs::write(&file, "distance [yd],strokes\n0,0\n1000,10\n").unwrap();
     let file = file.display().to_string();
     let speed = ["--distribution", "swing.speed=normal(100mph,2mph)"];
-    let (_, strokes) = json(&[&["optimize", "--minimize", "strokes(600yd)", "--strokes", &file][..], &speed].concat());
+    let (_, strokes) = json(
+        &[
+            &[
+                "optimize",
+                "--minimize",
+                "strokes(600yd)",
+                "--strokes",
+                &file,
+            ][..],
+            &speed,
+        ]
+        .concat(),
+    );
     let (_, carry) = json(&[&["optimize"][..], &speed].concat());
-    close(number(&strokes["optimum"]["club.loft"]), number(&carry["optimum"]["club.loft"]), 1.0, 1e-4, "best loft");
+    close(
+        number(&strokes["optimum"]["club.loft"]),
+        number(&carry["optimum"]["club.loft"]),
+        1.0,
+        1e-4,
+        "best loft",
+    );
     let left = 600.0 * 0.9144 - number(&carry["value"]);
-    close(number(&strokes["value"]), left / 91.44, 6.0, 1e-4, "strokes");
+    close(
+        number(&strokes["value"]),
+        left / 91.44,
+        6.0,
+        1e-4,
+        "strokes",
+    );
 }
 
-/// The example of the README, correlations that leave one swing, and a normal distribution at its full reach: each has an answer.
+/// The example of the README, correlations that leave one swing, and a normal distribution at its
+/// full reach: each has an answer.
 #[test]
 fn swings_that_reach_far_have_an_answer() {
     let attack = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
-    let (status, found) = json(&[&["optimize", "--maximize", "lowest(carry, 10%)"][..], &attack].concat());
+    let (status, found) = json(
+        &[
+            &["optimize", "--maximize", "lowest(carry, 10%)"][..],
+            &attack,
+        ]
+        .concat(),
+    );
     assert_eq!((status, &found["status"]), (0, &"converged".into()));
-    let both = ["--distribution=swing.path=normal(0deg,2deg)", "--distribution=swing.face_angle=normal(0deg,2deg)"];
+    let both = [
+        "--distribution=swing.path=normal(0deg,2deg)",
+        "--distribution=swing.face_angle=normal(0deg,2deg)",
+    ];
     for coefficient in ["1", "-1", "0.999"] {
         let correlation = format!("swing.path,swing.face_angle={coefficient}");
-        let (status, found) = json(&[&["optimize"][..], &both, &["--correlation", &correlation]].concat());
+        let (status, found) =
+            json(&[&["optimize"][..], &both, &["--correlation", &correlation]].concat());
         assert_eq!(status, 0, "{coefficient}: {found}");
     }
     // what is shown lies in its own interval, and a share between 0 and 1
-    let goals = ["lowest(carry, 10%)", "within(lateral, 15m)", "within(carry, 15yd)"];
+    let goals = [
+        "lowest(carry, 10%)",
+        "within(lateral, 15m)",
+        "within(carry, 15yd)",
+    ];
     for goal in goals {
-        let args = [&["optimize", "--scenarios", "64", "--maximize", goal][..], &attack, &both].concat();
+        let args = [
+            &["optimize", "--scenarios", "64", "--maximize", goal][..],
+            &attack,
+            &both,
+        ]
+        .concat();
         let (_, found) = json(&args);
-        let Some(interval) = found["swings"]["sampling"]["interval"].as_object() else { continue };
+        let Some(interval) = found["swings"]["sampling"]["interval"].as_object() else {
+            continue;
+        };
         let [value, low, high] = ["value", "low", "high"].map(|name| number(&interval[name]));
-        assert!(low <= value && value <= high && number(&found["value"]) == value, "{goal}: {found}");
-        assert!(!goal.starts_with("within") || (0.0..=1.0).contains(&low) && (0.0..=1.0).contains(&high), "{found}");
+        assert!(
+            low <= value && value <= high && number(&found["value"]) == value,
+            "{goal}: {found}"
+        );
+        assert!(
+            !goal.starts_with("within")
+                || (0.0..=1.0).contains(&low) && (0.0..=1.0).contains(&high),
+            "{found}"
+        );
     }
 }
 
@@ -446,24 +808,72 @@ fn what_swings_do_not_tell_is_said() {
     };
     let alike = written("alike.csv", "swing.path [deg]\n1\n1\n");
     let said = longdrive(&["optimize", "--swings", &alike]);
-    assert!(said.status == 0 && said.out.contains("is not known: they are alike"), "{}", said.out);
+    assert!(
+        said.status == 0 && said.out.contains("is not known: they are alike"),
+        "{}",
+        said.out
+    );
     let table = written("strokes.csv", "distance [yd],strokes\n10,2.2\n60,3\n");
     let speed = ["--distribution", "swing.speed=normal(100mph,2mph)"];
-    let strokes = ["optimize", "--minimize", "strokes(420yd)", "--strokes", &table];
+    let strokes = [
+        "optimize",
+        "--minimize",
+        "strokes(420yd)",
+        "--strokes",
+        &table,
+    ];
     let said = longdrive(&[&strokes[..], &speed].concat());
-    assert!(said.err.contains("100.0 % of the swings end where the table"), "{}", said.err);
+    assert!(
+        said.err
+            .contains("100.0 % of the swings end where the table"),
+        "{}",
+        said.err
+    );
     let stray = longdrive(&[&["optimize", "--strokes", &table][..], &speed].concat());
-    assert!(stray.status == 2 && stray.err.contains("no goal asks for strokes"), "{}", stray.err);
-    let flat = longdrive(&[&["optimize", "--maximize", "within(carry, 15yd)"][..], &speed].concat());
-    assert!(flat.out.contains("does not depend on what is varied"), "{}", flat.out);
-    let beside = ["optimize", "--distribution", "strike.toe=normal(0mm,6mm)", "--maximize", "mean(carry)"];
-    let said = longdrive(&beside).out.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("side spin of strikes off the centre by 30 to 50 %"), "{said}");
+    assert!(
+        stray.status == 2 && stray.err.contains("no goal asks for strokes"),
+        "{}",
+        stray.err
+    );
+    let flat = longdrive(
+        &[
+            &["optimize", "--maximize", "within(carry, 15yd)"][..],
+            &speed,
+        ]
+        .concat(),
+    );
+    assert!(
+        flat.out.contains("does not depend on what is varied"),
+        "{}",
+        flat.out
+    );
+    let beside = [
+        "optimize",
+        "--distribution",
+        "strike.toe=normal(0mm,6mm)",
+        "--maximize",
+        "mean(carry)",
+    ];
+    let said = longdrive(&beside)
+        .out
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert!(
+        said.contains("side spin of strikes off the centre by 30 to 50 %"),
+        "{said}"
+    );
     // a setup file says what it is best for
     let best = folder.path().join("best.toml").display().to_string();
-    assert_eq!(longdrive(&[&["optimize", "-o", &best][..], &speed].concat()).status, 0);
+    assert_eq!(
+        longdrive(&[&["optimize", "-o", &best][..], &speed].concat()).status,
+        0
+    );
     let text = std::fs::read_to_string(&best).unwrap();
-    assert!(text.contains("over swings: swing.speed") && text.contains("normal"), "{text}");
+    assert!(
+        text.contains("over swings: swing.speed") && text.contains("normal"),
+        "{text}"
+    );
 }
 
 /// The table of docs/swings.md, computed by the command.
@@ -480,18 +890,31 @@ fn documents_say_the_best_lofts_of_a_beginner_and_of_a_professional() {
         "swing.attack_angle=normal(-0.9 deg, 1 deg)",
         "strike.high=normal(3 mm, 3 mm)",
     ];
-    for (golfer, preset, swings) in
-        [("beginner", "amateur-average", beginner), ("professional", "tour-average", professional)]
-    {
+    for (golfer, preset, swings) in [
+        ("beginner", "amateur-average", beginner),
+        ("professional", "tour-average", professional),
+    ] {
         let mut command = vec!["optimize", preset];
         command.extend(swings.iter().flat_map(|text| ["--distribution", text]));
         let said = longdrive(&command);
         let row = |name: &str| {
-            let line = said.out.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or_default();
-            line.split_whitespace().map(str::to_owned).collect::<Vec<_>>()
+            let line = said
+                .out
+                .lines()
+                .find(|line| line.trim_start().starts_with(name))
+                .unwrap_or_default();
+            line.split_whitespace()
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
         };
         let (loft, carry) = (row("club.loft"), row("mean(carry)"));
-        let told = format!("| {golfer} | `{preset}` | {} | {} | {} yd | {} yd |", loft[1], loft[2], carry[1], carry[5]);
-        assert!(document.contains(&told), "docs/swings.md has no row '{told}'");
+        let told = format!(
+            "| {golfer} | `{preset}` | {} | {} | {} yd | {} yd |",
+            loft[1], loft[2], carry[1], carry[5]
+        );
+        assert!(
+            document.contains(&told),
+            "docs/swings.md has no row '{told}'"
+        );
     }
 }

@@ -1,16 +1,26 @@
-//! What theory says of goals over many swings: their derivatives, and how fast the optimum over a sample comes to that over all swings.
+//! What theory says of goals over many swings: their derivatives, and how fast the optimum over a
+//! sample comes to that over all swings.
 
 use crate::common::close;
 use longdrive::Setup;
 use longdrive::optimize::{Follow, Options};
-use longdrive::study::swings::{Goal, Rule, Scenarios, Strokes, Swings, SwingsSearch, swings_optimum};
+use longdrive::study::swings::{
+    Goal, Rule, Scenarios, Strokes, Swings, SwingsSearch, swings_optimum,
+};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Sense, Vary};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
 fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
-    Swings::distributed(distributions.iter().map(|text| Uncertain::read(setup, text).unwrap()).collect(), &[]).unwrap()
+    Swings::distributed(
+        distributions
+            .iter()
+            .map(|text| Uncertain::read(setup, text).unwrap())
+            .collect(),
+        &[],
+    )
+    .unwrap()
 }
 
 /// The derivatives of every goal beside differences of the goal's values and slopes.
@@ -28,23 +38,49 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
         ],
     );
     let scenarios = Scenarios::new(&all, Rule::Quadrature(4)).unwrap();
-    let strokes = Strokes::new(&[(0.0, 1.0), (50.0, 2.6), (150.0, 3.0), (260.0, 3.6), (450.0, 4.6)], false).unwrap();
+    let strokes = Strokes::new(
+        &[
+            (0.0, 1.0),
+            (50.0, 2.6),
+            (150.0, 3.0),
+            (260.0, 3.6),
+            (450.0, 4.6),
+        ],
+        false,
+    )
+    .unwrap();
     let names = ["club.loft", "club.bulge_radius", "club.cg_depth"];
-    let vary = ["club.loft=5deg..15deg", "club.bulge_radius=200mm..600mm", "club.cg_depth=20mm..60mm"];
+    let vary = [
+        "club.loft=5deg..15deg",
+        "club.bulge_radius=200mm..600mm",
+        "club.cg_depth=20mm..60mm",
+    ];
     let at = |goal: &str, moved: [f64; 3]| {
         let mut here = setup;
         for (name, by) in names.iter().zip(moved) {
             let parameter = setup.variable(name).unwrap();
-            here.set_value(parameter, Some(setup.value(parameter).unwrap() * (1.0 + by))).unwrap();
+            here.set_value(
+                parameter,
+                Some(setup.value(parameter).unwrap() * (1.0 + by)),
+            )
+            .unwrap();
         }
         let search = SwingsSearch {
             of: Goal::read(goal, Some(&strokes)).unwrap(),
             sense: Sense::Minimize,
-            vary: vary.iter().map(|text| Vary::read(&setup, text).unwrap()).collect(),
+            vary: vary
+                .iter()
+                .map(|text| Vary::read(&setup, text).unwrap())
+                .collect(),
             subject_to: vec![],
-            options: Options { max_iterations: 0, ..Options::default() },
+            options: Options {
+                max_iterations: 0,
+                ..Options::default()
+            },
         };
-        swings_optimum(&here, search, scenarios.clone(), &Follow::default()).unwrap().solution
+        swings_optimum(&here, search, scenarios.clone(), &Follow::default())
+            .unwrap()
+            .solution
     };
     let size = names.map(|name| setup.value(setup.variable(name).unwrap()).unwrap());
     for goal in [
@@ -68,9 +104,17 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
             // of order 4
             const H: f64 = 1e-3;
             let four = [-2.0, -1.0, 1.0, 2.0].map(|k| step(k * H));
-            let slope = |f: &dyn Fn(usize) -> f64| (f(0) - 8.0 * f(1) + 8.0 * f(2) - f(3)) / (12.0 * H * size[i]);
+            let slope = |f: &dyn Fn(usize) -> f64| {
+                (f(0) - 8.0 * f(1) + 8.0 * f(2) - f(3)) / (12.0 * H * size[i])
+            };
             let found = slope(&|k| four[k].value.unwrap());
-            close(here.gradient[i] * size[i], found * size[i], value, 2e-7, goal);
+            close(
+                here.gradient[i] * size[i],
+                found * size[i],
+                value,
+                2e-7,
+                goal,
+            );
             for j in 0..3 {
                 let found = slope(&|k| four[k].gradient[j]);
                 let scale = value / (size[i] * size[j]);
@@ -82,19 +126,30 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
 
 /// The slope of a line through points in logarithms of both.
 fn order(points: &[(f64, f64)]) -> f64 {
-    let logs: Vec<_> = points.iter().map(|(n, error)| (n.ln(), error.ln())).collect();
+    let logs: Vec<_> = points
+        .iter()
+        .map(|(n, error)| (n.ln(), error.ln()))
+        .collect();
     let mean = |of: fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / logs.len() as f64;
     let (x, y) = (mean(|p| p.0), mean(|p| p.1));
-    logs.iter().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>() / logs.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
+    logs.iter().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>()
+        / logs.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
 }
 
-/// The best loft over a sample of swings: its error falls as the root of the number of random swings, and faster for the sequence.
+/// The best loft over a sample of swings: its error falls as the root of the number of random
+/// swings, and faster for the sequence.
 #[test]
 fn measured_error_of_the_optimum_over_a_sample_falls_as_theory_says() {
     let mut setup = Setup::preset("mae494").unwrap();
     // the carry to 1e-8 m, with a tenth of the evaluations
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
-    let all = swings(&setup, &["swing.attack_angle=uniform(-4 deg, 6 deg)", "swing.speed=uniform(90 mph, 110 mph)"]);
+    let all = swings(
+        &setup,
+        &[
+            "swing.attack_angle=uniform(-4 deg, 6 deg)",
+            "swing.speed=uniform(90 mph, 110 mph)",
+        ],
+    );
     let best = |scenarios: Scenarios| {
         let search = SwingsSearch {
             of: Goal::read("mean(carry)", None).unwrap(),
@@ -103,28 +158,54 @@ fn measured_error_of_the_optimum_over_a_sample_falls_as_theory_says() {
             subject_to: vec![],
             options: Options::default(),
         };
-        swings_optimum(&setup, search, scenarios, &Follow::default()).unwrap().solution.x[0]
+        swings_optimum(&setup, search, scenarios, &Follow::default())
+            .unwrap()
+            .solution
+            .x[0]
     };
     let exact = best(Scenarios::new(&all, Rule::Quadrature(16)).unwrap());
     const SEEDS: u32 = 24;
     let root_mean_square = |of: &dyn Fn(u32) -> f64| {
-        ((0..SEEDS).map(|seed| (of(seed) - exact).powi(2)).sum::<f64>() / f64::from(SEEDS)).sqrt()
+        ((0..SEEDS)
+            .map(|seed| (of(seed) - exact).powi(2))
+            .sum::<f64>()
+            / f64::from(SEEDS))
+        .sqrt()
     };
     let random = |count: usize, seed: u32| {
         let mut chance = Xoshiro256PlusPlus::seed_from_u64(u64::from(seed) * 1000 + count as u64);
         let mut share = || (chance.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
-        let mut row = || vec![(10.0 * share() - 4.0).to_radians(), (90.0 + 20.0 * share()) * 0.44704];
+        let mut row = || {
+            vec![
+                (10.0 * share() - 4.0).to_radians(),
+                (90.0 + 20.0 * share()) * 0.44704,
+            ]
+        };
         let rows = (0..count).map(|_| row()).collect();
         let recorded = Swings::recorded(all.parameters(), rows).unwrap();
         best(Scenarios::new(&recorded, Rule::Recorded).unwrap())
     };
-    let sequence = |count: usize, seed: u32| best(Scenarios::new(&all, Rule::Sequence { count, seed }).unwrap());
+    let sequence = |count: usize, seed: u32| {
+        best(Scenarios::new(&all, Rule::Sequence { count, seed }).unwrap())
+    };
     let counts = [16, 64, 256];
-    let points =
-        |of: &dyn Fn(usize, u32) -> f64| counts.map(|count| (count as f64, root_mean_square(&|seed| of(count, seed))));
+    let points = |of: &dyn Fn(usize, u32) -> f64| {
+        counts.map(|count| (count as f64, root_mean_square(&|seed| of(count, seed))))
+    };
     let (by_chance, by_sequence) = (points(&random), points(&sequence));
     let orders = [order(&by_chance), order(&by_sequence)];
-    println!("random {by_chance:?}: order {:.2}; sequence {by_sequence:?}: order {:.2}", orders[0], orders[1]);
-    assert!((orders[0] + 0.5).abs() < 0.12, "{by_chance:?}: {}", orders[0]);
-    assert!(orders[1] < -0.9 && by_sequence[2].1 < 0.2 * by_chance[2].1, "{by_sequence:?}: {}", orders[1]);
+    println!(
+        "random {by_chance:?}: order {:.2}; sequence {by_sequence:?}: order {:.2}",
+        orders[0], orders[1]
+    );
+    assert!(
+        (orders[0] + 0.5).abs() < 0.12,
+        "{by_chance:?}: {}",
+        orders[0]
+    );
+    assert!(
+        orders[1] < -0.9 && by_sequence[2].1 < 0.2 * by_chance[2].1,
+        "{by_sequence:?}: {}",
+        orders[1]
+    );
 }

@@ -1,5 +1,6 @@
-//! Tables of points in Arrow IPC files and streams that pyarrow wrote (`tests/data/tables/make.py`), beside the same in CSV
-//! and Parquet; what is refused, cut short or damaged.
+//! Tables of points in Arrow IPC files and streams that pyarrow wrote
+//! (`tests/data/tables/make.py`), beside the same in CSV and Parquet; what is refused, cut short or
+//! damaged.
 
 use crate::sweep::{all, table};
 use arrow_array::{ArrayRef, Float32Array, Float64Array, Int16Array, RecordBatch};
@@ -15,7 +16,9 @@ use std::sync::{Arc, LazyLock};
 const ROWS: usize = 11;
 
 fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("data/tables").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("data/tables")
+        .join(name)
 }
 
 fn open(path: &Path) -> longdrive::Result<Box<dyn Points + Send>> {
@@ -24,7 +27,10 @@ fn open(path: &Path) -> longdrive::Result<Box<dyn Points + Send>> {
 }
 
 fn refusal(path: &Path) -> String {
-    open(path).err().unwrap_or_else(|| panic!("{} was not refused", path.display())).to_string()
+    open(path)
+        .err()
+        .unwrap_or_else(|| panic!("{} was not refused", path.display()))
+        .to_string()
 }
 
 #[test]
@@ -46,15 +52,31 @@ fn independent_rows_are_those_of_csv_and_parquet() {
         "gaps.arrows",
     ] {
         let mut points = open(&file(name)).unwrap();
-        let names: Vec<_> = points.parameters().iter().map(|parameter| parameter.name).collect();
-        assert_eq!(names, ["club.loft", "swing.speed", "swing.attack_angle"], "{name}");
-        assert_eq!((points.rows(), all(points.as_mut())), (ROWS as u64, expected.clone()), "{name}");
+        let names: Vec<_> = points
+            .parameters()
+            .iter()
+            .map(|parameter| parameter.name)
+            .collect();
+        assert_eq!(
+            names,
+            ["club.loft", "swing.speed", "swing.attack_angle"],
+            "{name}"
+        );
+        assert_eq!(
+            (points.rows(), all(points.as_mut())),
+            (ROWS as u64, expected.clone()),
+            "{name}"
+        );
         assert_eq!(points.identity(), csv, "{name}");
         for from in (0..=ROWS).rev() {
             let mut rest = vec![];
             points.seek(from as u64).unwrap();
             let read = points.read(100, &mut rest).unwrap();
-            assert_eq!((read, &rest[..]), (ROWS - from, &expected[3 * from..]), "{name} from row {from}");
+            assert_eq!(
+                (read, &rest[..]),
+                (ROWS - from, &expected[3 * from..]),
+                "{name} from row {from}"
+            );
             assert_eq!(points.read(100, &mut rest).unwrap(), 0, "{name}");
         }
     }
@@ -66,7 +88,11 @@ fn independent_file_or_stream_is_told_by_the_bytes() {
         let bytes = std::fs::read(file(name)).unwrap();
         for other in ["a.arrow", "b.arrows", "c.FEATHER"] {
             let (_folder, path) = table(other, &bytes);
-            assert_eq!(open(&path).unwrap().rows(), ROWS as u64, "{name} as {other}");
+            assert_eq!(
+                open(&path).unwrap().rows(),
+                ROWS as u64,
+                "{name} as {other}"
+            );
         }
     }
 }
@@ -74,7 +100,11 @@ fn independent_file_or_stream_is_told_by_the_bytes() {
 #[test]
 fn independent_ends_of_every_kind_of_number() {
     let mut points = open(&file("kinds.arrow")).unwrap();
-    let names: Vec<_> = points.parameters().iter().map(|parameter| parameter.name).collect();
+    let names: Vec<_> = points
+        .parameters()
+        .iter()
+        .map(|parameter| parameter.name)
+        .collect();
     let values = all(points.as_mut());
     let expected = [
         ("swing.speed", 0.1, -1e300),
@@ -83,7 +113,11 @@ fn independent_ends_of_every_kind_of_number() {
         ("swing.face_angle", -32_768.0, 32_767.0),
         ("swing.shaft_lean", -2_147_483_648.0, 2_147_483_647.0),
         // the nearest that a f64 can be, as for the same digits in CSV
-        ("swing.attack_angle", -9_223_372_036_854_775_808.0, 9_223_372_036_854_775_807.0),
+        (
+            "swing.attack_angle",
+            -9_223_372_036_854_775_808.0,
+            9_223_372_036_854_775_807.0,
+        ),
         ("club.loft", 0.0, 255.0),
         ("club.mass", 0.0, 65_535.0),
         ("strike.high", 0.0, 4_294_967_295.0),
@@ -99,7 +133,10 @@ fn independent_ends_of_every_kind_of_number() {
 #[test]
 fn independent_compressed_batches() {
     let path = file("long_zstd.arrows");
-    assert!(std::fs::metadata(&path).unwrap().len() < 8 * 4000 / 10, "the fixture is compressed");
+    assert!(
+        std::fs::metadata(&path).unwrap().len() < 8 * 4000 / 10,
+        "the fixture is compressed"
+    );
     assert_eq!(all(open(&path).unwrap().as_mut()), [0.2; 4000]);
 }
 
@@ -107,41 +144,84 @@ fn independent_compressed_batches() {
 fn independent_tables_without_rows_are_tables() {
     for name in ["no_rows.arrow", "no_rows.arrows"] {
         let mut points = open(&file(name)).unwrap();
-        assert_eq!((points.rows(), all(points.as_mut()), points.parameters().len()), (0, vec![], 3), "{name}");
+        assert_eq!(
+            (
+                points.rows(),
+                all(points.as_mut()),
+                points.parameters().len()
+            ),
+            (0, vec![], 3),
+            "{name}"
+        );
     }
 }
 
-/// NaN of NumPy, as an empty cell and null: the row says that it has no value, and the others are flown.
+/// NaN of NumPy, as an empty cell and null: the row says that it has no value, and the others are
+/// flown.
 #[test]
 fn exact_rows_of_which_a_value_is_nan_are_rows_without_a_drive() {
-    let (_folder, path) =
-        table("nan.csv", b"club.loft [deg],swing.speed [mph]\n10,100\nnan,100\n,100\n11,NaN\n11,-nan\n11,100\n");
+    let (_folder, path) = table(
+        "nan.csv",
+        b"club.loft [deg],swing.speed [mph]\n10,100\nnan,100\n,100\n11,NaN\n11,-nan\n11,100\n",
+    );
     let mut points = open(&path).unwrap();
-    let missing: Vec<_> = all(points.as_mut()).chunks(2).map(|row| row.iter().any(|value| value.is_nan())).collect();
+    let missing: Vec<_> = all(points.as_mut())
+        .chunks(2)
+        .map(|row| row.iter().any(|value| value.is_nan()))
+        .collect();
     assert_eq!(missing, [false, true, true, true, true, false]);
     let said = crate::command_line::longdrive(&["sweep", "--points", path.to_str().unwrap()]);
-    let ended: Vec<_> = said.out.lines().skip(1).map(|row| row.split(',').nth(2).unwrap().to_owned()).collect();
+    let ended: Vec<_> = said
+        .out
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').nth(2).unwrap().to_owned())
+        .collect();
     let without = "out-of-range";
-    assert_eq!(ended, ["landed", without, without, without, without, "landed"], "{}", said.err);
+    assert_eq!(
+        ended,
+        ["landed", without, without, without, without, "landed"],
+        "{}",
+        said.err
+    );
     assert!(!said.out.to_lowercase().contains("nan"), "{}", said.out);
     let values = all(open(&file("nan.arrow")).unwrap().as_mut());
-    assert_eq!(values.iter().filter(|value| value.is_nan()).count(), 1, "{values:?}");
+    assert_eq!(
+        values.iter().filter(|value| value.is_nan()).count(),
+        1,
+        "{values:?}"
+    );
 }
 
 #[test]
 fn bad_columns_and_values_are_told_by_row_and_column() {
     for (name, says) in [
-        ("text.arrow", "column air.density: its type is Utf8; a column must hold numbers"),
-        ("dictionary.arrow", "column air.density: its type is Dictionary(Int32, Float64); a column must hold numbers"),
+        (
+            "text.arrow",
+            "column air.density: its type is Utf8; a column must hold numbers",
+        ),
+        (
+            "dictionary.arrow",
+            "column air.density: its type is Dictionary(Int32, Float64); a column must hold \
+             numbers",
+        ),
         ("nested.arrow", "column club.loft: its type is List"),
         ("time.arrow", "column club.loft: its type is Timestamp"),
         ("only_null.arrow", "column club.loft: its type is Null"),
-        ("unknown.arrow", "column 2: unknown column 'club.lofft'; did you mean 'club.loft'?"),
+        (
+            "unknown.arrow",
+            "column 2: unknown column 'club.lofft'; did you mean 'club.loft'?",
+        ),
         (
             "unit.arrow",
-            "column 1: the column 'club.loft': 'club.loft [deg]' has a unit in its name, but the columns of Parquet and Arrow tables are in SI; name it 'club.loft', with numbers in rad",
+            "column 1: the column 'club.loft': 'club.loft [deg]' has a unit in its name, but the \
+             columns of Parquet and Arrow tables are in SI; name it 'club.loft', with numbers in \
+             rad",
         ),
-        ("twice.arrow", "the parameter club.loft has two columns; keep one"),
+        (
+            "twice.arrow",
+            "the parameter club.loft has two columns; keep one",
+        ),
         ("no_columns.arrow", "it has no columns"),
     ] {
         let message = refusal(&file(name));
@@ -157,21 +237,39 @@ fn bad_files_say_what_is_wrong_with_them() {
     let without_end = &stream[..stream.len() - 8];
     for (bytes, says) in [
         (&b""[..], "it is empty"),
-        (b"club.loft\n0.1\n", "it is neither an Arrow IPC file nor a stream"),
+        (
+            b"club.loft\n0.1\n",
+            "it is neither an Arrow IPC file nor a stream",
+        ),
         (b"club", "it is neither an Arrow IPC file nor a stream"),
         (&parquet, "it is neither an Arrow IPC file nor a stream"),
         (b"FEA1\0\0\0\0", "a Feather file of version 1"),
         (b"ARROW1", "it has no footer"),
-        (&whole[..whole.len() - 1], "it has no footer: it was cut short"),
-        (without_end, "after row 11: it ends too early: it was cut short"),
-        (&[&stream[..], &stream].concat(), "it has 1232 bytes after its end; put each stream into a file of its own"),
+        (
+            &whole[..whole.len() - 1],
+            "it has no footer: it was cut short",
+        ),
+        (
+            without_end,
+            "after row 11: it ends too early: it was cut short",
+        ),
+        (
+            &[&stream[..], &stream].concat(),
+            "it has 1232 bytes after its end; put each stream into a file of its own",
+        ),
     ] {
         let (_folder, path) = table("a.arrow", bytes);
         let message = refusal(&path);
-        assert!(message.contains("a.arrow") && message.contains(says), "{says}: {message}");
+        assert!(
+            message.contains("a.arrow") && message.contains(says),
+            "{says}: {message}"
+        );
     }
     let none = refusal(Path::new("/nowhere/a.arrow"));
-    assert!(none.contains("/nowhere/a.arrow: it cannot be read"), "{none}");
+    assert!(
+        none.contains("/nowhere/a.arrow: it cannot be read"),
+        "{none}"
+    );
 }
 
 /// Whether a message is the program's alone.
@@ -205,20 +303,29 @@ fn bad_parquet_files_say_what_is_wrong_with_them_in_own_words() {
         (b"club.loft [rad]\n0.1\n", "it is not a Parquet file"),
         (b"PARE", "it is encrypted"),
         (b"PAR1", "it has no footer"),
-        (&whole[..whole.len() / 2], "it has no footer: it was cut short"),
+        (
+            &whole[..whole.len() / 2],
+            "it has no footer: it was cut short",
+        ),
         (&end, "it is damaged"),
         (&middle, "rows 1 to 4, column club.loft: it is damaged"),
     ] {
         let (_folder, path) = table("a.parquet", bytes);
         let message = refusal(&path);
-        assert!(message.contains("a.parquet") && message.contains(says), "{says}: {message}");
+        assert!(
+            message.contains("a.parquet") && message.contains(says),
+            "{says}: {message}"
+        );
         assert!(is_in_own_words(&message), "{message}");
     }
     let folder = tempfile::tempdir().unwrap();
     let directory = folder.path().join("a.parquet");
     std::fs::create_dir(&directory).unwrap();
     let message = refusal(&directory);
-    assert!(message.contains("a.parquet: it cannot be read (") && is_in_own_words(&message), "{message}");
+    assert!(
+        message.contains("a.parquet: it cannot be read (") && is_in_own_words(&message),
+        "{message}"
+    );
 }
 
 /// The same columns, said to be compressed by GZIP, which this program has no reader for.
@@ -226,27 +333,42 @@ fn bad_parquet_files_say_what_is_wrong_with_them_in_own_words() {
 fn a_compression_that_is_not_read_is_named_with_those_that_are() {
     use parquet::basic::Compression;
     use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader, ParquetMetaDataWriter};
-    let metadata = ParquetMetaDataReader::new().parse_and_finish(&File::open(file("points.parquet")).unwrap()).unwrap();
+    let metadata = ParquetMetaDataReader::new()
+        .parse_and_finish(&File::open(file("points.parquet")).unwrap())
+        .unwrap();
     let groups = metadata.row_groups().iter().map(|group| {
         let columns = group.columns().iter().cloned();
         let by_gzip = |column: parquet::file::metadata::ColumnChunkMetaData| {
-            column.into_builder().set_compression(Compression::GZIP(Default::default())).build().unwrap()
+            column
+                .into_builder()
+                .set_compression(Compression::GZIP(Default::default()))
+                .build()
+                .unwrap()
         };
-        group.clone().into_builder().set_column_metadata(columns.map(by_gzip).collect()).build().unwrap()
+        group
+            .clone()
+            .into_builder()
+            .set_column_metadata(columns.map(by_gzip).collect())
+            .build()
+            .unwrap()
     });
     let changed = ParquetMetaData::new(metadata.file_metadata().clone(), groups.collect());
     let mut bytes = std::fs::read(file("points.parquet")).unwrap();
     let tail = bytes.len() - 8;
     let length = u32::from_le_bytes(bytes[tail..tail + 4].try_into().unwrap()) as usize;
     bytes.truncate(tail - length);
-    ParquetMetaDataWriter::new(&mut bytes, &changed).finish().unwrap();
+    ParquetMetaDataWriter::new(&mut bytes, &changed)
+        .finish()
+        .unwrap();
     let (_folder, path) = table("a.parquet", &bytes);
     let message = refusal(&path);
-    let says = "column club.loft: it is compressed by GZIP, which is not read here; write it uncompressed, or with Snappy or ZSTD";
+    let says = "column club.loft: it is compressed by GZIP, which is not read here; write it \
+                uncompressed, or with Snappy or ZSTD";
     assert!(message.contains(says), "{message}");
 }
 
-/// Changes one byte of a file, in its place: a file that is written anew thousands of times keeps the disk busy.
+/// Changes one byte of a file, in its place: a file that is written anew thousands of times keeps
+/// the disk busy.
 fn put(path: &Path, at: usize, byte: u8) {
     let mut file = OpenOptions::new().write(true).open(path).unwrap();
     file.seek(SeekFrom::Start(at as u64)).unwrap();
@@ -255,11 +377,21 @@ fn put(path: &Path, at: usize, byte: u8) {
 
 #[test]
 fn a_table_cut_short_anywhere_is_refused() {
-    for name in ["points.arrow", "points.arrows", "zstd.feather", "lz4.feather"] {
+    for name in [
+        "points.arrow",
+        "points.arrows",
+        "zstd.feather",
+        "lz4.feather",
+    ] {
         let bytes = std::fs::read(file(name)).unwrap();
         let (_folder, path) = table("a.arrow", &bytes);
         for length in (0..bytes.len()).rev() {
-            OpenOptions::new().write(true).open(&path).unwrap().set_len(length as u64).unwrap();
+            OpenOptions::new()
+                .write(true)
+                .open(&path)
+                .unwrap()
+                .set_len(length as u64)
+                .unwrap();
             assert!(open(&path).is_err(), "the first {length} bytes of {name}");
         }
     }
@@ -268,7 +400,13 @@ fn a_table_cut_short_anywhere_is_refused() {
 #[test]
 fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
     let mut refused = 0;
-    for name in ["points.arrow", "points.arrows", "legacy.arrows", "long_zstd.arrows", "null.arrow"] {
+    for name in [
+        "points.arrow",
+        "points.arrows",
+        "legacy.arrows",
+        "long_zstd.arrows",
+        "null.arrow",
+    ] {
         let bytes = std::fs::read(file(name)).unwrap();
         let (_folder, path) = table("a.arrow", &bytes);
         for at in 0..bytes.len() {
@@ -280,7 +418,10 @@ fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
                 let mut points = match open(&path) {
                     Ok(points) => points,
                     Err(error) => {
-                        assert!(is_in_own_words(&error.to_string()), "{name}, byte {at}: {error}");
+                        assert!(
+                            is_in_own_words(&error.to_string()),
+                            "{name}, byte {at}: {error}"
+                        );
                         refused += 1;
                         continue;
                     }
@@ -297,8 +438,15 @@ fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
 
 /// Rows by arrow-ipc in batches of 1 to 997 of them, and what they are.
 fn long(rows: usize) -> (Vec<RecordBatch>, Vec<f64>) {
-    let expected: Vec<f64> =
-        (0..rows).flat_map(|i| [0.05 + i as f64 * 1e-6, f64::from(i as f32 * 0.25), (i % 45) as f64]).collect();
+    let expected: Vec<f64> = (0..rows)
+        .flat_map(|i| {
+            [
+                0.05 + i as f64 * 1e-6,
+                f64::from(i as f32 * 0.25),
+                (i % 45) as f64,
+            ]
+        })
+        .collect();
     let (mut batches, mut first, mut length) = (vec![], 0, 1);
     while first < rows {
         let batch = first..rows.min(first + length);
@@ -324,11 +472,15 @@ fn exact_many_record_batches_across_chunks() {
         let target = std::fs::File::create(&path).unwrap();
         if is_stream {
             let mut writer = StreamWriter::try_new(target, &batches[0].schema()).unwrap();
-            batches.iter().for_each(|batch| writer.write(batch).unwrap());
+            batches
+                .iter()
+                .for_each(|batch| writer.write(batch).unwrap());
             writer.finish().unwrap();
         } else {
             let mut writer = FileWriter::try_new(target, &batches[0].schema()).unwrap();
-            batches.iter().for_each(|batch| writer.write(batch).unwrap());
+            batches
+                .iter()
+                .for_each(|batch| writer.write(batch).unwrap());
             writer.finish().unwrap();
         }
         let mut points = open(&path).unwrap();

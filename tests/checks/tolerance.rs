@@ -9,13 +9,21 @@ use longdrive::{Error, Outcome, Setup};
 use rayon::prelude::*;
 
 const MICROMETRE: f64 = 1e-6;
-const LENGTHS: [Outcome; 5] =
-    [Outcome::Carry, Outcome::CarryDistance, Outcome::Lateral, Outcome::ApexHeight, Outcome::ApexDownrange];
+const LENGTHS: [Outcome; 5] = [
+    Outcome::Carry,
+    Outcome::CarryDistance,
+    Outcome::Lateral,
+    Outcome::ApexHeight,
+    Outcome::ApexDownrange,
+];
 
 /// The rows of a sweep by so many points of these ranges.
 fn rows(batch: &Batch, ranges: &[Vary], count: u64) -> Block {
     let mut points = vec![];
-    Sequence::new(ranges.to_vec(), count, 7).unwrap().read(count as usize, &mut points).unwrap();
+    Sequence::new(ranges.to_vec(), count, 7)
+        .unwrap()
+        .read(count as usize, &mut points)
+        .unwrap();
     batch.evaluate(0, points)
 }
 
@@ -25,8 +33,8 @@ struct Errors {
     landed: usize,
     /// Rows that are flown again, in shorter steps than the sweep's.
     again: usize,
-    /// Rows of which a length is off by more than a micrometre, and the largest error, m: in the steps of the sweep alone, and as the sweep
-    /// gives them.
+    /// Rows of which a length is off by more than a micrometre, and the largest error, m: in the
+    /// steps of the sweep alone, and as the sweep gives them.
     unchecked: (usize, f64),
     checked: (usize, f64),
 }
@@ -52,15 +60,40 @@ fn sweep(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], count: u64) -> Opt
     };
     let parameters: Vec<&'static Parameter> = ranges.iter().map(|range| range.parameter).collect();
     let batch = Batch::new(&found.applied_to(setup), &parameters, of, &[]).unwrap();
-    Some(errors(setup, batch, found.largest_defect, ranges, of, count))
+    Some(errors(
+        setup,
+        batch,
+        found.largest_defect,
+        ranges,
+        of,
+        count,
+    ))
 }
 
-fn errors(setup: &Setup<f64>, batch: Batch, defect: f64, ranges: &[Vary], of: &[Outcome], count: u64) -> Errors {
-    let mut fine = Setup { method: Method::DormandPrince8, ..*setup };
+fn errors(
+    setup: &Setup<f64>,
+    batch: Batch,
+    defect: f64,
+    ranges: &[Vary],
+    of: &[Outcome],
+    count: u64,
+) -> Errors {
+    let mut fine = Setup {
+        method: Method::DormandPrince8,
+        ..*setup
+    };
     // in a wind that grows with height; steps of 5 ms change no length by 2e-8 m
-    let step: f64 = if setup.wind.roughness.is_some() { 0.02 } else { 0.04 };
+    let step: f64 = if setup.wind.roughness.is_some() {
+        0.02
+    } else {
+        0.04
+    };
     fine.flight.step = step.min(0.25 * batch.setup().flight.step);
-    let exact = rows(&Batch::new(&fine, batch.parameters(), of, &[]).unwrap(), ranges, count);
+    let exact = rows(
+        &Batch::new(&fine, batch.parameters(), of, &[]).unwrap(),
+        ranges,
+        count,
+    );
     let unchecked = rows(&batch, ranges, count);
     let checked = rows(&batch.with_largest_defect(defect).unwrap(), ranges, count);
     let mut errors = Errors::default();
@@ -69,12 +102,19 @@ fn errors(setup: &Setup<f64>, batch: Batch, defect: f64, ranges: &[Vary], of: &[
             let off = exact
                 .outcomes(row)
                 .zip(flown.outcomes(row))
-                .map(|(exact, flown)| flown.map_or(f64::INFINITY, |flown| (flown - exact.unwrap()).abs()));
+                .map(|(exact, flown)| {
+                    flown.map_or(f64::INFINITY, |flown| (flown - exact.unwrap()).abs())
+                });
             let worst = off.fold(0.0, f64::max);
             (usize::from(worst > MICROMETRE), worst)
         };
         let again = usize::from(!unchecked.outcomes(row).eq(checked.outcomes(row)));
-        errors.add(Errors { landed: 1, again, unchecked: error(&unchecked), checked: error(&checked) });
+        errors.add(Errors {
+            landed: 1,
+            again,
+            unchecked: error(&unchecked),
+            checked: error(&checked),
+        });
     }
     errors
 }
@@ -83,17 +123,27 @@ fn range(setup: &Setup<f64>, name: &str, low: f64, high: f64) -> Vary {
     Vary::new(setup.variable(name).unwrap(), low, high).unwrap()
 }
 
-/// Random setups in space, of all laws, some in a wind that grows with height; each swept over one to four parameters, by a fifth or a half of
-/// their values to both sides. `LONGDRIVE_SWEEPS` is how many. What is found is printed, and stands in docs/model.md, 16a.
+/// Random setups in space, of all laws, some in a wind that grows with height; each swept over one
+/// to four parameters, by a fifth or a half of their values to both sides. `LONGDRIVE_SWEEPS` is
+/// how many. What is found is printed, and stands in docs/model.md, 16a.
 #[test]
 fn independent_lengths_of_random_sweeps_are_within_a_micrometre() {
-    let names =
-        ["club.loft", "swing.attack_angle", "swing.speed", "air.density", "ball.mass", "wind.downrange", "gravity"];
+    let names = [
+        "club.loft",
+        "swing.attack_angle",
+        "swing.speed",
+        "air.density",
+        "ball.mass",
+        "wind.downrange",
+        "gravity",
+    ];
     let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(100, |text| text.parse().unwrap());
     let setups: Vec<_> = random_setups(sweeps).collect();
     let look = |(n, setup): (usize, &Setup<f64>)| {
         // a stride of 1 to 6 meets none of seven twice
-        let by: Vec<_> = (0..=n % 4).map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7]).collect();
+        let by: Vec<_> = (0..=n % 4)
+            .map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7])
+            .collect();
         let part = [0.2, 0.5][n / 4 % 2];
         let width_of = |name: &str, value: f64| match name {
             "swing.attack_angle" => 0.5 * part,
@@ -118,20 +168,40 @@ fn independent_lengths_of_random_sweeps_are_within_a_micrometre() {
     let swept = found.len();
     let mut all = Errors::default();
     found.into_iter().for_each(|errors| all.add(errors));
-    let Errors { landed, again, unchecked, checked } = all;
+    let Errors {
+        landed,
+        again,
+        unchecked,
+        checked,
+    } = all;
     println!("{landed} drives of {swept} sweeps ({sweeps} asked for): {again} flown again");
-    for (what, (off, largest)) in [("by the step alone", unchecked), ("as the sweep gives them", checked)] {
-        println!("{what}: {off} off by more than 1 um; the largest error is {:.3} um", largest / MICROMETRE);
+    for (what, (off, largest)) in [
+        ("by the step alone", unchecked),
+        ("as the sweep gives them", checked),
+    ] {
+        println!(
+            "{what}: {off} off by more than 1 um; the largest error is {:.3} um",
+            largest / MICROMETRE
+        );
     }
-    assert!(swept > setups.len() / 10 * 9 && landed > 80 * swept, "{landed} rows of {swept}");
+    assert!(
+        swept > setups.len() / 10 * 9 && landed > 80 * swept,
+        "{landed} rows of {swept}"
+    );
     assert_eq!(checked.0, 0, "{checked:?}");
 }
 
-/// Two of the drives of which the step alone, chosen by others, was off by up to 266 times the tolerance: far out, and next to no flight.
+/// Two of the drives of which the step alone, chosen by others, was off by up to 266 times the
+/// tolerance: far out, and next to no flight.
 #[test]
 fn independent_rows_that_a_step_chosen_by_others_misses_are_flown_again() {
     let mut far = Setup::default();
-    far.set_all([("aero.law", "smits-smith"), ("ball.mass", "54.8 g"), ("club.cg_depth", "36.6 mm")]).unwrap();
+    far.set_all([
+        ("aero.law", "smits-smith"),
+        ("ball.mass", "54.8 g"),
+        ("club.cg_depth", "36.6 mm"),
+    ])
+    .unwrap();
     let far_ranges = [
         range(&far, "impact.restitution", 0.7, 0.93),
         range(&far, "swing.attack_angle", -0.1, 0.4),
@@ -139,21 +209,42 @@ fn independent_rows_that_a_step_chosen_by_others_misses_are_flown_again() {
         range(&far, "gravity", 4.0, 10.0),
     ];
     let low = Setup::default();
-    let low_ranges = [range(&low, "club.loft", 0.02, 0.3), range(&low, "swing.attack_angle", -0.15, 0.1)];
+    let low_ranges = [
+        range(&low, "club.loft", 0.02, 0.3),
+        range(&low, "swing.attack_angle", -0.15, 0.1),
+    ];
     for (setup, ranges) in [(&far, &far_ranges[..]), (&low, &low_ranges)] {
         let found = sweep(setup, ranges, &[Outcome::Carry, Outcome::Lateral], 1024).unwrap();
         assert!(found.checked.0 == 0 && found.landed > 500, "{found:?}");
     }
     // a step for one loft, and rows of all
-    let found = accuracy(&low, &[range(&low, "club.loft", 0.17, 0.18)], &LENGTHS, MICROMETRE).unwrap();
-    let parameters: Vec<&'static Parameter> = low_ranges.iter().map(|range| range.parameter).collect();
+    let found = accuracy(
+        &low,
+        &[range(&low, "club.loft", 0.17, 0.18)],
+        &LENGTHS,
+        MICROMETRE,
+    )
+    .unwrap();
+    let parameters: Vec<&'static Parameter> =
+        low_ranges.iter().map(|range| range.parameter).collect();
     let batch = Batch::new(&found.applied_to(&low), &parameters, &LENGTHS, &[]).unwrap();
-    let found = errors(&low, batch, found.largest_defect, &low_ranges, &LENGTHS, 1024);
-    assert!(found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 2.0 * MICROMETRE, "{found:?}");
+    let found = errors(
+        &low,
+        batch,
+        found.largest_defect,
+        &low_ranges,
+        &LENGTHS,
+        1024,
+    );
+    assert!(
+        found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 2.0 * MICROMETRE,
+        "{found:?}"
+    );
 }
 
-/// Flights of half a second in one step, that come down at half a degree: the path within the last step is off more than the steps are. Among 4000 rows
-/// some were off by 5 µm before the defect of the last step counted more.
+/// Flights of half a second in one step, that come down at half a degree: the path within the last
+/// step is off more than the steps are. Among 4000 rows some were off by 5 µm before the defect of
+/// the last step counted more.
 #[test]
 fn independent_short_and_flat_flights_are_flown_again() {
     let setup = Setup::default();
@@ -163,11 +254,14 @@ fn independent_short_and_flat_flights_are_flown_again() {
         range(&setup, "swing.speed", 30.0, 60.0),
     ];
     let found = sweep(&setup, &ranges, &[Outcome::Carry], 4096).unwrap();
-    assert!(found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 2.0 * MICROMETRE, "{found:?}");
+    assert!(
+        found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 2.0 * MICROMETRE,
+        "{found:?}"
+    );
 }
 
-/// Low shots whose path is nearly straight at the top, where lift carries most of the weight: an error of the velocity moves the place of the top by up
-/// to a hundred times as much as usual.
+/// Low shots whose path is nearly straight at the top, where lift carries most of the weight: an
+/// error of the velocity moves the place of the top by up to a hundred times as much as usual.
 #[test]
 fn independent_places_of_flat_tops_are_within_a_micrometre() {
     let setup = Setup::default();
@@ -176,12 +270,22 @@ fn independent_places_of_flat_tops_are_within_a_micrometre() {
         range(&setup, "swing.attack_angle", -0.087, 0.087),
         range(&setup, "swing.speed", 27.0, 58.0),
     ];
-    let found = sweep(&setup, &ranges, &[Outcome::Carry, Outcome::ApexDownrange], 60_000).unwrap();
-    assert!(found.landed > 58_000 && found.unchecked.0 > 0 && found.checked.0 == 0, "{found:?}");
+    let found = sweep(
+        &setup,
+        &ranges,
+        &[Outcome::Carry, Outcome::ApexDownrange],
+        60_000,
+    )
+    .unwrap();
+    assert!(
+        found.landed > 58_000 && found.unchecked.0 > 0 && found.checked.0 == 0,
+        "{found:?}"
+    );
 }
 
-/// A light ball whose airspeed falls to 0.5 m/s at its top, where |v| v bends within a step. The step that others chose is off by
-/// 8.6 µm there; the square of Hermite's defect is too small to show it.
+/// A light ball whose airspeed falls to 0.5 m/s at its top, where |v| v bends within a step. The
+/// step that others chose is off by 8.6 µm there; the square of Hermite's defect is too small to
+/// show it.
 #[test]
 fn independent_a_row_that_nearly_stops_at_its_top_is_flown_again() {
     let setup = random_setups(158).last().unwrap();
@@ -189,8 +293,17 @@ fn independent_a_row_that_nearly_stops_at_its_top_is_flown_again() {
         let value = setup.value(setup.variable(name).unwrap()).unwrap();
         range(&setup, name, 0.5 * value, 1.5 * value)
     };
-    let found = sweep(&setup, &[around("ball.mass"), around("air.density")], &LENGTHS, 100).unwrap();
-    assert!(found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 8.0 * MICROMETRE, "{found:?}");
+    let found = sweep(
+        &setup,
+        &[around("ball.mass"), around("air.density")],
+        &LENGTHS,
+        100,
+    )
+    .unwrap();
+    assert!(
+        found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 8.0 * MICROMETRE,
+        "{found:?}"
+    );
 }
 
 /// A row that no step follows as closely as is asked has no outcomes.
@@ -199,9 +312,19 @@ fn exact_a_row_that_no_step_follows_closely_enough_diverges() {
     let setup = Setup::default();
     let loft = setup.variable("club.loft").unwrap();
     let batch = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
-    for (defect, status) in [(f64::MIN_POSITIVE, Status::Diverged), (f64::INFINITY, Status::Landed)] {
-        let block = batch.clone().with_largest_defect(defect).unwrap().evaluate(0, vec![0.18]);
-        assert_eq!((block.status(0), block.outcome(0, 0).is_some()), (status, status == Status::Landed));
+    for (defect, status) in [
+        (f64::MIN_POSITIVE, Status::Diverged),
+        (f64::INFINITY, Status::Landed),
+    ] {
+        let block = batch
+            .clone()
+            .with_largest_defect(defect)
+            .unwrap()
+            .evaluate(0, vec![0.18]);
+        assert_eq!(
+            (block.status(0), block.outcome(0, 0).is_some()),
+            (status, status == Status::Landed)
+        );
     }
 }
 
@@ -209,10 +332,23 @@ fn exact_a_row_that_no_step_follows_closely_enough_diverges() {
 #[test]
 fn a_largest_defect_that_no_drive_meets_is_refused() {
     let setup = Setup::default();
-    let batch = Batch::new(&setup, &[setup.variable("club.loft").unwrap()], &[Outcome::Carry], &[]).unwrap();
+    let batch = Batch::new(
+        &setup,
+        &[setup.variable("club.loft").unwrap()],
+        &[Outcome::Carry],
+        &[],
+    )
+    .unwrap();
     for (defect, shown) in [(f64::NAN, "NaN m"), (0.0, "0 m"), (-1.0, "-1 m")] {
-        let error = batch.clone().with_largest_defect(defect).unwrap_err().to_string();
-        assert!(error.contains(shown) && error.contains("0 m < …"), "{error}");
+        let error = batch
+            .clone()
+            .with_largest_defect(defect)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains(shown) && error.contains("0 m < …"),
+            "{error}"
+        );
     }
 }
 
@@ -222,52 +358,107 @@ fn exact_one_drive_alone_is_looked_at_once() {
     let setup = Setup::preset("modern-driver").unwrap();
     let (parameter, low) = (setup.variable("club.loft").unwrap(), setup.club.loft);
     let looked_at = |ranges: &[Vary]| accuracy(&setup, ranges, &[Outcome::Carry], 1e-6).unwrap();
-    let (alone, still) = (looked_at(&[]), looked_at(&[Vary { parameter, low, high: low }]));
-    let narrow = looked_at(&[Vary { parameter, low, high: low * (1.0 + 1e-12) }]);
+    let (alone, still) = (
+        looked_at(&[]),
+        looked_at(&[Vary {
+            parameter,
+            low,
+            high: low,
+        }]),
+    );
+    let narrow = looked_at(&[Vary {
+        parameter,
+        low,
+        high: low * (1.0 + 1e-12),
+    }]);
     assert_eq!((alone.drives, still.drives), (1, 1));
-    assert!(narrow.drives > 60 && alone.step == narrow.step && still.step == narrow.step, "{alone:?}, {narrow:?}");
+    assert!(
+        narrow.drives > 60 && alone.step == narrow.step && still.step == narrow.step,
+        "{alone:?}, {narrow:?}"
+    );
 }
 
 /// What cannot be reached says which drive is off, and by how much.
 #[test]
 fn exact_a_tolerance_out_of_reach_names_the_drive() {
     let setup = Setup::default();
-    let error = accuracy(&setup, &[range(&setup, "club.loft", 0.1, 0.2)], &[Outcome::Carry], 1e-16).unwrap_err();
+    let error = accuracy(
+        &setup,
+        &[range(&setup, "club.loft", 0.1, 0.2)],
+        &[Outcome::Carry],
+        1e-16,
+    )
+    .unwrap_err();
     let words = error.to_string();
-    assert!(words.contains("carry of the drive with club.loft = ") && words.contains(" is off by "), "{words}");
+    assert!(
+        words.contains("carry of the drive with club.loft = ") && words.contains(" is off by "),
+        "{words}"
+    );
 }
 
-/// A tolerance is about lengths. How far derivatives by loft, attack angle, speed and density are from those in much shorter steps, beside the largest,
-/// is what docs/limitations.md says.
+/// A tolerance is about lengths. How far derivatives by loft, attack angle, speed and density are
+/// from those in much shorter steps, beside the largest, is what docs/limitations.md says.
 #[test]
 fn measured_derivatives_within_a_micrometre_are_as_near_as_the_document_says() {
-    let sizes = [("club.loft", 0.1), ("swing.attack_angle", 0.1), ("swing.speed", 10.0), ("air.density", 0.3)];
+    let sizes = [
+        ("club.loft", 0.1),
+        ("swing.attack_angle", 0.1),
+        ("swing.speed", 10.0),
+        ("air.density", 0.3),
+    ];
     let drives = [[0.18, 0.0, 50.0], [0.14, 0.07, 55.0], [0.23, -0.05, 38.0]];
-    let asked = Law::NAMES.iter().flat_map(|law| drives.map(|drive| (*law, drive))).collect::<Vec<_>>();
-    asked.into_par_iter().for_each(|(law, [loft, attack_angle, speed])| {
-        let mut setup = Setup::default();
-        setup.set_law(law).unwrap();
-        (setup.club.loft, setup.swing.attack_angle, setup.swing.speed) = (loft, attack_angle, speed);
-        let by = sizes.map(|(name, _)| setup.variable(name).unwrap());
-        let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE).unwrap().applied_to(&setup);
-        // its derivatives differ from those at 1 ms by at most a thousandth of the bar
-        let mut fine = setup;
-        (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
-        // each derivative by the size of its parameters
-        let sized = |Taylor { gradient, hessian, .. }: Taylor| {
-            let row = |row: &[f64]| row.iter().zip(sizes).map(|(d, (_, size))| d * size).collect::<Vec<_>>();
-            let second = hessian
-                .iter()
-                .zip(sizes)
-                .flat_map(|(second, (_, size))| row(second).into_iter().map(move |d| d * size));
-            [row(&gradient), second.collect()]
-        };
-        let [found, exact] = [within, fine].map(|setup| sized(hessian(&setup, Outcome::Carry, &by).unwrap()));
-        let bars = if ["nathan", "bearman-harvey"].contains(&law) { [2e-6, 1e-3] } else { [1e-7, 3e-6] };
-        for ((found, exact), bar) in found.iter().zip(&exact).zip(bars) {
-            let largest = exact.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
-            let off = found.iter().zip(exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-            assert!(off < bar * largest, "{law} {loft} {attack_angle} {speed}: {:.1e}", off / largest);
-        }
-    });
+    let asked = Law::NAMES
+        .iter()
+        .flat_map(|law| drives.map(|drive| (*law, drive)))
+        .collect::<Vec<_>>();
+    asked
+        .into_par_iter()
+        .for_each(|(law, [loft, attack_angle, speed])| {
+            let mut setup = Setup::default();
+            setup.set_law(law).unwrap();
+            (setup.club.loft, setup.swing.attack_angle, setup.swing.speed) =
+                (loft, attack_angle, speed);
+            let by = sizes.map(|(name, _)| setup.variable(name).unwrap());
+            let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE)
+                .unwrap()
+                .applied_to(&setup);
+            // its derivatives differ from those at 1 ms by at most a thousandth of the bar
+            let mut fine = setup;
+            (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
+            // each derivative by the size of its parameters
+            let sized = |Taylor {
+                             gradient, hessian, ..
+                         }: Taylor| {
+                let row = |row: &[f64]| {
+                    row.iter()
+                        .zip(sizes)
+                        .map(|(d, (_, size))| d * size)
+                        .collect::<Vec<_>>()
+                };
+                let second = hessian
+                    .iter()
+                    .zip(sizes)
+                    .flat_map(|(second, (_, size))| row(second).into_iter().map(move |d| d * size));
+                [row(&gradient), second.collect()]
+            };
+            let [found, exact] =
+                [within, fine].map(|setup| sized(hessian(&setup, Outcome::Carry, &by).unwrap()));
+            let bars = if ["nathan", "bearman-harvey"].contains(&law) {
+                [2e-6, 1e-3]
+            } else {
+                [1e-7, 3e-6]
+            };
+            for ((found, exact), bar) in found.iter().zip(&exact).zip(bars) {
+                let largest = exact.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+                let off = found
+                    .iter()
+                    .zip(exact)
+                    .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+                assert!(
+                    off < bar * largest,
+                    "{law} {loft} {attack_angle} {speed}: {:.1e}",
+                    off / largest
+                );
+            }
+        });
 }

@@ -4,14 +4,24 @@ use crate::common::{LARGE_STEPS, close, panic_of};
 use longdrive::batch::Status;
 use longdrive::report::{UncertaintyReport, uncertainty_text};
 use longdrive::study::swings::{Rule, Scenarios, Swings};
-use longdrive::study::uncertainty::{Design, Distribution, Plan, Statistics, Uncertain, delta_method, uncertainty};
+use longdrive::study::uncertainty::{
+    Design, Distribution, Plan, Statistics, Uncertain, delta_method, uncertainty,
+};
 use longdrive::study::{Landing, Sigma, effects, with_defaults};
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 use std::f64::consts::PI;
 
-fn statistics(inputs: &[Distribution], plan: Plan, f: impl Fn(&[f64]) -> Option<f64>) -> Statistics {
+fn statistics(
+    inputs: &[Distribution],
+    plan: Plan,
+    f: impl Fn(&[f64]) -> Option<f64>,
+) -> Statistics {
     let design = Design::new(inputs, plan).unwrap();
-    let values = design.points.iter().map(|points| points.iter().map(|point| f(point)).collect()).collect::<Vec<_>>();
+    let values = design
+        .points
+        .iter()
+        .map(|points| points.iter().map(|point| f(point)).collect())
+        .collect::<Vec<_>>();
     design.statistics(&values).unwrap()
 }
 
@@ -26,7 +36,11 @@ fn ishigami_shares() -> (f64, [f64; 3], [f64; 3]) {
     let together = 8.0 * b * b * PI.powi(8) / 225.0; // of x₁ and x₃
     let variance = alone.iter().sum::<f64>() + together;
     let total = [alone[0] + together, alone[1], together];
-    (variance, alone.map(|share| share / variance), total.map(|share| share / variance))
+    (
+        variance,
+        alone.map(|share| share / variance),
+        total.map(|share| share / variance),
+    )
 }
 
 const CIRCLE: Distribution = Distribution::Uniform { low: -PI, high: PI };
@@ -35,12 +49,28 @@ const CIRCLE: Distribution = Distribution::Uniform { low: -PI, high: PI };
 fn exact_shares_of_ishigamis_function_lie_within_their_intervals() {
     let (variance, first, total) = ishigami_shares();
     close(variance, 13.8446, 1.0, 1e-4, "variance");
-    let found = statistics(&[CIRCLE; 3], Plan { samples: 16_384, seed: 1 }, ishigami);
-    assert!(found.mean.contains(3.5) && found.deviation.contains(variance.sqrt()), "{found:?}");
+    let found = statistics(
+        &[CIRCLE; 3],
+        Plan {
+            samples: 16_384,
+            seed: 1,
+        },
+        ishigami,
+    );
+    assert!(
+        found.mean.contains(3.5) && found.deviation.contains(variance.sqrt()),
+        "{found:?}"
+    );
     for (i, indices) in found.indices.iter().enumerate() {
         let indices = indices.unwrap();
-        assert!(indices.first.contains(first[i]) && indices.total.contains(total[i]), "{i}: {indices:?}");
-        assert!(indices.first.high - indices.first.low < 0.06, "{i}: {indices:?}");
+        assert!(
+            indices.first.contains(first[i]) && indices.total.contains(total[i]),
+            "{i}: {indices:?}"
+        );
+        assert!(
+            indices.first.high - indices.first.low < 0.06,
+            "{i}: {indices:?}"
+        );
         close(indices.total.value, total[i], 1.0, 0.02, "total");
     }
 }
@@ -51,20 +81,48 @@ fn exact_shares_of_the_g_function_lie_within_their_intervals() {
     let a = [0.0, 1.0, 4.5, 9.0];
     let alone = a.map(|a: f64| 1.0 / (3.0 * (1.0 + a).powi(2)));
     let variance = alone.iter().map(|v| 1.0 + v).product::<f64>() - 1.0;
-    let g = |x: &[f64]| Some(x.iter().zip(a).map(|(x, a)| ((4.0 * x - 2.0).abs() + a) / (1.0 + a)).product());
-    let unit = Distribution::Uniform { low: 0.0, high: 1.0 };
-    let found = statistics(&[unit; 4], Plan { samples: 16_384, seed: 3 }, g);
-    let mut held = vec![found.mean.contains(1.0), found.deviation.contains(variance.sqrt())];
+    let g = |x: &[f64]| {
+        Some(
+            x.iter()
+                .zip(a)
+                .map(|(x, a)| ((4.0 * x - 2.0).abs() + a) / (1.0 + a))
+                .product(),
+        )
+    };
+    let unit = Distribution::Uniform {
+        low: 0.0,
+        high: 1.0,
+    };
+    let found = statistics(
+        &[unit; 4],
+        Plan {
+            samples: 16_384,
+            seed: 3,
+        },
+        g,
+    );
+    let mut held = vec![
+        found.mean.contains(1.0),
+        found.deviation.contains(variance.sqrt()),
+    ];
     for (i, indices) in found.indices.iter().enumerate() {
         let indices = indices.unwrap();
-        let others: f64 = alone.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, v)| 1.0 + v).product();
+        let others: f64 = alone
+            .iter()
+            .enumerate()
+            .filter(|(j, _)| *j != i)
+            .map(|(_, v)| 1.0 + v)
+            .product();
         let (first, total) = (alone[i] / variance, alone[i] * others / variance);
         held.extend([indices.first.contains(first), indices.total.contains(total)]);
         close(indices.first.value, first, 1.0, 0.03, "first");
         close(indices.total.value, total, 1.0, 0.03, "total");
     }
     // of ten intervals of 95 % one may miss
-    assert!(held.iter().filter(|is_within| !**is_within).count() <= 1, "{held:?} {found:?}");
+    assert!(
+        held.iter().filter(|is_within| !**is_within).count() <= 1,
+        "{held:?} {found:?}"
+    );
 }
 
 #[test]
@@ -72,47 +130,112 @@ fn exact_shares_lie_within_95_percent_intervals_about_that_often() {
     let (variance, first, total) = ishigami_shares();
     let (mut within, mut all) = (0, 0);
     for seed in 0..60 {
-        let found = statistics(&[CIRCLE; 3], Plan { samples: 1024, seed }, ishigami);
-        let shares = found.indices.iter().map(|indices| indices.unwrap()).enumerate();
-        let held = shares.flat_map(|(i, indices)| [indices.first.contains(first[i]), indices.total.contains(total[i])]);
-        let held = held.chain([found.mean.contains(3.5), found.deviation.contains(variance.sqrt())]);
+        let found = statistics(
+            &[CIRCLE; 3],
+            Plan {
+                samples: 1024,
+                seed,
+            },
+            ishigami,
+        );
+        let shares = found
+            .indices
+            .iter()
+            .map(|indices| indices.unwrap())
+            .enumerate();
+        let held = shares.flat_map(|(i, indices)| {
+            [
+                indices.first.contains(first[i]),
+                indices.total.contains(total[i]),
+            ]
+        });
+        let held = held.chain([
+            found.mean.contains(3.5),
+            found.deviation.contains(variance.sqrt()),
+        ]);
         held.for_each(|is_within| {
             within += usize::from(is_within);
             all += 1;
         });
     }
-    // 480 of them, some depend on each other: three standard deviations of 480 independent ones are 3 %
+    // 480 of them, some depend on each other: three standard deviations of 480 independent ones are
+    // 3 %
     let share = f64::from(u32::try_from(within).unwrap()) / f64::from(u32::try_from(all).unwrap());
     assert!((0.92..=0.98).contains(&share), "{within} of {all}");
 }
 
-/// C E(∂f/∂xᵢ)²/V with C = (b − a)²/π² = 4, by hand for Ishigami's function, and 1 for a straight line of a normal number, whose variance is
-/// the Poincaré constant.
+/// C E(∂f/∂xᵢ)²/V with C = (b − a)²/π² = 4, by hand for Ishigami's function, and 1 for a straight
+/// line of a normal number, whose variance is the Poincaré constant.
 #[test]
 fn exact_upper_bounds_of_total_shares_lie_within_95_percent_intervals_about_that_often() {
     let (variance, _, total) = ishigami_shares();
     let slopes = |x: &[f64]| {
         let by_third = 0.4 * x[2].powi(3) * x[0].sin();
-        [x[0].cos() * (1.0 + 0.1 * x[2].powi(4)), 7.0 * (2.0 * x[1]).sin(), by_third]
+        [
+            x[0].cos() * (1.0 + 0.1 * x[2].powi(4)),
+            7.0 * (2.0 * x[1]).sin(),
+            by_third,
+        ]
     };
-    let mean_squares =
-        [0.5 * (1.0 + 0.2 * PI.powi(4) / 5.0 + 0.01 * PI.powi(8) / 9.0), 24.5, 0.5 * 0.16 * PI.powi(6) / 7.0];
+    let mean_squares = [
+        0.5 * (1.0 + 0.2 * PI.powi(4) / 5.0 + 0.01 * PI.powi(8) / 9.0),
+        24.5,
+        0.5 * 0.16 * PI.powi(6) / 7.0,
+    ];
     let bounds = mean_squares.map(|mean| 4.0 * mean / variance);
-    assert!(bounds.iter().zip(total).all(|(bound, total)| *bound > total), "{bounds:?} {total:?}");
+    assert!(
+        bounds
+            .iter()
+            .zip(total)
+            .all(|(bound, total)| *bound > total),
+        "{bounds:?} {total:?}"
+    );
     assert!((CIRCLE.poincare() - 4.0).abs() < 1e-14);
-    let line = Distribution::Normal { mean: 1.0, deviation: 2.0 };
+    let line = Distribution::Normal {
+        mean: 1.0,
+        deviation: 2.0,
+    };
     let (mut within, mut all) = (0, 0);
     for seed in 0..60 {
-        let design = Design::new(&[CIRCLE; 3], Plan { samples: 1024, seed }).unwrap();
+        let design = Design::new(
+            &[CIRCLE; 3],
+            Plan {
+                samples: 1024,
+                seed,
+            },
+        )
+        .unwrap();
         let values = |point: &Vec<f64>| ishigami(point);
-        let values: Vec<Vec<_>> = design.points.iter().map(|points| points.iter().map(values).collect()).collect();
-        let squares = |k: usize| design.points[0].iter().map(|point| Some(slopes(point)[k].powi(2))).collect();
+        let values: Vec<Vec<_>> = design
+            .points
+            .iter()
+            .map(|points| points.iter().map(values).collect())
+            .collect();
+        let squares = |k: usize| {
+            design.points[0]
+                .iter()
+                .map(|point| Some(slopes(point)[k].powi(2)))
+                .collect()
+        };
         let found = design.means_by_variance(&values, &[0, 1, 2].map(squares));
-        let mut held: Vec<bool> =
-            found.iter().zip(bounds).map(|(found, bound)| found.unwrap().contains(bound / 4.0)).collect();
-        let design = Design::new(&[line], Plan { samples: 1024, seed }).unwrap();
-        let values: Vec<Vec<_>> =
-            design.points.iter().map(|points| points.iter().map(|x| Some(3.0 * x[0])).collect()).collect();
+        let mut held: Vec<bool> = found
+            .iter()
+            .zip(bounds)
+            .map(|(found, bound)| found.unwrap().contains(bound / 4.0))
+            .collect();
+        let design = Design::new(
+            &[line],
+            Plan {
+                samples: 1024,
+                seed,
+            },
+        )
+        .unwrap();
+        let values: Vec<Vec<_>> = design
+            .points
+            .iter()
+            .map(|points| points.iter().map(|x| Some(3.0 * x[0])).collect())
+            .collect();
         let found = design.means_by_variance(&values, &[vec![Some(9.0); 1024]])[0].unwrap();
         held.push(found.contains(1.0 / line.poincare()));
         within += held.iter().filter(|is_within| **is_within).count();
@@ -123,11 +246,14 @@ fn exact_upper_bounds_of_total_shares_lie_within_95_percent_intervals_about_that
     assert!((0.91..=0.99).contains(&share), "{within} of {all}");
 }
 
-/// All variance is of the one number, whatever the function and the sample: no estimate of it is better.
+/// All variance is of the one number, whatever the function and the sample: no estimate of it is
+/// better.
 #[test]
 fn exact_the_share_of_a_single_uncertain_number_is_whole() {
     for seed in 0..5 {
-        let found = statistics(&[CIRCLE], Plan { samples: 200, seed }, |x| Some(x[0].sin() + x[0].powi(3)));
+        let found = statistics(&[CIRCLE], Plan { samples: 200, seed }, |x| {
+            Some(x[0].sin() + x[0].powi(3))
+        });
         let indices = found.indices[0].unwrap();
         for share in [indices.first, indices.total] {
             assert_eq!((share.value, share.low, share.high), (1.0, 1.0, 1.0));
@@ -136,36 +262,99 @@ fn exact_the_share_of_a_single_uncertain_number_is_whole() {
     let mut setup = Setup::default();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let inputs = [Uncertain::read(&setup, "club.loft=uniform(1deg,17deg)").unwrap()];
-    let found = uncertainty(&setup, &[Outcome::Carry], &inputs, Plan { samples: 300, seed: 1 }, &|_, _| ()).unwrap();
+    let found = uncertainty(
+        &setup,
+        &[Outcome::Carry],
+        &inputs,
+        Plan {
+            samples: 300,
+            seed: 1,
+        },
+        &|_, _| (),
+    )
+    .unwrap();
     let (parameter, left) = found.outcomes[0].measure_first(&inputs).unwrap();
     assert_eq!((parameter.name, left), ("club.loft", 0.0));
 }
 
 #[test]
 fn exact_sampled_moments_are_those_of_the_distributions() {
-    let triangle = Distribution::Triangular { low: 1.0, mode: 2.0, high: 5.0 };
-    let normal = Distribution::Normal { mean: -3.0, deviation: 0.5 };
+    let triangle = Distribution::Triangular {
+        low: 1.0,
+        mode: 2.0,
+        high: 5.0,
+    };
+    let normal = Distribution::Normal {
+        mean: -3.0,
+        deviation: 0.5,
+    };
     for distribution in [triangle, normal, CIRCLE] {
-        let found = statistics(&[distribution], Plan { samples: 20_000, seed: 5 }, |x| Some(x[0]));
+        let found = statistics(
+            &[distribution],
+            Plan {
+                samples: 20_000,
+                seed: 5,
+            },
+            |x| Some(x[0]),
+        );
         assert!(
-            found.mean.contains(distribution.mean()) && found.deviation.contains(distribution.deviation()),
+            found.mean.contains(distribution.mean())
+                && found.deviation.contains(distribution.deviation()),
             "{found:?}"
         );
         let indices = found.indices[0].unwrap();
-        assert!(indices.first.contains(1.0) || (indices.first.value - 1.0).abs() < 0.02, "{indices:?}");
-        // Poincaré: the variance of x itself is below the constant, that of a normal distribution at it
-        assert!(distribution.deviation().powi(2) <= distribution.poincare() * (1.0 + 1e-15), "{distribution:?}");
+        assert!(
+            indices.first.contains(1.0) || (indices.first.value - 1.0).abs() < 0.02,
+            "{indices:?}"
+        );
+        // Poincaré: the variance of x itself is below the constant, that of a normal distribution
+        // at it
+        assert!(
+            distribution.deviation().powi(2) <= distribution.poincare() * (1.0 + 1e-15),
+            "{distribution:?}"
+        );
     }
 }
 
 #[test]
 fn exact_values_that_are_missing_are_counted_and_nothing_is_invented_for_them() {
-    let found = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| (x[0] > 0.0).then_some(x[0]));
-    assert!(found.left_out > 500 && found.left_out < 900, "{}", found.left_out);
-    close(found.mean.value, PI / 2.0, 1.0, 0.1, "the mean of those there are");
-    let design = Design::new(&[CIRCLE], Plan { samples: 10, seed: 0 }).unwrap();
+    let found = statistics(
+        &[CIRCLE],
+        Plan {
+            samples: 1000,
+            seed: 0,
+        },
+        |x| (x[0] > 0.0).then_some(x[0]),
+    );
+    assert!(
+        found.left_out > 500 && found.left_out < 900,
+        "{}",
+        found.left_out
+    );
+    close(
+        found.mean.value,
+        PI / 2.0,
+        1.0,
+        0.1,
+        "the mean of those there are",
+    );
+    let design = Design::new(
+        &[CIRCLE],
+        Plan {
+            samples: 10,
+            seed: 0,
+        },
+    )
+    .unwrap();
     assert!(design.statistics(&vec![vec![None; 10]; 3]).is_none());
-    let constant = statistics(&[CIRCLE], Plan { samples: 10, seed: 0 }, |_| Some(2.0));
+    let constant = statistics(
+        &[CIRCLE],
+        Plan {
+            samples: 10,
+            seed: 0,
+        },
+        |_| Some(2.0),
+    );
     assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
 }
 
@@ -173,7 +362,12 @@ fn drive() -> (Setup<f64>, Vec<Uncertain>) {
     let mut setup = Setup::default();
     // gradients and samples are of the same drives, in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
-    let sigmas = ["swing.speed=1 mph", "club.loft=0.2 deg", "swing.face_angle=1 deg", "air.density=1%"];
+    let sigmas = [
+        "swing.speed=1 mph",
+        "club.loft=0.2 deg",
+        "swing.face_angle=1 deg",
+        "air.density=1%",
+    ];
     let inputs = sigmas.map(|text| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap()));
     (setup, inputs.to_vec())
 }
@@ -182,45 +376,109 @@ fn drive() -> (Setup<f64>, Vec<Uncertain>) {
 fn exact_gradients_and_flown_drives_agree_where_the_drive_is_nearly_linear() {
     let (setup, inputs) = drive();
     let of = [Outcome::Carry, Outcome::Lateral];
-    let plan = Plan { samples: 2048, seed: 7 };
+    let plan = Plan {
+        samples: 2048,
+        seed: 7,
+    };
     let found = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
     for outcome in &found.outcomes {
         let (first, second) = outcome.delta.unwrap();
         let (second, sampled) = (second.unwrap(), outcome.sampled.as_ref().unwrap());
-        close(first.deviation, sampled.deviation.value, first.deviation, 0.05, outcome.of.name());
-        assert!(sampled.deviation.contains(second.deviation), "{}: {sampled:?} {second:?}", outcome.of.name());
-        assert!(sampled.mean.contains(second.mean), "{}: {sampled:?} {second:?}", outcome.of.name());
+        close(
+            first.deviation,
+            sampled.deviation.value,
+            first.deviation,
+            0.05,
+            outcome.of.name(),
+        );
+        assert!(
+            sampled.deviation.contains(second.deviation),
+            "{}: {sampled:?} {second:?}",
+            outcome.of.name()
+        );
+        assert!(
+            sampled.mean.contains(second.mean),
+            "{}: {sampled:?} {second:?}",
+            outcome.of.name()
+        );
         for (indices, slopes) in sampled.indices.iter().zip(&outcome.slopes) {
             // a bound, but for the sampling of both
             let (total, bound) = (indices.unwrap().total, slopes.unwrap().bound);
-            assert!(bound.high >= total.low, "{}: {total:?} {bound:?}", outcome.of.name());
+            assert!(
+                bound.high >= total.low,
+                "{}: {total:?} {bound:?}",
+                outcome.of.name()
+            );
         }
     }
-    let [carry, lateral] = found.outcomes.as_slice() else { panic!() };
+    let [carry, lateral] = found.outcomes.as_slice() else {
+        panic!()
+    };
     assert_eq!(carry.measure_first(&inputs).unwrap().0.name, "swing.speed");
-    assert_eq!(lateral.measure_first(&inputs).unwrap().0.name, "swing.face_angle");
+    assert_eq!(
+        lateral.measure_first(&inputs).unwrap().0.name,
+        "swing.face_angle"
+    );
     assert_eq!(found.ellipses.len(), 4);
     for sampled in &found.ellipses {
-        close(sampled.holds, sampled.ellipse.share, 1.0, 0.03, "share of the landings");
+        close(
+            sampled.holds,
+            sampled.ellipse.share,
+            1.0,
+            0.03,
+            "share of the landings",
+        );
     }
-    assert_eq!(found.tally.counts().map(|(_, count)| count).sum::<u64>(), 6 * 2048);
+    assert_eq!(
+        found.tally.counts().map(|(_, count)| count).sum::<u64>(),
+        6 * 2048
+    );
 
     // the same seed, the same bits; another, others
     let again = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
-    assert_eq!(format!("{:?}", again.outcomes), format!("{:?}", found.outcomes));
+    assert_eq!(
+        format!("{:?}", again.outcomes),
+        format!("{:?}", found.outcomes)
+    );
     let other = uncertainty(&setup, &of, &inputs, Plan { seed: 8, ..plan }, &|_, _| ()).unwrap();
-    assert_ne!(format!("{:?}", other.outcomes), format!("{:?}", found.outcomes));
+    assert_ne!(
+        format!("{:?}", other.outcomes),
+        format!("{:?}", found.outcomes)
+    );
 }
 
 #[test]
 fn exact_drives_that_do_not_fly_are_counted() {
     let mut setup = Setup::default();
-    setup.set_all([("club.loft", "1 deg"), ("swing.attack_angle", "0 deg")]).unwrap();
+    setup
+        .set_all([("club.loft", "1 deg"), ("swing.attack_angle", "0 deg")])
+        .unwrap();
     let inputs = [Uncertain::read(&setup, "club.loft=uniform(-2 deg, 4 deg)").unwrap()];
-    let found = uncertainty(&setup, &[Outcome::Carry], &inputs, Plan { samples: 300, seed: 0 }, &|_, _| ()).unwrap();
-    let count = |wanted: Status| found.tally.counts().find(|(status, _)| *status == wanted).unwrap().1;
+    let found = uncertainty(
+        &setup,
+        &[Outcome::Carry],
+        &inputs,
+        Plan {
+            samples: 300,
+            seed: 0,
+        },
+        &|_, _| (),
+    )
+    .unwrap();
+    let count = |wanted: Status| {
+        found
+            .tally
+            .counts()
+            .find(|(status, _)| *status == wanted)
+            .unwrap()
+            .1
+    };
     // a third of the range launches downwards
-    assert!(count(Status::NoFlight) > 200 && count(Status::NoFlight) < 400, "{:?}", found.tally);
+    assert!(
+        count(Status::NoFlight) > 200 && count(Status::NoFlight) < 400,
+        "{:?}",
+        found.tally
+    );
     assert_eq!(count(Status::NoFlight) + count(Status::Landed), 900);
     assert!(found.outcomes[0].sampled.as_ref().unwrap().left_out > 0);
 }
@@ -228,19 +486,37 @@ fn exact_drives_that_do_not_fly_are_counted() {
 #[test]
 fn exact_effects_are_slopes_times_uncertainties_ranked_by_size() {
     let setup = Setup::default();
-    let given = [Sigma::read(&setup, "swing.speed=2 mph").unwrap(), Sigma::read(&setup, "ball.mass=1%").unwrap()];
+    let given = [
+        Sigma::read(&setup, "swing.speed=2 mph").unwrap(),
+        Sigma::read(&setup, "ball.mass=1%").unwrap(),
+    ];
     let sigmas = with_defaults(&setup, &given, &[Outcome::Carry]).unwrap();
     assert!(sigmas.len() > 8 && sigmas.iter().skip(2).all(|sigma| sigma.source.is_some()));
-    let found = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap().remove(0);
+    let found = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ())
+        .unwrap()
+        .remove(0);
     let carry = Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap();
     close(found.value, carry, carry, 1e-14, "value");
-    let bars: Vec<_> = found.effects.iter().filter_map(|effect| Some((effect, effect.bar?))).collect();
+    let bars: Vec<_> = found
+        .effects
+        .iter()
+        .filter_map(|effect| Some((effect, effect.bar?)))
+        .collect();
     assert_eq!(bars.len(), sigmas.len());
-    assert!(bars.windows(2).all(|pair| pair[0].1.first_order.abs() >= pair[1].1.first_order.abs()));
+    assert!(
+        bars.windows(2)
+            .all(|pair| pair[0].1.first_order.abs() >= pair[1].1.first_order.abs())
+    );
     for (effect, bar) in bars {
         let exact = derivative::hessian(&setup, Outcome::Carry, &[effect.parameter]).unwrap();
         let sigma = bar.sigma.value;
-        close(bar.first_order, sigma * exact.gradient[0], carry, 1e-13, effect.parameter.name);
+        close(
+            bar.first_order,
+            sigma * exact.gradient[0],
+            carry,
+            1e-13,
+            effect.parameter.name,
+        );
         close(
             bar.second_order.unwrap(),
             0.5 * sigma * sigma * exact.hessian[0][0],
@@ -261,8 +537,14 @@ fn exact_effects_are_slopes_times_uncertainties_ranked_by_size() {
         }
     }
     // ball speed is in proportion to club speed: an elasticity of 1
-    let speed = effects(&setup, &[Outcome::BallSpeed], &given, &mut |_, _| ()).unwrap().remove(0);
-    let of_speed = speed.effects.iter().find(|effect| effect.parameter.name == "swing.speed").unwrap();
+    let speed = effects(&setup, &[Outcome::BallSpeed], &given, &mut |_, _| ())
+        .unwrap()
+        .remove(0);
+    let of_speed = speed
+        .effects
+        .iter()
+        .find(|effect| effect.parameter.name == "swing.speed")
+        .unwrap();
     close(of_speed.elasticity.unwrap(), 1.0, 1.0, 1e-12, "elasticity");
 }
 
@@ -277,10 +559,19 @@ fn mistakes_in_uncertainties_are_named() {
         "swing.speed=inf",
         "swing.speed=1 kg",
     ] {
-        assert!(matches!(Sigma::read(&setup, text), Err(Error::Unreadable { .. })), "{text}");
+        assert!(
+            matches!(Sigma::read(&setup, text), Err(Error::Unreadable { .. })),
+            "{text}"
+        );
     }
-    assert!(matches!(Sigma::read(&setup, "swing.sped=1 mph"), Err(Error::Unknown { .. })));
-    assert!(matches!(Sigma::read(&setup, "flight.step=1 ms"), Err(Error::NotVariable { .. })));
+    assert!(matches!(
+        Sigma::read(&setup, "swing.sped=1 mph"),
+        Err(Error::Unknown { .. })
+    ));
+    assert!(matches!(
+        Sigma::read(&setup, "flight.step=1 ms"),
+        Err(Error::NotVariable { .. })
+    ));
     for text in [
         "normal(1 deg)",
         "normal(1 deg,0 deg)",
@@ -291,33 +582,75 @@ fn mistakes_in_uncertainties_are_named() {
         "1 deg",
     ] {
         let text = format!("club.loft={text}");
-        assert!(matches!(Uncertain::read(&setup, &text), Err(Error::Unreadable { .. })), "{text}");
+        assert!(
+            matches!(
+                Uncertain::read(&setup, &text),
+                Err(Error::Unreadable { .. })
+            ),
+            "{text}"
+        );
     }
-    assert!(matches!(Uncertain::read(&setup, "club.mass=uniform(0 g,200 g)"), Err(Error::OutOfRange { .. })));
+    assert!(matches!(
+        Uncertain::read(&setup, "club.mass=uniform(0 g,200 g)"),
+        Err(Error::OutOfRange { .. })
+    ));
     let (setup, inputs) = drive();
     let twice = [inputs[0], inputs[0]];
-    let plan = Plan { samples: 100, seed: 0 };
+    let plan = Plan {
+        samples: 100,
+        seed: 0,
+    };
     let of = [Outcome::Carry];
-    assert!(matches!(uncertainty(&setup, &of, &twice, plan, &|_, _| ()), Err(Error::SearchRange { .. })));
-    assert!(matches!(uncertainty(&setup, &of, &[], plan, &|_, _| ()), Err(Error::Nothing { .. })));
-    assert!(matches!(uncertainty(&setup, &[], &inputs, plan, &|_, _| ()), Err(Error::Nothing { .. })));
-    let too_small = Plan { samples: 1, seed: 0 };
-    assert!(matches!(uncertainty(&setup, &of, &inputs, too_small, &|_, _| ()), Err(Error::Together { .. })));
+    assert!(matches!(
+        uncertainty(&setup, &of, &twice, plan, &|_, _| ()),
+        Err(Error::SearchRange { .. })
+    ));
+    assert!(matches!(
+        uncertainty(&setup, &of, &[], plan, &|_, _| ()),
+        Err(Error::Nothing { .. })
+    ));
+    assert!(matches!(
+        uncertainty(&setup, &[], &inputs, plan, &|_, _| ()),
+        Err(Error::Nothing { .. })
+    ));
+    let too_small = Plan {
+        samples: 1,
+        seed: 0,
+    };
+    assert!(matches!(
+        uncertainty(&setup, &of, &inputs, too_small, &|_, _| ()),
+        Err(Error::Together { .. })
+    ));
 }
 
-/// Ball speed does not depend on the air: it is the same in every drive, has no share of a variance, and nothing is to be measured first.
+/// Ball speed does not depend on the air: it is the same in every drive, has no share of a
+/// variance, and nothing is to be measured first.
 #[test]
 fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
     let setup = Setup::default();
     let density = Uncertain::normal(&setup, &Sigma::read(&setup, "air.density=1%").unwrap());
-    let plan = Plan { samples: 300, seed: 0 };
+    let plan = Plan {
+        samples: 300,
+        seed: 0,
+    };
     let of = [Outcome::BallSpeed, Outcome::Lateral, Outcome::Carry];
     let found = uncertainty(&setup, &of, &[density], plan, &|_, _| ()).unwrap();
     let drive = Drive::new(&setup).unwrap();
     for outcome in &found.outcomes[..2] {
         let sampled = outcome.sampled.as_ref().unwrap();
-        assert_eq!(sampled.mean.value, outcome.of.of(&drive).unwrap(), "to the last bit");
-        assert_eq!((sampled.deviation.value, sampled.deviation.low, sampled.deviation.high), (0.0, 0.0, 0.0));
+        assert_eq!(
+            sampled.mean.value,
+            outcome.of.of(&drive).unwrap(),
+            "to the last bit"
+        );
+        assert_eq!(
+            (
+                sampled.deviation.value,
+                sampled.deviation.low,
+                sampled.deviation.high
+            ),
+            (0.0, 0.0, 0.0)
+        );
         assert!(sampled.indices == [None] && outcome.slopes == [None] && !outcome.varies());
         assert_eq!(outcome.measure_first(&found.inputs), None);
     }
@@ -332,22 +665,50 @@ fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
     let json = serde_json::to_value(UncertaintyReport::reply(&found, vec![])).unwrap();
     assert_eq!(json["outcomes"][0]["varies"], false);
-    assert_eq!(json["outcomes"][0]["measure_first"], serde_json::Value::Null);
-    assert_eq!(json["outcomes"][0]["monte_carlo"]["standard_uncertainty"]["value"], 0.0);
+    assert_eq!(
+        json["outcomes"][0]["measure_first"],
+        serde_json::Value::Null
+    );
+    assert_eq!(
+        json["outcomes"][0]["monte_carlo"]["standard_uncertainty"]["value"],
+        0.0
+    );
 }
 
 #[test]
 fn exact_a_constant_that_is_off_by_rounding_is_a_constant() {
-    let constant = statistics(&[CIRCLE], Plan { samples: 100, seed: 0 }, |x| Some(0.1 + x[0].sin() * 1e-17));
+    let constant = statistics(
+        &[CIRCLE],
+        Plan {
+            samples: 100,
+            seed: 0,
+        },
+        |x| Some(0.1 + x[0].sin() * 1e-17),
+    );
     assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
-    let rounded = statistics(&[CIRCLE], Plan { samples: 100, seed: 0 }, |x| Some(0.1 * (1.0 + 1e-15 * x[0].signum())));
+    let rounded = statistics(
+        &[CIRCLE],
+        Plan {
+            samples: 100,
+            seed: 0,
+        },
+        |x| Some(0.1 * (1.0 + 1e-15 * x[0].signum())),
+    );
     assert!(rounded.indices[0].is_none() && rounded.deviation.value == 0.0);
-    let varies = statistics(&[CIRCLE], Plan { samples: 100, seed: 0 }, |x| Some(0.1 * (1.0 + 1e-12 * x[0])));
+    let varies = statistics(
+        &[CIRCLE],
+        Plan {
+            samples: 100,
+            seed: 0,
+        },
+        |x| Some(0.1 * (1.0 + 1e-12 * x[0])),
+    );
     assert!(varies.indices[0].is_some() && varies.deviation.value > 0.0);
 }
 
-/// What is left of an outcome that one parameter dominates, beside the mean of its variance at fixed values of that parameter: Gauss's three nodes of
-/// a normal distribution. 1 − S₁ alone is 0 with one seed and four times too much with another.
+/// What is left of an outcome that one parameter dominates, beside the mean of its variance at
+/// fixed values of that parameter: Gauss's three nodes of a normal distribution. 1 − S₁ alone is 0
+/// with one seed and four times too much with another.
 #[test]
 fn independent_deviation_that_is_left_where_one_parameter_dominates() {
     let mut setup = Setup::default();
@@ -355,14 +716,25 @@ fn independent_deviation_that_is_left_where_one_parameter_dominates() {
     let input = |text: &str| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap());
     let others = ["swing.speed=2mph", "club.loft=1deg"].map(input);
     let all = [others[0], others[1], input("swing.face_angle=2deg")];
-    let plan = |seed| Plan { samples: 4096, seed };
+    let plan = |seed| Plan {
+        samples: 4096,
+        seed,
+    };
     let run = |setup: &Setup<f64>, inputs: &[Uncertain], seed| {
-        uncertainty(setup, &[Outcome::Lateral], inputs, plan(seed), &|_, _| ()).unwrap().outcomes.remove(0)
+        uncertainty(setup, &[Outcome::Lateral], inputs, plan(seed), &|_, _| ())
+            .unwrap()
+            .outcomes
+            .remove(0)
     };
     let at = |deg: f64| {
         let mut fixed = setup;
         fixed.swing.face_angle += deg.to_radians();
-        run(&fixed, &others, 0).sampled.unwrap().deviation.value.powi(2)
+        run(&fixed, &others, 0)
+            .sampled
+            .unwrap()
+            .deviation
+            .value
+            .powi(2)
     };
     let node = 2.0 * 3.0_f64.sqrt();
     let exact = (at(0.0) * 2.0 / 3.0 + (at(node) + at(-node)) / 6.0).sqrt();
@@ -379,18 +751,39 @@ fn exact_uncertainties_beyond_all_measure_leave_no_infinity() {
     let setup = Setup::default();
     let sigma = Sigma::read(&setup, "wind.downrange=1e200 m/s").unwrap();
     let input = [Uncertain::normal(&setup, &sigma)];
-    let plan = Plan { samples: 10, seed: 0 };
-    let found = uncertainty(&setup, &[Outcome::Carry, Outcome::Lateral], &input, plan, &|_, _| ()).unwrap();
+    let plan = Plan {
+        samples: 10,
+        seed: 0,
+    };
+    let found = uncertainty(
+        &setup,
+        &[Outcome::Carry, Outcome::Lateral],
+        &input,
+        plan,
+        &|_, _| (),
+    )
+    .unwrap();
     for outcome in &found.outcomes {
         let (first, second) = outcome.delta.unwrap();
-        assert!(first.deviation.is_finite() && second.is_none(), "{outcome:?}");
+        assert!(
+            first.deviation.is_finite() && second.is_none(),
+            "{outcome:?}"
+        );
     }
     let text = uncertainty_text(&found, longdrive::units::System::Us);
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
-    let found = effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ()).unwrap().remove(0);
+    let found = effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ())
+        .unwrap()
+        .remove(0);
     let bar = found.effects[0].bar.unwrap();
     assert!(bar.first_order > 1e199 && bar.second_order.is_none());
-    close(found.standard_uncertainty(), bar.first_order, bar.first_order, 1e-15, "of one bar");
+    close(
+        found.standard_uncertainty(),
+        bar.first_order,
+        bar.first_order,
+        1e-15,
+        "of one bar",
+    );
     assert_eq!(found.linearity(), 0.0);
 }
 
@@ -400,54 +793,156 @@ fn exact_gusts_are_part_of_the_uncertainty_of_the_wind() {
     let sigma = |settings: &[(&str, &str)], name: &str| {
         let mut setup = Setup::default();
         setup.set_all(settings.iter().copied()).unwrap();
-        let all = longdrive::study::with_defaults(&setup, &[], &[longdrive::Outcome::Carry]).unwrap();
-        all.into_iter().find(|sigma| sigma.parameter.name == name).unwrap().value
+        let all =
+            longdrive::study::with_defaults(&setup, &[], &[longdrive::Outcome::Carry]).unwrap();
+        all.into_iter()
+            .find(|sigma| sigma.parameter.name == name)
+            .unwrap()
+            .value
     };
     let polar = [("wind.speed", "8 m/s"), ("wind.from", "30 deg")];
     let open = 8.0 / 200.0_f64.ln();
     assert!((sigma(&polar, "wind.speed") - 1.0_f64.hypot(open)).abs() < 1e-14);
     let mown = [polar[0], polar[1], ("wind.roughness", "2.4 mm")];
-    assert!((sigma(&mown, "wind.speed") - 1.0_f64.hypot(8.0 / (10.0_f64 / 0.0024).ln())).abs() < 1e-14);
+    assert!(
+        (sigma(&mown, "wind.speed") - 1.0_f64.hypot(8.0 / (10.0_f64 / 0.0024).ln())).abs() < 1e-14
+    );
     let head = [("wind.downrange", "-8 m/s")];
     assert!((sigma(&head, "wind.downrange") - 1.0_f64.hypot(open)).abs() < 1e-14);
     assert!((sigma(&head, "wind.right") - 1.0_f64.hypot(0.8 * open)).abs() < 1e-14);
     // calm, and over ground as rough as the wind is high
     assert_eq!(sigma(&[], "wind.downrange"), 1.0);
-    let rough = [polar[0], polar[1], ("wind.roughness", "10 m"), ("wind.reference_height", "1 m")];
+    let rough = [
+        polar[0],
+        polar[1],
+        ("wind.roughness", "10 m"),
+        ("wind.reference_height", "1 m"),
+    ];
     assert_eq!(sigma(&rough, "wind.speed"), 1.0_f64.hypot(8.0));
 }
 
 #[test]
 fn an_unset_wind_is_refused_with_what_gives_it() {
     for name in ["wind.speed", "wind.from"] {
-        let error = longdrive::Setup::default().variable(name).unwrap_err().to_string();
-        let words =
-            "it is unset here, which means: the wind is given by wind.right and wind.downrange; give it a value";
+        let error = longdrive::Setup::default()
+            .variable(name)
+            .unwrap_err()
+            .to_string();
+        let words = "it is unset here, which means: the wind is given by wind.right and \
+                     wind.downrange; give it a value";
         assert!(error.contains(words), "{error}");
     }
 }
 
-/// What `Uncertain::read` refuses is refused also where it was made by hand, before any drive is flown.
+/// What `Uncertain::read` refuses is refused also where it was made by hand, before any drive is
+/// flown.
 #[test]
 fn distributions_made_by_hand_that_are_none_are_refused() {
     let setup = Setup::default();
     let speed = setup.variable("swing.speed").unwrap();
-    let plan = Plan { samples: 8, seed: 0 };
+    let plan = Plan {
+        samples: 8,
+        seed: 0,
+    };
     for (distribution, says) in [
-        (Distribution::Normal { mean: f64::NAN, deviation: 1.0 }, "finite"),
-        (Distribution::Normal { mean: 50.0, deviation: -1.0 }, "standard deviation"),
-        (Distribution::Normal { mean: 50.0, deviation: 0.0 }, "standard deviation"),
-        (Distribution::Normal { mean: 50.0, deviation: f64::INFINITY }, "standard deviation"),
-        (Distribution::Uniform { low: 50.0, high: 40.0 }, "rise"),
-        (Distribution::Uniform { low: 50.0, high: 50.0 }, "rise"),
-        (Distribution::Uniform { low: 50.0, high: f64::INFINITY }, "finite"),
-        (Distribution::Triangular { low: 40.0, mode: 60.0, high: 50.0 }, "rise"),
-        (Distribution::Truncated { mean: 50.0, deviation: 1.0, low: 90.0, high: 91.0 }, "nothing of the distribution"),
-        (Distribution::Truncated { mean: 50.0, deviation: 1.0, low: 9.0, high: 10.0 }, "nothing of the distribution"),
-        (Distribution::Truncated { mean: 50.0, deviation: 0.0, low: 40.0, high: 60.0 }, "standard deviation"),
-        (Distribution::Truncated { mean: 50.0, deviation: 1.0, low: 60.0, high: 40.0 }, "rise"),
+        (
+            Distribution::Normal {
+                mean: f64::NAN,
+                deviation: 1.0,
+            },
+            "finite",
+        ),
+        (
+            Distribution::Normal {
+                mean: 50.0,
+                deviation: -1.0,
+            },
+            "standard deviation",
+        ),
+        (
+            Distribution::Normal {
+                mean: 50.0,
+                deviation: 0.0,
+            },
+            "standard deviation",
+        ),
+        (
+            Distribution::Normal {
+                mean: 50.0,
+                deviation: f64::INFINITY,
+            },
+            "standard deviation",
+        ),
+        (
+            Distribution::Uniform {
+                low: 50.0,
+                high: 40.0,
+            },
+            "rise",
+        ),
+        (
+            Distribution::Uniform {
+                low: 50.0,
+                high: 50.0,
+            },
+            "rise",
+        ),
+        (
+            Distribution::Uniform {
+                low: 50.0,
+                high: f64::INFINITY,
+            },
+            "finite",
+        ),
+        (
+            Distribution::Triangular {
+                low: 40.0,
+                mode: 60.0,
+                high: 50.0,
+            },
+            "rise",
+        ),
+        (
+            Distribution::Truncated {
+                mean: 50.0,
+                deviation: 1.0,
+                low: 90.0,
+                high: 91.0,
+            },
+            "nothing of the distribution",
+        ),
+        (
+            Distribution::Truncated {
+                mean: 50.0,
+                deviation: 1.0,
+                low: 9.0,
+                high: 10.0,
+            },
+            "nothing of the distribution",
+        ),
+        (
+            Distribution::Truncated {
+                mean: 50.0,
+                deviation: 0.0,
+                low: 40.0,
+                high: 60.0,
+            },
+            "standard deviation",
+        ),
+        (
+            Distribution::Truncated {
+                mean: 50.0,
+                deviation: 1.0,
+                low: 60.0,
+                high: 40.0,
+            },
+            "rise",
+        ),
     ] {
-        let input = Uncertain { parameter: speed, distribution };
+        let input = Uncertain {
+            parameter: speed,
+            distribution,
+        };
         let swings = || Swings::distributed(vec![input], &[]).unwrap();
         let refused = [
             uncertainty(&setup, &[Outcome::Carry], &[input], plan, &|_, _| ()).map(|_| ()),
@@ -456,42 +951,84 @@ fn distributions_made_by_hand_that_are_none_are_refused() {
         ];
         for error in refused.map(Result::unwrap_err) {
             let words = error.to_string();
-            assert!(matches!(error, Error::Unreadable { .. }) && words.contains(says), "{distribution:?}: {words}");
+            assert!(
+                matches!(error, Error::Unreadable { .. }) && words.contains(says),
+                "{distribution:?}: {words}"
+            );
             assert!(words.contains("swing.speed"), "{words}");
         }
         let alone = Design::new(&[distribution], plan).unwrap_err().to_string();
         assert!(alone.contains(says), "{alone}");
     }
-    let beyond = Uncertain { parameter: speed, distribution: Distribution::Uniform { low: -1.0, high: 1.0 } };
+    let beyond = Uncertain {
+        parameter: speed,
+        distribution: Distribution::Uniform {
+            low: -1.0,
+            high: 1.0,
+        },
+    };
     let refused = uncertainty(&setup, &[Outcome::Carry], &[beyond], plan, &|_, _| ()).unwrap_err();
     assert!(matches!(refused, Error::OutOfRange { .. }), "{refused}");
-    let none = uncertainty(&setup, &[Outcome::Carry], &[], plan, &|_, _| ()).unwrap_err().to_string();
-    assert!(none.contains("at least one uncertain parameter") && !none.contains("sweep"), "{none}");
+    let none = uncertainty(&setup, &[Outcome::Carry], &[], plan, &|_, _| ())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        none.contains("at least one uncertain parameter") && !none.contains("sweep"),
+        "{none}"
+    );
     for value in [f64::NAN, f64::INFINITY, 0.0, -1.0] {
-        let sigma = Sigma { parameter: speed, value, source: None };
+        let sigma = Sigma {
+            parameter: speed,
+            value,
+            source: None,
+        };
         let refused = [
             effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ()).map(|_| ()),
             Landing::of("as set up", &setup, &[sigma]).map(|_| ()),
         ];
         for error in refused.map(Result::unwrap_err) {
-            assert!(error.to_string().contains("the standard uncertainty of swing.speed"), "{error}");
+            assert!(
+                error
+                    .to_string()
+                    .contains("the standard uncertainty of swing.speed"),
+                "{error}"
+            );
         }
     }
 }
 
-/// The tail of a normal distribution from 9 to 10 standard deviations above its mean, and from 9 to 10 below: mean, central moments and quantiles by
-/// mpmath with 40 digits. The upper tail lies where the distribution function is 1 but for rounding.
+/// The tail of a normal distribution from 9 to 10 standard deviations above its mean, and from 9 to
+/// 10 below: mean, central moments and quantiles by mpmath with 40 digits. The upper tail lies
+/// where the distribution function is 1 but for rounding.
 #[test]
 fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_digits() {
     let setup = Setup::default();
     let mean = 9.108_456_288_012;
-    let moments = [0.011_448_805_821_64, 0.002_325_759_361_667, 0.001_058_215_090_716];
-    let quantiles = [(0.1, 9.011_559_170_906), (0.5, 9.075_779_713_739), (0.9, 9.249_353_376_365)];
+    let moments = [
+        0.011_448_805_821_64,
+        0.002_325_759_361_667,
+        0.001_058_215_090_716,
+    ];
+    let quantiles = [
+        (0.1, 9.011_559_170_906),
+        (0.5, 9.075_779_713_739),
+        (0.9, 9.249_353_376_365),
+    ];
     for side in [-1.0, 1.0] {
-        let [low, high] = if side > 0.0 { [9.0, 10.0] } else { [-10.0, -9.0] };
-        let tail = Distribution::Truncated { mean: 0.0, deviation: 1.0, low, high };
+        let [low, high] = if side > 0.0 {
+            [9.0, 10.0]
+        } else {
+            [-10.0, -9.0]
+        };
+        let tail = Distribution::Truncated {
+            mean: 0.0,
+            deviation: 1.0,
+            low,
+            high,
+        };
         tail.check().unwrap();
-        // a share of the tail is known to 1e-10 of itself, and the central moments are small differences of moments about 0
+        // a share of the tail is known to 1e-10 of itself, and the central moments are small
+        // differences of moments about 0
         close(tail.mean(), side * mean, 1.0, 1e-9, "mean");
         let [second, third, fourth] = tail.central_moments();
         close(second, moments[0], moments[0], 1e-6, "second");
@@ -501,37 +1038,85 @@ fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_dig
             let share = if side > 0.0 { share } else { 1.0 - share };
             close(tail.quantile(share), side * value, 1.0, 1e-8, "quantile");
         }
-        let text = format!("swing.speed=truncated(50 m/s, 1 m/s, {} m/s, {} m/s)", 50.0 + low, 50.0 + high);
+        let text = format!(
+            "swing.speed=truncated(50 m/s, 1 m/s, {} m/s, {} m/s)",
+            50.0 + low,
+            50.0 + high
+        );
         let read = Uncertain::read(&setup, &text).unwrap().distribution;
         close(read.mean(), 50.0 + side * mean, 1.0, 1e-9, "mean as read");
     }
 }
 
-/// Wrong lengths are mistakes of a program: they panic, with both lengths. A value that is not finite is one that is missing.
+/// Wrong lengths are mistakes of a program: they panic, with both lengths. A value that is not
+/// finite is one that is missing.
 #[test]
 fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
-    let inputs = [Distribution::Normal { mean: 0.0, deviation: 1.0 }; 2];
-    let design = Design::new(&inputs, Plan { samples: 3, seed: 0 }).unwrap();
-    for values in [vec![], vec![vec![Some(1.0); 3]; 2], vec![vec![Some(1.0); 3], vec![], vec![], vec![]]] {
+    let inputs = [Distribution::Normal {
+        mean: 0.0,
+        deviation: 1.0,
+    }; 2];
+    let design = Design::new(
+        &inputs,
+        Plan {
+            samples: 3,
+            seed: 0,
+        },
+    )
+    .unwrap();
+    for values in [
+        vec![],
+        vec![vec![Some(1.0); 3]; 2],
+        vec![vec![Some(1.0); 3], vec![], vec![], vec![]],
+    ] {
         let said = panic_of(|| design.statistics(&values));
         let lengths: Vec<usize> = values.iter().map(Vec::len).collect();
-        assert!(said.contains("[3, 3, 3, 3] points") && said.contains(&format!("{lengths:?} values")), "{said}");
+        assert!(
+            said.contains("[3, 3, 3, 3] points") && said.contains(&format!("{lengths:?} values")),
+            "{said}"
+        );
     }
-    assert!(design.statistics(&vec![vec![Some(f64::NAN); 3]; 4]).is_none());
-    let one_missing: Vec<Vec<_>> =
-        [f64::NAN, 2.0, 3.0, 4.0].map(|first| vec![Some(first), Some(5.0), Some(7.0)]).into();
+    assert!(
+        design
+            .statistics(&vec![vec![Some(f64::NAN); 3]; 4])
+            .is_none()
+    );
+    let one_missing: Vec<Vec<_>> = [f64::NAN, 2.0, 3.0, 4.0]
+        .map(|first| vec![Some(first), Some(5.0), Some(7.0)])
+        .into();
     let found = design.statistics(&one_missing).unwrap();
-    assert!(found.left_out == 1 && found.mean.value.is_finite() && found.deviation.value.is_finite(), "{found:?}");
+    assert!(
+        found.left_out == 1 && found.mean.value.is_finite() && found.deviation.value.is_finite(),
+        "{found:?}"
+    );
 
-    let taylor = |n: usize| derivative::Taylor { value: 1.0, gradient: vec![1.0; n], hessian: vec![] };
+    let taylor = |n: usize| derivative::Taylor {
+        value: 1.0,
+        gradient: vec![1.0; n],
+        hessian: vec![],
+    };
     for n in [1, 3] {
         let said = panic_of(|| delta_method(&taylor(n), &inputs));
-        assert!(said.contains(&format!("2 distributions, and {n} derivatives")), "{said}");
+        assert!(
+            said.contains(&format!("2 distributions, and {n} derivatives")),
+            "{said}"
+        );
         let said = panic_of(|| derivative::Taylor::sum([(&taylor(2), 1.0), (&taylor(n), 1.0)]));
-        assert!(said.contains(&format!("2 derivatives of the first term, and {n} derivatives")), "{said}");
+        assert!(
+            said.contains(&format!(
+                "2 derivatives of the first term, and {n} derivatives"
+            )),
+            "{said}"
+        );
     }
-    let with_hessian = derivative::Taylor { hessian: vec![vec![0.0; 2]; 2], ..taylor(2) };
+    let with_hessian = derivative::Taylor {
+        hessian: vec![vec![0.0; 2]; 2],
+        ..taylor(2)
+    };
     let said = panic_of(|| derivative::Taylor::sum([(&taylor(2), 1.0), (&with_hessian, 1.0)]));
-    assert!(said.contains("0 rows of second derivatives of the first term, and 2"), "{said}");
+    assert!(
+        said.contains("0 rows of second derivatives of the first term, and 2"),
+        "{said}"
+    );
     assert!(panic_of(|| inputs[0].quantile(2.0)).contains("it is 2"));
 }

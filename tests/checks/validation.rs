@@ -1,4 +1,5 @@
-//! `validate`: every law beside published drives, its numbers computed another way, and what the documents say of them.
+//! `validate`: every law beside published drives, its numbers computed another way, and what the
+//! documents say of them.
 
 use crate::command_line::{Said, Written, json, longdrive, written};
 use crate::common::{close, number};
@@ -10,8 +11,10 @@ use serde_json::Value;
 use std::sync::LazyLock;
 
 static FOUND: LazyLock<Vec<SetScores>> = LazyLock::new(|| validation(None).unwrap());
-/// What the program says and writes of it, which takes it seconds: in a folder, as rows, and in JSON.
-pub static VALIDATED: LazyLock<Written> = LazyLock::new(|| written(&["validate", "--units", "metric"]));
+/// What the program says and writes of it, which takes it seconds: in a folder, as rows, and in
+/// JSON.
+pub static VALIDATED: LazyLock<Written> =
+    LazyLock::new(|| written(&["validate", "--units", "metric"]));
 static ROWS: LazyLock<Said> = LazyLock::new(|| longdrive(&["validate", "--csv"]));
 pub static ANSWERED: LazyLock<(i32, Value)> = LazyLock::new(|| json(&["validate"]));
 
@@ -21,15 +24,27 @@ fn set(name: &str) -> &'static SetScores {
 
 fn differences(of: &SetScores, law: &str, compared: Compared) -> Vec<f64> {
     let law = of.laws.iter().find(|one| one.law == law).unwrap();
-    let score = law.scores.iter().find(|score| score.of == compared).unwrap();
-    score.residuals.iter().map(longdrive::study::validation::Residual::difference).collect()
+    let score = law
+        .scores
+        .iter()
+        .find(|score| score.of == compared)
+        .unwrap();
+    score
+        .residuals
+        .iter()
+        .map(longdrive::study::validation::Residual::difference)
+        .collect()
 }
 
 #[test]
 fn a_part_of_pictures_alone_is_left_out_of_the_text() {
     let document = validation_document(&FOUND, System::Us);
     let (text, markdown) = (document.text(), document.markdown(System::Us));
-    assert!(document.figures().next().is_some() && markdown.contains("In pictures") && !text.contains("In pictures"));
+    assert!(
+        document.figures().next().is_some()
+            && markdown.contains("In pictures")
+            && !text.contains("In pictures")
+    );
     for set in FOUND.iter() {
         assert!(text.contains(set.set.name), "{}", set.set.name);
     }
@@ -37,19 +52,59 @@ fn a_part_of_pictures_alone_is_left_out_of_the_text() {
 
 #[test]
 fn exact_number_of_published_drives_of_every_set() {
-    let counts: Vec<_> = FOUND.iter().map(|set| (set.set.name, set.cases.len())).collect();
-    let chart = ["chart-optima", "chart-optima-centred", "chart-optima-impact"].map(|name| (name, 30));
-    let expected = [("pga-driver", 3), ("lpga-driver", 2), ("pga-radar", 5), ("pga-clubs", 22), ("lpga-clubs", 20)];
-    let others = [("robots", 5), ("altitude", 7), ("altitude-alone", 7), ("face-to-path", 4), ("chart-launches", 60)];
-    assert_eq!(counts, [&expected[..], &others, &chart, &[("simulations", 8)]].concat());
+    let counts: Vec<_> = FOUND
+        .iter()
+        .map(|set| (set.set.name, set.cases.len()))
+        .collect();
+    let chart = [
+        "chart-optima",
+        "chart-optima-centred",
+        "chart-optima-impact",
+    ]
+    .map(|name| (name, 30));
+    let expected = [
+        ("pga-driver", 3),
+        ("lpga-driver", 2),
+        ("pga-radar", 5),
+        ("pga-clubs", 22),
+        ("lpga-clubs", 20),
+    ];
+    let others = [
+        ("robots", 5),
+        ("altitude", 7),
+        ("altitude-alone", 7),
+        ("face-to-path", 4),
+        ("chart-launches", 60),
+    ];
+    assert_eq!(
+        counts,
+        [&expected[..], &others, &chart, &[("simulations", 8)]].concat()
+    );
     for set in FOUND.iter() {
-        assert!(set.cases.iter().all(|case| !case.source.is_empty() && !case.name.is_empty()), "{}", set.set.name);
+        assert!(
+            set.cases
+                .iter()
+                .all(|case| !case.source.is_empty() && !case.name.is_empty()),
+            "{}",
+            set.set.name
+        );
         assert_eq!(set.laws.len(), longdrive::parameters::Law::NAMES.len());
         // what is published is computed, by every law
         for law in &set.laws {
             for score in &law.scores {
-                let published = set.cases.iter().filter(|case| case.published(score.of).is_some()).count();
-                assert_eq!(score.residuals.len(), published, "{} {} {}", set.set.name, law.law, score.of.name());
+                let published = set
+                    .cases
+                    .iter()
+                    .filter(|case| case.published(score.of).is_some())
+                    .count();
+                assert_eq!(
+                    score.residuals.len(),
+                    published,
+                    "{} {} {}",
+                    set.set.name,
+                    law.law,
+                    score.of.name()
+                );
             }
         }
     }
@@ -65,16 +120,32 @@ fn independent_rows_are_the_drives_of_simulate_and_biases_their_means() {
         .filter(|row: &Vec<_>| row.len() == 9)
         .collect();
     let of = |case: &str, law: &str, quantity: &str| {
-        let row = rows.iter().find(|row| row[..4] == ["pga-driver", case, law, quantity]).unwrap();
+        let row = rows
+            .iter()
+            .find(|row| row[..4] == ["pga-driver", case, law, quantity])
+            .unwrap();
         row[5].parse::<f64>().unwrap()
     };
     for law in ["launch-monitor", "lyu", "bearman-harvey"] {
-        let given = ["--launch", "ball_speed=171mph,launch_angle=10.4deg,spin=2545rpm", "--set"];
+        let given = [
+            "--launch",
+            "ball_speed=171mph,launch_angle=10.4deg,spin=2545rpm",
+            "--set",
+        ];
         let law_is = format!("aero.law={law}");
         let (_, drive) = json(&[&["simulate", "modern-driver"], &given[..], &[&law_is]].concat());
-        for (quantity, outcome) in [("carry", "carry_distance"), ("apex", "apex_height"), ("descent", "descent_angle")]
-        {
-            close(of("2023 driver", law, quantity), number(&drive["flight"][outcome]), 1.0, 1e-5, quantity);
+        for (quantity, outcome) in [
+            ("carry", "carry_distance"),
+            ("apex", "apex_height"),
+            ("descent", "descent_angle"),
+        ] {
+            close(
+                of("2023 driver", law, quantity),
+                number(&drive["flight"][outcome]),
+                1.0,
+                1e-5,
+                quantity,
+            );
         }
     }
     let found = &ANSWERED.1["sets"][0];
@@ -85,16 +156,28 @@ fn independent_rows_are_the_drives_of_simulate_and_biases_their_means() {
             .filter(|row| row[0] == "pga-driver" && law["law"] == row[2] && row[3] == "carry")
             .map(|row| row[7].parse().unwrap())
             .collect();
-        let mean = |of: fn(f64) -> f64| differences.iter().map(|&it| of(it)).sum::<f64>() / differences.len() as f64;
+        let mean = |of: fn(f64) -> f64| {
+            differences.iter().map(|&it| of(it)).sum::<f64>() / differences.len() as f64
+        };
         let carry = &law["scores"]["carry"];
         close(number(&carry["bias"]), mean(|it| it), 1.0, 1e-12, "bias");
-        close(number(&carry["mean_absolute_error"]), mean(f64::abs), 1.0, 1e-12, "MAE");
+        close(
+            number(&carry["mean_absolute_error"]),
+            mean(f64::abs),
+            1.0,
+            1e-12,
+            "MAE",
+        );
     }
 }
 
 #[test]
 fn independent_mean_of_scattered_drives_is_that_of_uncertainty() {
-    let launches = [(171.0, 10.4, 2545.0), (167.0, 10.9, 2686.0), (165.0, 11.2, 2685.0)];
+    let launches = [
+        (171.0, 10.4, 2545.0),
+        (167.0, 10.9, 2686.0),
+        (165.0, 11.2, 2685.0),
+    ];
     let sigmas: Vec<String> = SCATTER
         .iter()
         .map(|(name, sigma)| {
@@ -108,8 +191,16 @@ fn independent_mean_of_scattered_drives_is_that_of_uncertainty() {
         .collect();
     let mut less = 0.0;
     for (speed, angle, spin) in launches {
-        let launch = format!("ball_speed={speed}mph,launch_angle={angle}deg,spin={spin}rpm,spin_axis=0deg");
-        let mut asked = vec!["uncertainty", "modern-driver", "--samples", "16", "--of", "carry_distance"];
+        let launch =
+            format!("ball_speed={speed}mph,launch_angle={angle}deg,spin={spin}rpm,spin_axis=0deg");
+        let mut asked = vec![
+            "uncertainty",
+            "modern-driver",
+            "--samples",
+            "16",
+            "--of",
+            "carry_distance",
+        ];
         asked.extend(["--launch", &launch]);
         asked.extend(sigmas.iter().flat_map(|sigma| ["--sigma", sigma]));
         let (status, found) = json(&asked);
@@ -117,20 +208,40 @@ fn independent_mean_of_scattered_drives_is_that_of_uncertainty() {
         let mean = |way: &str| number(&found["outcomes"][0][way]["mean"]);
         less += (mean("second_order") - mean("delta")) / 3.0;
     }
-    let law = set("pga-driver").laws.iter().find(|law| law.law == "launch-monitor").unwrap();
-    close(law.averaged.unwrap() - law.scores[0].bias().unwrap(), less, 1.0, 1e-4, "averaging");
+    let law = set("pga-driver")
+        .laws
+        .iter()
+        .find(|law| law.law == "launch-monitor")
+        .unwrap();
+    close(
+        law.averaged.unwrap() - law.scores[0].bias().unwrap(),
+        less,
+        1.0,
+        1e-4,
+        "averaging",
+    );
 }
 
-/// The chart's bounds on average: 1° of launch angle, 250 rpm, 2 % of carry. `published.rs` holds the preset to them too.
+/// The chart's bounds on average: 1° of launch angle, 250 rpm, 2 % of carry. `published.rs` holds
+/// the preset to them too.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
     let of = set("chart-optima-impact");
-    let carries = of.cases.iter().map(|case| case.published(Compared::Carry).unwrap()).sum::<f64>() / 30.0;
+    let carries = of
+        .cases
+        .iter()
+        .map(|case| case.published(Compared::Carry).unwrap())
+        .sum::<f64>()
+        / 30.0;
     let law = of.laws.iter().find(|law| law.law == "ferguson").unwrap();
     let [carry, launch, spin] = [0, 1, 2].map(|at| law.scores[at].mean_absolute().unwrap());
     let (launch, spin) = (launch.to_degrees(), spin * 60.0 / std::f64::consts::TAU);
-    assert!(carry < 0.02 * carries && launch < 1.0 && spin < 250.0, "{carry} m, {launch} deg, {spin} rpm");
-    // the default club has too little spin at the impact: its optimum launches as the chart's and spins less
+    assert!(
+        carry < 0.02 * carries && launch < 1.0 && spin < 250.0,
+        "{carry} m, {launch} deg, {spin} rpm"
+    );
+    // the default club has too little spin at the impact: its optimum launches as the chart's and
+    // spins less
     let of = set("chart-optima");
     let of_default = |compared| differences(of, "launch-monitor", compared);
     let mean = |of: Vec<f64>| of.iter().sum::<f64>() / 30.0;
@@ -143,10 +254,26 @@ fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
 fn exact_misses_of_the_other_clubs_are_those_of_the_table() {
     for name in ["pga-clubs", "lpga-clubs"] {
         let set = set(name);
-        assert!(set.set.misses.starts_with("No law meets carry and descent together."), "{}", set.set.misses);
+        assert!(
+            set.set
+                .misses
+                .starts_with("No law meets carry and descent together."),
+            "{}",
+            set.set.misses
+        );
         for law in &set.laws {
-            let bias = |of: Compared| law.scores.iter().find(|score| score.of == of).unwrap().bias().unwrap();
-            let (carry, descent) = (bias(Compared::Carry) / 0.9144, bias(Compared::Descent).to_degrees());
+            let bias = |of: Compared| {
+                law.scores
+                    .iter()
+                    .find(|score| score.of == of)
+                    .unwrap()
+                    .bias()
+                    .unwrap()
+            };
+            let (carry, descent) = (
+                bias(Compared::Carry) / 0.9144,
+                bias(Compared::Descent).to_degrees(),
+            );
             let is_as_told = match law.law {
                 "usga-itr" => (-13.0..-8.0).contains(&carry) && descent.abs() < 1.0,
                 "lyu" => (38.0..53.0).contains(&carry) && (-2.5..-0.5).contains(&descent),
@@ -164,10 +291,15 @@ fn what_validation_md_shows_is_that_of_the_program() {
     let place = |name: &str| format!("{}/../docs/{name}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(place("validation.md")).unwrap();
     let document = validation_document(&FOUND, System::Us);
-    let markdown =
-        document.markdown(System::Us).replace("\n## ", "\n### ").replace("](validation-", "](pictures/validation-");
+    let markdown = document
+        .markdown(System::Us)
+        .replace("\n## ", "\n### ")
+        .replace("](validation-", "](pictures/validation-");
     let (_, body) = markdown.split_once("\n\n").unwrap();
-    assert!(text.contains(body), "docs/validation.md should have:\n{body}");
+    assert!(
+        text.contains(body),
+        "docs/validation.md should have:\n{body}"
+    );
     let mut figures = vec![];
     for figure in document.figures() {
         let svg = figure_svg(figure, &Look::default()).unwrap();
@@ -175,28 +307,51 @@ fn what_validation_md_shows_is_that_of_the_program() {
         if std::env::var_os("WRITE_PICTURES").is_some() {
             std::fs::write(&file, &svg).unwrap();
         }
-        assert!(std::fs::read_to_string(&file).unwrap_or_default() == svg, "{file} is not what validate -o writes");
+        assert!(
+            std::fs::read_to_string(&file).unwrap_or_default() == svg,
+            "{file} is not what validate -o writes"
+        );
         figures.push(figure.name.as_str());
     }
-    let residuals = ["validation-carry-residuals", "validation-apex", "validation-descent", "validation-spin"];
+    let residuals = [
+        "validation-carry-residuals",
+        "validation-apex",
+        "validation-descent",
+        "validation-spin",
+    ];
     assert_eq!(figures, [&["validation-carry"], &residuals[..]].concat());
 }
 
 #[test]
 fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
     let said = &VALIDATED.said;
-    assert!(said.status == 0 && said.out.contains("lengths in m,"), "{}", said.err);
+    assert!(
+        said.status == 0 && said.out.contains("lengths in m,"),
+        "{}",
+        said.err
+    );
     // 30 optima of each law
     let data = VALIDATED.file("validation-spin.csv");
-    assert_eq!(data.lines().filter(|line| line.contains("ferguson")).count(), 30);
+    assert_eq!(
+        data.lines()
+            .filter(|line| line.contains("ferguson"))
+            .count(),
+        30
+    );
     assert!(!VALIDATED.file("validation-carry-us.svg").is_empty());
     for file in ["index.html", "report.md"] {
         let text = VALIDATED.file(file);
-        assert!(text.contains("launch-monitor") && !text.contains("NaN"), "{file}");
+        assert!(
+            text.contains("launch-monitor") && !text.contains("NaN"),
+            "{file}"
+        );
     }
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("index.html"), "not ours").unwrap();
-    assert_eq!(longdrive(&["validate", "-o", folder.path().to_str().unwrap()]).status, 2);
+    assert_eq!(
+        longdrive(&["validate", "-o", folder.path().to_str().unwrap()]).status,
+        2
+    );
     let said = longdrive(&["validate", "--csv", "--json"]);
     assert_eq!(said.status, 2, "{}", said.out);
     let answer: Value = serde_json::from_str(&said.out).unwrap();
@@ -214,7 +369,11 @@ fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
     assert_eq!(longdrive(&["validate", "-o", &place("v.csv")]).status, 2);
     for command in [&["validate"][..], &["reproduce", "winfield-tan"]] {
         let said = longdrive(&[command, &["-o", &place("page.html")]].concat());
-        assert!(said.status == 2 && said.err.contains(".html is the ending of a file"), "{}", said.err);
+        assert!(
+            said.status == 2 && said.err.contains(".html is the ending of a file"),
+            "{}",
+            said.err
+        );
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }
@@ -224,7 +383,9 @@ fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
 fn ones_own_table_is_compared_and_listed_beside_the_laws() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("mine.csv");
-    let rows: String = (0..5).map(|i| format!("{},{},{}\n", 0.1 * f64::from(i), 0.2, 0.05 * f64::from(i))).collect();
+    let rows: String = (0..5)
+        .map(|i| format!("{},{},{}\n", 0.1 * f64::from(i), 0.2, 0.05 * f64::from(i)))
+        .collect();
     std::fs::write(&table, format!("spin_ratio,cd,cl\n{rows}")).unwrap();
     let set = format!("aero.table={}", table.display());
     let (status, found) = json(&["validate", "--set", &set]);
@@ -234,15 +395,35 @@ fn ones_own_table_is_compared_and_listed_beside_the_laws() {
     let mine = laws.last().unwrap();
     assert_eq!(mine["law"], "table");
     let launch = "ball_speed=171mph,launch_angle=10.4deg,spin=2545rpm";
-    let (_, drive) = json(&["simulate", "modern-driver", "--launch", launch, "--set", &set]);
+    let (_, drive) = json(&[
+        "simulate",
+        "modern-driver",
+        "--launch",
+        launch,
+        "--set",
+        &set,
+    ]);
     let predicted = number(&mine["scores"]["carry"]["residuals"][0]["predicted"]);
-    close(predicted, number(&drive["flight"]["carry_distance"]), 1.0, 1e-5, "carry");
+    close(
+        predicted,
+        number(&drive["flight"]["carry_distance"]),
+        1.0,
+        1e-5,
+        "carry",
+    );
     let (_, listed) = json(&["laws", "--set", &set]);
-    assert_eq!(listed["laws"].as_array().unwrap().last().unwrap()["name"], "table");
+    assert_eq!(
+        listed["laws"].as_array().unwrap().last().unwrap()["name"],
+        "table"
+    );
     for command in ["laws", "validate"] {
         for refused in ["aero.law=lyu", "club.loft=9deg", "aero.spin_decay=0.1/s"] {
             let said = longdrive(&[command, "--set", refused]);
-            assert!(said.status == 2 && said.err.contains("aero.table=mine.csv"), "{refused}: {}", said.err);
+            assert!(
+                said.status == 2 && said.err.contains("aero.table=mine.csv"),
+                "{refused}: {}",
+                said.err
+            );
         }
     }
 }

@@ -1,28 +1,56 @@
-//! Verdicts of the optimizer on small problems after public bug reports of solvers: each true value is a closed form, or known to many digits.
+//! Verdicts of the optimizer on small problems after public bug reports of solvers: each true value
+//! is a closed form, or known to many digits.
 
 use longdrive::number::Number;
-use longdrive::optimize::{Domain, Exact, Functions, Gradients, Options, Problem, Solution, Status, Values, minimize};
+use longdrive::optimize::{
+    Domain, Exact, Functions, Gradients, Options, Problem, Solution, Status, Values, minimize,
+};
 
 const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Searches over bounds and limits of the constraints.
-fn solve(problem: &dyn Problem, bounds: &[(f64, f64)], limits: &[(f64, f64)], start: &[f64]) -> Solution {
+fn solve(
+    problem: &dyn Problem,
+    bounds: &[(f64, f64)],
+    limits: &[(f64, f64)],
+    start: &[f64],
+) -> Solution {
     let (low, high) = bounds.iter().copied().unzip();
     let (least, most) = limits.iter().copied().unzip();
-    let domain = Domain::new(low, high).unwrap().subject_to(least, most).unwrap();
+    let domain = Domain::new(low, high)
+        .unwrap()
+        .subject_to(least, most)
+        .unwrap();
     let found = minimize(problem, &domain, start, &Options::default()).unwrap();
-    assert!(!found.message.contains("inf ") && !found.message.contains("NaN"), "{}", found.message);
+    assert!(
+        !found.message.contains("inf ") && !found.message.contains("NaN"),
+        "{}",
+        found.message
+    );
     found
 }
 
 fn converged(found: &Solution, value: f64, tolerance: f64) {
-    assert_eq!(found.status, Status::Converged, "{} at {:?}", found.message, found.x);
+    assert_eq!(
+        found.status,
+        Status::Converged,
+        "{} at {:?}",
+        found.message,
+        found.x
+    );
     let apart = (found.value.unwrap() - value).abs();
-    assert!(apart <= tolerance * value.abs().max(1.0), "{:?} in place of {value}", found.value);
+    assert!(
+        apart <= tolerance * value.abs().max(1.0),
+        "{:?} in place of {value}",
+        found.value
+    );
 }
 
 fn plain<T>(objective: T) -> Result<Values<T>, String> {
-    Ok(Values { objective, constraints: vec![] })
+    Ok(Values {
+        objective,
+        constraints: vec![],
+    })
 }
 
 /// x⁴ − x²: value and slope vanish at 0, which is a maximum.
@@ -39,14 +67,22 @@ fn exact_minimum_from_a_start_whose_value_and_slope_vanish() {
     for bounds in [FREE, (-2.0, 2.0)] {
         let found = solve(&Exact(DoubleWell), &[bounds], &[], &[0.0]);
         converged(&found, -0.25, 1e-10);
-        assert!((found.x[0].abs() - 0.5_f64.sqrt()).abs() < 1e-8, "{:?}", found.x);
+        assert!(
+            (found.x[0].abs() - 0.5_f64.sqrt()).abs() < 1e-8,
+            "{:?}",
+            found.x
+        );
     }
 }
 
 #[test]
 fn without_second_derivatives_a_stationary_point_is_called_one_that_was_not_examined() {
     let found = solve(&Gradients(DoubleWell), &[FREE], &[], &[0.0]);
-    assert!(found.message.contains("no second derivatives were given"), "{}", found.message);
+    assert!(
+        found.message.contains("no second derivatives were given"),
+        "{}",
+        found.message
+    );
 }
 
 /// eˣ (4x² + 2y² + 4xy + 2y + 1) with x² + y and xy.
@@ -56,7 +92,10 @@ impl Functions for Exponential {
     fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
         let (x, y) = (v[0], v[1]);
         let polynomial = x * x * 4.0 + y * y * 2.0 + x * y * 4.0 + y * 2.0 + 1.0;
-        Ok(Values { objective: x.exp() * polynomial, constraints: vec![x * x + y, x * y] })
+        Ok(Values {
+            objective: x.exp() * polynomial,
+            constraints: vec![x * x + y, x * y],
+        })
     }
 }
 
@@ -65,21 +104,42 @@ struct Parabola;
 
 impl Functions for Parabola {
     fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
-        Ok(Values { objective: v[0], constraints: vec![v[0] * v[0] + v[1]] })
+        Ok(Values {
+            objective: v[0],
+            constraints: vec![v[0] * v[0] + v[1]],
+        })
     }
 }
 
-/// At (0, 1) the gradient of x² + y = 1 is parallel to that of the bound y ≤ 1, and huge multipliers of both balance any slope.
+/// At (0, 1) the gradient of x² + y = 1 is parallel to that of the bound y ≤ 1, and huge
+/// multipliers of both balance any slope.
 #[test]
 fn exact_minima_beyond_a_point_where_a_constraint_touches_a_bound() {
     let limits = [(1.0, 1.0), (-10.0, f64::INFINITY)];
-    let found = solve(&Exact(Exponential), &[(-1.0, 1.0); 2], &limits, &[0.99, -0.99]);
+    let found = solve(
+        &Exact(Exponential),
+        &[(-1.0, 1.0); 2],
+        &limits,
+        &[0.99, -0.99],
+    );
     converged(&found, 1.509_310_953_9, 1e-9);
-    assert!((found.x[0] + 0.752_879).abs() < 1e-5 && (found.x[1] - 0.433_173).abs() < 1e-5, "{:?}", found.x);
+    assert!(
+        (found.x[0] + 0.752_879).abs() < 1e-5 && (found.x[1] - 0.433_173).abs() < 1e-5,
+        "{:?}",
+        found.x
+    );
     let bounds = [(-2.0, f64::INFINITY), (f64::NEG_INFINITY, 1.0)];
-    converged(&solve(&Exact(Parabola), &bounds, &[(1.0, 1.0)], &[1.0, 0.0]), -2.0, 1e-9);
+    converged(
+        &solve(&Exact(Parabola), &bounds, &[(1.0, 1.0)], &[1.0, 0.0]),
+        -2.0,
+        1e-9,
+    );
     for start in [[0.5, 0.5], [1.5, -1.0], [0.1, 1.0]] {
-        converged(&solve(&Exact(Parabola), &bounds, &[(1.0, 1.0)], &start), -2.0, 1e-9);
+        converged(
+            &solve(&Exact(Parabola), &bounds, &[(1.0, 1.0)], &start),
+            -2.0,
+            1e-9,
+        );
     }
 }
 
@@ -89,7 +149,10 @@ struct Profit;
 impl Functions for Profit {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
         let amount = x[1] + x[2] + x[3] - 175_000.0;
-        Ok(Values { objective: -(amount * (x[0] * x[0] + x[0] * 3.0 + 3.0)) * 0.7, constraints: x.to_vec() })
+        Ok(Values {
+            objective: -(amount * (x[0] * x[0] + x[0] * 3.0 + 3.0)) * 0.7,
+            constraints: x.to_vec(),
+        })
     }
 }
 
@@ -98,7 +161,10 @@ struct Product;
 
 impl Functions for Product {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values { objective: -(x[0] * x[1]), constraints: x.to_vec() })
+        Ok(Values {
+            objective: -(x[0] * x[1]),
+            constraints: x.to_vec(),
+        })
     }
 }
 
@@ -107,17 +173,34 @@ struct Disc;
 
 impl Functions for Disc {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values { objective: -(x[0] + x[1]), constraints: vec![x[0] * x[0] + x[1] * x[1]] })
+        Ok(Values {
+            objective: -(x[0] + x[1]),
+            constraints: vec![x[0] * x[0] + x[1] * x[1]],
+        })
     }
 }
 
 #[test]
 fn exact_optima_that_lie_far_from_the_start() {
-    let limits = [(0.5, 1.5), (45_000.0, 250_000.0), (10_000.0, 125_000.0), (5_000.0, 75_000.0)];
-    converged(&solve(&Exact(Profit), &[FREE; 4], &limits, &[0.0; 4]), -1_876_875.0, 1e-9);
+    let limits = [
+        (0.5, 1.5),
+        (45_000.0, 250_000.0),
+        (10_000.0, 125_000.0),
+        (5_000.0, 75_000.0),
+    ];
+    converged(
+        &solve(&Exact(Profit), &[FREE; 4], &limits, &[0.0; 4]),
+        -1_876_875.0,
+        1e-9,
+    );
     let below = |most: f64| (f64::NEG_INFINITY, most);
     for start in [[1.0, 1.0], [0.5, 0.5], [0.1, 2.0]] {
-        let found = solve(&Exact(Product), &[FREE; 2], &[below(1.5), below(1e5)], &start);
+        let found = solve(
+            &Exact(Product),
+            &[FREE; 2],
+            &[below(1.5), below(1e5)],
+            &start,
+        );
         converged(&found, -150_000.0, 1e-9);
     }
     let found = solve(&Exact(Disc), &[FREE; 2], &[below(1e12)], &[0.1, 0.0]);
@@ -129,7 +212,10 @@ struct Twice;
 
 impl Functions for Twice {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values { objective: x[0] * x[0], constraints: vec![x[0], x[0]] })
+        Ok(Values {
+            objective: x[0] * x[0],
+            constraints: vec![x[0], x[0]],
+        })
     }
 }
 
@@ -139,9 +225,22 @@ fn exact_contradictions_by_very_little_are_infeasible_in_few_iterations() {
         for start in [0.0, 1.0, -0.3] {
             let limits = [(f64::NEG_INFINITY, 0.0), (gap, f64::INFINITY)];
             let found = solve(&Exact(Twice), &[FREE], &limits, &[start]);
-            assert_eq!(found.status, Status::Infeasible, "gap {gap:e} from {start}: {}", found.message);
-            assert!(found.message.contains("no point was found"), "{}", found.message);
-            assert!(found.iterations <= 40 && found.kkt_residual.is_finite(), "{} iterations", found.iterations);
+            assert_eq!(
+                found.status,
+                Status::Infeasible,
+                "gap {gap:e} from {start}: {}",
+                found.message
+            );
+            assert!(
+                found.message.contains("no point was found"),
+                "{}",
+                found.message
+            );
+            assert!(
+                found.iterations <= 40 && found.kkt_residual.is_finite(),
+                "{} iterations",
+                found.iterations
+            );
         }
     }
 }
@@ -179,16 +278,33 @@ const COVARIANCE: [[f64; 5]; 5] = [
 impl Functions for Portfolio {
     fn evaluate<T: Number>(&self, w: &[T]) -> Result<Values<T>, String> {
         let zero = w[0] * 0.0;
-        let dot = |weights: &[f64; 5]| w.iter().zip(weights).fold(zero, |sum, (w, factor)| sum + *w * *factor);
-        let variance = w.iter().zip(&COVARIANCE).fold(zero, |sum, (w, row)| sum + *w * dot(row));
-        Ok(Values { objective: variance.sqrt(), constraints: vec![dot(&[1.0; 5]), dot(&RETURNS)] })
+        let dot = |weights: &[f64; 5]| {
+            w.iter()
+                .zip(weights)
+                .fold(zero, |sum, (w, factor)| sum + *w * *factor)
+        };
+        let variance = w
+            .iter()
+            .zip(&COVARIANCE)
+            .fold(zero, |sum, (w, row)| sum + *w * dot(row));
+        Ok(Values {
+            objective: variance.sqrt(),
+            constraints: vec![dot(&[1.0; 5]), dot(&RETURNS)],
+        })
     }
 }
 
 #[test]
 fn exact_point_where_only_one_is_feasible() {
     let bounds = [(0.0, 1.0), (0.0, 1.0), (0.2, 0.2), (0.0, 1.0), (0.0, 1.0)];
-    let found = |wanted: f64| solve(&Exact(Portfolio), &bounds, &[(1.0, 1.0), (wanted, wanted)], &[0.2; 5]);
+    let found = |wanted: f64| {
+        solve(
+            &Exact(Portfolio),
+            &bounds,
+            &[(1.0, 1.0), (wanted, wanted)],
+            &[0.2; 5],
+        )
+    };
     let only = found(0.058_622);
     converged(&only, 0.039_471_5, 1e-7);
     for (w, expected) in only.x.iter().zip([0.0, 0.0, 0.2, 0.0, 0.8]) {
@@ -208,7 +324,10 @@ struct Paraboloids;
 impl Functions for Paraboloids {
     fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
         let (x, y) = (v[0], v[1]);
-        plain(larger((x - 1.0).powi(2) + y.powi(2), x.powi(2) + (y - 1.0).powi(2)))
+        plain(larger(
+            (x - 1.0).powi(2) + y.powi(2),
+            x.powi(2) + (y - 1.0).powi(2),
+        ))
     }
 }
 
@@ -226,14 +345,23 @@ fn exact_minima_on_oblique_corners() {
     for k in 0..24 {
         let part = |step: f64| 8.0 * ((0.5 + f64::from(k) * step).fract() - 0.5);
         let start = [part(0.754_877_666), part(0.569_840_29)];
-        for (problem, least) in [(&Exact(Paraboloids) as &dyn Problem, 0.5), (&Exact(Valley), 0.0)] {
+        for (problem, least) in [
+            (&Exact(Paraboloids) as &dyn Problem, 0.5),
+            (&Exact(Valley), 0.0),
+        ] {
             let found = solve(problem, &[(-5.0, 5.0); 2], &[], &start);
-            assert!((found.value.unwrap() - least).abs() < 1e-6, "from {start:?}: {:?} {}", found.value, found.message);
+            assert!(
+                (found.value.unwrap() - least).abs() < 1e-6,
+                "from {start:?}: {:?} {}",
+                found.value,
+                found.message
+            );
         }
     }
 }
 
-/// The greatest loss t of three models: c (x − mₖ)² − sₖ (y − 0.087) − t, each the difference of two numbers near 275 as losses of carry are.
+/// The greatest loss t of three models: c (x − mₖ)² − sₖ (y − 0.087) − t, each the difference of
+/// two numbers near 275 as losses of carry are.
 struct GreatestLoss {
     curvature: f64,
     bests: [f64; 3],
@@ -248,7 +376,10 @@ impl Functions for GreatestLoss {
             carry - greatest - 275.0
         };
         let constraints = self.bests.iter().zip(&self.slopes).map(loss).collect();
-        Ok(Values { objective: greatest, constraints })
+        Ok(Values {
+            objective: greatest,
+            constraints,
+        })
     }
 }
 
@@ -256,7 +387,10 @@ impl Functions for GreatestLoss {
 #[test]
 fn exact_smallest_greatest_losses_of_a_hundred_problems_from_three_starts() {
     for k in 0..100 {
-        let part = |i: u32| (f64::from(k) * (0.754_877_666 + 0.569_840_29 * f64::from(i)) + 0.1 * f64::from(i)).fract();
+        let part = |i: u32| {
+            (f64::from(k) * (0.754_877_666 + 0.569_840_29 * f64::from(i)) + 0.1 * f64::from(i))
+                .fract()
+        };
         let curvature = 3000.0 + 3000.0 * part(1);
         let bests = [2, 3, 4].map(|i| 0.105 + 0.012 * part(i));
         let slopes = [5, 6, 7].map(|i| 60.0 + 60.0 * part(i));
@@ -267,10 +401,18 @@ fn exact_smallest_greatest_losses_of_a_hundred_problems_from_three_starts() {
         let limits = [(f64::NEG_INFINITY, 0.0); 3];
         let elsewhere = [0.1 + 0.03 * part(8), 0.08 - 0.1 * part(9), 30.0];
         for start in [[0.18, 0.0, 60.0], [bests[0], 0.087, 0.5], elsewhere] {
-            let problem = GreatestLoss { curvature, bests, slopes };
+            let problem = GreatestLoss {
+                curvature,
+                bests,
+                slopes,
+            };
             let found = solve(&Exact(problem), &bounds, &limits, &start);
             converged(&found, exact, 2e-9);
-            assert!(found.iterations <= 40, "{k}: {} iterations from {start:?}", found.iterations);
+            assert!(
+                found.iterations <= 40,
+                "{k}: {} iterations from {start:?}",
+                found.iterations
+            );
         }
     }
 }

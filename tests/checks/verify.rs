@@ -19,12 +19,27 @@ fn certificate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -
 }
 
 fn failures(certificate: &Certificate) -> Vec<String> {
-    let rows = certificate.rows.iter().filter(|row| row.verdict() == Verdict::Fail);
-    let landing = certificate.landing.iter().filter(|row| row.check.verdict == Verdict::Fail);
-    let continuity = certificate.continuity.iter().filter(|found| !found.passed());
-    let convergence = certificate.convergence.iter().filter(|found| !found.passed());
+    let rows = certificate
+        .rows
+        .iter()
+        .filter(|row| row.verdict() == Verdict::Fail);
+    let landing = certificate
+        .landing
+        .iter()
+        .filter(|row| row.check.verdict == Verdict::Fail);
+    let continuity = certificate
+        .continuity
+        .iter()
+        .filter(|found| !found.passed());
+    let convergence = certificate
+        .convergence
+        .iter()
+        .filter(|found| !found.passed());
     rows.map(|row| {
-        let second = row.second.as_ref().map(|check| (check.exact, check.error, check.bar));
+        let second = row
+            .second
+            .as_ref()
+            .map(|check| (check.exact, check.error, check.bar));
         format!(
             "{} {}: {} off by {} of {} {second:?}",
             row.of.name(),
@@ -34,7 +49,14 @@ fn failures(certificate: &Certificate) -> Vec<String> {
             row.first.bar
         )
     })
-    .chain(landing.map(|row| format!("at landing, {} {}: {:?}", row.of.name(), row.parameter.name, row.check.best)))
+    .chain(landing.map(|row| {
+        format!(
+            "at landing, {} {}: {:?}",
+            row.of.name(),
+            row.parameter.name,
+            row.check.best
+        )
+    }))
     .chain(continuity.map(|found| format!("{found:?}")))
     .chain(convergence.map(|found| format!("{found:?}")))
     .chain((!certificate.caught()).then(|| format!("{:?}", certificate.planted)))
@@ -47,17 +69,45 @@ fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_
         let setup = Setup::preset(preset.name).unwrap();
         let of = Outcome::ALL;
         let certificate = certificate(&setup, of, &setup.variables());
-        assert!(certificate.passed(), "{}: {:?}", preset.name, failures(&certificate));
-        assert!(certificate.missing.is_empty() && certificate.rows.len() == of.len() * setup.variables().len());
-        assert!(certificate.rows.iter().all(|row| row.verdict() == Verdict::Pass), "{}", preset.name);
+        assert!(
+            certificate.passed(),
+            "{}: {:?}",
+            preset.name,
+            failures(&certificate)
+        );
+        assert!(
+            certificate.missing.is_empty()
+                && certificate.rows.len() == of.len() * setup.variables().len()
+        );
+        assert!(
+            certificate
+                .rows
+                .iter()
+                .all(|row| row.verdict() == Verdict::Pass),
+            "{}",
+            preset.name
+        );
         for planted in certificate.planted {
-            let least = if planted.plant == Plant::LandingTerm { 40 } else { 200 };
-            assert!(planted.rows >= least && planted.caught == planted.rows, "{}: {planted:?}", preset.name);
-            assert_eq!(planted.caught_by_num_dual, planted.rows, "{}: {planted:?}", preset.name);
+            let least = if planted.plant == Plant::LandingTerm {
+                40
+            } else {
+                200
+            };
+            assert!(
+                planted.rows >= least && planted.caught == planted.rows,
+                "{}: {planted:?}",
+                preset.name
+            );
+            assert_eq!(
+                planted.caught_by_num_dual, planted.rows,
+                "{}: {planted:?}",
+                preset.name
+            );
         }
         assert_eq!(certificate.landing.len(), 3 * setup.variables().len());
         assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
-        // the slopes of Taylor's remainders: no less than 1 and 2 wherever there is more than rounding
+        // the slopes of Taylor's remainders: no less than 1 and 2 wherever there is more than
+        // rounding
         let slopes = |k: usize| certificate.rows.iter().filter_map(move |row| row.slopes[k]);
         assert!(slopes(0).count() > 200 && slopes(0).all(|slope| slope > 0.9));
         assert!(slopes(1).count() > 200 && slopes(1).all(|slope| slope > 1.9));
@@ -67,87 +117,145 @@ fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_
 #[test]
 fn differences_certify_a_launch_without_a_club() {
     let mut setup = Setup::default();
-    let launch =
-        [("launch.ball_speed", "167 mph"), ("launch.launch_angle", "10.9 deg"), ("launch.backspin", "2686 rpm")];
+    let launch = [
+        ("launch.ball_speed", "167 mph"),
+        ("launch.launch_angle", "10.9 deg"),
+        ("launch.backspin", "2686 rpm"),
+    ];
     setup.set_all(launch).unwrap();
     let wrt = ["air.density", "launch.backspin"].map(|name| setup.variable(name).unwrap());
     let certificate = certificate(&setup, &[Outcome::Carry, Outcome::FlightTime], &wrt);
     assert!(certificate.passed(), "{:?}", failures(&certificate));
-    assert_eq!(certificate.landing.len(), 6, "three outcomes of the landing by two parameters");
+    assert_eq!(
+        certificate.landing.len(),
+        6,
+        "three outcomes of the landing by two parameters"
+    );
 }
 
 #[test]
 fn differences_certify_two_hundred_random_drives() {
-    // so many parameters of each drive, others for the next; all of them were looked at once (docs/verification.md)
+    // so many parameters of each drive, others for the next; all of them were looked at once
+    // (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
-    let setups: Vec<_> = random_setups(220).filter(flies).take(200).enumerate().map(in_large_steps).collect();
+    let setups: Vec<_> = random_setups(220)
+        .filter(flies)
+        .take(200)
+        .enumerate()
+        .map(in_large_steps)
+        .collect();
     let rows = setups.par_iter().enumerate().map(|(drive, setup)| {
         let all = setup.variables();
-        let wrt: Vec<_> = (0..AT_A_TIME).map(|k| all[(AT_A_TIME * drive + k) % all.len()]).collect();
+        let wrt: Vec<_> = (0..AT_A_TIME)
+            .map(|k| all[(AT_A_TIME * drive + k) % all.len()])
+            .collect();
         let certificate = certificate(setup, &[Outcome::Carry, Outcome::Lateral], &wrt);
-        assert!(certificate.passed(), "drive {drive}: {:?}", failures(&certificate));
+        assert!(
+            certificate.passed(),
+            "drive {drive}: {:?}",
+            failures(&certificate)
+        );
         certificate.rows.len()
     });
-    assert_eq!((rows.sum::<usize>(), setups.len()), (200 * 2 * AT_A_TIME, 200));
+    assert_eq!(
+        (rows.sum::<usize>(), setups.len()),
+        (200 * 2 * AT_A_TIME, 200)
+    );
 }
 
-/// Questions as a user may ask them: usual drives with every law, some in wind, some where a parameter is at the end of its range, by one
-/// parameter each.
+/// Questions as a user may ask them: usual drives with every law, some in wind, some where a
+/// parameter is at the end of its range, by one parameter each.
 fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
     let deg = std::f64::consts::PI / 180.0;
     let swing = (27.0..58.0, -8.0..8.0, -8.0..8.0, -10.0..10.0);
     let strike = (-0.02..0.02, -0.012..0.012);
     let of_half = |range: std::ops::Range<f64>| prop::option::of(range);
-    let air = (of_half(-6.0..6.0), of_half(-6.0..6.0), 0.9..1.3, prop::option::weighted(0.1, 0.003..0.03));
+    let air = (
+        of_half(-6.0..6.0),
+        of_half(-6.0..6.0),
+        0.9..1.3,
+        prop::option::weighted(0.1, 0.003..0.03),
+    );
     let at_an_end = prop::option::weighted(0.2, 0..7_usize);
     // some without a grip, some in long steps, of every method
-    let how = (prop::option::weighted(0.3, 0.0..0.3), of_half(-3.0..-1.0), 0..Method::ALL.len());
-    let question =
-        (0..Law::NAMES.len(), swing, 2.0..25.0, prop::option::of(strike), air, at_an_end, 0..10_000_usize, how);
-    question.prop_map(move |(law, swing, loft, strike, air, end, parameter, (friction, step, method))| {
-        let mut s = Setup::default();
-        s.set_law(Law::NAMES[law]).unwrap();
-        (s.swing.speed, s.swing.attack_angle, s.club.loft) = (swing.0, swing.1 * deg, loft * deg);
-        // half of the drives are struck square
-        if let Some((toe, high)) = strike {
-            (s.strike.toe, s.strike.high, s.swing.path, s.swing.face_angle) = (toe, high, swing.2 * deg, swing.3 * deg);
-        }
-        (s.wind.right, s.wind.downrange) = (air.0.unwrap_or_default(), air.1.unwrap_or_default());
-        (s.air.density, s.wind.roughness) = (air.2, air.3);
-        (s.impact.friction, s.method) = (friction, Method::ALL[method]);
-        if let Some(step) = step {
-            s.flight.step = 10.0_f64.powf(step);
-        }
-        let ends = [
-            ("aero.spin_decay", "0 1/s"),
-            ("impact.restitution", "1"),
-            ("impact.restitution", "0.2"),
-            ("air.density", "0 kg/m^3"),
-            ("impact.friction", "0"),
-            ("impact.tangential_restitution", "-1"),
-            ("aero.spin_damping", "0"),
-        ];
-        let end = end.and_then(|end| ends.get(end));
-        if let Some((name, value)) = end {
-            s.set(name, value).unwrap();
-        }
-        let all = s.variables();
-        // what is at the end of its range is asked about more often than the others
-        let at_the_end =
-            end.filter(|_| parameter % 2 == 0).and_then(|end| all.iter().position(|row| row.name == end.0));
-        (s, at_the_end.unwrap_or(parameter % all.len()))
-    })
+    let how = (
+        prop::option::weighted(0.3, 0.0..0.3),
+        of_half(-3.0..-1.0),
+        0..Method::ALL.len(),
+    );
+    let question = (
+        0..Law::NAMES.len(),
+        swing,
+        2.0..25.0,
+        prop::option::of(strike),
+        air,
+        at_an_end,
+        0..10_000_usize,
+        how,
+    );
+    question.prop_map(
+        move |(law, swing, loft, strike, air, end, parameter, (friction, step, method))| {
+            let mut s = Setup::default();
+            s.set_law(Law::NAMES[law]).unwrap();
+            (s.swing.speed, s.swing.attack_angle, s.club.loft) =
+                (swing.0, swing.1 * deg, loft * deg);
+            // half of the drives are struck square
+            if let Some((toe, high)) = strike {
+                (
+                    s.strike.toe,
+                    s.strike.high,
+                    s.swing.path,
+                    s.swing.face_angle,
+                ) = (toe, high, swing.2 * deg, swing.3 * deg);
+            }
+            (s.wind.right, s.wind.downrange) =
+                (air.0.unwrap_or_default(), air.1.unwrap_or_default());
+            (s.air.density, s.wind.roughness) = (air.2, air.3);
+            (s.impact.friction, s.method) = (friction, Method::ALL[method]);
+            if let Some(step) = step {
+                s.flight.step = 10.0_f64.powf(step);
+            }
+            let ends = [
+                ("aero.spin_decay", "0 1/s"),
+                ("impact.restitution", "1"),
+                ("impact.restitution", "0.2"),
+                ("air.density", "0 kg/m^3"),
+                ("impact.friction", "0"),
+                ("impact.tangential_restitution", "-1"),
+                ("aero.spin_damping", "0"),
+            ];
+            let end = end.and_then(|end| ends.get(end));
+            if let Some((name, value)) = end {
+                s.set(name, value).unwrap();
+            }
+            let all = s.variables();
+            // what is at the end of its range is asked about more often than the others
+            let at_the_end = end
+                .filter(|_| parameter % 2 == 0)
+                .and_then(|end| all.iter().position(|row| row.name == end.0));
+            (s, at_the_end.unwrap_or(parameter % all.len()))
+        },
+    )
 }
 
-/// A right derivative of a usual drive is not called wrong. LONGDRIVE_QUESTIONS asks more of them (docs/verification.md: how many were).
+/// A right derivative of a usual drive is not called wrong. LONGDRIVE_QUESTIONS asks more of them
+/// (docs/verification.md: how many were).
 #[test]
 fn differences_certify_random_questions_about_one_parameter() {
-    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<usize>().ok());
-    let (first, count) = (number("LONGDRIVE_FIRST").unwrap_or(0), number("LONGDRIVE_QUESTIONS").unwrap_or(40));
+    let number = |name: &str| {
+        std::env::var(name)
+            .ok()
+            .and_then(|text| text.parse::<usize>().ok())
+    };
+    let (first, count) = (
+        number("LONGDRIVE_FIRST").unwrap_or(0),
+        number("LONGDRIVE_QUESTIONS").unwrap_or(40),
+    );
     let mut runner = TestRunner::deterministic();
-    let questions: Vec<_> =
-        (0..first + count).map(|_| any_question().new_tree(&mut runner).unwrap().current()).collect();
+    let questions: Vec<_> = (0..first + count)
+        .map(|_| any_question().new_tree(&mut runner).unwrap().current())
+        .collect();
     let wrong = |(i, (setup, parameter)): (usize, &(Setup<f64>, usize))| {
         let wrt = [setup.variables()[*parameter]];
         if !Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok()) {
@@ -157,25 +265,49 @@ fn differences_certify_random_questions_about_one_parameter() {
         let law = setup.law.name();
         let wrong = (!certificate.passed()).then(|| {
             let failures = failures(&certificate).join("\n  ");
-            format!("question {i}, {law}, by {}: {setup:?}\n  {failures}", wrt[0].name)
+            format!(
+                "question {i}, {law}, by {}: {setup:?}\n  {failures}",
+                wrt[0].name
+            )
         });
         let caught = certificate.planted.map(|planted| planted.caught);
         Some((wrong, caught))
     };
-    let asked: Vec<_> = questions.par_iter().enumerate().skip(first).filter_map(wrong).collect();
-    let failed: Vec<_> = asked.iter().filter_map(|(wrong, _)| wrong.as_deref()).collect();
-    assert!(failed.is_empty(), "{} of {}:\n{}", failed.len(), asked.len(), failed.join("\n"));
+    let asked: Vec<_> = questions
+        .par_iter()
+        .enumerate()
+        .skip(first)
+        .filter_map(wrong)
+        .collect();
+    let failed: Vec<_> = asked
+        .iter()
+        .filter_map(|(wrong, _)| wrong.as_deref())
+        .collect();
+    assert!(
+        failed.is_empty(),
+        "{} of {}:\n{}",
+        failed.len(),
+        asked.len(),
+        failed.join("\n")
+    );
     // errors were planted in most of them, and caught
     assert!(asked.len() > count / 2);
     let caught = |which: usize| asked.iter().filter(|(_, caught)| caught[which] > 0).count();
-    assert!(caught(0) > asked.len() / 2 && caught(1) > asked.len() / 2 && caught(2) > asked.len() / 4);
+    assert!(
+        caught(0) > asked.len() / 2 && caught(1) > asked.len() / 2 && caught(2) > asked.len() / 4
+    );
 }
 
-/// What was found wrong: a lateral distance of a few metres is rounded as the carry is, and an error of the time step that passes through 0 between
-/// two steps has its order.
+/// What was found wrong: a lateral distance of a few metres is rounded as the carry is, and an
+/// error of the time step that passes through 0 between two steps has its order.
 #[test]
 fn independent_right_derivatives_that_were_called_wrong() {
-    let of = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::ApexHeight];
+    let of = [
+        Outcome::Carry,
+        Outcome::Lateral,
+        Outcome::FlightTime,
+        Outcome::ApexHeight,
+    ];
     let first = [
         ("aero.law", "robinson"),
         ("club.loft", "0.22985145296472154 rad"),
@@ -202,12 +334,24 @@ fn independent_right_derivatives_that_were_called_wrong() {
         assert!(certificate.passed(), "{:?}", failures(&certificate));
         assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
     }
-    // the angle of descent of a parabola does not depend on gravity: what is left is the rounding of the longest of the flights
+    // the angle of descent of a parabola does not depend on gravity: what is left is the rounding
+    // of the longest of the flights
     let mut vacuum = Setup::default();
-    vacuum.set_all([("air.density", "0 kg/m^3"), ("swing.attack_angle", "5.66 deg"), ("wind.right", "4 m/s")]).unwrap();
-    let certificate = self::certificate(&vacuum, Outcome::ALL, &[vacuum.variable("gravity").unwrap()]);
+    vacuum
+        .set_all([
+            ("air.density", "0 kg/m^3"),
+            ("swing.attack_angle", "5.66 deg"),
+            ("wind.right", "4 m/s"),
+        ])
+        .unwrap();
+    let certificate = self::certificate(
+        &vacuum,
+        Outcome::ALL,
+        &[vacuum.variable("gravity").unwrap()],
+    );
     assert!(certificate.passed(), "{:?}", failures(&certificate));
-    // at the end of the range of spin decay, on a flight so high that it makes much of the rounding of its beginning
+    // at the end of the range of spin decay, on a flight so high that it makes much of the rounding
+    // of its beginning
     let mut high = Setup::default();
     let settings = [
         ("aero.law", "linear"),
@@ -224,18 +368,30 @@ fn independent_right_derivatives_that_were_called_wrong() {
         ("aero.spin_decay", "0 1/s"),
     ];
     high.set_all(settings).unwrap();
-    let certificate = self::certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
+    let certificate = self::certificate(
+        &high,
+        Outcome::ALL,
+        &[high.variable("aero.spin_decay").unwrap()],
+    );
     assert!(certificate.passed(), "{:?}", failures(&certificate));
     for law in Law::NAMES {
         let mut setup = Setup::default();
-        setup.set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")]).unwrap();
-        let certificate = self::certificate(&setup, Outcome::ALL, &[setup.variable("aero.spin_decay").unwrap()]);
+        setup
+            .set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")])
+            .unwrap();
+        let certificate = self::certificate(
+            &setup,
+            Outcome::ALL,
+            &[setup.variable("aero.spin_decay").unwrap()],
+        );
         assert!(certificate.passed(), "{law}: {:?}", failures(&certificate));
     }
 }
 
-/// A symmetric drive: the run takes back what the flight goes to the side, 127 m and −131 m for each metre that the ball is struck off the centre. The rounding
-/// of these does not show at the centre, where both are 0, nor a thousand atoms beside it: it was taken for a remainder of order 1 and for a corner of the slope.
+/// A symmetric drive: the run takes back what the flight goes to the side, 127 m and −131 m for
+/// each metre that the ball is struck off the centre. The rounding of these does not show at the
+/// centre, where both are 0, nor a thousand atoms beside it: it was taken for a remainder of order
+/// 1 and for a corner of the slope.
 #[test]
 fn exact_remainders_of_two_parts_that_cancel_keep_their_order_in_any_time_step() {
     for step in ["5 ms", "10 ms", "15 ms", "20 ms", "30 ms", "50 ms"] {
@@ -248,10 +404,20 @@ fn exact_remainders_of_two_parts_that_cancel_keep_their_order_in_any_time_step()
             // by symmetry there are odd powers alone
             let expected = [1.0, 3.0, 3.0];
             for (slope, expected) in row.slopes.into_iter().zip(expected) {
-                close(slope.unwrap(), expected, 1.0, 0.05, &format!("{step}, {}", row.of.name()));
+                close(
+                    slope.unwrap(),
+                    expected,
+                    1.0,
+                    0.05,
+                    &format!("{step}, {}", row.of.name()),
+                );
             }
             let second = row.second.as_ref().unwrap();
-            assert_eq!((row.first.verdict, second.verdict), (Verdict::Pass, Verdict::Pass), "{step}: {second:?}");
+            assert_eq!(
+                (row.first.verdict, second.verdict),
+                (Verdict::Pass, Verdict::Pass),
+                "{step}: {second:?}"
+            );
         }
     }
 }
@@ -260,28 +426,50 @@ fn exact_remainders_of_two_parts_that_cancel_keep_their_order_in_any_time_step()
 #[test]
 fn order_of_the_flight_is_found_short_of_one_more() {
     let mut setup = Setup::default();
-    setup.set_all([("strike.toe", "8 mm"), ("wind.right", "3 m/s"), ("swing.path", "-2 deg")]).unwrap();
+    setup
+        .set_all([
+            ("strike.toe", "8 mm"),
+            ("wind.right", "3 m/s"),
+            ("swing.path", "-2 deg"),
+        ])
+        .unwrap();
     let of = [Outcome::Carry, Outcome::CarryDistance, Outcome::FlightTime];
     let found = certificate(&setup, &of, &[setup.variable("club.loft").unwrap()]).convergence;
     assert_eq!(found.len(), of.len());
     for outcome in found {
-        assert!(outcome.passed() && outcome.would_show == [true; 2], "{outcome:?}");
+        assert!(
+            outcome.passed() && outcome.would_show == [true; 2],
+            "{outcome:?}"
+        );
     }
 }
 
-/// Right drives that were called wrong: their errors change sign from step to step, since their steps cross the joins of the spline of `bearman-harvey`.
+/// Right drives that were called wrong: their errors change sign from step to step, since their
+/// steps cross the joins of the spline of `bearman-harvey`.
 #[test]
 fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
     type Settings = &'static [(&'static str, &'static str)];
     let drives: [(&str, &str, Settings); 6] = [
-        ("modern-driver", "club.loft", &[("club.loft", "16.6715 deg")]),
+        (
+            "modern-driver",
+            "club.loft",
+            &[("club.loft", "16.6715 deg")],
+        ),
         (
             "modern-driver",
             "air.pressure",
-            &[("swing.speed", "109.9146 mph"), ("club.loft", "8.2595 deg"), ("air.pressure", "960.23 hPa")],
+            &[
+                ("swing.speed", "109.9146 mph"),
+                ("club.loft", "8.2595 deg"),
+                ("air.pressure", "960.23 hPa"),
+            ],
         ),
         ("tour-average", "air.humidity", &[("air.humidity", "0.964")]),
-        ("modern-driver", "air.altitude", &[("air.altitude", "1032.85 m"), ("strike.toe", "-8.26 mm")]),
+        (
+            "modern-driver",
+            "air.altitude",
+            &[("air.altitude", "1032.85 m"), ("strike.toe", "-8.26 mm")],
+        ),
         (
             "modern-driver",
             "air.humidity",
@@ -293,7 +481,11 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
                 ("air.humidity", "0.324"),
             ],
         ),
-        ("lpga-average", "swing.speed", &[("swing.speed", "111.1114 mph"), ("club.loft", "6.9735 deg")]),
+        (
+            "lpga-average",
+            "swing.speed",
+            &[("swing.speed", "111.1114 mph"), ("club.loft", "6.9735 deg")],
+        ),
     ];
     for (preset, by, settings) in drives {
         let mut setup = Setup::preset(preset).unwrap();
@@ -301,27 +493,49 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
         setup.set_all(settings.iter().copied()).unwrap();
         let found = certificate(&setup, Outcome::ALL, &[setup.variable(by).unwrap()]);
         assert!(found.passed(), "{preset} by {by}: {:?}", found.failures());
-        assert!(found.convergence.iter().all(|it| it.expected == [4, 3]), "{preset} by {by}");
+        assert!(
+            found.convergence.iter().all(|it| it.expected == [4, 3]),
+            "{preset} by {by}"
+        );
         // held to one order more, most outcomes are found short
-        let shown = found.convergence.iter().filter(|it| it.would_show != [false; 2]).count();
+        let shown = found
+            .convergence
+            .iter()
+            .filter(|it| it.would_show != [false; 2])
+            .count();
         assert!(shown >= 4, "{preset} by {by}: {shown}");
     }
     for law in Law::NAMES {
         let mut setup = Setup::default();
-        setup.set_all([("aero.law", *law), ("air.altitude", "300 m")]).unwrap();
-        let found = certificate(&setup, Outcome::ALL, &[setup.variable("air.altitude").unwrap()]);
+        setup
+            .set_all([("aero.law", *law), ("air.altitude", "300 m")])
+            .unwrap();
+        let found = certificate(
+            &setup,
+            Outcome::ALL,
+            &[setup.variable("air.altitude").unwrap()],
+        );
         assert!(found.passed(), "{law}: {:?}", found.failures());
     }
 }
 
-/// docs/model.md, eq. 17: landing speed and angle in the logarithmic wind fall with h⁷ once a step is shorter than the way through its lowest half metre,
-/// and with h² where the error of the jerk is left, which does not fall with h.
+/// docs/model.md, eq. 17: landing speed and angle in the logarithmic wind fall with h⁷ once a step
+/// is shorter than the way through its lowest half metre, and with h² where the error of the jerk
+/// is left, which does not fall with h.
 #[test]
 fn order_of_landing_in_a_logarithmic_wind() {
     let mut setup = Setup::default();
-    setup.set_all([("wind.downrange", "15 m/s"), ("wind.right", "3 m/s"), ("wind.roughness", "100 mm")]).unwrap();
+    setup
+        .set_all([
+            ("wind.downrange", "15 m/s"),
+            ("wind.right", "3 m/s"),
+            ("wind.roughness", "100 mm"),
+        ])
+        .unwrap();
     setup.set("flight.method", "dp8").unwrap();
-    let time = Outcome::FlightTime.of(&Drive::new(&setup).unwrap()).unwrap();
+    let time = Outcome::FlightTime
+        .of(&Drive::new(&setup).unwrap())
+        .unwrap();
     let at = |steps: f64, of: Outcome| {
         let mut setup = setup;
         setup.flight.step = time / (steps - 0.5);
@@ -330,10 +544,19 @@ fn order_of_landing_in_a_logarithmic_wind() {
     for of in [Outcome::LandingSpeed, Outcome::DescentAngle] {
         let exact = at(8192.0, of);
         let error = |steps: f64| (at(steps, of) - exact).abs();
-        let order = |coarse: f64, fine: f64| (error(coarse) / error(fine)).log2() / (fine / coarse).log2();
+        let order =
+            |coarse: f64, fine: f64| (error(coarse) / error(fine)).log2() / (fine / coarse).log2();
         let (interpolated, of_the_jerk) = (order(64.0, 256.0), order(512.0, 1024.0));
-        assert!((6.3..7.7).contains(&interpolated), "{}: {interpolated}", of.name());
-        assert!((1.5..3.0).contains(&of_the_jerk), "{}: {of_the_jerk}", of.name());
+        assert!(
+            (6.3..7.7).contains(&interpolated),
+            "{}: {interpolated}",
+            of.name()
+        );
+        assert!(
+            (1.5..3.0).contains(&of_the_jerk),
+            "{}: {of_the_jerk}",
+            of.name()
+        );
     }
 }
 
@@ -341,50 +564,97 @@ fn order_of_landing_in_a_logarithmic_wind() {
 #[test]
 fn exact_disagreement_with_num_dual_fails_and_is_told_with_the_numbers() {
     let setup = Setup::preset("mae494").unwrap();
-    let mut found = certificate(&setup, &[Outcome::Carry], &[setup.variable("club.loft").unwrap()]);
+    let mut found = certificate(
+        &setup,
+        &[Outcome::Carry],
+        &[setup.variable("club.loft").unwrap()],
+    );
     assert!(found.passed());
     let agreement = &mut found.rows[0].num_dual;
     // both rest on the same equations, and differ by rounding
     close(agreement.num_dual, 336.769746388603, 1.0, 1e-8, "num-dual");
     (agreement.num_dual, agreement.difference) = (336.770083, 3.37e-4);
     assert!(!found.passed() && found.rows[0].verdict() == Verdict::Fail);
-    assert_eq!(found.failures(), ["first derivatives by num-dual (carry by club.loft)"]);
+    assert_eq!(
+        found.failures(),
+        ["first derivatives by num-dual (carry by club.loft)"]
+    );
     let text = certificate_text(&found, &[], System::Us);
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.contains("fail (num-dual)") && words.contains("FAILED: first derivatives by num-dual"), "{words}");
     assert!(
-        words.contains("is 336.76974638") && words.contains("over the jets and 336.770083 over num-dual"),
+        words.contains("fail (num-dual)")
+            && words.contains("FAILED: first derivatives by num-dual"),
+        "{words}"
+    );
+    assert!(
+        words.contains("is 336.76974638")
+            && words.contains("over the jets and 336.770083 over num-dual"),
         "{words}"
     );
     let reply = serde_json::to_value(CertificateReport::reply(&found, &[], vec![])).unwrap();
     assert_eq!(
-        (reply["status"].as_str(), reply["rows"][0]["num_dual"]["verdict"].as_str()),
+        (
+            reply["status"].as_str(),
+            reply["rows"][0]["num_dual"]["verdict"].as_str()
+        ),
         (Some("failed"), Some("fail"))
     );
 }
 
-/// In a logarithmic wind the time step leaves an error in derivatives that no check of them against differences can show: it is measured, and
-/// told; in still air there is nothing to tell.
+/// In a logarithmic wind the time step leaves an error in derivatives that no check of them against
+/// differences can show: it is measured, and told; in still air there is nothing to tell.
 #[test]
 fn differences_with_the_time_step_are_told_in_a_logarithmic_wind() {
     let mut setup = Setup::default();
     let wrt = ["club.loft", "club.inertia.xx"].map(|name| setup.variable(name).unwrap());
     let of = [Outcome::Carry, Outcome::LandingSpeed];
     let still = certificate(&setup, &of, &wrt);
-    assert!(still.passed() && still.step.iter().all(|found| found.warning().is_none()), "{:?}", still.step);
     assert!(
-        still.step.iter().all(|found| found.value < 1e-11 && found.derivative.unwrap().1 < 1e-7),
+        still.passed() && still.step.iter().all(|found| found.warning().is_none()),
         "{:?}",
         still.step
     );
-    let skipped = |found: &Certificate| found.not_examined.iter().map(|it| it.check.clone()).collect::<Vec<_>>();
-    assert_eq!(skipped(&still), [""; 0], "velocities have second derivatives too");
-
-    setup.set_all([("wind.downrange", "-4 m/s"), ("wind.right", "2 m/s"), ("wind.roughness", "10 mm")]).unwrap();
-    let windy = certificate(&setup, &of, &wrt);
-    let speed = windy.step.iter().find(|found| found.of == Outcome::LandingSpeed).unwrap();
     assert!(
-        speed.derivative.unwrap().1 > 1e-6 && speed.warning().unwrap().to_string().contains("landing_speed by club."),
+        still
+            .step
+            .iter()
+            .all(|found| found.value < 1e-11 && found.derivative.unwrap().1 < 1e-7),
+        "{:?}",
+        still.step
+    );
+    let skipped = |found: &Certificate| {
+        found
+            .not_examined
+            .iter()
+            .map(|it| it.check.clone())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        skipped(&still),
+        [""; 0],
+        "velocities have second derivatives too"
+    );
+
+    setup
+        .set_all([
+            ("wind.downrange", "-4 m/s"),
+            ("wind.right", "2 m/s"),
+            ("wind.roughness", "10 mm"),
+        ])
+        .unwrap();
+    let windy = certificate(&setup, &of, &wrt);
+    let speed = windy
+        .step
+        .iter()
+        .find(|found| found.of == Outcome::LandingSpeed)
+        .unwrap();
+    assert!(
+        speed.derivative.unwrap().1 > 1e-6
+            && speed
+                .warning()
+                .unwrap()
+                .to_string()
+                .contains("landing_speed by club."),
         "{speed:?}"
     );
     // measured again here, by the gradients of flights in these steps and in eighths of them
@@ -392,34 +662,70 @@ fn differences_with_the_time_step_are_told_in_a_logarithmic_wind() {
     let slope = |step: f64| {
         let mut setup = setup;
         setup.flight.step = step;
-        gradient(&setup, Outcome::LandingSpeed, &[parameter]).unwrap().gradient[0]
+        gradient(&setup, Outcome::LandingSpeed, &[parameter])
+            .unwrap()
+            .gradient[0]
     };
     let (coarse, fine) = (slope(setup.flight.step), slope(setup.flight.step / 8.0));
-    close(error, ((coarse - fine) / fine).abs(), error, 1e-3, "error of the step");
+    close(
+        error,
+        ((coarse - fine) / fine).abs(),
+        error,
+        1e-3,
+        "error of the step",
+    );
     let skipped = skipped(&windy);
-    assert!(skipped.len() == 2 && skipped[0].contains("landing") && skipped[1].contains("convergence"), "{skipped:?}");
+    assert!(
+        skipped.len() == 2 && skipped[0].contains("landing") && skipped[1].contains("convergence"),
+        "{skipped:?}"
+    );
 }
 
 #[test]
 fn differences_show_what_the_landing_term_is_worth() {
-    // the report's loop ends at a step: its derivative is that at a fixed time, which at attack 0° has the wrong sign
+    // the report's loop ends at a step: its derivative is that at a fixed time, which at attack 0°
+    // has the wrong sign
     let setup = Setup::preset("mae494").unwrap();
     let loft = [setup.variable("club.loft").unwrap()];
     let certificate = certificate(&setup, &[Outcome::Carry], &loft);
-    let carry = certificate.landing.iter().find(|row| row.of == Outcome::Carry).unwrap();
-    close(carry.check.exact, 336.77, 1.0, 0.01, "the derivative of the landing");
-    close(carry.check.exact - carry.landing_term, -65.0, 1.0, 0.5, "and at a fixed time");
+    let carry = certificate
+        .landing
+        .iter()
+        .find(|row| row.of == Outcome::Carry)
+        .unwrap();
+    close(
+        carry.check.exact,
+        336.77,
+        1.0,
+        0.01,
+        "the derivative of the landing",
+    );
+    close(
+        carry.check.exact - carry.landing_term,
+        -65.0,
+        1.0,
+        0.5,
+        "and at a fixed time",
+    );
 }
 
 #[test]
 fn independent_slopes_to_both_sides_of_the_corner_at_zero_spin() {
     // mae494's global optimum on the corner: +83.7 and −29.7 m/rad to its two sides
     let mut setup = Setup::preset("mae494").unwrap();
-    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "38.53 deg")]).unwrap();
+    setup
+        .set_all([("club.loft", "0 deg"), ("swing.attack_angle", "38.53 deg")])
+        .unwrap();
     let wrt = ["club.loft", "swing.speed", "ball.mass"].map(|name| setup.variable(name).unwrap());
-    let certificate = certificate(&setup, &[Outcome::Carry, Outcome::Spin, Outcome::SpinAxis], &wrt);
+    let certificate = certificate(
+        &setup,
+        &[Outcome::Carry, Outcome::Spin, Outcome::SpinAxis],
+        &wrt,
+    );
     let carry = |name: &str| {
-        let is_it = |row: &&longdrive::study::certificate::Row| row.of == Outcome::Carry && row.parameter.name == name;
+        let is_it = |row: &&longdrive::study::certificate::Row| {
+            row.of == Outcome::Carry && row.parameter.name == name
+        };
         certificate.rows.iter().find(is_it).unwrap()
     };
     assert_eq!(carry("club.loft").verdict(), Verdict::Corner);
@@ -439,15 +745,27 @@ fn independent_slopes_to_both_sides_of_the_corner_at_zero_spin() {
 fn exact_limit_between_sticking_and_slipping_is_a_corner() {
     let mut setup = Setup::default();
     setup.set("impact.friction", "1").unwrap();
-    let Grip::Sticks(used) = strike(&setup).unwrap().grip else { panic!("slips") };
+    let Grip::Sticks(used) = strike(&setup).unwrap().grip else {
+        panic!("slips")
+    };
     setup.impact.friction = Some(used);
     let friction = [setup.variable("impact.friction").unwrap()];
     let certificate = certificate(&setup, &[Outcome::Carry, Outcome::Backspin], &friction);
     for row in &certificate.rows {
-        assert_eq!(row.verdict(), Verdict::Corner, "{}: {:?}", row.of.name(), row.first.best);
+        assert_eq!(
+            row.verdict(),
+            Verdict::Corner,
+            "{}: {:?}",
+            row.of.name(),
+            row.first.best
+        );
         let [below, above] = row.first.sides.unwrap().map(Option::unwrap);
         // more friction than is used changes nothing
-        assert!(below.abs() > 1.0 && above.abs() < 1e-6 * below.abs(), "{}: {below} {above}", row.of.name());
+        assert!(
+            below.abs() > 1.0 && above.abs() < 1e-6 * below.abs(),
+            "{}: {below} {above}",
+            row.of.name()
+        );
     }
 }
 
@@ -459,8 +777,14 @@ fn exact_derivatives_of_a_function_of_ones_own_pass_and_slips_are_found() {
         let cross = e * cos + 2.0 * x[0];
         Taylor {
             value: e * sin + x[0] * x[0] * x[1],
-            gradient: vec![e * sin + 2.0 * x[0] * x[1], (e * cos + x[0] * x[0]) * in_gradient],
-            hessian: vec![vec![e * sin + 2.0 * x[1], cross * in_hessian], vec![cross, -e * sin]],
+            gradient: vec![
+                e * sin + 2.0 * x[0] * x[1],
+                (e * cos + x[0] * x[0]) * in_gradient,
+            ],
+            hessian: vec![
+                vec![e * sin + 2.0 * x[1], cross * in_hessian],
+                vec![cross, -e * sin],
+            ],
         }
     };
     let at = [0.7, 1.9];
@@ -472,12 +796,30 @@ fn exact_derivatives_of_a_function_of_ones_own_pass_and_slips_are_found() {
         }
     }
     let wrong = check(&|x| Some(f(x, 1.0 + 1e-6, 1.0)), &at, &at);
-    assert_eq!([0, 1].map(|i| wrong.gradient[i].verdict), [Verdict::Pass, Verdict::Fail]);
+    assert_eq!(
+        [0, 1].map(|i| wrong.gradient[i].verdict),
+        [Verdict::Pass, Verdict::Fail]
+    );
     let wrong = check(&|x| Some(f(x, 1.0, 1.0 + 1e-6)), &at, &at);
-    assert!(wrong.gradient.iter().all(|check| check.verdict == Verdict::Pass));
+    assert!(
+        wrong
+            .gradient
+            .iter()
+            .all(|check| check.verdict == Verdict::Pass)
+    );
     assert_eq!(wrong.hessian[0][1].verdict, Verdict::Fail);
     // |x| at 0 has a corner, a function without values is certified by nothing
-    let corner = check(&|x| Some(Taylor { value: x[0].abs(), gradient: vec![0.0], hessian: vec![] }), &[0.0], &[1.0]);
+    let corner = check(
+        &|x| {
+            Some(Taylor {
+                value: x[0].abs(),
+                gradient: vec![0.0],
+                hessian: vec![],
+            })
+        },
+        &[0.0],
+        &[1.0],
+    );
     assert_eq!(
         (corner.gradient[0].verdict, corner.gradient[0].sides),
         (Verdict::Corner, Some([Some(-1.0), Some(1.0)]))
@@ -493,21 +835,32 @@ fn differences_to_one_side_certify_at_the_end_of_a_range() {
     let restitution = [setup.variable("impact.restitution").unwrap()];
     let certificate = certificate(&setup, &[Outcome::BallSpeed], &restitution);
     assert!(certificate.passed(), "{:?}", failures(&certificate));
-    let exact = gradient(&setup, Outcome::BallSpeed, &restitution).unwrap().gradient[0];
+    let exact = gradient(&setup, Outcome::BallSpeed, &restitution)
+        .unwrap()
+        .gradient[0];
     assert_eq!(certificate.rows[0].first.exact, exact);
-    assert!(certificate.rows[0].first.curve.is_empty(), "no central differences beyond a range");
+    assert!(
+        certificate.rows[0].first.curve.is_empty(),
+        "no central differences beyond a range"
+    );
 }
 
-/// docs/model.md: on the report's loop a small difference sees −65 m/rad at 10° of loft, and carry goes by +337.
+/// docs/model.md: on the report's loop a small difference sees −65 m/rad at 10° of loft, and carry
+/// goes by +337.
 #[test]
 fn paper_while_loop_has_the_wrong_sign_beside_the_certificate() {
     let setup = Setup::preset("mae494").unwrap();
     let loft = setup.variable("club.loft").unwrap();
     let certificate = certify(&setup, &[Outcome::Carry], &[loft], &|_, _| true).unwrap();
     let loops = longdrive::reproduce::while_loop(&setup, &certificate.rows);
-    let [row] = &loops[..] else { panic!("{loops:?}") };
+    let [row] = &loops[..] else {
+        panic!("{loops:?}")
+    };
     let small = row.small_difference().unwrap();
-    assert!((small + 65.0).abs() < 1.0 && (row.check.exact - 337.0).abs() < 1.0, "{small}");
+    assert!(
+        (small + 65.0).abs() < 1.0 && (row.check.exact - 337.0).abs() < 1.0,
+        "{small}"
+    );
     assert!(row.has_wrong_sign() && row.check.verdict != Verdict::Pass);
     // what the loop does not know it is not asked
     let mut windy = setup;
@@ -515,15 +868,34 @@ fn paper_while_loop_has_the_wrong_sign_beside_the_certificate() {
     assert!(longdrive::reproduce::while_loop(&windy, &certificate.rows).is_empty());
 }
 
-/// Zero spin: carry has a corner, lateral has none, and its derivatives are right though their own slopes jump.
+/// Zero spin: carry has a corner, lateral has none, and its derivatives are right though their own
+/// slopes jump.
 #[test]
 fn exact_slopes_beside_a_corner_pass() {
     let mut setup = Setup::preset("mae494").unwrap();
-    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "10 deg")]).unwrap();
+    setup
+        .set_all([("club.loft", "0 deg"), ("swing.attack_angle", "10 deg")])
+        .unwrap();
     let wrt = ["strike.toe", "swing.path", "club.loft"].map(|name| setup.variable(name).unwrap());
-    let certificate = certify(&setup, &[Outcome::Carry, Outcome::Lateral], &wrt, &|_, _| true).unwrap();
+    let certificate = certify(
+        &setup,
+        &[Outcome::Carry, Outcome::Lateral],
+        &wrt,
+        &|_, _| true,
+    )
+    .unwrap();
     for row in &certificate.rows {
-        let expected = if row.of == Outcome::Carry { Verdict::Corner } else { Verdict::Pass };
-        assert_eq!(row.verdict(), expected, "d {}/d {}", row.of.name(), row.parameter.name);
+        let expected = if row.of == Outcome::Carry {
+            Verdict::Corner
+        } else {
+            Verdict::Pass
+        };
+        assert_eq!(
+            row.verdict(),
+            expected,
+            "d {}/d {}",
+            row.of.name(),
+            row.parameter.name
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! Certificates at the ends of ranges, at coarse steps and where numbers cancel: right derivatives are not called wrong.
+//! Certificates at the ends of ranges, at coarse steps and where numbers cancel: right derivatives
+//! are not called wrong.
 
 use crate::common::close;
 use longdrive::derivative::check::Verdict;
@@ -7,7 +8,13 @@ use longdrive::study::certificate::{Certificate, certify};
 use longdrive::{Drive, Error, Outcome, Setup};
 use rayon::prelude::*;
 
-const OF: [Outcome; 5] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::Backspin, Outcome::Spin];
+const OF: [Outcome; 5] = [
+    Outcome::Carry,
+    Outcome::Lateral,
+    Outcome::FlightTime,
+    Outcome::Backspin,
+    Outcome::Spin,
+];
 
 fn certificate(setup: &Setup<f64>, of: &[Outcome], by: &str) -> Certificate {
     certify(setup, of, &[setup.variable(by).unwrap()], &|_, _| true).unwrap()
@@ -15,9 +22,24 @@ fn certificate(setup: &Setup<f64>, of: &[Outcome], by: &str) -> Certificate {
 
 /// What failed, if anything did.
 fn faults(certificate: &Certificate) -> String {
-    let Certificate { rows, landing, continuity, convergence, planted, .. } = certificate;
-    let rows: Vec<_> = rows.iter().filter(|row| row.verdict() == Verdict::Fail).map(|row| &row.first).collect();
-    let landing: Vec<_> = landing.iter().filter(|row| row.check.failed()).map(|row| &row.check).collect();
+    let Certificate {
+        rows,
+        landing,
+        continuity,
+        convergence,
+        planted,
+        ..
+    } = certificate;
+    let rows: Vec<_> = rows
+        .iter()
+        .filter(|row| row.verdict() == Verdict::Fail)
+        .map(|row| &row.first)
+        .collect();
+    let landing: Vec<_> = landing
+        .iter()
+        .filter(|row| row.check.failed())
+        .map(|row| &row.check)
+        .collect();
     format!("{rows:?} {landing:?} {continuity:?} {convergence:?} {planted:?}")
 }
 
@@ -28,15 +50,26 @@ fn at_the_end(law: &str, parameter: &'static Parameter, end: f64) -> Option<Setu
     // a derivative is that of the drive as it is computed, in large steps too
     setup.set("flight.step", "50 ms").unwrap();
     if parameter.is_of_launch() {
-        let spin = if parameter.name.contains("launch.spin") { "launch.spin" } else { "launch.backspin" };
+        let spin = if parameter.name.contains("launch.spin") {
+            "launch.spin"
+        } else {
+            "launch.backspin"
+        };
         setup
-            .set_all([("launch.ball_speed", "167 mph"), ("launch.launch_angle", "10.9 deg"), (spin, "2686 rpm")])
+            .set_all([
+                ("launch.ball_speed", "167 mph"),
+                ("launch.launch_angle", "10.9 deg"),
+                (spin, "2686 rpm"),
+            ])
             .unwrap();
     }
     setup.set_value(parameter, Some(end)).ok()?;
     setup.variable(parameter.name).ok()?;
     setup.validate().ok()?;
-    Drive::new(&setup).ok().filter(|drive| drive.landed().is_ok()).map(|_| setup)
+    Drive::new(&setup)
+        .ok()
+        .filter(|drive| drive.landed().is_ok())
+        .map(|_| setup)
 }
 
 #[test]
@@ -45,35 +78,76 @@ fn differences_do_not_fail_at_either_end_of_any_range() {
         let mut setup = Setup::default();
         setup.set_law(law).unwrap();
         // those of every law once, with the law that is there by default
-        let is_asked = |row: &&&Parameter| row.law.map_or(*law == Setup::default().law.name(), |owner| owner == *law);
-        let rows: Vec<&'static Parameter> = setup.parameters().iter().filter(is_asked).copied().collect();
-        rows.into_iter().flat_map(move |row| [row.range.low, row.range.high].map(|end| (*law, row, end)))
+        let is_asked = |row: &&&Parameter| {
+            row.law
+                .map_or(*law == Setup::default().law.name(), |owner| owner == *law)
+        };
+        let rows: Vec<&'static Parameter> = setup
+            .parameters()
+            .iter()
+            .filter(is_asked)
+            .copied()
+            .collect();
+        rows.into_iter()
+            .flat_map(move |row| [row.range.low, row.range.high].map(|end| (*law, row, end)))
     });
-    let asked: Vec<_> = all.filter(|(_, row, end)| end.is_finite() && row.range.contains(*end)).collect();
+    let asked: Vec<_> = all
+        .filter(|(_, row, end)| end.is_finite() && row.range.contains(*end))
+        .collect();
     let judged = asked.par_iter().filter_map(|(law, row, end)| {
         let certificate = certificate(&at_the_end(law, row, *end)?, &OF, row.name);
-        let corners = certificate.rows.iter().filter(|row| row.verdict() == Verdict::Corner).count();
-        let fault = (!certificate.passed()).then(|| format!("{law}, {} = {end}: {}", row.name, faults(&certificate)));
+        let corners = certificate
+            .rows
+            .iter()
+            .filter(|row| row.verdict() == Verdict::Corner)
+            .count();
+        let fault = (!certificate.passed())
+            .then(|| format!("{law}, {} = {end}: {}", row.name, faults(&certificate)));
         Some((row.name, corners, fault))
     });
     let judged: Vec<_> = judged.collect();
-    let failed: Vec<_> = judged.iter().filter_map(|(.., fault)| fault.as_deref()).collect();
-    assert!(failed.is_empty(), "{} of {}:\n{}", failed.len(), judged.len(), failed.join("\n"));
+    let failed: Vec<_> = judged
+        .iter()
+        .filter_map(|(.., fault)| fault.as_deref())
+        .collect();
+    assert!(
+        failed.is_empty(),
+        "{} of {}:\n{}",
+        failed.len(),
+        judged.len(),
+        failed.join("\n")
+    );
     assert!(judged.len() > 40, "{} ends were looked at", judged.len());
     // zero spin is a corner, also where the range ends with it
-    for name in ["impact.friction", "impact.tangential_restitution", "launch.spin"] {
-        assert!(judged.iter().any(|(of, corners, _)| *of == name && *corners > 0), "{name} has no corner");
+    for name in [
+        "impact.friction",
+        "impact.tangential_restitution",
+        "launch.spin",
+    ] {
+        assert!(
+            judged
+                .iter()
+                .any(|(of, corners, _)| *of == name && *corners > 0),
+            "{name} has no corner"
+        );
     }
 }
 
-/// At the end of the range there is the slope of one side; the derivative, the mean of both, is not held against it.
+/// At the end of the range there is the slope of one side; the derivative, the mean of both, is not
+/// held against it.
 #[test]
 fn exact_corner_at_the_end_of_a_range_is_told_with_its_one_slope() {
     let mut setup = Setup::default();
     setup.set("impact.friction", "0").unwrap();
     let carry = certificate(&setup, &[Outcome::Carry], "impact.friction");
-    assert!(carry.passed() && carry.rows[0].verdict() == Verdict::Corner, "{}", faults(&carry));
-    let [None, Some(above)] = carry.rows[0].first.sides.unwrap() else { panic!("{:?}", carry.rows[0].first.sides) };
+    assert!(
+        carry.passed() && carry.rows[0].verdict() == Verdict::Corner,
+        "{}",
+        faults(&carry)
+    );
+    let [None, Some(above)] = carry.rows[0].first.sides.unwrap() else {
+        panic!("{:?}", carry.rows[0].first.sides)
+    };
     // by hand: the carry of a little friction
     let at = |friction: f64| {
         setup.impact.friction = Some(friction);
@@ -84,7 +158,8 @@ fn exact_corner_at_the_end_of_a_range_is_told_with_its_one_slope() {
     close(above, (little - none) / 1e-6, above, 1e-4, "slope");
 }
 
-/// A lateral distance that hardly goes by the parameter at the end of its range: one-sided differences show it as well as central ones do.
+/// A lateral distance that hardly goes by the parameter at the end of its range: one-sided
+/// differences show it as well as central ones do.
 #[test]
 fn differences_to_one_side_show_a_small_derivative() {
     let mut setup = Setup::default();
@@ -103,7 +178,11 @@ fn differences_to_one_side_show_a_small_derivative() {
     ];
     setup.set_all(settings).unwrap();
     let found = certificate(&setup, &[Outcome::Lateral], "impact.tangential_restitution");
-    assert!(found.passed() && !found.landing.is_empty(), "{}", faults(&found));
+    assert!(
+        found.passed() && !found.landing.is_empty(),
+        "{}",
+        faults(&found)
+    );
     assert!(found.rows[0].first.exact.abs() < 0.01 && found.rows[0].first.curve.is_empty());
 }
 
@@ -111,11 +190,23 @@ fn differences_to_one_side_show_a_small_derivative() {
 #[test]
 fn exact_corner_of_the_spin_itself_is_no_failure() {
     let mut setup = Setup::default();
-    setup.set_all([("aero.law", "linear"), ("impact.friction", "0")]).unwrap();
+    setup
+        .set_all([("aero.law", "linear"), ("impact.friction", "0")])
+        .unwrap();
     let found = certificate(&setup, &[Outcome::Carry, Outcome::Spin], "impact.friction");
-    let verdict = |of: Outcome| found.rows.iter().find(|row| row.of == of).unwrap().verdict();
+    let verdict = |of: Outcome| {
+        found
+            .rows
+            .iter()
+            .find(|row| row.of == of)
+            .unwrap()
+            .verdict()
+    };
     assert!(found.passed(), "{}", faults(&found));
-    assert_eq!([Outcome::Carry, Outcome::Spin].map(verdict), [Verdict::Pass, Verdict::Corner]);
+    assert_eq!(
+        [Outcome::Carry, Outcome::Spin].map(verdict),
+        [Verdict::Pass, Verdict::Corner]
+    );
 }
 
 /// Without friction there is no spin but what rounding leaves of numbers that cancel.
@@ -131,37 +222,58 @@ fn exact_spin_that_cancels_has_a_right_derivative() {
         ("strike.high", "-7.45492 mm"),
     ];
     oblique.set_all(settings).unwrap();
-    for (setup, by) in [(square, "swing.speed"), (oblique, "swing.speed"), (oblique, "club.bulge_radius")] {
+    for (setup, by) in [
+        (square, "swing.speed"),
+        (oblique, "swing.speed"),
+        (oblique, "club.bulge_radius"),
+    ] {
         let spins = certificate(&setup, &[Outcome::Backspin, Outcome::Sidespin], by);
         assert!(spins.passed(), "by {by}: {}", faults(&spins));
     }
 }
 
-/// At a coarse step the landing of a flight lies elsewhere than with the step that was made to end there: the differences are of the one that does.
+/// At a coarse step the landing of a flight lies elsewhere than with the step that was made to end
+/// there: the differences are of the one that does.
 #[test]
 fn differences_at_the_landing_agree_at_coarse_steps() {
     let mut setup = Setup::preset("winfield-tan").unwrap();
-    setup.set_all([("swing.face_angle", "9.16018 deg"), ("club.mass", "588.187 g")]).unwrap();
+    setup
+        .set_all([
+            ("swing.face_angle", "9.16018 deg"),
+            ("club.mass", "588.187 g"),
+        ])
+        .unwrap();
     for step in ["82.3021 ms", "0.2 s", "0.4 s"] {
         setup.set("flight.step", step).unwrap();
         let found = certificate(&setup, &[Outcome::Carry], "swing.face_angle");
         assert!(found.passed(), "{step}: {}", faults(&found));
         // better than the bar asks by far: what is left is rounding
-        let worst = found.landing.iter().map(|row| row.check.error / row.check.exact.abs()).fold(0.0, f64::max);
+        let worst = found
+            .landing
+            .iter()
+            .map(|row| row.check.error / row.check.exact.abs())
+            .fold(0.0, f64::max);
         assert!(worst < 1e-8 && found.landing.len() == 3, "{step}: {worst}");
     }
 }
 
-/// Where the spin fades within any of the steps that an order is measured at, there is none to be measured.
+/// Where the spin fades within any of the steps that an order is measured at, there is none to be
+/// measured.
 #[test]
 fn order_is_not_asked_for_where_the_spin_fades_within_a_step() {
     let mut setup = Setup::default();
     for (damping, is_measured) in [("2e-5", true), ("1", false)] {
         setup.set("aero.spin_damping", damping).unwrap();
         let found = certificate(&setup, &[Outcome::Carry], "swing.speed");
-        assert!(found.passed() && found.convergence.is_empty() != is_measured, "{damping}: {}", faults(&found));
-        let told =
-            found.not_examined.iter().any(|it| it.check.contains("convergence") && it.reason.contains("spin fades"));
+        assert!(
+            found.passed() && found.convergence.is_empty() != is_measured,
+            "{damping}: {}",
+            faults(&found)
+        );
+        let told = found
+            .not_examined
+            .iter()
+            .any(|it| it.check.contains("convergence") && it.reason.contains("spin fades"));
         assert_eq!(told, !is_measured, "{damping}: {:?}", found.not_examined);
     }
 }
@@ -172,10 +284,17 @@ fn a_drive_without_any_outcome_asked_for_says_why() {
     setup.set("club.loft", "-1.73663 deg").unwrap();
     let wind = [setup.variable("wind.downrange").unwrap()];
     let asked = |of: &[Outcome]| certify(&setup, of, &wind, &|_, _| true);
-    assert!(matches!(asked(&[Outcome::Carry, Outcome::Lateral]), Err(Error::NoFlight { .. })));
+    assert!(matches!(
+        asked(&[Outcome::Carry, Outcome::Lateral]),
+        Err(Error::NoFlight { .. })
+    ));
     // what there is of it is certified
     let found = asked(&[Outcome::Carry, Outcome::BallSpeed]).unwrap();
-    assert!(found.passed() && found.missing.len() == 1, "{:?}", found.missing);
+    assert!(
+        found.passed() && found.missing.len() == 1,
+        "{:?}",
+        found.missing
+    );
 }
 
 #[test]
@@ -184,8 +303,20 @@ fn a_certificate_that_is_stopped_has_the_rows_that_were_done_and_is_not_passed()
     let wrt = setup.variables();
     let found = certify(&setup, &[Outcome::Carry], &wrt, &|done, _| done < 3).unwrap();
     let [done, all] = found.stopped.unwrap();
-    assert!(done >= 3 && done < all && found.rows.len() == done, "{done} of {all}, {} rows", found.rows.len());
+    assert!(
+        done >= 3 && done < all && found.rows.len() == done,
+        "{done} of {all}, {} rows",
+        found.rows.len()
+    );
     assert!(!found.passed() && found.rows.iter().all(|row| row.verdict() == Verdict::Pass));
-    assert!(found.landing.is_empty() && found.continuity.is_empty() && found.convergence.is_empty());
-    assert!(found.not_examined.len() == 3 && found.not_examined.iter().all(|it| it.reason.contains("interrupted")));
+    assert!(
+        found.landing.is_empty() && found.continuity.is_empty() && found.convergence.is_empty()
+    );
+    assert!(
+        found.not_examined.len() == 3
+            && found
+                .not_examined
+                .iter()
+                .all(|it| it.reason.contains("interrupted"))
+    );
 }

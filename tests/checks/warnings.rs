@@ -1,4 +1,5 @@
-//! What deserves a word about a drive: a law beyond what it was fitted to, a strike beside the face; and nothing about usual drives.
+//! What deserves a word about a drive: a law beyond what it was fitted to, a strike beside the
+//! face; and nothing about usual drives.
 
 use crate::command_line::{json, longdrive};
 use longdrive::atmosphere::WindField;
@@ -11,20 +12,36 @@ use longdrive::{Drive, Outcome, Setup};
 fn warnings(preset: &str, settings: &[(&str, &str)]) -> Vec<String> {
     let mut setup = Setup::preset(preset).unwrap();
     setup.set_all(settings.iter().copied()).unwrap();
-    Drive::new(&setup).unwrap().warnings(&setup).iter().map(ToString::to_string).collect()
+    Drive::new(&setup)
+        .unwrap()
+        .warnings(&setup)
+        .iter()
+        .map(ToString::to_string)
+        .collect()
 }
 
 #[test]
 fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
     let said = |set: &[&str]| {
         let args: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
-        longdrive(&[&["simulate"], &args[..]].concat()).err.replace("\n  ", " ")
+        longdrive(&[&["simulate"], &args[..]].concat())
+            .err
+            .replace("\n  ", " ")
     };
     let blows = "wind.downrange=5m/s";
     for (set, told) in [
-        (&["wind.roughness=30mm"][..], "wind.roughness has no effect without a wind"),
-        (&["wind.reference_height=3m", blows], "wind.reference_height has no effect without wind.roughness"),
-        (&["wind.reference_height=1m", "wind.roughness=5m", blows], "is not above wind.roughness"),
+        (
+            &["wind.roughness=30mm"][..],
+            "wind.roughness has no effect without a wind",
+        ),
+        (
+            &["wind.reference_height=3m", blows],
+            "wind.reference_height has no effect without wind.roughness",
+        ),
+        (
+            &["wind.reference_height=1m", "wind.roughness=5m", blows],
+            "is not above wind.roughness",
+        ),
     ] {
         assert!(said(set).contains(told), "{set:?}: {}", said(set));
     }
@@ -33,15 +50,55 @@ fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
     // where the wind or its profile varies, both have an effect
     let (rough, high) = ("wind.roughness=30mm", "wind.reference_height=3m");
     for args in [
-        &["sweep", "--set", rough, "--over", "wind.downrange=-5m/s..5m/s:3"][..],
-        &["sweep", "--set", high, "--set", blows, "--over", "wind.roughness=1mm..30mm:3"],
-        &["chart", "--set", rough, "--along", "wind.downrange", "--at", "-3m/s,3m/s"],
-        &["uncertainty", "--set", rough, "--sigma", "wind.downrange=2m/s", "--samples", "64"],
-        &["optimize", "--set", rough, "--distribution", "wind.downrange=normal(0m/s,2m/s)"],
+        &[
+            "sweep",
+            "--set",
+            rough,
+            "--over",
+            "wind.downrange=-5m/s..5m/s:3",
+        ][..],
+        &[
+            "sweep",
+            "--set",
+            high,
+            "--set",
+            blows,
+            "--over",
+            "wind.roughness=1mm..30mm:3",
+        ],
+        &[
+            "chart",
+            "--set",
+            rough,
+            "--along",
+            "wind.downrange",
+            "--at",
+            "-3m/s,3m/s",
+        ],
+        &[
+            "uncertainty",
+            "--set",
+            rough,
+            "--sigma",
+            "wind.downrange=2m/s",
+            "--samples",
+            "64",
+        ],
+        &[
+            "optimize",
+            "--set",
+            rough,
+            "--distribution",
+            "wind.downrange=normal(0m/s,2m/s)",
+        ],
         &["compare", "--set", rough, "--set-b", blows],
     ] {
         let said = longdrive(args);
-        assert!(said.status == 0 && !said.err.contains("has no effect"), "{args:?}: {}", said.err);
+        assert!(
+            said.status == 0 && !said.err.contains("has no effect"),
+            "{args:?}: {}",
+            said.err
+        );
     }
 }
 
@@ -55,11 +112,25 @@ fn a_step_so_long_that_the_landing_depends_on_it_is_told_with_the_shift() {
     };
     let shift = 1e3 * (carry("1s") - carry("0.5s")).abs();
     let told = &warnings("modern-driver", &[("flight.step", "1s")])[0];
-    let said: f64 =
-        told.split("the ball lands ").nth(1).and_then(|rest| rest.split(" mm").next()).unwrap().parse().unwrap();
-    assert!(told.contains("flight.step = 1 s is long for the method rk4"), "{told}");
-    assert!((said - shift).abs() <= 0.05 * shift && shift > 2.0, "{told}: {shift}");
-    for settings in [&[("flight.step", "0.2s")][..], &[("flight.step", "1s"), ("flight.method", "dp8")]] {
+    let said: f64 = told
+        .split("the ball lands ")
+        .nth(1)
+        .and_then(|rest| rest.split(" mm").next())
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!(
+        told.contains("flight.step = 1 s is long for the method rk4"),
+        "{told}"
+    );
+    assert!(
+        (said - shift).abs() <= 0.05 * shift && shift > 2.0,
+        "{told}: {shift}"
+    );
+    for settings in [
+        &[("flight.step", "0.2s")][..],
+        &[("flight.step", "1s"), ("flight.method", "dp8")],
+    ] {
         assert_eq!(warnings("modern-driver", settings), [""; 0], "{settings:?}");
     }
 }
@@ -68,22 +139,45 @@ fn a_step_so_long_that_the_landing_depends_on_it_is_told_with_the_shift() {
 fn nothing_is_said_about_the_presets_and_their_longest_drives() {
     for preset in PRESETS {
         let setup = Setup::preset(preset.name).unwrap();
-        let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), Observer::default()).unwrap();
-        let at_best = best.drive.unwrap().warnings(&best.setup).iter().map(ToString::to_string).collect();
+        let best = optimum(
+            &setup,
+            Search::longest_drive(&setup).unwrap(),
+            Observer::default(),
+        )
+        .unwrap();
+        let at_best = best
+            .drive
+            .unwrap()
+            .warnings(&best.setup)
+            .iter()
+            .map(ToString::to_string)
+            .collect();
         for said in [warnings(preset.name, &[]), at_best] {
             // an amateur's ball is slower than those that the law was fitted to
-            let of_the_law = said.len() == 1 && said[0].contains("fitted to a Reynolds number of 70000");
-            assert!(said.is_empty() || preset.name == "amateur-average" && of_the_law, "{}: {said:?}", preset.name);
+            let of_the_law =
+                said.len() == 1 && said[0].contains("fitted to a Reynolds number of 70000");
+            assert!(
+                said.is_empty() || preset.name == "amateur-average" && of_the_law,
+                "{}: {said:?}",
+                preset.name
+            );
         }
     }
 }
 
-/// Next to no air, no decay: s = Rω/v(t) of a parabola is below 0.02 where v > v* = Rω/0.02, for 1 − √(v*² − v_h²)/v_v of the time.
+/// Next to no air, no decay: s = Rω/v(t) of a parabola is below 0.02 where v > v* = Rω/0.02, for 1
+/// − √(v*² − v_h²)/v_v of the time.
 #[test]
 fn exact_share_of_the_flight_outside_of_what_the_law_was_fitted_to() {
     let (ahead, up, at_edge) = (50.0_f64, 30.0_f64, 53.0_f64);
     let mut setup = Setup::default();
-    setup.set_all([("aero.law", "ferguson"), ("air.density", "1e-9 kg/m^3"), ("aero.spin_decay", "0 1/s")]).unwrap();
+    setup
+        .set_all([
+            ("aero.law", "ferguson"),
+            ("air.density", "1e-9 kg/m^3"),
+            ("aero.spin_decay", "0 1/s"),
+        ])
+        .unwrap();
     setup.launch.ball_speed = Some(ahead.hypot(up));
     setup.launch.launch_angle = Some(up.atan2(ahead));
     setup.launch.backspin = Some(0.02 * at_edge / setup.ball.radius);
@@ -98,45 +192,104 @@ fn exact_share_of_the_flight_outside_of_what_the_law_was_fitted_to() {
         format!("{share:.0} % of the time outside"),
     ];
     for word in words {
-        assert!(warnings[0].to_string().contains(&word), "{word}: {}", warnings[0]);
+        assert!(
+            warnings[0].to_string().contains(&word),
+            "{word}: {}",
+            warnings[0]
+        );
     }
 }
 
 #[test]
 fn each_law_names_what_it_was_fitted_to() {
-    let slow = [("aero.law", "winfield-tan"), ("swing.speed", "30 mph"), ("club.loft", "14 deg")];
+    let slow = [
+        ("aero.law", "winfield-tan"),
+        ("swing.speed", "30 mph"),
+        ("club.loft", "14 deg"),
+    ];
     let found = warnings("modern-driver", &slow);
-    assert!(found.iter().any(|it| it.contains("speed through the air of 25 m/s to 68 m/s")), "{found:?}");
-    let found = warnings("modern-driver", &[("swing.speed", "30 mph"), ("club.loft", "14 deg")]);
-    assert!(found.iter().any(|it| it.contains("Reynolds number of 70000 to 230000")), "{found:?}");
-    let found = warnings("modern-driver", &[("aero.law", "smits-smith"), ("swing.speed", "140 mph")]);
-    assert!(found.iter().any(|it| it.contains("the law smits-smith")), "{found:?}");
-    // no air, no law; and what is fitted to nothing that is known says nothing
     assert!(
-        warnings("modern-driver", &[("swing.speed", "30 mph"), ("club.loft", "14 deg"), ("air.density", "0 kg/m^3")])
-            .is_empty()
+        found
+            .iter()
+            .any(|it| it.contains("speed through the air of 25 m/s to 68 m/s")),
+        "{found:?}"
+    );
+    let found = warnings(
+        "modern-driver",
+        &[("swing.speed", "30 mph"), ("club.loft", "14 deg")],
     );
     assert!(
-        warnings("modern-driver", &[("swing.speed", "30 mph"), ("club.loft", "14 deg"), ("aero.law", "linear")])
-            .is_empty()
+        found
+            .iter()
+            .any(|it| it.contains("Reynolds number of 70000 to 230000")),
+        "{found:?}"
+    );
+    let found = warnings(
+        "modern-driver",
+        &[("aero.law", "smits-smith"), ("swing.speed", "140 mph")],
+    );
+    assert!(
+        found.iter().any(|it| it.contains("the law smits-smith")),
+        "{found:?}"
+    );
+    // no air, no law; and what is fitted to nothing that is known says nothing
+    assert!(
+        warnings(
+            "modern-driver",
+            &[
+                ("swing.speed", "30 mph"),
+                ("club.loft", "14 deg"),
+                ("air.density", "0 kg/m^3")
+            ]
+        )
+        .is_empty()
+    );
+    assert!(
+        warnings(
+            "modern-driver",
+            &[
+                ("swing.speed", "30 mph"),
+                ("club.loft", "14 deg"),
+                ("aero.law", "linear")
+            ]
+        )
+        .is_empty()
     );
 }
 
 #[test]
 fn a_strike_beside_the_face_is_told_on_standard_error_and_in_json() {
     let on_the_face = [("strike.toe", "30 mm"), ("strike.high", "-20 mm")];
-    assert!(warnings("modern-driver", &on_the_face).iter().all(|it| !it.contains("strike.toe")));
+    assert!(
+        warnings("modern-driver", &on_the_face)
+            .iter()
+            .all(|it| !it.contains("strike.toe"))
+    );
     let command = ["simulate", "modern-driver", "--set", "strike.toe=70mm"];
     let text = longdrive(&command);
     let told = "strike.toe = 70 mm and strike.high = 0 mm lie outside the face";
     assert!(text.status == 0 && text.err.contains(told), "{}", text.err);
     for command in [
         command.to_vec(),
-        vec!["gradient", "modern-driver", "--set", "strike.toe=70mm", "--of", "carry", "--wrt", "club.loft"],
+        vec![
+            "gradient",
+            "modern-driver",
+            "--set",
+            "strike.toe=70mm",
+            "--of",
+            "carry",
+            "--wrt",
+            "club.loft",
+        ],
     ] {
         let (_, answer) = json(&command);
         let warnings = answer["warnings"].as_array().unwrap();
-        assert!(warnings.iter().any(|it| it.as_str().unwrap().contains(told)), "{answer}");
+        assert!(
+            warnings
+                .iter()
+                .any(|it| it.as_str().unwrap().contains(told)),
+            "{answer}"
+        );
     }
 }
 
@@ -150,32 +303,61 @@ fn exact_count_of_a_sweep_is_the_same_for_any_threads() {
     let outside = points.iter().filter(|speed| **speed > edge).count();
     assert!((1000..4000).contains(&outside), "{outside}");
     let table = folder.path().join("points.csv");
-    let rows: String = points.iter().map(|speed| format!("{speed},12,2500\n")).collect();
-    std::fs::write(&table, format!("ball_speed [m/s],launch_angle [deg],backspin [rpm]\n{rows}")).unwrap();
-    let told = format!("{outside} of 5000 drives that landed: at launch outside of what the law launch-monitor");
+    let rows: String = points
+        .iter()
+        .map(|speed| format!("{speed},12,2500\n"))
+        .collect();
+    std::fs::write(
+        &table,
+        format!("ball_speed [m/s],launch_angle [deg],backspin [rpm]\n{rows}"),
+    )
+    .unwrap();
+    let told = format!(
+        "{outside} of 5000 drives that landed: at launch outside of what the law launch-monitor"
+    );
     for threads in ["1", "2"] {
         let output = folder.path().join(format!("{threads}.csv"));
         let (table, output) = (table.to_str().unwrap(), output.to_str().unwrap());
         // air so thick that the Reynolds number stays within the law
-        let thick = ["--set", "air.viscosity=3e-5 Pa.s", "--threads", threads, "-o", output];
+        let thick = [
+            "--set",
+            "air.viscosity=3e-5 Pa.s",
+            "--threads",
+            threads,
+            "-o",
+            output,
+        ];
         let (status, answer) = json(&[&["sweep", "--points", table][..], &thick].concat());
         let warnings = answer["warnings"].as_array().unwrap();
         assert!(status == 0 && warnings.len() == 1, "{answer}");
-        assert!(warnings[0].as_str().unwrap().contains(&told), "{told}: {answer}");
+        assert!(
+            warnings[0].as_str().unwrap().contains(&told),
+            "{told}: {answer}"
+        );
     }
 }
 
-/// Side by side as one by one: spin ratio, Reynolds number and speed by their definitions, in wind, for values and for gradients.
+/// Side by side as one by one: spin ratio, Reynolds number and speed by their definitions, in wind,
+/// for values and for gradients.
 #[test]
 fn exact_definitions_say_which_drives_of_a_batch_lie_beyond() {
     let mut setup = Setup::default();
-    setup.set_all([("wind.downrange", "5 m/s"), ("wind.right", "-3 m/s"), ("wind.roughness", "10 mm")]).unwrap();
+    setup
+        .set_all([
+            ("wind.downrange", "5 m/s"),
+            ("wind.right", "-3 m/s"),
+            ("wind.roughness", "10 mm"),
+        ])
+        .unwrap();
     for law in ["launch-monitor", "smits-smith", "winfield-tan", "linear"] {
         setup.set_law(law).unwrap();
-        let swept = ["swing.speed", "club.loft", "strike.toe"].map(|name| setup.variable(name).unwrap());
+        let swept =
+            ["swing.speed", "club.loft", "strike.toe"].map(|name| setup.variable(name).unwrap());
         let ranges = [(8.0, 60.0), (0.02, 0.5), (-0.08, 0.08)];
         let at = |k: u32| {
-            ranges.map(|(low, high): (f64, f64)| low + (high - low) * (f64::from(k) * low.abs().sqrt()).fract())
+            ranges.map(|(low, high): (f64, f64)| {
+                low + (high - low) * (f64::from(k) * low.abs().sqrt()).fract()
+            })
         };
         let points: Vec<f64> = (1..400).flat_map(at).collect();
         for wrt in [&swept[..0], &swept[..2]] {
@@ -184,7 +366,9 @@ fn exact_definitions_say_which_drives_of_a_batch_lie_beyond() {
             let (mut tally, mut outside, mut landed) = (Tally::default(), 0, 0);
             tally.add(&block);
             for row in 0..block.rows() {
-                let [speed, loft, toe] = block.point(row) else { panic!() };
+                let [speed, loft, toe] = block.point(row) else {
+                    panic!()
+                };
                 if block.status(row) != Status::Landed {
                     continue;
                 }
@@ -193,7 +377,11 @@ fn exact_definitions_say_which_drives_of_a_batch_lie_beyond() {
                 (one.swing.speed, one.club.loft, one.strike.toe) = (*speed, *loft, *toe);
                 let launch = Drive::new(&one).unwrap().launch;
                 let wind = WindField::new(&one.wind, &one.ground).at(0.0);
-                let v = [launch.velocity.x - wind.x, launch.velocity.y - wind.y, launch.velocity.z - wind.z];
+                let v = [
+                    launch.velocity.x - wind.x,
+                    launch.velocity.y - wind.y,
+                    launch.velocity.z - wind.z,
+                ];
                 let v = v.iter().map(|v| v * v).sum::<f64>().sqrt();
                 let stream = [
                     one.ball.radius * launch.total_spin() / v,
@@ -202,16 +390,29 @@ fn exact_definitions_say_which_drives_of_a_batch_lie_beyond() {
                 ];
                 let is_within = |[low, high]: [f64; 2], value: f64| low <= value && value <= high;
                 let within = match law {
-                    "launch-monitor" => is_within([0.06, 0.33], stream[0]) && is_within([7e4, 2.3e5], stream[1]),
-                    "smits-smith" => is_within([0.08, 0.2], stream[0]) && is_within([7e4, 2.1e5], stream[1]),
-                    "winfield-tan" => is_within([0.02, 0.35], stream[0]) && is_within([25.0, 68.0], stream[2]),
+                    "launch-monitor" => {
+                        is_within([0.06, 0.33], stream[0]) && is_within([7e4, 2.3e5], stream[1])
+                    }
+                    "smits-smith" => {
+                        is_within([0.08, 0.2], stream[0]) && is_within([7e4, 2.1e5], stream[1])
+                    }
+                    "winfield-tan" => {
+                        is_within([0.02, 0.35], stream[0]) && is_within([25.0, 68.0], stream[2])
+                    }
                     _ => true,
                 };
                 let found = block.beyond(row);
-                assert_eq!((found.law, found.face), (!within, toe.abs() > 0.0635), "{law}, row {row}: {stream:?}");
+                assert_eq!(
+                    (found.law, found.face),
+                    (!within, toe.abs() > 0.0635),
+                    "{law}, row {row}: {stream:?}"
+                );
                 outside += u64::from(!within);
             }
-            assert!(landed > 100 && (outside > 20 || law == "linear"), "{law}: {outside} of {landed}");
+            assert!(
+                landed > 100 && (outside > 20 || law == "linear"),
+                "{law}: {outside} of {landed}"
+            );
             assert_eq!((tally.beyond().all, tally.beyond().law), (landed, outside));
         }
     }
@@ -221,9 +422,14 @@ fn exact_definitions_say_which_drives_of_a_batch_lie_beyond() {
 fn charts_and_calibrations_count_what_leaves_the_law() {
     let (status, chart) = json(&["chart", "--along", "swing.speed=25mph..30mph"]);
     let points = chart["points"].as_array().unwrap().len();
-    let told =
-        format!("{points} of {points} optima: in 1 % of the flight or more outside of what the law launch-monitor");
-    assert!(status == 0 && chart["warnings"][0].as_str().unwrap().starts_with(&told), "{told}: {chart}");
+    let told = format!(
+        "{points} of {points} optima: in 1 % of the flight or more outside of what the law \
+         launch-monitor"
+    );
+    assert!(
+        status == 0 && chart["warnings"][0].as_str().unwrap().starts_with(&told),
+        "{told}: {chart}"
+    );
     let (_, usual) = json(&["chart", "--along", "swing.speed", "--at", "105mph,110mph"]);
     assert_eq!(usual["warnings"].as_array().unwrap().len(), 0, "{usual}");
 
@@ -234,75 +440,172 @@ fn charts_and_calibrations_count_what_leaves_the_law() {
         format!("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n{rows}").as_bytes(),
     )
     .unwrap();
-    let (_, found) = json(&["calibrate", table.path().to_str().unwrap(), "--fit", "aero.cd0"]);
-    assert!(found["warnings"][0].as_str().unwrap().starts_with("1 of 3 shots: in 1 % of the flight"), "{found}");
+    let (_, found) = json(&[
+        "calibrate",
+        table.path().to_str().unwrap(),
+        "--fit",
+        "aero.cd0",
+    ]);
+    assert!(
+        found["warnings"][0]
+            .as_str()
+            .unwrap()
+            .starts_with("1 of 3 shots: in 1 % of the flight"),
+        "{found}"
+    );
 }
 
 /// Drives that are launched down have no carry, and a ball speed.
 #[test]
 fn drives_without_a_landing_are_warned_of_where_their_flight_is_asked_for() {
-    let spread = ["uncertainty", "--distribution", "swing.attack_angle=normal(-8deg,6deg)", "--samples", "64", "--of"];
+    let spread = [
+        "uncertainty",
+        "--distribution",
+        "swing.attack_angle=normal(-8deg,6deg)",
+        "--samples",
+        "64",
+        "--of",
+    ];
     let says = "% of the drives do not land";
     for (of, is_told) in [("carry", true), ("ball_speed", false)] {
         let said = longdrive(&[&spread[..], &[of]].concat());
-        assert_eq!((said.status, said.err.contains(says)), (0, is_told), "{of}: {}", said.err);
-        assert_eq!(said.out.contains("of the drives that land lie between"), is_told, "{of}: {}", said.out);
+        assert_eq!(
+            (said.status, said.err.contains(says)),
+            (0, is_told),
+            "{of}: {}",
+            said.err
+        );
+        assert_eq!(
+            said.out.contains("of the drives that land lie between"),
+            is_told,
+            "{of}: {}",
+            said.out
+        );
     }
 }
 
 /// Slow and fast drives leave the law, and those between do not.
 #[test]
 fn a_warning_of_a_chart_names_each_part_that_it_is_of() {
-    let said = longdrive(&["chart", "--along", "swing.speed", "--at", "70mph,90mph,100mph,130mph"]);
+    let said = longdrive(&[
+        "chart",
+        "--along",
+        "swing.speed",
+        "--at",
+        "70mph,90mph,100mph,130mph",
+    ]);
     let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(err.contains("; swing.speed = 70 mph, and 130 mph"), "{err}");
 }
 
-/// The optima of plots and pages are looked at as those of `chart` are, each kind of warning once, with where it holds.
+/// The optima of plots and pages are looked at as those of `chart` are, each kind of warning once,
+/// with where it holds.
 #[test]
 fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).display().to_string();
     let (svg, page) = (file("a.svg"), file("page"));
     let slow = ["--along", "swing.speed=25mph..30mph"];
-    let says = ["optima: in 1 % of the flight or more outside of", "; swing.speed = 25 mph to 30 mph"];
+    let says = [
+        "optima: in 1 % of the flight or more outside of",
+        "; swing.speed = 25 mph to 30 mph",
+    ];
     let of_optima = |answer: &serde_json::Value| {
-        let warnings = answer["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap().to_owned());
-        warnings.filter(|it| it.contains("optima: ")).collect::<Vec<_>>()
+        let warnings = answer["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|it| it.as_str().unwrap().to_owned());
+        warnings
+            .filter(|it| it.contains("optima: "))
+            .collect::<Vec<_>>()
     };
-    for command in [vec!["chart"], vec!["plot", "chart", "-o", &svg], vec!["report", "-o", &page]] {
+    for command in [
+        vec!["chart"],
+        vec!["plot", "chart", "-o", &svg],
+        vec!["report", "-o", &page],
+    ] {
         let (_, answer) = json(&[&command[..], &slow].concat());
         let found = of_optima(&answer);
-        assert!(found.len() == 1 && says.iter().all(|says| found[0].contains(says)), "{command:?}: {answer}");
+        assert!(
+            found.len() == 1 && says.iter().all(|says| found[0].contains(says)),
+            "{command:?}: {answer}"
+        );
     }
-    let (_, usual) = json(&["plot", "chart", "-o", &svg, "--overwrite", "--along", "swing.speed=105mph..110mph"]);
+    let (_, usual) = json(&[
+        "plot",
+        "chart",
+        "-o",
+        &svg,
+        "--overwrite",
+        "--along",
+        "swing.speed=105mph..110mph",
+    ]);
     assert_eq!(of_optima(&usual), Vec::<String>::new());
     // the setup's own drive is usual, the optimum is not
-    let vary = ["--vary", "club.loft=4deg..60deg", "--vary", "swing.speed=20mph..30mph", "--maximize", "carry"];
+    let vary = [
+        "--vary",
+        "club.loft=4deg..60deg",
+        "--vary",
+        "swing.speed=20mph..30mph",
+        "--maximize",
+        "carry",
+    ];
     let (_, map) = json(&[&["plot", "contour", "-o", &svg, "--overwrite"], &vary[..]].concat());
     let warnings = map["warnings"].as_array().unwrap();
-    assert!(warnings.iter().any(|it| it.as_str().unwrap().starts_with("at the optimum: the law")), "{map}");
+    assert!(
+        warnings
+            .iter()
+            .any(|it| it.as_str().unwrap().starts_with("at the optimum: the law")),
+        "{map}"
+    );
 }
 
-/// What a warning tells is in the answer as numbers: the range, how far the flight goes, and the share outside, of an optimum too.
+/// What a warning tells is in the answer as numbers: the range, how far the flight goes, and the
+/// share outside, of an optimum too.
 #[test]
 fn exact_share_outside_of_a_law_is_in_the_answer() {
     let slow = ["--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
     let (_, answer) = json(&[&["simulate"], &slow[..]].concat());
     let reynolds = &answer["law_range"]["reynolds"];
-    assert_eq!(reynolds["fitted"], serde_json::json!({ "low": 7e4, "high": 2.3e5 }));
+    assert_eq!(
+        reynolds["fitted"],
+        serde_json::json!({ "low": 7e4, "high": 2.3e5 })
+    );
     let share = reynolds["share_outside"].as_f64().unwrap();
     assert!(
-        answer["warnings"].to_string().contains(&format!("{:.0} % of the time outside", 100.0 * share)),
+        answer["warnings"]
+            .to_string()
+            .contains(&format!("{:.0} % of the time outside", 100.0 * share)),
         "{answer}"
     );
     assert!(answer["law_range"]["speed"].is_null() && answer["law_range"]["spin"].is_null());
     let usual = json(&["simulate"]).1;
     assert_eq!(usual["law_range"]["spin_ratio"]["share_outside"], 0.0);
-    let best = json(&[&["optimize"], &slow[..2], &["--vary", "club.loft=8deg..20deg"]].concat()).1;
-    assert!(best["law_range"]["reynolds"]["share_outside"].as_f64().unwrap() > 0.5, "{best}");
-    for none in [&["--set", "air.density=0 kg/m^3"][..], &["--set", "swing.attack_angle=-20deg"]] {
-        assert!(json(&[&["simulate"], none].concat()).1["law_range"].is_null(), "{none:?}");
+    let best = json(
+        &[
+            &["optimize"],
+            &slow[..2],
+            &["--vary", "club.loft=8deg..20deg"],
+        ]
+        .concat(),
+    )
+    .1;
+    assert!(
+        best["law_range"]["reynolds"]["share_outside"]
+            .as_f64()
+            .unwrap()
+            > 0.5,
+        "{best}"
+    );
+    for none in [
+        &["--set", "air.density=0 kg/m^3"][..],
+        &["--set", "swing.attack_angle=-20deg"],
+    ] {
+        assert!(
+            json(&[&["simulate"], none].concat()).1["law_range"].is_null(),
+            "{none:?}"
+        );
     }
 }
 
@@ -319,9 +622,17 @@ fn exact_angle_of_a_ball_that_lands_flatter_than_measured_bounces() {
         ]);
         command.extend(settings.iter().flat_map(|setting| ["--set", setting]));
         let (_, answer) = json(&command);
-        let warnings = answer["warnings"].as_array().unwrap_or_else(|| panic!("{answer}")).clone();
+        let warnings = answer["warnings"]
+            .as_array()
+            .unwrap_or_else(|| panic!("{answer}"))
+            .clone();
         assert_ne!(answer["status"], "error", "{answer}");
-        warnings.iter().filter_map(|it| it.as_str()).filter(|it| it.contains("lands at")).map(str::to_owned).collect()
+        warnings
+            .iter()
+            .filter_map(|it| it.as_str())
+            .filter(|it| it.contains("lands at"))
+            .map(str::to_owned)
+            .collect()
     };
     for of in ["total", "run", "lateral_total", "carry,total"] {
         let found: Vec<String> = told(&[], of);
@@ -331,7 +642,10 @@ fn exact_angle_of_a_ball_that_lands_flatter_than_measured_bounces() {
         );
     }
     let found: Vec<String> = told(&["ground.slope=1deg"], "total");
-    assert!(found.len() == 1 && found[0].contains("lands at 24 deg"), "{found:?}");
+    assert!(
+        found.len() == 1 && found[0].contains("lands at 24 deg"),
+        "{found:?}"
+    );
     for (settings, of) in [
         (&[][..], "carry"),
         (&["ground.slope=4deg"], "total"),
@@ -345,54 +659,99 @@ fn exact_angle_of_a_ball_that_lands_flatter_than_measured_bounces() {
 
 #[test]
 fn a_flat_landing_is_told_with_the_total_and_at_an_optimum() {
-    let flat = ["--launch", "ball_speed=160mph,launch_angle=4deg,backspin=1500rpm"];
+    let flat = [
+        "--launch",
+        "ball_speed=160mph,launch_angle=4deg,backspin=1500rpm",
+    ];
     let text = longdrive(&[&["simulate"], &flat[..]].concat());
-    assert!(text.err.contains("the ball lands at 9.081°"), "{}", text.err);
+    assert!(
+        text.err.contains("the ball lands at 9.081°"),
+        "{}",
+        text.err
+    );
     let search = ["optimize", "--vary", "launch.launch_angle=3deg..6deg"];
     for (of, is_told) in [("total", true), ("carry", false)] {
         let (_, answer) = json(&[&search[..], &["--maximize", of], &flat].concat());
         let warnings = answer["warnings"].as_array().unwrap();
-        let found = warnings.iter().any(|it| it.as_str().unwrap().contains("the ball lands at"));
+        let found = warnings
+            .iter()
+            .any(|it| it.as_str().unwrap().contains("the ball lands at"));
         assert_eq!(found, is_told, "{of}: {answer}");
     }
 }
 
-/// The share of a normal distribution of the club speed from the speed on from which the drive with the best loft leaves what the law was fitted to:
-/// the mean swing is well within it.
+/// The share of a normal distribution of the club speed from the speed on from which the drive with
+/// the best loft leaves what the law was fitted to: the mean swing is well within it.
 #[test]
 fn exact_share_of_the_swings_that_leave_the_law_at_the_best_design() {
     let swings = "swing.speed=truncated(120mph,10mph,90mph,150mph)";
-    let asked = ["--distribution", swings, "--vary", "club.loft=4deg..20deg", "--scenarios", "2000"];
+    let asked = [
+        "--distribution",
+        swings,
+        "--vary",
+        "club.loft=4deg..20deg",
+        "--scenarios",
+        "2000",
+    ];
     let (status, found) = json(&[&["optimize"], &asked[..]].concat());
     assert_eq!(status, 0, "{found}");
-    let told =
-        warning_of(&found, " % of the swings: in 1 % of the flight or more outside of what the law launch-monitor");
+    let told = warning_of(
+        &found,
+        " % of the swings: in 1 % of the flight or more outside of what the law launch-monitor",
+    );
     let share: f64 = told.split(' ').next().unwrap().parse().unwrap();
     let mut setup = Setup::preset("tour-average").unwrap();
-    setup.set("club.loft", &format!("{} rad", found["optimum"]["club.loft"])).unwrap();
+    setup
+        .set(
+            "club.loft",
+            &format!("{} rad", found["optimum"]["club.loft"]),
+        )
+        .unwrap();
     let is_outside = |mph: f64| {
         let mut setup = setup;
         setup.set("swing.speed", &format!("{mph} mph")).unwrap();
-        Drive::new(&setup).unwrap().warnings(&setup).iter().any(|it| it.to_string().contains("fitted to"))
+        Drive::new(&setup)
+            .unwrap()
+            .warnings(&setup)
+            .iter()
+            .any(|it| it.to_string().contains("fitted to"))
     };
     assert!(!is_outside(120.0) && !is_outside(90.0) && is_outside(150.0));
     let (mut within, mut outside) = (120.0, 150.0);
     while outside - within > 1e-3 {
         let middle = 0.5 * (within + outside);
-        *(if is_outside(middle) { &mut outside } else { &mut within }) = middle;
+        *(if is_outside(middle) {
+            &mut outside
+        } else {
+            &mut within
+        }) = middle;
     }
     let normal = statrs::distribution::Normal::standard();
     let below = |mph: f64| statrs::distribution::ContinuousCDF::cdf(&normal, (mph - 120.0) / 10.0);
     let expected = 100.0 * (below(150.0) - below(outside)) / (below(150.0) - below(90.0));
-    assert!(expected > 2.0 && (share - expected).abs() < 1.0, "{share} beside {expected}");
+    assert!(
+        expected > 2.0 && (share - expected).abs() < 1.0,
+        "{share} beside {expected}"
+    );
     // swings within it say nothing
-    let slower =
-        ["--distribution", "swing.speed=truncated(110mph,2mph,105mph,115mph)", "--vary", "club.loft=4deg..20deg"];
-    assert_eq!(json(&[&["optimize"], &slower[..]].concat()).1["warnings"], serde_json::json!([]));
+    let slower = [
+        "--distribution",
+        "swing.speed=truncated(110mph,2mph,105mph,115mph)",
+        "--vary",
+        "club.loft=4deg..20deg",
+    ];
+    assert_eq!(
+        json(&[&["optimize"], &slower[..]].concat()).1["warnings"],
+        serde_json::json!([])
+    );
 }
 
 fn warning_of(found: &serde_json::Value, says: &str) -> String {
-    let all = found["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap());
+    let all = found["warnings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|it| it.as_str().unwrap());
     let told: Vec<_> = all.filter(|it| it.contains(says)).collect();
     assert_eq!(told.len(), 1, "{says}: {found}");
     told[0].to_owned()
@@ -402,23 +761,75 @@ fn warning_of(found: &serde_json::Value, says: &str) -> String {
 fn designs_models_and_fronts_beyond_the_law_are_told() {
     let fast = ["--set", "swing.speed=160mph"];
     let says = "outside of what the law";
-    let (_, found) = json(&[&["design", "--scenarios", "64", "--vary", "club.loft=6deg..16deg"], &fast[..]].concat());
-    assert!(warning_of(&found, says).contains(" % of the swings: in 1 % of the flight or more outside"), "{found}");
-    let models = ["robust", "--model", "aero.law=ferguson", "--vary", "club.loft=4deg..20deg"];
+    let (_, found) = json(
+        &[
+            &[
+                "design",
+                "--scenarios",
+                "64",
+                "--vary",
+                "club.loft=6deg..16deg",
+            ],
+            &fast[..],
+        ]
+        .concat(),
+    );
+    assert!(
+        warning_of(&found, says).contains(" % of the swings: in 1 % of the flight or more outside"),
+        "{found}"
+    );
+    let models = [
+        "robust",
+        "--model",
+        "aero.law=ferguson",
+        "--vary",
+        "club.loft=4deg..20deg",
+    ];
     let (_, found) = json(&[&models, &fast[..]].concat());
-    let told = warning_of(&found, "with the model 'as set up': the law launch-monitor was fitted to");
+    let told = warning_of(
+        &found,
+        "with the model 'as set up': the law launch-monitor was fitted to",
+    );
     assert!(told.contains("of the time outside"), "{found}");
-    let front = ["pareto", "--maximize", "carry", "--minimize", "apex_height", "--points", "5"];
+    let front = [
+        "pareto",
+        "--maximize",
+        "carry",
+        "--minimize",
+        "apex_height",
+        "--points",
+        "5",
+    ];
     let (_, found) = json(&[&front, &fast[..]].concat());
     let points = found["points"].as_array().unwrap().len();
     let told = warning_of(&found, says);
-    assert!(told.starts_with(&format!("{points} of {points} points of the front: in 1 % of the flight")), "{told}");
-    let swings =
-        ["--distribution", "swing.attack_angle=truncated(0deg,1deg,-3deg,3deg)", "--vary", "club.loft=1deg..16deg"];
-    let goals = ["pareto", "--maximize", "mean(carry)", "--minimize", "mean(apex_height)", "--points", "4"];
+    assert!(
+        told.starts_with(&format!(
+            "{points} of {points} points of the front: in 1 % of the flight"
+        )),
+        "{told}"
+    );
+    let swings = [
+        "--distribution",
+        "swing.attack_angle=truncated(0deg,1deg,-3deg,3deg)",
+        "--vary",
+        "club.loft=1deg..16deg",
+    ];
+    let goals = [
+        "pareto",
+        "--maximize",
+        "mean(carry)",
+        "--minimize",
+        "mean(apex_height)",
+        "--points",
+        "4",
+    ];
     let (_, found) = json(&[&goals[..], &swings, &fast].concat());
     let told = warning_of(&found, says);
-    assert!(told.contains(" points of the front, with 1 % of the swings or more: in 1 % of the flight"), "{told}");
+    assert!(
+        told.contains(" points of the front, with 1 % of the swings or more: in 1 % of the flight"),
+        "{told}"
+    );
     // at usual speeds none of them says anything
     let usual = json(&[&front[..], &["--vary", "club.loft=8deg..11deg"]].concat()).1;
     assert_eq!(usual["warnings"], serde_json::json!([]));

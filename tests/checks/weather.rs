@@ -1,5 +1,5 @@
-//! Air from the weather, and wind by its speed and direction: published densities and pressures, the drive that they make, and what
-//! does not go together.
+//! Air from the weather, and wind by its speed and direction: published densities and pressures,
+//! the drive that they make, and what does not go together.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -25,7 +25,11 @@ fn state(settings: &[(&str, &str)]) -> AirState<f64> {
     AirState::of(&with(settings).air)
 }
 
-const DENVER: [(&str, &str); 3] = [("air.temperature", "68 degF"), ("air.altitude", "1 mi"), ("air.humidity", "40 %")];
+const DENVER: [(&str, &str); 3] = [
+    ("air.temperature", "68 degF"),
+    ("air.altitude", "1 mi"),
+    ("air.humidity", "40 %"),
+];
 
 #[test]
 fn paper_densities_of_moist_air_are_met_within_1e_4() {
@@ -33,18 +37,30 @@ fn paper_densities_of_moist_air_are_met_within_1e_4() {
         // Gupta, Mass Metrology, the table of air densities by CIPM's equation
         ("10 degC", "730 mmHg", "40 %", 1.19569),
         ("40 degC", "760 mmHg", "40 %", 1.11497),
-        // ASHRAE's real-gas formulation (Hyland & Wexler 1983), dry and moist: another equation of state, another vapour pressure
+        // ASHRAE's real-gas formulation (Hyland & Wexler 1983), dry and moist: another equation of
+        // state, another vapour pressure
         ("20 degC", "1013.25 hPa", "0", 1.204_477_7),
         ("20 degC", "1013.25 hPa", "70 %", 1.197_143_6),
         // dry air at 0 degC, Regnault's litre as used since 1908
         ("0 degC", "760 mmHg", "0", 1.2930),
     ] {
-        let weather = [("air.temperature", temperature), ("air.pressure", pressure), ("air.humidity", humidity)];
-        close(state(&weather).density, published, published, 1e-4, &format!("{weather:?}"));
+        let weather = [
+            ("air.temperature", temperature),
+            ("air.pressure", pressure),
+            ("air.humidity", humidity),
+        ];
+        close(
+            state(&weather).density,
+            published,
+            published,
+            1e-4,
+            &format!("{weather:?}"),
+        );
     }
 }
 
-/// The equation in its molar form, ρ = p M_a/(Z R T) (1 − x (1 − M_v/M_a)), with the molar masses and the gas constant of the paper.
+/// The equation in its molar form, ρ = p M_a/(Z R T) (1 − x (1 − M_v/M_a)), with the molar masses
+/// and the gas constant of the paper.
 #[test]
 fn independent_molar_form_of_cipm_2007_agrees_in_all_its_terms() {
     let (dry_air, water, gas) = (28.965_46e-3, 18.015_28e-3, 8.314_472);
@@ -52,8 +68,8 @@ fn independent_molar_form_of_cipm_2007_agrees_in_all_its_terms() {
         for pressure in [30e3, 60e3, 101_325.0, 110e3_f64] {
             for humidity in [0.0, 0.3, 1.0] {
                 let kelvin = 273.15 + celsius;
-                let vapour_pressure =
-                    33.937_110_47 - 6343.1645 / kelvin - 0.019_121_316 * kelvin + 0.000_012_378_847 * kelvin.powi(2);
+                let vapour_pressure = 33.937_110_47 - 6343.1645 / kelvin - 0.019_121_316 * kelvin
+                    + 0.000_012_378_847 * kelvin.powi(2);
                 let x = humidity * vapour_pressure.exp() / pressure
                     * (1.00062 + 3.14e-8 * pressure + 5.6e-7 * celsius.powi(2));
                 let a = [1.58123e-6, -2.9331e-8, 1.1043e-10];
@@ -62,15 +78,22 @@ fn independent_molar_form_of_cipm_2007_agrees_in_all_its_terms() {
                     + a[2] * celsius.powi(2)
                     + (5.707e-6 - 2.051e-8 * celsius) * x
                     + (1.9898e-4 - 2.376e-6 * celsius) * x.powi(2);
-                let z =
-                    1.0 - pressure / kelvin * first + (pressure / kelvin).powi(2) * (1.83e-11 - 0.765e-8 * x.powi(2));
-                let density = pressure * dry_air / (z * gas * kelvin) * (1.0 - x * (1.0 - water / dry_air));
+                let z = 1.0 - pressure / kelvin * first
+                    + (pressure / kelvin).powi(2) * (1.83e-11 - 0.765e-8 * x.powi(2));
+                let density =
+                    pressure * dry_air / (z * gas * kelvin) * (1.0 - x * (1.0 - water / dry_air));
                 let mut setup = Setup::default();
                 (setup.air.temperature, setup.air.pressure) = (Some(kelvin), Some(pressure));
                 setup.air.humidity = Some(humidity);
                 // the paper rounds M_a/R to 3.483740e-3 and 1 − M_v/M_a to 0.3780
                 let rounded = 2e-7 + 5e-5 * x;
-                close(AirState::of(&setup.air).density, density, density, rounded, &format!("{celsius} {pressure}"));
+                close(
+                    AirState::of(&setup.air).density,
+                    density,
+                    density,
+                    rounded,
+                    &format!("{celsius} {pressure}"),
+                );
             }
         }
     }
@@ -82,40 +105,94 @@ fn paper_pressures_of_the_standard_atmosphere_and_viscosities_are_met() {
     let simpson = |height: f64| {
         let n = 200;
         let at = |k: i32| 1.0 / (288.15 - 0.0065 * height * f64::from(k) / f64::from(n));
-        let weight = |k: i32| if k == 0 || k == n { 1.0 } else { 2.0 + 2.0 * f64::from(k % 2) };
+        let weight = |k: i32| {
+            if k == 0 || k == n {
+                1.0
+            } else {
+                2.0 + 2.0 * f64::from(k % 2)
+            }
+        };
         let sum: f64 = (0..=n).map(|k| weight(k) * at(k)).sum();
         101_325.0 * (-9.80665 / 287.05287 * sum * height / (3.0 * f64::from(n))).exp()
     };
-    for (altitude, published) in
-        [(0.0, 101_325.0), (1000.0, 89_874.6), (1609.0, simpson(1609.0)), (5000.0, 54_019.9), (11_000.0, 22_632.0)]
-    {
-        close(simpson(altitude), published, published, 2e-6, "the integral");
+    for (altitude, published) in [
+        (0.0, 101_325.0),
+        (1000.0, 89_874.6),
+        (1609.0, simpson(1609.0)),
+        (5000.0, 54_019.9),
+        (11_000.0, 22_632.0),
+    ] {
+        close(
+            simpson(altitude),
+            published,
+            published,
+            2e-6,
+            "the integral",
+        );
         let by = |name: &str, value: f64| {
             let mut setup = Setup::default();
-            setup.set_value(setup.parameter(name).unwrap(), Some(value)).unwrap();
+            setup
+                .set_value(setup.parameter(name).unwrap(), Some(value))
+                .unwrap();
             AirState::of(&setup.air).density
         };
-        close(by("air.altitude", altitude), by("air.pressure", published), 1.0, 2e-6, &format!("{altitude} m"));
+        close(
+            by("air.altitude", altitude),
+            by("air.pressure", published),
+            1.0,
+            2e-6,
+            &format!("{altitude} m"),
+        );
     }
     // U.S. Standard Atmosphere 1976, at sea level and at 11 km
     for (temperature, published) in [("288.15 K", 1.7894e-5), ("216.65 K", 1.4216e-5)] {
-        close(state(&[("air.temperature", temperature)]).viscosity, published, published, 3e-5, temperature);
+        close(
+            state(&[("air.temperature", temperature)]).viscosity,
+            published,
+            published,
+            3e-5,
+            temperature,
+        );
     }
     // what is not given: 25 degC, sea level, dry, which is the air of the default drive
     let usual = state(&[("air.humidity", "0")]);
     close(usual.density, 1.184, 1.184, 3e-4, "density of the default");
-    close(usual.viscosity, 1.837e-5, 1.837e-5, 2e-4, "viscosity of the default");
-    assert_eq!(state(&[]), AirState { density: 1.184, viscosity: 1.837e-5 });
+    close(
+        usual.viscosity,
+        1.837e-5,
+        1.837e-5,
+        2e-4,
+        "viscosity of the default",
+    );
+    assert_eq!(
+        state(&[]),
+        AirState {
+            density: 1.184,
+            viscosity: 1.837e-5
+        }
+    );
 }
 
 #[test]
 fn exact_same_drive_as_in_air_of_that_density_and_in_wind_of_those_components() {
     let mut setup = with(&DENVER);
-    setup.set_all([("wind.speed", "5 m/s"), ("wind.from", "60 deg"), ("strike.toe", "8 mm")]).unwrap();
+    setup
+        .set_all([
+            ("wind.speed", "5 m/s"),
+            ("wind.from", "60 deg"),
+            ("strike.toe", "8 mm"),
+        ])
+        .unwrap();
     let mut given = Setup::default();
     given.set("strike.toe", "8 mm").unwrap();
-    AirState { density: given.air.density, viscosity: given.air.viscosity } = AirState::of(&setup.air);
-    [given.wind.right, given.wind.downrange] = [-5.0 * 60_f64.to_radians().sin(), -5.0 * 60_f64.to_radians().cos()];
+    AirState {
+        density: given.air.density,
+        viscosity: given.air.viscosity,
+    } = AirState::of(&setup.air);
+    [given.wind.right, given.wind.downrange] = [
+        -5.0 * 60_f64.to_radians().sin(),
+        -5.0 * 60_f64.to_radians().cos(),
+    ];
     let [ours, theirs] = [setup, given].map(|setup| Drive::new(&setup).unwrap());
     for of in Outcome::ALL {
         let [ours, theirs] = [&ours, &theirs].map(|drive| of.value(drive).unwrap());
@@ -130,32 +207,62 @@ fn exact_same_drive_as_in_air_of_that_density_and_in_wind_of_those_components() 
     assert!(carry(&DENVER) > carry(&[]) + 5.0);
     let wind = |from: &'static str| [("wind.speed", "5 m/s"), ("wind.from", from)];
     assert!(carry(&wind("0 deg")) < carry(&[]) - 5.0 && carry(&wind("180 deg")) > carry(&[]) + 5.0);
-    let lateral = Outcome::Lateral.of(&Drive::new(&with(&wind("90 deg"))).unwrap()).unwrap();
+    let lateral = Outcome::Lateral
+        .of(&Drive::new(&with(&wind("90 deg"))).unwrap())
+        .unwrap();
     assert!(lateral < -5.0, "{lateral}");
 }
 
 #[test]
 fn differences_certify_every_derivative_by_weather_and_wind() {
-    let stations = [("air.temperature", "8 degC"), ("air.pressure", "24.9 inHg"), ("air.humidity", "80 %")];
+    let stations = [
+        ("air.temperature", "8 degC"),
+        ("air.pressure", "24.9 inHg"),
+        ("air.humidity", "80 %"),
+    ];
     let winds = [("wind.speed", "6 m/s"), ("wind.from", "-35 deg")];
     for weather in [DENVER, stations] {
         let setup = with(&[&weather[..], &winds].concat());
         let names = weather.iter().chain(&winds).map(|(name, _)| *name);
-        let wrt: Vec<&'static Parameter> = names.map(|name| setup.variable(name).unwrap()).collect();
-        let of = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::DescentAngle];
+        let wrt: Vec<&'static Parameter> =
+            names.map(|name| setup.variable(name).unwrap()).collect();
+        let of = [
+            Outcome::Carry,
+            Outcome::Lateral,
+            Outcome::FlightTime,
+            Outcome::DescentAngle,
+        ];
         let certificate = certify(&setup, &of, &wrt, &|_, _| true).unwrap();
-        assert!(certificate.passed() && certificate.rows.len() == 4 * wrt.len(), "{weather:?}");
-        // by all parameters the derivatives go over the inputs of the flight, by these few they do not
-        let (all, found) = (setup.variables(), evaluate(&setup, &of, &wrt, Order::Second).unwrap());
+        assert!(
+            certificate.passed() && certificate.rows.len() == 4 * wrt.len(),
+            "{weather:?}"
+        );
+        // by all parameters the derivatives go over the inputs of the flight, by these few they do
+        // not
+        let (all, found) = (
+            setup.variables(),
+            evaluate(&setup, &of, &wrt, Order::Second).unwrap(),
+        );
         let chained = evaluate(&setup, &of, &all, Order::Second).unwrap();
-        let place = |parameter: &Parameter| all.iter().position(|other| *other == parameter).unwrap();
+        let place =
+            |parameter: &Parameter| all.iter().position(|other| *other == parameter).unwrap();
         for (few, many) in found.iter().zip(&chained) {
             for (i, a) in wrt.iter().enumerate() {
                 let slope = few.gradient[i];
-                close(many.gradient[place(a)], slope, slope.abs().max(1e-6), 1e-9, a.name);
+                close(
+                    many.gradient[place(a)],
+                    slope,
+                    slope.abs().max(1e-6),
+                    1e-9,
+                    a.name,
+                );
                 for (j, b) in wrt.iter().enumerate() {
                     let bend = few.hessian[i][j];
-                    let size = (few.hessian[i][i] * few.hessian[j][j]).abs().sqrt().max(bend.abs()).max(1e-9);
+                    let size = (few.hessian[i][i] * few.hessian[j][j])
+                        .abs()
+                        .sqrt()
+                        .max(bend.abs())
+                        .max(1e-9);
                     close(many.hessian[place(a)][place(b)], bend, size, 1e-7, b.name);
                 }
             }
@@ -165,29 +272,58 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
 
 #[test]
 fn exact_drives_of_a_sweep_over_the_weather_are_those_one_by_one() {
-    let setup = with(&[("air.humidity", "50 %"), ("wind.speed", "4 m/s"), ("wind.from", "30 deg")]);
+    let setup = with(&[
+        ("air.humidity", "50 %"),
+        ("wind.speed", "4 m/s"),
+        ("wind.from", "30 deg"),
+    ]);
     // temperature and altitude have a value in each drive only
-    let over = ["air.temperature=0..35degC:4", "air.altitude=0..2000m:3", "wind.from=-90deg..90deg:5"];
+    let over = [
+        "air.temperature=0..35degC:4",
+        "air.altitude=0..2000m:3",
+        "wind.from=-90deg..90deg:5",
+    ];
     let axes = over.map(|text| longdrive::batch::Axis::read(&setup, text).unwrap());
     let mut grid = Grid::new(axes.to_vec()).unwrap();
     let names = ["air.temperature", "air.altitude", "wind.from"];
     let wrt = names.map(|name| setup.parameter(name).unwrap());
     let mut rows = 0;
-    gradient_batch(&setup, &mut grid, &[Outcome::Carry], &wrt, &Run::default(), |block| {
-        for row in 0..block.rows() {
-            let mut alone = setup;
-            for (parameter, value) in wrt.iter().zip(block.point(row)) {
-                alone.set_value(parameter, Some(*value)).unwrap();
+    gradient_batch(
+        &setup,
+        &mut grid,
+        &[Outcome::Carry],
+        &wrt,
+        &Run::default(),
+        |block| {
+            for row in 0..block.rows() {
+                let mut alone = setup;
+                for (parameter, value) in wrt.iter().zip(block.point(row)) {
+                    alone.set_value(parameter, Some(*value)).unwrap();
+                }
+                let exact = evaluate(&alone, &[Outcome::Carry], &wrt, Order::First)
+                    .unwrap()
+                    .remove(0);
+                close(
+                    block.outcome(row, 0).unwrap(),
+                    exact.value,
+                    exact.value,
+                    1e-12,
+                    "carry",
+                );
+                for (ours, theirs) in block.derivatives(row).zip(&exact.gradient) {
+                    close(
+                        ours.unwrap(),
+                        *theirs,
+                        theirs.abs().max(1.0),
+                        1e-11,
+                        "derivative",
+                    );
+                }
+                rows += 1;
             }
-            let exact = evaluate(&alone, &[Outcome::Carry], &wrt, Order::First).unwrap().remove(0);
-            close(block.outcome(row, 0).unwrap(), exact.value, exact.value, 1e-12, "carry");
-            for (ours, theirs) in block.derivatives(row).zip(&exact.gradient) {
-                close(ours.unwrap(), *theirs, theirs.abs().max(1.0), 1e-11, "derivative");
-            }
-            rows += 1;
-        }
-        Ok(())
-    })
+            Ok(())
+        },
+    )
     .unwrap();
     assert_eq!(rows, 60);
 }
@@ -196,33 +332,70 @@ fn exact_drives_of_a_sweep_over_the_weather_are_those_one_by_one() {
 fn uncertainties_of_a_temperature_are_differences() {
     let setup = with(&[("air.temperature", "77 degF")]);
     assert!((setup.air.temperature.unwrap() - 298.15).abs() < 1e-12);
-    for (text, kelvin) in [("2degC", 2.0), ("3.6 degF", 2.0), ("2 K", 2.0), ("1%", 2.9815)] {
+    for (text, kelvin) in [
+        ("2degC", 2.0),
+        ("3.6 degF", 2.0),
+        ("2 K", 2.0),
+        ("1%", 2.9815),
+    ] {
         let sigma = Sigma::read(&setup, &format!("air.temperature={text}")).unwrap();
-        assert!((sigma.value - kelvin).abs() < 1e-12, "{text}: {}", sigma.value);
+        assert!(
+            (sigma.value - kelvin).abs() < 1e-12,
+            "{text}: {}",
+            sigma.value
+        );
     }
-    let read = |text: &str| Uncertain::read(&setup, &format!("air.temperature={text}")).unwrap().distribution;
-    assert_eq!(read("normal(20 degC, 2 degC)"), Distribution::Normal { mean: 293.15, deviation: 2.0 });
-    assert_eq!(read("uniform(10 degC, 20 degC)"), Distribution::Uniform { low: 283.15, high: 293.15 });
+    let read = |text: &str| {
+        Uncertain::read(&setup, &format!("air.temperature={text}"))
+            .unwrap()
+            .distribution
+    };
+    assert_eq!(
+        read("normal(20 degC, 2 degC)"),
+        Distribution::Normal {
+            mean: 293.15,
+            deviation: 2.0
+        }
+    );
+    assert_eq!(
+        read("uniform(10 degC, 20 degC)"),
+        Distribution::Uniform {
+            low: 283.15,
+            high: 293.15
+        }
+    );
     let (status, found) = json(&["sensitivity", "--set", "air.temperature=77degF"]);
     assert_eq!(status, 0);
     let text = found.to_string();
-    assert!(text.contains("air.temperature") && !text.contains("\"parameter\":\"air.density\""), "{text}");
+    assert!(
+        text.contains("air.temperature") && !text.contains("\"parameter\":\"air.density\""),
+        "{text}"
+    );
 }
 
 #[test]
 fn density_in_effect_is_shown_and_setups_read_back() {
-    let set: Vec<String> = DENVER.iter().map(|(name, text)| format!("{name}={text}")).collect();
+    let set: Vec<String> = DENVER
+        .iter()
+        .map(|(name, text)| format!("{name}={text}"))
+        .collect();
     let set: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
     let density = state(&DENVER).density;
     let (_, found) = json(&[&["simulate"], &set[..]].concat());
     assert_eq!(number(&found["setup"]["air.density"]), density);
     let (_, found) = json(&[&["parameters"], &set[..]].concat());
     let rows = found["parameters"].as_array().unwrap();
-    let row = rows.iter().find(|row| row["parameter"] == "air.density").unwrap();
+    let row = rows
+        .iter()
+        .find(|row| row["parameter"] == "air.density")
+        .unwrap();
     assert_eq!(number(&row["value"]), density);
     let setup = with(&DENVER);
     let text = setup_toml(&setup, Preset::named("modern-driver").unwrap(), &[], &[]).unwrap();
-    assert!(!text.contains("\ndensity") && text.contains("\nhumidity = \"0.4\""), "{text}");
+    assert!(
+        !text.contains("\ndensity") && text.contains("\nhumidity = \"0.4\""),
+        "{text}"
+    );
     assert_eq!(Setup::from_toml(&text, "f").unwrap(), setup, "{text}");
 }
 
@@ -236,43 +409,122 @@ fn what_replaces_something_else_is_refused_beside_it() {
     };
     let dense = file("dense.toml", "[air]\ndensity = '1.1 kg/m^3'\n");
     let warm = file("warm.toml", "[air]\ntemperature = '30 degC'\n");
-    let both = file("both.toml", "[air]\ntemperature = '30 degC'\ndensity = '1.1 kg/m^3'\n");
-    let rows = file("rows.csv", "air.density [kg/m^3],air.temperature [degC]\n1.1,20\n");
-    let shots =
-        file("shots.csv", "club.loft [deg],air.temperature [degC],carry [yd]\n10,20,250\n11,25,255\n12,10,260\n");
-    let weather = "air.density and air.temperature are both given: density and viscosity follow from the weather";
+    let both = file(
+        "both.toml",
+        "[air]\ntemperature = '30 degC'\ndensity = '1.1 kg/m^3'\n",
+    );
+    let rows = file(
+        "rows.csv",
+        "air.density [kg/m^3],air.temperature [degC]\n1.1,20\n",
+    );
+    let shots = file(
+        "shots.csv",
+        "club.loft [deg],air.temperature [degC],carry [yd]\n10,20,250\n11,25,255\n12,10,260\n",
+    );
+    let weather = "air.density and air.temperature are both given: density and viscosity follow \
+                   from the weather";
     for (args, says) in [
-        (&["simulate", "--set", "air.density=1.1kg/m^3", "--set", "air.temperature=20degC"][..], weather),
-        (&["simulate", "--set", "air.temperature=20degC", "--set", "air.density=1.1kg/m^3"], weather),
-        (&["simulate", &dense, "--set", "air.temperature=20degC"], weather),
-        (&["simulate", &warm, "--set", "air.density=1.1kg/m^3"], weather),
+        (
+            &[
+                "simulate",
+                "--set",
+                "air.density=1.1kg/m^3",
+                "--set",
+                "air.temperature=20degC",
+            ][..],
+            weather,
+        ),
+        (
+            &[
+                "simulate",
+                "--set",
+                "air.temperature=20degC",
+                "--set",
+                "air.density=1.1kg/m^3",
+            ],
+            weather,
+        ),
+        (
+            &["simulate", &dense, "--set", "air.temperature=20degC"],
+            weather,
+        ),
+        (
+            &["simulate", &warm, "--set", "air.density=1.1kg/m^3"],
+            weather,
+        ),
         (&["simulate", &both], weather),
         (&["simulate", &both], "both.toml:3:1: air.density"),
         (&["sweep", "--points", &rows], weather),
-        (&["sweep", &dense, "--over", "air.temperature=0..30degC:3"], weather),
-        (&["calibrate", &shots, "--set", "air.density=1.1kg/m^3", "--fit", "aero.cd0"], weather),
+        (
+            &["sweep", &dense, "--over", "air.temperature=0..30degC:3"],
+            weather,
+        ),
+        (
+            &[
+                "calibrate",
+                &shots,
+                "--set",
+                "air.density=1.1kg/m^3",
+                "--fit",
+                "aero.cd0",
+            ],
+            weather,
+        ),
         (&["calibrate", &shots, "--fit", "air.density"], weather),
         (
-            &["simulate", "--set", "air.viscosity=2e-5Pa.s", "--set", "air.humidity=0.5"],
+            &[
+                "simulate",
+                "--set",
+                "air.viscosity=2e-5Pa.s",
+                "--set",
+                "air.humidity=0.5",
+            ],
             "air.viscosity and air.humidity are both given",
         ),
         (
-            &["simulate", "--set", "air.pressure=900hPa", "--set", "air.altitude=1000m"],
+            &[
+                "simulate",
+                "--set",
+                "air.pressure=900hPa",
+                "--set",
+                "air.altitude=1000m",
+            ],
             "air.pressure and air.altitude are both given: the altitude gives a pressure too",
         ),
         (
-            &["sweep", "--set", "air.pressure=900hPa", "--over", "air.altitude=0..1000m:2"],
+            &[
+                "sweep",
+                "--set",
+                "air.pressure=900hPa",
+                "--over",
+                "air.altitude=0..1000m:2",
+            ],
             "air.pressure and air.altitude are both given",
         ),
-        (&["simulate", "--set", "wind.speed=5m/s"], "wind.speed is given without wind.from: say where"),
-        (&["simulate", "--set", "wind.from=5deg"], "wind.from is given without wind.speed: give the speed"),
         (
-            &["simulate", "--set", "wind.from=5deg", "--set", "wind.speed=5m/s", "--set", "wind.right=0m/s"],
+            &["simulate", "--set", "wind.speed=5m/s"],
+            "wind.speed is given without wind.from: say where",
+        ),
+        (
+            &["simulate", "--set", "wind.from=5deg"],
+            "wind.from is given without wind.speed: give the speed",
+        ),
+        (
+            &[
+                "simulate",
+                "--set",
+                "wind.from=5deg",
+                "--set",
+                "wind.speed=5m/s",
+                "--set",
+                "wind.right=0m/s",
+            ],
             "wind.right and wind.speed are both given",
         ),
         (
             &["gradient", &warm, "--of", "carry", "--wrt", "air.density"],
-            "air.density cannot be varied, and has no derivatives: air.temperature is given, and density and viscosity follow",
+            "air.density cannot be varied, and has no derivatives: air.temperature is given, and \
+             density and viscosity follow",
         ),
         (
             &["gradient", &warm, "--of", "carry", "--wrt", "air.humidity"],
@@ -280,21 +532,37 @@ fn what_replaces_something_else_is_refused_beside_it() {
         ),
         (
             &["simulate", "--set", "air.humidity=50"],
-            "air.humidity = 50 is outside its range 0 ≤ … ≤ 1; a number without a unit is a share of 1; did you mean \"50 %\"?",
+            "air.humidity = 50 is outside its range 0 ≤ … ≤ 1; a number without a unit is a share \
+             of 1; did you mean \"50 %\"?",
         ),
-        (&["simulate", "--set", "air.humidity=150"], "is outside its range 0 ≤ … ≤ 1; it must be at most 1"),
+        (
+            &["simulate", "--set", "air.humidity=150"],
+            "is outside its range 0 ≤ … ≤ 1; it must be at most 1",
+        ),
         (
             &["simulate", "--set", "air.temperature=500degF"],
             "air.temperature = 533.15 K (500degF) is outside its range",
         ),
-        (&["simulate", "--set", "air.humidity=-1%"], "air.humidity = -0.01 (-1%) is outside its range"),
+        (
+            &["simulate", "--set", "air.humidity=-1%"],
+            "air.humidity = -0.01 (-1%) is outside its range",
+        ),
         (
             &["simulate", "--set", "air.temperature=20K"],
             "air.temperature = 20 K is outside its range 183.15 K ≤ … ≤ 333.15 K",
         ),
-        (&["simulate", "--set", "air.temperature=20"], "\"20\" has no unit; a temperature takes degC, degF, K"),
-        (&["simulate", "--set", "air.temperature=20 deg"], "\"20 deg\" is not a temperature"),
-        (&["simulate", "--set", "air.altitude=20km"], "air.altitude = 20000 m (20km) is outside its range"),
+        (
+            &["simulate", "--set", "air.temperature=20"],
+            "\"20\" has no unit; a temperature takes degC, degF, K",
+        ),
+        (
+            &["simulate", "--set", "air.temperature=20 deg"],
+            "\"20 deg\" is not a temperature",
+        ),
+        (
+            &["simulate", "--set", "air.altitude=20km"],
+            "air.altitude = 20000 m (20km) is outside its range",
+        ),
         (
             &["simulate", "--set", "air.pressure=29.9hPa"],
             "air.pressure = 2990 Pa (29.9 hPa) is outside its range 220 hPa",
@@ -302,27 +570,61 @@ fn what_replaces_something_else_is_refused_beside_it() {
     ] {
         let said = longdrive(args);
         let text = format!("{}{}", said.out, said.err);
-        assert!(said.status == 2 && text.contains(says), "{args:?}: {}: no '{says}': {text}", said.status);
+        assert!(
+            said.status == 2 && text.contains(says),
+            "{args:?}: {}: no '{says}': {text}",
+            said.status
+        );
     }
     // each remedy names what was given first, and is taken
     let presets = longdrive(&["presets", "tour-average"]).out;
     let printed = file("printed.toml", &presets);
-    let (air, wind) = (["air.temperature=50degF", "air.humidity=40%"], ["wind.speed=10mph", "wind.from=0deg"]);
-    let weather = file("weather.toml", "[air]\ntemperature = '50 degF'\nhumidity = '40 %'\n");
+    let (air, wind) = (
+        ["air.temperature=50degF", "air.humidity=40%"],
+        ["wind.speed=10mph", "wind.from=0deg"],
+    );
+    let weather = file(
+        "weather.toml",
+        "[air]\ntemperature = '50 degF'\nhumidity = '40 %'\n",
+    );
     let blown = file("blown.toml", "[wind]\nspeed = '10 mph'\nfrom = '0 deg'\n");
     let pressed = file("pressed.toml", "[air]\npressure = '900 hPa'\n");
     for (setup, set, remedy) in [
-        (&printed, &air[..], "--set air.density=none --set air.viscosity=none"),
-        (&printed, &wind, "--set wind.right=none --set wind.downrange=none"),
-        (&weather, &["air.density=1.1kg/m^3"], "--set air.temperature=none --set air.humidity=none"),
-        (&blown, &["wind.right=2m/s"], "--set wind.speed=none --set wind.from=none"),
-        (&pressed, &["air.altitude=1000m"], "--set air.altitude=none or --set air.pressure=none"),
+        (
+            &printed,
+            &air[..],
+            "--set air.density=none --set air.viscosity=none",
+        ),
+        (
+            &printed,
+            &wind,
+            "--set wind.right=none --set wind.downrange=none",
+        ),
+        (
+            &weather,
+            &["air.density=1.1kg/m^3"],
+            "--set air.temperature=none --set air.humidity=none",
+        ),
+        (
+            &blown,
+            &["wind.right=2m/s"],
+            "--set wind.speed=none --set wind.from=none",
+        ),
+        (
+            &pressed,
+            &["air.altitude=1000m"],
+            "--set air.altitude=none or --set air.pressure=none",
+        ),
     ] {
         let set = set.iter().flat_map(|text| ["--set", text]);
         let args: Vec<&str> = ["simulate", setup].into_iter().chain(set).collect();
         let said = longdrive(&args);
         assert!(
-            said.status == 2 && said.err.trim_end().ends_with(&format!("setup gives with {remedy}")),
+            said.status == 2
+                && said
+                    .err
+                    .trim_end()
+                    .ends_with(&format!("setup gives with {remedy}")),
             "{}",
             said.err
         );
@@ -331,59 +633,147 @@ fn what_replaces_something_else_is_refused_beside_it() {
         assert_eq!(followed.status, 0, "{args:?}: {}", followed.err);
         // and it is the drive in that air and wind, with nothing of the other way
         if *setup == printed {
-            let asked: Vec<&str> = ["simulate"].into_iter().chain(args[2..].iter().copied()).collect();
+            let asked: Vec<&str> = ["simulate"]
+                .into_iter()
+                .chain(args[2..].iter().copied())
+                .collect();
             assert_eq!(followed.out, longdrive(&asked).out);
         }
     }
-    let none = presets.lines().map(|line| match line.split(" = ").next().unwrap() {
-        name @ ("density" | "viscosity" | "right" | "downrange") => format!("{name} = \"none\"\n"),
-        "temperature" => "temperature = \"50 degF\"\n".into(),
-        "speed" if line.contains("none") => "speed = \"10 mph\"\n".into(),
-        "from" => "from = \"0 deg\"\n".into(),
-        _ => format!("{line}\n"),
-    });
+    let none = presets
+        .lines()
+        .map(|line| match line.split(" = ").next().unwrap() {
+            name @ ("density" | "viscosity" | "right" | "downrange") => {
+                format!("{name} = \"none\"\n")
+            }
+            "temperature" => "temperature = \"50 degF\"\n".into(),
+            "speed" if line.contains("none") => "speed = \"10 mph\"\n".into(),
+            "from" => "from = \"0 deg\"\n".into(),
+            _ => format!("{line}\n"),
+        });
     let none = file("none.toml", &none.collect::<String>());
-    let set = ["--set", "air.temperature=50degF", "--set", "wind.speed=10mph", "--set", "wind.from=0deg"];
-    assert_eq!(longdrive(&["simulate", &none]).out, longdrive(&[&["simulate"][..], &set].concat()).out);
+    let set = [
+        "--set",
+        "air.temperature=50degF",
+        "--set",
+        "wind.speed=10mph",
+        "--set",
+        "wind.from=0deg",
+    ];
+    assert_eq!(
+        longdrive(&["simulate", &none]).out,
+        longdrive(&[&["simulate"][..], &set].concat()).out
+    );
     let said = longdrive(&["simulate", &printed, "--set", "air.density=none"]);
-    let says = "air.density: it cannot be unset; give it a value, or give what it follows from as well: density and viscosity follow from";
+    let says = "air.density: it cannot be unset; give it a value, or give what it follows from as \
+                well: density and viscosity follow from";
     assert!(said.status == 2 && said.err.contains(says), "{}", said.err);
     // of a sweep each drive has the weather
-    let over = ["sweep", &dense, "--over", "air.temperature=0degC..30degC:3", "--outcomes", "carry"];
+    let over = [
+        "sweep",
+        &dense,
+        "--over",
+        "air.temperature=0degC..30degC:3",
+        "--outcomes",
+        "carry",
+    ];
     let swept = longdrive(&[&over[..], &["--set", "air.density=none"]].concat());
     let alike = longdrive(&[&["sweep", "modern-driver"][..], &over[2..]].concat());
     assert_eq!((swept.status, &swept.out), (0, &alike.out), "{}", swept.err);
-    let idle = longdrive(&["sweep", &dense, "--over", "club.loft=9deg..11deg:3", "--set", "air.density=none"]);
-    assert!(idle.status == 2 && idle.err.contains("air.density: it cannot be unset"), "{}", idle.err);
+    let idle = longdrive(&[
+        "sweep",
+        &dense,
+        "--over",
+        "club.loft=9deg..11deg:3",
+        "--set",
+        "air.density=none",
+    ]);
+    assert!(
+        idle.status == 2 && idle.err.contains("air.density: it cannot be unset"),
+        "{}",
+        idle.err
+    );
     // and so has a drive that is differentiated by it
-    let vary = ["gradient", &dense, "--of", "carry", "--wrt", "air.temperature", "--set", "air.temperature=20degC"];
-    assert_eq!(longdrive(&[&vary[..], &["--set", "air.density=none"]].concat()).status, 0);
+    let vary = [
+        "gradient",
+        &dense,
+        "--of",
+        "carry",
+        "--wrt",
+        "air.temperature",
+        "--set",
+        "air.temperature=20degC",
+    ];
+    assert_eq!(
+        longdrive(&[&vary[..], &["--set", "air.density=none"]].concat()).status,
+        0
+    );
     // the other way round, and with the one unset, it is allowed
     for args in [
-        &["simulate", &warm, "--set", "air.temperature=none", "--set", "air.density=1.1kg/m^3"][..],
-        &["simulate", "winfield-tan", "--set", "air.temperature=20degC"],
-        &["simulate", "--set", "wind.speed=5mph", "--set", "wind.from=-360deg", "--set", "wind.up=1mph"],
+        &[
+            "simulate",
+            &warm,
+            "--set",
+            "air.temperature=none",
+            "--set",
+            "air.density=1.1kg/m^3",
+        ][..],
+        &[
+            "simulate",
+            "winfield-tan",
+            "--set",
+            "air.temperature=20degC",
+        ],
+        &[
+            "simulate",
+            "--set",
+            "wind.speed=5mph",
+            "--set",
+            "wind.from=-360deg",
+            "--set",
+            "wind.up=1mph",
+        ],
     ] {
         let said = longdrive(args);
         assert_eq!(said.status, 0, "{args:?}: {}", said.err);
     }
     let mut setup = Setup::default();
     setup.set("air.temperature", "20 degC").unwrap();
-    assert!(matches!(setup.set("air.density", "1.1 kg/m^3"), Err(Error::Together { .. })));
+    assert!(matches!(
+        setup.set("air.density", "1.1 kg/m^3"),
+        Err(Error::Together { .. })
+    ));
 }
 
 #[test]
 fn weather_beyond_the_equation_of_the_density_is_told() {
-    let told =
-        |settings: &[(&str, &str)]| with(settings).warnings().iter().map(ToString::to_string).collect::<Vec<_>>();
-    for usual in
-        [&DENVER[..], &[("air.temperature", "-5 degC"), ("air.humidity", "90 %")], &[("air.pressure", "600 hPa")]]
-    {
+    let told = |settings: &[(&str, &str)]| {
+        with(settings)
+            .warnings()
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+    };
+    for usual in [
+        &DENVER[..],
+        &[("air.temperature", "-5 degC"), ("air.humidity", "90 %")],
+        &[("air.pressure", "600 hPa")],
+    ] {
         assert_eq!(told(usual), [""; 0], "{usual:?}");
     }
-    let steam = told(&[("air.temperature", "60 degC"), ("air.humidity", "1"), ("air.pressure", "220 hPa")]);
+    let steam = told(&[
+        ("air.temperature", "60 degC"),
+        ("air.humidity", "1"),
+        ("air.pressure", "220 hPa"),
+    ]);
     assert!(steam.len() == 2, "{steam:?}");
-    assert!(steam[0].starts_with("air.pressure = 220 hPa is below 600 hPa: "), "{steam:?}");
-    assert!(steam[1].starts_with("air.temperature = 333.15 K is above 313.15 K: "), "{steam:?}");
+    assert!(
+        steam[0].starts_with("air.pressure = 220 hPa is below 600 hPa: "),
+        "{steam:?}"
+    );
+    assert!(
+        steam[1].starts_with("air.temperature = 333.15 K is above 313.15 K: "),
+        "{steam:?}"
+    );
     assert!(told(&[("air.altitude", "5 km")])[0].contains("air.altitude = 5000 m is above 4200 m"));
 }

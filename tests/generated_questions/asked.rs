@@ -86,28 +86,47 @@ fn wait(child: &mut Child) -> Option<ExitStatus> {
 /// Words that are no number, and infinities where there is nothing infinite.
 fn numbers(question: &Question, out: &str) -> Option<String> {
     let words = |line: &str| -> Vec<String> {
-        line.split(|c: char| !(c.is_alphanumeric() || c == '_')).map(str::to_lowercase).collect()
+        line.split(|c: char| !(c.is_alphanumeric() || c == '_'))
+            .map(str::to_lowercase)
+            .collect()
     };
-    // a flat face, and the ranges of parameters, are infinite; names of files and texts that are quoted say what they will
-    let has_infinities = matches!(question.command(), "parameters" | "presets" | "laws" | "compare")
-        || question
-            .args
-            .iter()
-            .any(|arg| arg.contains("radius") || arg.contains("inf") || arg == "all" || arg == "--json")
-        || question.files.iter().any(|(_, bytes)| String::from_utf8_lossy(bytes).contains("radius"));
-    let asks_nan = question.args.iter().any(|arg| arg.to_lowercase().contains("nan"))
-        || question.files.iter().any(|(_, bytes)| String::from_utf8_lossy(bytes).to_lowercase().contains("nan"));
+    // a flat face, and the ranges of parameters, are infinite; names of files and texts that are
+    // quoted say what they will
+    let has_infinities = matches!(
+        question.command(),
+        "parameters" | "presets" | "laws" | "compare"
+    ) || question.args.iter().any(|arg| {
+        arg.contains("radius") || arg.contains("inf") || arg == "all" || arg == "--json"
+    }) || question
+        .files
+        .iter()
+        .any(|(_, bytes)| String::from_utf8_lossy(bytes).contains("radius"));
+    let asks_nan = question
+        .args
+        .iter()
+        .any(|arg| arg.to_lowercase().contains("nan"))
+        || question.files.iter().any(|(_, bytes)| {
+            String::from_utf8_lossy(bytes)
+                .to_lowercase()
+                .contains("nan")
+        });
     let bad = |line: &&str| {
         let words = words(line);
         (!asks_nan && words.iter().any(|word| word == "nan"))
             || (!has_infinities && words.iter().any(|word| word == "inf" || word == "infinity"))
     };
-    out.lines().find(bad).map(|line| format!("no number: {line}"))
+    out.lines()
+        .find(bad)
+        .map(|line| format!("no number: {line}"))
 }
 
 /// What is wrong with an answer in JSON.
 fn json(question: &Question, out: &str, status: ExitStatus) -> Vec<String> {
-    if question.args.iter().any(|arg| matches!(arg.as_str(), "--help" | "--version" | "--")) {
+    if question
+        .args
+        .iter()
+        .any(|arg| matches!(arg.as_str(), "--help" | "--version" | "--"))
+    {
         return vec![];
     }
     let answer: Value = match serde_json::from_str(out) {
@@ -116,9 +135,15 @@ fn json(question: &Question, out: &str, status: ExitStatus) -> Vec<String> {
     };
     let mut wrong = faults(question.command(), &answer);
     let said = answer["status"].as_str().unwrap_or_default();
-    let expected = if said == "error" { 2 } else { i32::from(!FOUND.contains(&said)) };
+    let expected = if said == "error" {
+        2
+    } else {
+        i32::from(!FOUND.contains(&said))
+    };
     if status.code() != Some(expected) {
-        wrong.push(format!("the answer says '{said}', and yet the exit status is {status}"));
+        wrong.push(format!(
+            "the answer says '{said}', and yet the exit status is {status}"
+        ));
     }
     wrong
 }
@@ -142,26 +167,42 @@ fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 }
 
 /// Files that were written without being named, and what was there before and is lost.
-fn touched(question: &Question, before: &BTreeMap<String, Vec<u8>>, after: &BTreeMap<String, Vec<u8>>) -> Vec<String> {
+fn touched(
+    question: &Question,
+    before: &BTreeMap<String, Vec<u8>>,
+    after: &BTreeMap<String, Vec<u8>>,
+) -> Vec<String> {
     let is_named = |name: &str| {
         let of = |output: &String| {
             let rest = name.strip_prefix(output.as_str());
-            let folder = if output == "." { Some(name) } else { rest.and_then(|rest| rest.strip_prefix('/')) };
-            rest.is_some_and(|rest| rest.is_empty() || COMPANIONS.contains(&rest)) || folder.is_some()
+            let folder = if output == "." {
+                Some(name)
+            } else {
+                rest.and_then(|rest| rest.strip_prefix('/'))
+            };
+            rest.is_some_and(|rest| rest.is_empty() || COMPANIONS.contains(&rest))
+                || folder.is_some()
         };
         question.outputs.iter().any(of)
     };
     // the program may go on with its own files, and replace what it is told to
     let may_replace = |name: &str| {
         let is_told = question.args.iter().any(|arg| arg == "--overwrite");
-        let through = question.links.iter().find(|(to, link)| to == name && is_named(link));
+        let through = question
+            .links
+            .iter()
+            .find(|(to, link)| to == name && is_named(link));
         let is_output = through.is_some() || is_named(name);
         let times = question.args.iter().filter(|arg| *arg == name).count();
         is_told && is_output && times == usize::from(through.is_none())
     };
-    let lost = before.iter().filter(|(name, bytes)| after.get(*name) != Some(bytes) && !may_replace(name));
+    let lost = before
+        .iter()
+        .filter(|(name, bytes)| after.get(*name) != Some(bytes) && !may_replace(name));
     let lost = lost.map(|(name, _)| format!("{name} was there before, and is changed"));
-    let new = after.keys().filter(|name| !before.contains_key(*name) && !is_named(name));
+    let new = after
+        .keys()
+        .filter(|name| !before.contains_key(*name) && !is_named(name));
     let new = new.map(|name| format!("{name} is written, and no one named it"));
     lost.chain(new).collect()
 }

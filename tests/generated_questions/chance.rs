@@ -4,7 +4,8 @@ use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 /// Choices that a seed decides.
 pub struct Chance {
     random: Xoshiro256PlusPlus,
-    /// Whether whoever asks makes mistakes: with one in every word of a question it would get no further than the first.
+    /// Whether whoever asks makes mistakes: with one in every word of a question it would get no
+    /// further than the first.
     is_careless: bool,
     /// Whether the drives of the question are given by their launch.
     pub is_launched: bool,
@@ -15,7 +16,11 @@ impl Chance {
     pub fn new(seed: u64, number: u64) -> Self {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
         let random = Xoshiro256PlusPlus::seed_from_u64(random.next_u64() ^ number);
-        let mut chance = Self { random, is_careless: false, is_launched: false };
+        let mut chance = Self {
+            random,
+            is_careless: false,
+            is_launched: false,
+        };
         chance.is_careless = chance.is(0.3);
         chance
     }

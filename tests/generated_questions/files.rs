@@ -25,15 +25,30 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
             // a bare number is SI
             0 => format!("{:?}", near(parameter, 0.1, chance)),
             1 => chance
-                .of(&["true", "[1, 2]", "{ a = 1 }", "1979-05-27", "nan", "inf", "-1", "99999999999999999999"])
+                .of(&[
+                    "true",
+                    "[1, 2]",
+                    "{ a = 1 }",
+                    "1979-05-27",
+                    "nan",
+                    "inf",
+                    "-1",
+                    "99999999999999999999",
+                ])
                 .into(),
-            _ => format!("\"{}\"", value(parameter, chance).replace(['"', '\\', '\0'], "")),
+            _ => format!(
+                "\"{}\"",
+                value(parameter, chance).replace(['"', '\\', '\0'], "")
+            ),
         };
         text += &format!("{name} = {shown}\n");
     }
     if chance.is_launched {
         text += "[launch]\nball_speed = \"150 mph\"\nlaunch_angle = \"12 deg\"\n";
-        text += chance.of(&["backspin = \"2500 rpm\"\n", "spin = \"2500 rpm\"\nspin_axis = \"-2 deg\"\n"]);
+        text += chance.of(&[
+            "backspin = \"2500 rpm\"\n",
+            "spin = \"2500 rpm\"\nspin_axis = \"-2 deg\"\n",
+        ]);
     }
     if chance.is(0.2) {
         text += "[aero]\nlaw = \"robinson\"\ncd0 = 0.3\n";
@@ -43,31 +58,71 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
 
 /// A table of points to sweep.
 pub fn points(chance: &mut Chance) -> Vec<u8> {
-    let columns: Vec<_> =
-        (0..1 + chance.below(3)).map(|_| if chance.is(0.9) { variable(chance) } else { parameter(chance) }).collect();
-    let units: Vec<&str> = columns.iter().map(|column| if chance.is(0.95) { column.unit } else { "" }).collect();
+    let columns: Vec<_> = (0..1 + chance.below(3))
+        .map(|_| {
+            if chance.is(0.9) {
+                variable(chance)
+            } else {
+                parameter(chance)
+            }
+        })
+        .collect();
+    let units: Vec<&str> = columns
+        .iter()
+        .map(|column| if chance.is(0.95) { column.unit } else { "" })
+        .collect();
     let head = |at: usize, chance: &mut Chance| {
         let name = name_of(columns[at], chance);
-        if units[at].is_empty() { name } else { format!("{name} [{}]", units[at]) }
+        if units[at].is_empty() {
+            name
+        } else {
+            format!("{name} [{}]", units[at])
+        }
     };
-    let separator = if chance.is(0.7) { "," } else { chance.of(&[";", "\t"]) };
+    let separator = if chance.is(0.7) {
+        ","
+    } else {
+        chance.of(&[";", "\t"])
+    };
     // what a sweep has written beside them, and what launch monitors write
-    let others = [("status", "landed"), ("carry [m]", "200.5"), ("d_carry/d_club.loft [m/rad]", ""), ("note", "x")];
-    let launch = [("Ball Speed [mph]", "150"), ("Launch Angle [deg]", "12"), ("Spin Rate [rpm]", "2,500")];
+    let others = [
+        ("status", "landed"),
+        ("carry [m]", "200.5"),
+        ("d_carry/d_club.loft [m/rad]", ""),
+        ("note", "x"),
+    ];
+    let launch = [
+        ("Ball Speed [mph]", "150"),
+        ("Launch Angle [deg]", "12"),
+        ("Spin Rate [rpm]", "2,500"),
+    ];
     let more: &[(&str, &str)] = match chance.below(8) {
         0 => &others,
         1 if separator != "," => &launch,
         _ => &[],
     };
     let joined = |cells: Vec<String>, more: Vec<&str>| {
-        cells.into_iter().chain(more.into_iter().map(str::to_owned)).collect::<Vec<_>>().join(separator) + "\n"
+        cells
+            .into_iter()
+            .chain(more.into_iter().map(str::to_owned))
+            .collect::<Vec<_>>()
+            .join(separator)
+            + "\n"
     };
     let heads = (0..columns.len()).map(|at| head(at, chance)).collect();
     let mut text = joined(heads, more.iter().map(|(head, _)| *head).collect());
     for _ in 0..(1 + chance.below(7)) * usize::from(!chance.slips()) {
         let cell = |at: usize, chance: &mut Chance| {
-            let size = columns[at].quantity.size_of(units[at]).filter(|_| !units[at].is_empty()).unwrap_or(1.0);
-            let number = near(columns[at], if chance.is(0.05) { 30.0 } else { 0.2 }, chance) / size;
+            let size = columns[at]
+                .quantity
+                .size_of(units[at])
+                .filter(|_| !units[at].is_empty())
+                .unwrap_or(1.0);
+            let number = near(
+                columns[at],
+                if chance.is(0.05) { 30.0 } else { 0.2 },
+                chance,
+            ) / size;
             if chance.is(0.02) {
                 chance.of(&["", "nan", "inf", "x", "1e400", "\"1"]).into()
             } else {
@@ -83,8 +138,15 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
 /// A table of points of another kind, or one that is damaged: its name, and what is in it.
 pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/tables");
-    let mut names: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
-    names.retain(|name| Path::new(name).extension().is_some_and(|ending| ending != "py"));
+    let mut names: Vec<_> = fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name())
+        .collect();
+    names.retain(|name| {
+        Path::new(name)
+            .extension()
+            .is_some_and(|ending| ending != "py")
+    });
     names.sort();
     let name = chance.of(&names).into_string().unwrap();
     let mut bytes = fs::read(folder.join(&name)).unwrap();
@@ -99,8 +161,8 @@ pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
     (name, bytes)
 }
 
-/// An export of a launch monitor: its heads, its units in the heads or in a line of their own, sides by letters, and rows that sum up
-/// others.
+/// An export of a launch monitor: its heads, its units in the heads or in a line of their own,
+/// sides by letters, and rows that sum up others.
 pub fn export(chance: &mut Chance) -> Vec<u8> {
     let all = [
         ("Club Speed", "mph", 105.0, 10.0),
@@ -117,8 +179,10 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
         ("Hang Time", "s", 6.2, 0.4),
     ];
     // seldom one that a launch needs is missing
-    let columns: Vec<_> =
-        all.iter().filter(|(name, ..)| chance.is(if name.contains("ll S") { 0.97 } else { 0.85 })).collect();
+    let columns: Vec<_> = all
+        .iter()
+        .filter(|(name, ..)| chance.is(if name.contains("ll S") { 0.97 } else { 0.85 }))
+        .collect();
     let separator = chance.of(&[",", ";", "\t"]);
     let has_comma = separator != "," && chance.is(0.3);
     let units = chance.below(3);
@@ -127,27 +191,67 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
         1 => format!("{name} ({unit})"),
         _ => (*name).to_owned(),
     };
-    let mut lines = vec![[vec!["Player".to_owned()], columns.iter().map(head).collect()].concat()];
+    let mut lines = vec![
+        [
+            vec!["Player".to_owned()],
+            columns.iter().map(head).collect(),
+        ]
+        .concat(),
+    ];
     if units == 2 {
-        lines.push([vec![String::new()], columns.iter().map(|(_, unit, ..)| format!("[{unit}]")).collect()].concat());
+        lines.push(
+            [
+                vec![String::new()],
+                columns
+                    .iter()
+                    .map(|(_, unit, ..)| format!("[{unit}]"))
+                    .collect(),
+            ]
+            .concat(),
+        );
     }
     let rows = 2 + chance.below(7);
     for row in 0..=rows {
         let common = chance.between(-1.0, 1.0);
         let cell = |(name, _, middle, spread): &&(&str, &str, f64, f64), chance: &mut Chance| {
             let value = middle + spread * (0.8 * common + 0.2 * chance.between(-1.0, 1.0));
-            let shown = match (*middle == 0.0 && !name.starts_with("Attack"), chance.below(60)) {
+            let shown = match (
+                *middle == 0.0 && !name.starts_with("Attack"),
+                chance.below(60),
+            ) {
                 (_, 0) => String::new(),
-                (_, 1) if chance.slips() => chance.of(&["-", "nan", "x", "1e400", "2,500", "3 L R"]).into(),
+                (_, 1) if chance.slips() => chance
+                    .of(&["-", "nan", "x", "1e400", "2,500", "3 L R"])
+                    .into(),
                 (true, _) => format!("{:.1} {}", value.abs(), if value < 0.0 { "L" } else { "R" }),
                 _ => format!("{value:.1}"),
             };
-            if has_comma { shown.replace('.', ",") } else { shown }
+            if has_comma {
+                shown.replace('.', ",")
+            } else {
+                shown
+            }
         };
-        let first = if row == rows { chance.of(&["Average", "Std. Dev.", "A"]) } else { "A" };
-        lines.push([vec![first.to_owned()], columns.iter().map(|column| cell(column, chance)).collect()].concat());
+        let first = if row == rows {
+            chance.of(&["Average", "Std. Dev.", "A"])
+        } else {
+            "A"
+        };
+        lines.push(
+            [
+                vec![first.to_owned()],
+                columns.iter().map(|column| cell(column, chance)).collect(),
+            ]
+            .concat(),
+        );
     }
-    spoilt(lines.iter().map(|cells| cells.join(separator) + "\n").collect(), chance)
+    spoilt(
+        lines
+            .iter()
+            .map(|cells| cells.join(separator) + "\n")
+            .collect(),
+        chance,
+    )
 }
 
 /// Messages of GSPro Open Connect, one a line or in an array.
@@ -163,7 +267,10 @@ pub fn messages(chance: &mut Chance) -> Vec<u8> {
             ("SpinAxis", 0.0, 8.0),
         ] {
             if chance.is(0.97) {
-                numbers.push(format!("\"{key}\": {:.2}", middle + spread * chance.between(-1.0, 1.0)));
+                numbers.push(format!(
+                    "\"{key}\": {:.2}",
+                    middle + spread * chance.between(-1.0, 1.0)
+                ));
             }
         }
         let units = chance.of_or(&["Yards"], &["Furlongs", "Meters"]);
@@ -173,7 +280,11 @@ pub fn messages(chance: &mut Chance) -> Vec<u8> {
             numbers.join(", ")
         ));
     }
-    let text = if chance.is(0.5) { all.join("\n") } else { format!("[{}]", all.join(",\n")) };
+    let text = if chance.is(0.5) {
+        all.join("\n")
+    } else {
+        format!("[{}]", all.join(",\n"))
+    };
     spoilt(text, chance)
 }
 
@@ -208,11 +319,22 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
         let twice = chance.of(&columns);
         columns.push(twice);
     }
-    let mut heads: Vec<String> = columns.iter().map(|(head, ..)| (*head).to_owned()).collect();
+    let mut heads: Vec<String> = columns
+        .iter()
+        .map(|(head, ..)| (*head).to_owned())
+        .collect();
     if chance.slips() {
         let at = chance.below(heads.len());
-        heads[at] =
-            chance.of(&["", "carry", "cary [yd]", "carry [kg]", "Club Speed [mph]", "optimum club.loft"]).into();
+        heads[at] = chance
+            .of(&[
+                "",
+                "carry",
+                "cary [yd]",
+                "carry [kg]",
+                "Club Speed [mph]",
+                "optimum club.loft",
+            ])
+            .into();
     }
     let mut text = heads.join(",") + "\n";
     // the faster or higher, the farther
@@ -228,11 +350,17 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
             match chance.below(60) {
                 // what was not measured
                 0 if at >= first => String::new(),
-                _ if chance.slips() => chance.of(&["nan", "-5", "x", "1e300", "inf", "0", ""]).into(),
+                _ if chance.slips() => chance
+                    .of(&["nan", "-5", "x", "1e300", "inf", "0", ""])
+                    .into(),
                 _ => format!("{:.3}", middle + spread * part),
             }
         };
-        text += &((0..columns.len()).map(|at| cell(at, chance)).collect::<Vec<_>>().join(",") + "\n");
+        text += &((0..columns.len())
+            .map(|at| cell(at, chance))
+            .collect::<Vec<_>>()
+            .join(",")
+            + "\n");
     }
     spoilt(text, chance)
 }

@@ -1,9 +1,9 @@
-//! Generated questions: command lines over all commands, with the files they name, good and bad. Whatever is asked, the
-//! program ends with status 0, 1 or 2, panics nowhere, prints no number that is none, answers in JSON as its schemas say, and
-//! touches no file that was not named.
+//! Generated questions: command lines over all commands, with the files they name, good and bad.
+//! Whatever is asked, the program ends with status 0, 1 or 2, panics nowhere, prints no number that
+//! is none, answers in JSON as its schemas say, and touches no file that was not named.
 //!
-//! `LONGDRIVE_QUESTIONS=100000` asks so many, on all cores; `LONGDRIVE_SEED` others. A question that fails is printed with its
-//! number: `LONGDRIVE_QUESTION` asks that one alone.
+//! `LONGDRIVE_QUESTIONS=100000` asks so many, on all cores; `LONGDRIVE_SEED` others. A question
+//! that fails is printed with its number: `LONGDRIVE_QUESTION` asks that one alone.
 
 mod asked;
 mod chance;
@@ -28,7 +28,10 @@ const FEW: u64 = 300;
 const ENOUGH: usize = 20;
 
 fn setting(name: &str) -> Option<u64> {
-    std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name}={text} is no whole number")))
+    std::env::var(name).ok().map(|text| {
+        text.parse()
+            .unwrap_or_else(|_| panic!("{name}={text} is no whole number"))
+    })
 }
 
 #[test]
@@ -49,8 +52,14 @@ fn whatever_is_asked_the_program_ends_in_order() {
             }
             let question = Question::new(&mut Chance::new(seed, number));
             let (status, wrong) = asked::ask(&question);
-            let at = status.and_then(|status| usize::try_from(status).ok()).map_or(3, |status| status.min(3));
-            ended.lock().unwrap().entry(question.command().to_owned()).or_default()[at] += 1;
+            let at = status
+                .and_then(|status| usize::try_from(status).ok())
+                .map_or(3, |status| status.min(3));
+            ended
+                .lock()
+                .unwrap()
+                .entry(question.command().to_owned())
+                .or_default()[at] += 1;
             if !wrong.is_empty() {
                 failed.lock().unwrap().push((number, question, wrong));
             }
@@ -65,8 +74,16 @@ fn whatever_is_asked_the_program_ends_in_order() {
     let failed = failed.into_inner().unwrap();
     let mut report = String::new();
     for (number, question, wrong) in &failed {
-        let line = question.args.iter().map(|arg| format!("{arg:?}")).collect::<Vec<_>>().join(" ");
-        let _ = writeln!(report, "\nLONGDRIVE_SEED={seed} LONGDRIVE_QUESTION={number}: longdrive {line}");
+        let line = question
+            .args
+            .iter()
+            .map(|arg| format!("{arg:?}"))
+            .collect::<Vec<_>>()
+            .join(" ");
+        let _ = writeln!(
+            report,
+            "\nLONGDRIVE_SEED={seed} LONGDRIVE_QUESTION={number}: longdrive {line}"
+        );
         for (name, bytes) in &question.files {
             let _ = writeln!(report, "  {name}: {:?}", String::from_utf8_lossy(bytes));
         }
@@ -78,10 +95,18 @@ fn whatever_is_asked_the_program_ends_in_order() {
     for (command, counts) in &ended {
         println!("{command}: exit status 0, 1, 2 and others: {counts:?}");
     }
-    assert!(failed.is_empty(), "{} of {} questions failed{report}", failed.len(), numbers.end - numbers.start);
+    assert!(
+        failed.is_empty(),
+        "{} of {} questions failed{report}",
+        failed.len(),
+        numbers.end - numbers.start
+    );
     // questions that are all refused would tell nothing
     for (command, [found, none, refused, _]) in ended {
         let (computed, all) = (found + none, found + none + refused);
-        assert!(all < 25 || 4 * computed >= all, "{command}: only {computed} of {all} questions are not refused");
+        assert!(
+            all < 25 || 4 * computed >= all,
+            "{command}: only {computed} of {all} questions are not refused"
+        );
     }
 }

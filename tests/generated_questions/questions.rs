@@ -3,7 +3,8 @@
 use crate::chance::Chance;
 use crate::files::{binary, change, export, messages, points, setup, shots};
 use crate::values::{
-    constraint, distribution, list, name_of, near, outcome, preset, range, setting, sigma, variable, with_unit,
+    constraint, distribution, list, name_of, near, outcome, preset, range, setting, sigma,
+    variable, with_unit,
 };
 use longdrive::parameters::{Law, Parameter};
 
@@ -56,12 +57,17 @@ const OF_THE_PROGRAM: [&str; 3] = ["help", "completions", "man"];
 impl Question {
     pub fn new(chance: &mut Chance) -> Self {
         let at = chance.weighted(&COMMANDS.map(|(_, weight)| weight));
-        let mut question = Self { args: vec![COMMANDS[at].0.into()], ..Self::default() };
+        let mut question = Self {
+            args: vec![COMMANDS[at].0.into()],
+            ..Self::default()
+        };
         // a file that no one names
-        question.files.push(("mine.txt".into(), b"left alone".to_vec()));
+        question
+            .files
+            .push(("mine.txt".into(), b"left alone".to_vec()));
         let command = COMMANDS[at].0;
-        chance.is_launched =
-            !["calibrate", "fly"].contains(&command) && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
+        chance.is_launched = !["calibrate", "fly"].contains(&command)
+            && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
         question.ask(command, chance);
         if chance.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");
@@ -69,15 +75,31 @@ impl Question {
         // these stand before the command as well
         for (option, probability) in [("--units", 0.15), ("--quiet", 0.1)] {
             if chance.is(probability) {
-                let at = if chance.is(0.3) { 0 } else { question.args.len() };
+                let at = if chance.is(0.3) {
+                    0
+                } else {
+                    question.args.len()
+                };
                 let system = chance.of_or(&["metric", "us"], &["si"]).to_owned();
-                question
-                    .args
-                    .splice(at..at, [option.to_owned(), system].into_iter().take(2 - usize::from(option == "--quiet")));
+                question.args.splice(
+                    at..at,
+                    [option.to_owned(), system]
+                        .into_iter()
+                        .take(2 - usize::from(option == "--quiet")),
+                );
             }
         }
         if chance.slips() {
-            let odd = chance.of(&["--bla", "-x", "--", "extra", "--help", "", "--set", "--version"]);
+            let odd = chance.of(&[
+                "--bla",
+                "-x",
+                "--",
+                "extra",
+                "--help",
+                "",
+                "--set",
+                "--version",
+            ]);
             let at = chance.below(question.args.len() + 1);
             question.args.insert(at, odd.into());
         }
@@ -135,7 +157,10 @@ impl Question {
                 return;
             }
             "completions" => {
-                self.push(chance.of_or(&["bash", "zsh", "fish", "powershell", "elvish"], &["nush", ""]));
+                self.push(chance.of_or(
+                    &["bash", "zsh", "fish", "powershell", "elvish"],
+                    &["nush", ""],
+                ));
                 return;
             }
             "calibrate" => self.calibrate(chance),
@@ -172,7 +197,10 @@ impl Question {
             "robust" => {
                 self.search(false, chance);
                 if chance.is(0.5) {
-                    self.option("--model", chance.of_or(&["aero.law=ferguson", "impact.friction=0.3"], &["x", "a=1"]));
+                    self.option(
+                        "--model",
+                        chance.of_or(&["aero.law=ferguson", "impact.friction=0.3"], &["x", "a=1"]),
+                    );
                 }
                 if chance.is(0.2) {
                     self.option("--starts", chance.of_or(&["1", "2"], &["0", "x"]));
@@ -181,7 +209,14 @@ impl Question {
             "pareto" => {
                 for _ in 0..2 {
                     let of = outcome(chance);
-                    self.option(if chance.is(0.5) { "--maximize" } else { "--minimize" }, of);
+                    self.option(
+                        if chance.is(0.5) {
+                            "--maximize"
+                        } else {
+                            "--minimize"
+                        },
+                        of,
+                    );
                 }
                 self.search(false, chance);
                 self.option("--points", chance.of_or(&["2", "3", "5"], &["1", "x"]));
@@ -202,7 +237,10 @@ impl Question {
             }
             "verify" => {
                 self.option("--of", list(2, chance, outcome));
-                self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
+                self.option(
+                    "--wrt",
+                    list(2, chance, |chance| name_of(variable(chance), chance)),
+                );
             }
             "sensitivity" => self.sensitivity(chance),
             "uncertainty" => self.uncertainty(chance),
@@ -236,18 +274,24 @@ impl Question {
                 self.files.push(("setup.toml".into(), text));
                 self.push("setup.toml");
             }
-            8 if chance.slips() => self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"])),
+            8 if chance.slips() => {
+                self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"]))
+            }
             _ => {}
         }
         // where a file gives the launch, the option replaces some of it
         let is_of_file = matches!(place, 5 | 6);
         match chance.below(4) {
             _ if !chance.is_launched => {}
-            0 if is_of_file => {
-                self.option("--launch", chance.of(&["ball_speed=70m/s", "backspin=3000rpm", "spin=300rad/s"]))
-            }
+            0 if is_of_file => self.option(
+                "--launch",
+                chance.of(&["ball_speed=70m/s", "backspin=3000rpm", "spin=300rad/s"]),
+            ),
             _ if is_of_file => {}
-            0 => self.option("--launch", "ball_speed=150mph,launch_angle=12deg,spin=2600rpm,spin_axis=-3deg"),
+            0 => self.option(
+                "--launch",
+                "ball_speed=150mph,launch_angle=12deg,spin=2600rpm,spin_axis=-3deg",
+            ),
             _ => {
                 let launch = [
                     "ball_speed=167mph",
@@ -257,7 +301,11 @@ impl Question {
                     "sidespin=-300rpm",
                     "spin_axis=3deg",
                 ];
-                let part = if chance.slips() { chance.below(3)..6 } else { 0..3 + chance.below(3) };
+                let part = if chance.slips() {
+                    chance.below(3)..6
+                } else {
+                    0..3 + chance.below(3)
+                };
                 self.option("--launch", launch[part].join(","));
             }
         }
@@ -282,7 +330,11 @@ impl Question {
     fn delivery(&mut self, chance: &mut Chance) {
         let has_shots = !chance.is_launched && chance.is(0.3);
         if has_shots {
-            let text = if chance.is(0.8) { export(chance) } else { shots(chance) };
+            let text = if chance.is(0.8) {
+                export(chance)
+            } else {
+                shots(chance)
+            };
             self.files.push(("shots.csv".into(), text));
             self.option("--shots", "shots.csv");
         }
@@ -341,14 +393,24 @@ impl Question {
             }
         }
         if chance.is(0.1) {
-            self.option("--launch-b", "ball_speed=150mph,launch_angle=12deg,spin=2600rpm,spin_axis=-3deg");
+            self.option(
+                "--launch-b",
+                "ball_speed=150mph,launch_angle=12deg,spin=2600rpm,spin_axis=-3deg",
+            );
         }
     }
 
     fn search(&mut self, is_wide: bool, chance: &mut Chance) {
         if chance.is(0.2) {
             let of = outcome(chance);
-            self.option(if chance.is(0.7) { "--maximize" } else { "--minimize" }, of);
+            self.option(
+                if chance.is(0.7) {
+                    "--maximize"
+                } else {
+                    "--minimize"
+                },
+                of,
+            );
         }
         if chance.is_launched || chance.is(0.6) {
             for _ in 0..1 + chance.below(if is_wide { 3 } else { 2 }) {
@@ -360,20 +422,28 @@ impl Question {
             let text = constraint(chance);
             self.option("--subject-to", text);
         }
-        let most = if chance.is(0.9) { 5 + chance.below(25) } else { chance.below(2) };
+        let most = if chance.is(0.9) {
+            5 + chance.below(25)
+        } else {
+            chance.below(2)
+        };
         self.option("--max-iterations", most.to_string());
     }
 
     fn work(&mut self, chance: &mut Chance) {
         if chance.is(0.2) {
-            self.option("--starts", chance.of_or(&["1", "2", "4"], &["0", "-1", "70000", "x"]));
+            self.option(
+                "--starts",
+                chance.of_or(&["1", "2", "4"], &["0", "-1", "70000", "x"]),
+            );
         }
         if chance.is(0.1) {
             self.output("-o", &["best.toml"], chance);
         }
         if chance.is(0.1) {
             if chance.slips() {
-                self.files.push(("kept.json".into(), b"{\"no\": \"checkpoint\"}".to_vec()));
+                self.files
+                    .push(("kept.json".into(), b"{\"no\": \"checkpoint\"}".to_vec()));
             }
             self.option("--checkpoint", "kept.json");
             self.outputs.push("kept.json".into());
@@ -383,7 +453,10 @@ impl Question {
     fn optimum_sensitivity(&mut self, chance: &mut Chance) {
         self.search(false, chance);
         self.work(chance);
-        self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
+        self.option(
+            "--wrt",
+            list(2, chance, |chance| name_of(variable(chance), chance)),
+        );
         if chance.is(0.3) {
             let text = change(chance);
             self.option("--change", text);
@@ -391,7 +464,10 @@ impl Question {
         if chance.is(0.2) {
             self.option(
                 "--loss",
-                chance.of_or(&["1yd", "0.5 m", "1e-9 m", "1e300 m"], &["0 yd", "1 kg", "nan m", "inf yd"]),
+                chance.of_or(
+                    &["1yd", "0.5 m", "1e-9 m", "1e300 m"],
+                    &["0 yd", "1 kg", "nan m", "inf yd"],
+                ),
             );
         }
     }
@@ -401,7 +477,12 @@ impl Question {
         let text = if chance.is(0.7) {
             let low = near(parameter, 0.05, chance);
             let high = low + 0.01 * low.abs().max(0.1);
-            format!("{}={}..{}", parameter.name, with_unit(low, parameter, chance), with_unit(high, parameter, chance))
+            format!(
+                "{}={}..{}",
+                parameter.name,
+                with_unit(low, parameter, chance),
+                with_unit(high, parameter, chance)
+            )
         } else {
             range(parameter, chance)
         };
@@ -448,7 +529,15 @@ impl Question {
             let text = distribution(chance);
             self.option("--distribution", text);
         }
-        self.option("--samples", (if chance.slips() { chance.below(2) } else { 2 + chance.below(20) }).to_string());
+        self.option(
+            "--samples",
+            (if chance.slips() {
+                chance.below(2)
+            } else {
+                2 + chance.below(20)
+            })
+            .to_string(),
+        );
         if chance.is(0.2) {
             self.option("--seed", chance.below(9).to_string());
         }
@@ -460,13 +549,22 @@ impl Question {
             1 => self.files.push(("shots.csv".into(), shots(chance))),
             _ => self.files.push(("shots.csv".into(), export(chance))),
         }
-        let name = self.files.last().map_or_else(String::new, |(name, _)| name.clone());
+        let name = self
+            .files
+            .last()
+            .map_or_else(String::new, |(name, _)| name.clone());
         self.push(chance.of_or(&[name.as_str()], &["none.csv", "mine.txt", ".", "-"]));
         if chance.is(0.4) {
             self.option("--of", list(3, chance, outcome));
         }
         if chance.is(0.4) {
-            self.option("--format", chance.of_or(&["csv", "launch-monitor", "jsonl", "open-connect"], &["xml"]));
+            self.option(
+                "--format",
+                chance.of_or(
+                    &["csv", "launch-monitor", "jsonl", "open-connect"],
+                    &["xml"],
+                ),
+            );
         }
         if chance.is(0.5) {
             self.output("-o", &["flown.csv", "flown.jsonl", "flown.json"], chance);
@@ -477,25 +575,43 @@ impl Question {
     }
 
     fn calibrate(&mut self, chance: &mut Chance) {
-        let text = if chance.is(0.3) { export(chance) } else { shots(chance) };
+        let text = if chance.is(0.3) {
+            export(chance)
+        } else {
+            shots(chance)
+        };
         self.files.push(("shots.csv".into(), text));
         self.push(chance.of_or(&["shots.csv"], &["none.csv", "mine.txt", "."]));
         for _ in 0..1 + chance.below(2) {
             // rows of launches have no club; most of these are of the flight
-            let rows = ["air.density", "aero.spin_decay", "gravity", "ball.mass", "swing.shaft_lean"];
+            let rows = [
+                "air.density",
+                "aero.spin_decay",
+                "gravity",
+                "ball.mass",
+                "swing.shaft_lean",
+            ];
             let of_law: Vec<_> = Law::all_rows().map(|row| row.name).collect();
             let name = match chance.below(3) {
                 0 | 1 => chance.of(&rows).to_owned(),
                 _ if chance.slips() => chance.of(&of_law).to_owned(),
                 _ => variable(chance).name.to_owned(),
             };
-            let text = if chance.is(0.2) { range(variable(chance), chance) } else { name };
+            let text = if chance.is(0.2) {
+                range(variable(chance), chance)
+            } else {
+                name
+            };
             self.option("--fit", text);
         }
         self.option("--max-iterations", (1 + chance.below(20)).to_string());
         for (option, most) in [("--starts", 3), ("--folds", 5)] {
             if chance.is(0.1) {
-                let count = if chance.slips() { chance.below(most) } else { 2 + chance.below(most - 1) };
+                let count = if chance.slips() {
+                    chance.below(most)
+                } else {
+                    2 + chance.below(most - 1)
+                };
                 self.option(option, count.to_string());
             }
         }
@@ -503,7 +619,10 @@ impl Question {
             self.push("--huber");
         }
         if chance.is(0.05) {
-            self.option("--compare", chance.of_or(&["robinson", "ferguson", "linear"], &["nothing"]));
+            self.option(
+                "--compare",
+                chance.of_or(&["robinson", "ferguson", "linear"], &["nothing"]),
+            );
         }
         if chance.is(0.3) {
             self.output("-o", &["fitted.toml"], chance);
@@ -542,7 +661,12 @@ impl Question {
                 self.search(false, chance);
                 self.along(chance);
                 if chance.is(0.3) {
-                    let shown = chance.of(&["carry", "club.loft", "swing.attack_angle", "launch.launch_angle"]);
+                    let shown = chance.of(&[
+                        "carry",
+                        "club.loft",
+                        "swing.attack_angle",
+                        "launch.launch_angle",
+                    ]);
                     self.option("--show", shown);
                 }
             }
@@ -560,18 +684,34 @@ impl Question {
             6 => {
                 self.option("--show", chance.of_or(&["cd", "cl"], &["drag"]));
                 match chance.below(3) {
-                    0 => self.option("--laws", chance.of_or(&["lyu,ferguson", "linear"], &["lyu,lyu", "table"])),
-                    1 => self.option("--over", chance.of_or(&["reynolds", "spin-ratio"], &["speed"])),
-                    _ => self.option("--reynolds", chance.of_or(&["1e5", "200000"], &["0", "1e5 m", "nan"])),
+                    0 => self.option(
+                        "--laws",
+                        chance.of_or(&["lyu,ferguson", "linear"], &["lyu,lyu", "table"]),
+                    ),
+                    1 => self.option(
+                        "--over",
+                        chance.of_or(&["reynolds", "spin-ratio"], &["speed"]),
+                    ),
+                    _ => self.option(
+                        "--reynolds",
+                        chance.of_or(&["1e5", "200000"], &["0", "1e5 m", "nan"]),
+                    ),
                 }
             }
             4 => {
                 self.option("--of", list(2, chance, outcome));
-                self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
+                self.option(
+                    "--wrt",
+                    list(2, chance, |chance| name_of(variable(chance), chance)),
+                );
             }
             _ => {}
         }
-        let names = if chance.slips() { ["a.jpg", "a", ".svg"] } else { ["a.svg", "a.csv", "a.png"] };
+        let names = if chance.slips() {
+            ["a.jpg", "a", ".svg"]
+        } else {
+            ["a.svg", "a.csv", "a.png"]
+        };
         self.output("-o", &names, chance);
         if chance.is(0.2) {
             self.push("--dark");
@@ -595,21 +735,42 @@ impl Question {
             1 => {
                 let text = range(variable(chance), chance);
                 self.option("--over", text);
-                self.option("--sample", (if chance.slips() { 0 } else { 1 + chance.below(12) }).to_string());
+                self.option(
+                    "--sample",
+                    (if chance.slips() {
+                        0
+                    } else {
+                        1 + chance.below(12)
+                    })
+                    .to_string(),
+                );
                 if chance.is(0.2) {
-                    self.option("--seed", chance.of_or(&["0", "7", "4294967295"], &["-1", "4294967296"]));
+                    self.option(
+                        "--seed",
+                        chance.of_or(&["0", "7", "4294967295"], &["-1", "4294967296"]),
+                    );
                 }
             }
             _ => {
                 for _ in 0..1 + chance.below(2) {
                     let text = range(variable(chance), chance);
-                    let count = chance.of_or(&["1", "2", "3", "7"], &["0", "x", "-1", "99999999999999999999"]);
+                    let count = chance.of_or(
+                        &["1", "2", "3", "7"],
+                        &["0", "x", "-1", "99999999999999999999"],
+                    );
                     if chance.is(0.02) {
                         self.option("--over", format!("{text}:99999999999"));
                         self.option("--max-size", "1GB");
                         continue;
                     }
-                    self.option("--over", if chance.slips() { text } else { format!("{text}:{count}") });
+                    self.option(
+                        "--over",
+                        if chance.slips() {
+                            text
+                        } else {
+                            format!("{text}:{count}")
+                        },
+                    );
                 }
             }
         }
@@ -620,10 +781,16 @@ impl Question {
             self.push("--gradient");
         }
         if chance.is(0.1) {
-            self.option("--instructions", chance.of_or(&["baseline"], &["sse2", "avx1024"]));
+            self.option(
+                "--instructions",
+                chance.of_or(&["baseline"], &["sse2", "avx1024"]),
+            );
         }
         if chance.is(0.1) {
-            self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
+            self.option(
+                "--wrt",
+                list(2, chance, |chance| name_of(variable(chance), chance)),
+            );
         }
         if chance.is(0.85) {
             let names = if chance.slips() {
@@ -634,13 +801,19 @@ impl Question {
             self.output("-o", &names, chance);
         }
         if chance.is(0.2) {
-            self.option("--format", chance.of_or(&["csv", "jsonl", "parquet"], &["xlsx"]));
+            self.option(
+                "--format",
+                chance.of_or(&["csv", "jsonl", "parquet"], &["xlsx"]),
+            );
         }
         if chance.is(0.03) {
             self.push("--resume");
         }
         if chance.is(0.1) {
-            self.option("--threads", chance.of_or(&["0", "1", "2", "5000"], &["-1", "x"]));
+            self.option(
+                "--threads",
+                chance.of_or(&["0", "1", "2", "5000"], &["-1", "x"]),
+            );
         }
         if chance.is(0.1) {
             self.option("--max-size", chance.of_or(&["1GB", "10B"], &["much", "0B"]));
@@ -659,7 +832,8 @@ impl Question {
             }
             3 => self.files[self.files.len() - 1].0.clone(),
             4 => {
-                self.links.push((self.files[self.files.len() - 1].0.clone(), name.clone()));
+                self.links
+                    .push((self.files[self.files.len() - 1].0.clone(), name.clone()));
                 name
             }
             5 => chance.of(&["", ".", "-", "folder"]).to_owned(),

@@ -45,7 +45,9 @@ pub fn parameter(chance: &mut Chance) -> &'static Parameter {
     }
     if chance.is_launched {
         let mut all = launched().parameters();
-        all.retain(|row| !row.is_of_strike() && row.name != "launch.spin" && row.name != "launch.spin_axis");
+        all.retain(|row| {
+            !row.is_of_strike() && row.name != "launch.spin" && row.name != "launch.spin_axis"
+        });
         return chance.of(&all);
     }
     let all = Setup::preset(preset(chance)).unwrap().parameters();
@@ -55,7 +57,11 @@ pub fn parameter(chance: &mut Chance) -> &'static Parameter {
 /// The default setup with a launch in place of the club.
 fn launched() -> Setup<f64> {
     let mut setup = Setup::default();
-    let launch = [("ball_speed", "167 mph"), ("launch_angle", "10.9 deg"), ("backspin", "2686 rpm")];
+    let launch = [
+        ("ball_speed", "167 mph"),
+        ("launch_angle", "10.9 deg"),
+        ("backspin", "2686 rpm"),
+    ];
     for (name, value) in launch {
         setup.set(&format!("launch.{name}"), value).unwrap();
     }
@@ -73,18 +79,36 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
     }
     let all = Setup::default().variables();
     // those that anyone asks about more often than the rest
-    let usual = ["club.loft", "swing.attack_angle", "swing.speed", "swing.path", "swing.face_angle", "air.density"];
-    if chance.is(0.6) { Setup::default().variable(chance.of(&usual)).unwrap() } else { of_the_drive(&all, chance) }
+    let usual = [
+        "club.loft",
+        "swing.attack_angle",
+        "swing.speed",
+        "swing.path",
+        "swing.face_angle",
+        "air.density",
+    ];
+    if chance.is(0.6) {
+        Setup::default().variable(chance.of(&usual)).unwrap()
+    } else {
+        of_the_drive(&all, chance)
+    }
 }
 
-/// One of some parameters, seldom one of a launch or of the wind's speed and direction: these must be given together.
+/// One of some parameters, seldom one of a launch or of the wind's speed and direction: these must
+/// be given together.
 fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Parameter {
     let struck: Vec<_> = all
         .iter()
         .copied()
-        .filter(|row| !row.name.starts_with("launch.") && !["wind.speed", "wind.from"].contains(&row.name))
+        .filter(|row| {
+            !row.name.starts_with("launch.") && !["wind.speed", "wind.from"].contains(&row.name)
+        })
         .collect();
-    if chance.slips() { chance.of(all) } else { chance.of(&struck) }
+    if chance.slips() {
+        chance.of(all)
+    } else {
+        chance.of(&struck)
+    }
 }
 
 /// A parameter's name; now and then one that does not exist.
@@ -93,21 +117,29 @@ pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
     if !chance.slips() {
         return name.into();
     }
-    chance.of(&[name.replace('.', ""), format!("{name}x"), name.to_uppercase(), String::new()])
+    chance.of(&[
+        name.replace('.', ""),
+        format!("{name}x"),
+        name.to_uppercase(),
+        String::new(),
+    ])
 }
 
 /// A value near a parameter's default, SI: about so far from it in parts of what is usual.
 pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
-    let default = parameter.default_value().filter(|value| value.is_finite()).unwrap_or(match parameter.quantity.si {
-        "m/s" => 70.0,
-        "rad/s" => 280.0,
-        "rad" if parameter.name == "launch.launch_angle" => 0.2,
-        "m" => 0.3,
-        "rad" => 0.05,
-        "K" => 293.15,
-        "Pa" => 1e5,
-        _ => 0.1,
-    });
+    let default = parameter
+        .default_value()
+        .filter(|value| value.is_finite())
+        .unwrap_or(match parameter.quantity.si {
+            "m/s" => 70.0,
+            "rad/s" => 280.0,
+            "rad" if parameter.name == "launch.launch_angle" => 0.2,
+            "m" => 0.3,
+            "rad" => 0.05,
+            "K" => 293.15,
+            "Pa" => 1e5,
+            _ => 0.1,
+        });
     let size = match (default, parameter.quantity.si) {
         (0.0, "m") => 0.01,
         (0.0, "kg m^2") => 1e-5,
@@ -116,17 +148,33 @@ pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
     };
     let value = default + size * spread * chance.between(-1.0, 1.0);
     let value = value.max(parameter.range.low).min(parameter.range.high);
-    if parameter.name == "flight.step" { chance.between(0.01, 0.05) } else { value }
+    if parameter.name == "flight.step" {
+        chance.between(0.01, 0.05)
+    } else {
+        value
+    }
 }
 
 /// A number of SI with its unit.
 pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> String {
-    let unit = if chance.is(0.7) { parameter.unit } else { parameter.quantity.si };
-    let Some(size) = parameter.quantity.size_of(unit) else { return format!("{value:?}") };
+    let unit = if chance.is(0.7) {
+        parameter.unit
+    } else {
+        parameter.quantity.si
+    };
+    let Some(size) = parameter.quantity.size_of(unit) else {
+        return format!("{value:?}");
+    };
     let space = if chance.is(0.3) { " " } else { "" };
-    let text = format!("{:?}{space}{unit}", value / size).trim_end().to_owned();
+    let text = format!("{:?}{space}{unit}", value / size)
+        .trim_end()
+        .to_owned();
     // coefficients of a law take plain numbers, whatever their unit
-    if parameter.quantity.read(&text).is_ok() { text } else { format!("{value:?}") }
+    if parameter.quantity.read(&text).is_ok() {
+        text
+    } else {
+        format!("{value:?}")
+    }
 }
 
 /// What might be written for a parameter: mostly what it may be.
@@ -134,14 +182,34 @@ pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
     let range = parameter.range;
     if chance.slips() {
         let bare = format!("{:?}", near(parameter, 0.2, chance));
-        let beyond = if range.high.is_finite() { 1.01 * range.high } else { -1e6 };
+        let beyond = if range.high.is_finite() {
+            1.01 * range.high
+        } else {
+            -1e6
+        };
         let beyond = with_unit(beyond, parameter, chance);
         let odd = chance.of(&ODD).to_owned();
         return chance.of(&[bare, beyond, odd.clone(), odd]);
     }
     match chance.below(40) {
-        0 => with_unit(if range.high.is_finite() { range.high } else { 1e6 }, parameter, chance),
-        1 => with_unit(if range.low.is_finite() { range.low } else { -1e6 }, parameter, chance),
+        0 => with_unit(
+            if range.high.is_finite() {
+                range.high
+            } else {
+                1e6
+            },
+            parameter,
+            chance,
+        ),
+        1 => with_unit(
+            if range.low.is_finite() {
+                range.low
+            } else {
+                -1e6
+            },
+            parameter,
+            chance,
+        ),
         2 | 3 => with_unit(near(parameter, 20.0, chance), parameter, chance),
         4 if parameter.kind == Kind::Optional => "none".into(),
         5 if parameter.name.contains("radius") => "inf".into(),
@@ -172,7 +240,11 @@ pub fn setting(chance: &mut Chance) -> String {
         1 => format!("flight.method={}", chance.of(&["rk4", "dp8"])),
         _ => {
             let parameter = parameter(chance);
-            format!("{}={}", name_of(parameter, chance), value(parameter, chance))
+            format!(
+                "{}={}",
+                name_of(parameter, chance),
+                value(parameter, chance)
+            )
         }
     }
 }
@@ -180,15 +252,32 @@ pub fn setting(chance: &mut Chance) -> String {
 /// NAME=LOW..HIGH about a parameter's default.
 pub fn range(parameter: &Parameter, chance: &mut Chance) -> String {
     let middle = near(parameter, 0.05, chance);
-    let reach = if middle == 0.0 { 0.05 } else { 0.2 * middle.abs() };
+    let reach = if middle == 0.0 {
+        0.05
+    } else {
+        0.2 * middle.abs()
+    };
     let low = with_unit((middle - reach).max(parameter.range.low), parameter, chance);
-    let high = with_unit((middle + reach).min(parameter.range.high), parameter, chance);
+    let high = with_unit(
+        (middle + reach).min(parameter.range.high),
+        parameter,
+        chance,
+    );
     let name = name_of(parameter, chance);
     if chance.slips() {
         let odd = chance.of(&ODD);
         let reversed = format!("{name}={high}..{low}");
-        let without = [format!("{name}={low}"), format!("{name}={low}.."), format!("{name}={odd}..{high}"), name];
-        return if chance.is(0.3) { reversed } else { chance.of(&without) };
+        let without = [
+            format!("{name}={low}"),
+            format!("{name}={low}.."),
+            format!("{name}={odd}..{high}"),
+            name,
+        ];
+        return if chance.is(0.3) {
+            reversed
+        } else {
+            chance.of(&without)
+        };
     }
     match chance.below(40) {
         0 => format!("{name}={low}..{low}"),
@@ -210,7 +299,10 @@ pub fn outcome(chance: &mut Chance) -> String {
 
 /// Names with commas between them.
 pub fn list(count: usize, chance: &mut Chance, one: impl Fn(&mut Chance) -> String) -> String {
-    (0..1 + chance.below(count)).map(|_| one(chance)).collect::<Vec<_>>().join(",")
+    (0..1 + chance.below(count))
+        .map(|_| one(chance))
+        .collect::<Vec<_>>()
+        .join(",")
 }
 
 /// A constraint as `--subject-to` takes it.
@@ -236,7 +328,15 @@ pub fn constraint(chance: &mut Chance) -> String {
         2 => format!("{name} {first}"),
         3 => format!("{name} >= {}", chance.of(&ODD)),
         4 => chance
-            .of(&["", "<=", "carry", "carry <=", "carry <= lateral", "1 yd <= 2 yd", "carry < 1 yd < 2 yd"])
+            .of(&[
+                "",
+                "<=",
+                "carry",
+                "carry <=",
+                "carry <= lateral",
+                "1 yd <= 2 yd",
+                "carry < 1 yd < 2 yd",
+            ])
             .into(),
         5..8 => format!("{name} <= {first}"),
         _ => format!("{name} >= {first}"),
@@ -268,11 +368,18 @@ pub fn distribution(chance: &mut Chance) -> String {
     let [low, middle, high] = [0, 1, 2].map(|at| with_unit(values[at], parameter, chance));
     if chance.slips() {
         let odd = chance.of(&ODD);
-        let bad = [format!("{name}={odd}"), format!("{name}=gauss({low},{high})"), format!("{name}=normal({low})")];
+        let bad = [
+            format!("{name}={odd}"),
+            format!("{name}=gauss({low},{high})"),
+            format!("{name}=normal({low})"),
+        ];
         return chance.of(&bad);
     }
     match chance.below(12) {
-        0..3 => format!("{name}=normal({middle},{})", with_unit(1e-3 + 0.01 * values[1].abs(), parameter, chance)),
+        0..3 => format!(
+            "{name}=normal({middle},{})",
+            with_unit(1e-3 + 0.01 * values[1].abs(), parameter, chance)
+        ),
         3..8 => format!("{name}=uniform({low},{high})"),
         _ => format!("{name}=triangular({low},{middle},{high})"),
     }

@@ -19,7 +19,8 @@ pub struct Case {
     pub evaluate: fn(&[f64]) -> Result<Evaluation, String>,
 }
 
-/// Declares problems: name, start, bounds, limits, published optimum and point, functions; and a table of them all.
+/// Declares problems: name, start, bounds, limits, published optimum and point, functions; and a
+/// table of them all.
 #[macro_export]
 macro_rules! problems {
     ($($(#[doc = $doc:literal])* $name:ident {

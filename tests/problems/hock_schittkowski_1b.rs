@@ -1,6 +1,6 @@
-//! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes in Economics and
-//! Mathematical Systems 187, Springer; Nos. 41–62. Inequalities stand as they are printed, g(x) ≥ 0, or with the
-//! constant as limit; letters are ours. There is no No. 58.
+//! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
+//! in Economics and Mathematical Systems 187, Springer; Nos. 41–62. Inequalities stand as they are
+//! printed, g(x) ≥ 0, or with the constant as limit; letters are ours. There is no No. 58.
 
 use super::hock_schittkowski_2::{dot, sum};
 use longdrive::number::Number;
@@ -10,14 +10,18 @@ const INF: f64 = f64::INFINITY;
 
 /// Nos. 51–53: the objective, with the factor of x₁, and the equations.
 fn least_squares<T: Number>(factor: f64, x: &[T]) -> T {
-    (x[0] * factor - x[1]).powi(2) + (x[1] + x[2] - 2.0).powi(2) + (x[3] - 1.0).powi(2) + (x[4] - 1.0).powi(2)
+    (x[0] * factor - x[1]).powi(2)
+        + (x[1] + x[2] - 2.0).powi(2)
+        + (x[3] - 1.0).powi(2)
+        + (x[4] - 1.0).powi(2)
 }
 
 fn three_equations<T: Number>(x: &[T]) -> Vec<T> {
     vec![x[0] + x[1] * 3.0, x[2] + x[3] - x[4] * 2.0, x[1] - x[4]]
 }
 
-/// No. 56: the start, arcsin √(1/4.2) and arcsin √(5/7.2), and the solution, arcsin √(4/7) and arcsin √(2/7).
+/// No. 56: the start, arcsin √(1/4.2) and arcsin √(5/7.2), and the solution, arcsin √(4/7) and
+/// arcsin √(2/7).
 const START_A: f64 = 0.509739678831507;
 const START_B: f64 = 0.9851107833377457;
 const AT_C: f64 = 0.8570719478501309;

@@ -1,8 +1,9 @@
-//! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes in Economics and
-//! Mathematical Systems 187, Springer; Nos. 63–92. Inequalities stand as they are printed, g(x) ≥ 0, or with the
-//! constant as limit; signs and letters are ours. Optima carry the digits of the authors' own test programs. Left out
-//! are No. 67 (an inner iteration that has no fixed point everywhere within the bounds) and No. 87 (a discontinuous
-//! objective); there is no No. 82.
+//! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
+//! in Economics and Mathematical Systems 187, Springer; Nos. 63–92. Inequalities stand as they are
+//! printed, g(x) ≥ 0, or with the constant as limit; signs and letters are ours. Optima carry the
+//! digits of the authors' own test programs. Left out are No. 67 (an inner iteration that has no
+//! fixed point everywhere within the bounds) and No. 87 (a discontinuous objective); there is no
+//! No. 82.
 
 #![allow(clippy::approx_constant)] // No. 70 has 6.2832 for 2π
 
@@ -19,7 +20,8 @@ pub fn dot<T: Number>(a: &[f64], x: &[T]) -> T {
     sum(x.iter().zip(a).map(|(&x, &a)| x * a))
 }
 
-/// The distribution function of the standard normal distribution: its series, and far out its continued fraction.
+/// The distribution function of the standard normal distribution: its series, and far out its
+/// continued fraction.
 fn normal<T: Number>(t: T) -> T {
     let density = (t * t * -0.5).exp() * (0.5 * FRAC_2_SQRT_PI * FRAC_1_SQRT_2);
     if t.re() < -4.0 {
@@ -41,15 +43,23 @@ fn inspection_plan<T: Number>(a: f64, b: f64, n: f64, x: &[T]) -> (T, Vec<T>) {
     let growth = x[0].exp() - 1.0;
     let cost = (-(growth * b - x[2]) * x[3] / (growth + x[3]) + a * n) / x[0];
     let shift = n.sqrt();
-    (cost, vec![x[2] - normal(-x[1]) * 2.0, x[3] - normal(-x[1] + shift) - normal(-x[1] - shift)])
+    (
+        cost,
+        vec![
+            x[2] - normal(-x[1]) * 2.0,
+            x[3] - normal(-x[1] + shift) - normal(-x[1] - shift),
+        ],
+    )
 }
 
 /// No. 70: times and measurements.
-const TIMES: [f64; 19] =
-    [0.1, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0];
+const TIMES: [f64; 19] = [
+    0.1, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0,
+    17.0, 18.0,
+];
 const MEASURED: [f64; 19] = [
-    0.00189, 0.1038, 0.268, 0.506, 0.577, 0.604, 0.725, 0.898, 0.947, 0.845, 0.702, 0.528, 0.385, 0.257, 0.159, 0.0869,
-    0.0453, 0.01509, 0.00189,
+    0.00189, 0.1038, 0.268, 0.506, 0.577, 0.604, 0.725, 0.898, 0.947, 0.845, 0.702, 0.528, 0.385,
+    0.257, 0.159, 0.0869, 0.0453, 0.01509, 0.00189,
 ];
 
 fn three_generators<T: Number>(x: &[T]) -> (T, Vec<T>) {
@@ -67,13 +77,23 @@ fn three_generators<T: Number>(x: &[T]) -> (T, Vec<T>) {
 /// The product of five variables, and the three equations of Nos. 78, 80 and 81.
 fn product_of_five<T: Number>(x: &[T]) -> (T, Vec<T>) {
     let squares = sum(x.iter().map(|&x| x * x));
-    let equations = vec![squares, x[1] * x[2] - x[3] * x[4] * 5.0, x[0].powi(3) + x[1].powi(3)];
+    let equations = vec![
+        squares,
+        x[1] * x[2] - x[3] * x[4] * 5.0,
+        x[0].powi(3) + x[1].powi(3),
+    ];
     (x[0] * x[1] * x[2] * x[3] * x[4], equations)
 }
 
 /// No. 84: the objective and the three constraint functions are x₁ · (a · (1, x₂, …, x₅)).
 const SUGAR: [[f64; 5]; 4] = [
-    [-8720288.849, 150512.5253, -156.6950325, 476470.3222, 729482.8271],
+    [
+        -8720288.849,
+        150512.5253,
+        -156.6950325,
+        476470.3222,
+        729482.8271,
+    ],
     [-145421.402, 2931.1506, -40.427932, 5106.192, 15711.36],
     [-155011.1084, 4360.53352, 12.9492344, 10236.884, 13176.786],
     [-326669.5104, 7390.68412, -27.8986976, 16643.076, 30988.146],
@@ -103,8 +123,8 @@ pub const COLVILLE_C: [[f64; 5]; 5] = [
 pub const COLVILLE_D: [f64; 5] = [4.0, 8.0, 10.0, 6.0, 2.0];
 pub const COLVILLE_E: [f64; 5] = [-15.0, -27.0, -36.0, -18.0, -12.0];
 
-/// Nos. 88–92: a heating process with switching times. The double sum of the book over pairs of eigenfunctions is left
-/// out: they are orthogonal, so it is zero.
+/// Nos. 88–92: a heating process with switching times. The double sum of the book over pairs of
+/// eigenfunctions is left out: they are orthogonal, so it is zero.
 fn heating<T: Number>(x: &[T]) -> (T, Vec<T>) {
     let mut miss = T::constant(2.0 / 15.0);
     for j in 0..30 {
@@ -331,7 +351,8 @@ problems! {
             (-yields[0] + 24345.0, yields[1..].to_vec())
         }
     }
-    /// No. 85, with the book's intermediate functions c and y. The book prints -1.90513375, not quite optimal.
+    /// No. 85, with the book's intermediate functions c and y. The book prints -1.90513375, not
+    /// quite optimal.
     HS85 {
         start: [900.0, 80.0, 115.0, 267.0, 27.0], low: [704.4148, 68.6, 0.0, 193.0, 25.0],
         high: [906.3855, 288.88, 134.75, 287.0966, 84.1988],

@@ -1,7 +1,7 @@
-//! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes in Economics and
-//! Mathematical Systems 187, Springer; Nos. 93–110. Inequalities stand as they are printed, g(x) ≥ 0, or with the
-//! constant as limit; signs and letters are ours. Optima carry the digits of the authors' own test programs. There is
-//! no No. 94.
+//! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
+//! in Economics and Mathematical Systems 187, Springer; Nos. 93–110. Inequalities stand as they are
+//! printed, g(x) ≥ 0, or with the constant as limit; signs and letters are ours. Optima carry the
+//! digits of the authors' own test programs. There is no No. 94.
 
 use super::hock_schittkowski_2::{dot, sum};
 use longdrive::number::Number;
@@ -55,26 +55,33 @@ const FOURTH: [(f64, [f64; 7]); 4] = [
 
 fn geometric<T: Number>(a: f64, x: &[T]) -> (T, Vec<T>) {
     let logs: Vec<T> = x.iter().map(|x| x.ln()).collect();
-    let posynomial = |terms: &[(f64, [f64; 7])]| sum(terms.iter().map(|(c, powers)| dot(powers, &logs).exp() * *c));
+    let posynomial = |terms: &[(f64, [f64; 7])]| {
+        sum(terms
+            .iter()
+            .map(|(c, powers)| dot(powers, &logs).exp() * *c))
+    };
     let f = posynomial(&[
         (10.0, [1.0, -1.0, 0.0, 2.0, 0.0, -3.0, a]),
         (15.0, [-1.0, -2.0, 1.0, 1.0, -1.0, 0.0, -0.5]),
         (20.0, [-2.0, 1.0, 0.0, -1.0, -2.0, 1.0, 0.0]),
         (25.0, [2.0, 2.0, -1.0, 0.0, 0.5, -2.0, 1.0]),
     ]);
-    let mut g: Vec<T> = [&FIRST[..], &SECOND, &THIRD, &FOURTH].map(|terms| -posynomial(terms) + 1.0).to_vec();
+    let mut g: Vec<T> = [&FIRST[..], &SECOND, &THIRD, &FOURTH]
+        .map(|terms| -posynomial(terms) + 1.0)
+        .to_vec();
     g.push(f);
     (f, g)
 }
 
 /// No. 105: the measured values, and how often each was measured.
 const VALUES: [f64; 30] = [
-    95.0, 105.0, 110.0, 115.0, 120.0, 125.0, 130.0, 135.0, 140.0, 145.0, 150.0, 155.0, 160.0, 165.0, 170.0, 175.0,
-    180.0, 185.0, 190.0, 195.0, 200.0, 205.0, 210.0, 215.0, 220.0, 230.0, 235.0, 240.0, 245.0, 260.0,
+    95.0, 105.0, 110.0, 115.0, 120.0, 125.0, 130.0, 135.0, 140.0, 145.0, 150.0, 155.0, 160.0,
+    165.0, 170.0, 175.0, 180.0, 185.0, 190.0, 195.0, 200.0, 205.0, 210.0, 215.0, 220.0, 230.0,
+    235.0, 240.0, 245.0, 260.0,
 ];
 const COUNTS: [f64; 30] = [
-    1.0, 1.0, 4.0, 4.0, 15.0, 15.0, 15.0, 13.0, 21.0, 12.0, 17.0, 4.0, 20.0, 8.0, 17.0, 8.0, 6.0, 6.0, 7.0, 4.0, 3.0,
-    3.0, 8.0, 1.0, 6.0, 5.0, 1.0, 7.0, 1.0, 2.0,
+    1.0, 1.0, 4.0, 4.0, 15.0, 15.0, 15.0, 13.0, 21.0, 12.0, 17.0, 4.0, 20.0, 8.0, 17.0, 8.0, 6.0,
+    6.0, 7.0, 4.0, 3.0, 3.0, 8.0, 1.0, 6.0, 5.0, 1.0, 7.0, 1.0, 2.0,
 ];
 
 problems! {
@@ -91,7 +98,8 @@ problems! {
             (f, vec![x[0] * x[1] * x[2] * x[3] * x[4] * x[5] * 0.001 - 2.07, -p * 0.00062 - q * 0.00058 + 1.0])
         }
     }
-    /// No. 95. One variable remains, in one constraint; the book prints 0.015619514, at a point slightly outside.
+    /// No. 95. One variable remains, in one constraint; the book prints 0.015619514, at a point
+    /// slightly outside.
     HS95 {
         start: [0.0; 6], low: [0.0; 6], high: [0.31, 0.046, 0.068, 0.042, 0.028, 0.0134],
         least: [4.97, -1.88, -29.08, -78.02], most: [INF; 4],
@@ -213,8 +221,8 @@ problems! {
             (f, g)
         }
     }
-    /// No. 105. The book prints 250 for the two largest values; its f(x₀) and f(x*) belong to 260. Its 1138.416240 is
-    /// not quite optimal.
+    /// No. 105. The book prints 250 for the two largest values; its f(x₀) and f(x*) belong to 260.
+    /// Its 1138.416240 is not quite optimal.
     HS105 {
         start: [0.1, 0.2, 100.0, 125.0, 175.0, 11.2, 13.2, 15.8],
         low: [0.001, 0.001, 100.0, 130.0, 170.0, 5.0, 5.0, 5.0],
@@ -236,7 +244,8 @@ problems! {
             (f, vec![rest])
         }
     }
-    /// No. 106. The book prints 7049.330923, not quite optimal; the authors' later programs have 7049.2480.
+    /// No. 106. The book prints 7049.330923, not quite optimal; the authors' later programs have
+    /// 7049.2480.
     HS106 {
         start: [5000.0, 5000.0, 5000.0, 200.0, 350.0, 150.0, 225.0, 425.0],
         low: [100.0, 1000.0, 1000.0, 10.0, 10.0, 10.0, 10.0, 10.0],

@@ -1,15 +1,20 @@
-//! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes in Economics and
-//! Mathematical Systems 187, Springer; Nos. 111–119. Inequalities stand as they are printed, g(x) ≥ 0, or with the
-//! constant as limit; signs and letters are ours. Optima carry the digits of the authors' own test programs. There is
-//! no No. 115.
+//! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
+//! in Economics and Mathematical Systems 187, Springer; Nos. 111–119. Inequalities stand as they
+//! are printed, g(x) ≥ 0, or with the constant as limit; signs and letters are ours. Optima carry
+//! the digits of the authors' own test programs. There is no No. 115.
 
-use super::hock_schittkowski_2::{COLVILLE_A, COLVILLE_B, COLVILLE_C, COLVILLE_D, COLVILLE_E, dot, sum};
+use super::hock_schittkowski_2::{
+    COLVILLE_A, COLVILLE_B, COLVILLE_C, COLVILLE_D, COLVILLE_E, dot, sum,
+};
 use longdrive::number::Number;
 
 const INF: f64 = f64::INFINITY;
 
-/// Nos. 111 and 112: free energy of a mixture at chemical equilibrium, of mole numbers and their logarithms.
-const FREE_ENERGY: [f64; 10] = [-6.089, -17.164, -34.054, -5.914, -24.721, -14.986, -24.1, -10.708, -26.662, -22.179];
+/// Nos. 111 and 112: free energy of a mixture at chemical equilibrium, of mole numbers and their
+/// logarithms.
+const FREE_ENERGY: [f64; 10] = [
+    -6.089, -17.164, -34.054, -5.914, -24.721, -14.986, -24.1, -10.708, -26.662, -22.179,
+];
 
 fn equilibrium<T: Number>(moles: &[T], logs: &[T]) -> (T, Vec<T>) {
     let total = sum(moles.iter().copied()).ln();
@@ -22,7 +27,8 @@ fn equilibrium<T: Number>(moles: &[T], logs: &[T]) -> (T, Vec<T>) {
     (f, g)
 }
 
-/// No. 119: for each variable those it is paired with in the objective (numbered from 0), and the equations.
+/// No. 119: for each variable those it is paired with in the objective (numbered from 0), and the
+/// equations.
 const PAIRED: [&[usize]; 16] = [
     &[0, 3, 6, 7, 15],
     &[1, 2, 6, 9],
@@ -42,14 +48,30 @@ const PAIRED: [&[usize]; 16] = [
     &[15],
 ];
 const EQUATIONS: [[f64; 16]; 8] = [
-    [0.22, 0.2, 0.19, 0.25, 0.15, 0.11, 0.12, 0.13, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [-1.46, 0.0, -1.3, 1.82, -1.15, 0.0, 0.8, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [1.29, -0.89, 0.0, 0.0, -1.16, -0.96, 0.0, -0.49, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [-1.1, -1.06, 0.95, -0.54, 0.0, -1.78, -0.41, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
-    [0.0, 0.0, 0.0, -1.43, 1.51, 0.59, -0.33, -0.43, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
-    [0.0, -1.72, -0.33, 0.0, 1.62, 1.24, 0.21, -0.26, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
-    [1.12, 0.0, 0.0, 0.31, 0.0, 0.0, 1.12, 0.0, -0.36, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
-    [0.0, 0.45, 0.26, -1.1, 0.58, 0.0, -1.03, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+    [
+        0.22, 0.2, 0.19, 0.25, 0.15, 0.11, 0.12, 0.13, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    ],
+    [
+        -1.46, 0.0, -1.3, 1.82, -1.15, 0.0, 0.8, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    ],
+    [
+        1.29, -0.89, 0.0, 0.0, -1.16, -0.96, 0.0, -0.49, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    ],
+    [
+        -1.1, -1.06, 0.95, -0.54, 0.0, -1.78, -0.41, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+    ],
+    [
+        0.0, 0.0, 0.0, -1.43, 1.51, 0.59, -0.33, -0.43, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+    ],
+    [
+        0.0, -1.72, -0.33, 0.0, 1.62, 1.24, 0.21, -0.26, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
+    ],
+    [
+        1.12, 0.0, 0.0, 0.31, 0.0, 0.0, 1.12, 0.0, -0.36, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+    ],
+    [
+        0.0, 0.45, 0.26, -1.1, 0.58, 0.0, -1.03, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+    ],
 ];
 const RIGHT: [f64; 8] = [2.5, 1.1, -3.1, -3.5, 1.3, 2.1, 2.3, -1.5];
 

@@ -1,9 +1,10 @@
-//! Moré, J. J., Garbow, B. S. & Hillstrom, K. E. (1981), Testing Unconstrained Optimization Software, ACM Transactions
-//! on Mathematical Software 7(1), 17–41: the 35 problems, each a sum of squares; No. 20 in two sizes. Optima that are
-//! not known in closed form carry the six digits the paper prints, most of them cut off and not rounded. Points printed
-//! to a few digits only are in the description. Where the number of variables is free, a size from the paper is taken,
-//! or ten (No. 22: twelve). The names MGH09, MGH10 and MGH17 in NIST's collection of regression problems are Nos. 15,
-//! 10 and 17 here.
+//! Moré, J. J., Garbow, B. S. & Hillstrom, K. E. (1981), Testing Unconstrained Optimization
+//! Software, ACM Transactions on Mathematical Software 7(1), 17–41: the 35 problems, each a sum of
+//! squares; No. 20 in two sizes. Optima that are not known in closed form carry the six digits the
+//! paper prints, most of them cut off and not rounded. Points printed to a few digits only are in
+//! the description. Where the number of variables is free, a size from the paper is taken, or ten
+//! (No. 22: twelve). The names MGH09, MGH10 and MGH17 in NIST's collection of regression problems
+//! are Nos. 15, 10 and 17 here.
 
 use super::hock_schittkowski_2::sum;
 use longdrive::number::Number;
@@ -29,14 +30,16 @@ fn weighted<T: Number>(x: &[T]) -> T {
     sum(x.iter().zip(to(u32::MAX)).map(|(&x, j)| x * j))
 }
 
-const BARD: [f64; 15] = [0.14, 0.18, 0.22, 0.25, 0.29, 0.32, 0.35, 0.39, 0.37, 0.58, 0.73, 0.96, 1.34, 2.10, 4.39];
+const BARD: [f64; 15] = [
+    0.14, 0.18, 0.22, 0.25, 0.29, 0.32, 0.35, 0.39, 0.37, 0.58, 0.73, 0.96, 1.34, 2.10, 4.39,
+];
 const GAUSSIAN: [f64; 15] = [
-    0.0009, 0.0044, 0.0175, 0.0540, 0.1295, 0.2420, 0.3521, 0.3989, 0.3521, 0.2420, 0.1295, 0.0540, 0.0175, 0.0044,
-    0.0009,
+    0.0009, 0.0044, 0.0175, 0.0540, 0.1295, 0.2420, 0.3521, 0.3989, 0.3521, 0.2420, 0.1295, 0.0540,
+    0.0175, 0.0044, 0.0009,
 ];
 const MEYER: [f64; 16] = [
-    34780.0, 28610.0, 23650.0, 19630.0, 16370.0, 13720.0, 11540.0, 9744.0, 8261.0, 7030.0, 6005.0, 5147.0, 4427.0,
-    3820.0, 3307.0, 2872.0,
+    34780.0, 28610.0, 23650.0, 19630.0, 16370.0, 13720.0, 11540.0, 9744.0, 8261.0, 7030.0, 6005.0,
+    5147.0, 4427.0, 3820.0, 3307.0, 2872.0,
 ];
 /// No. 15: y and u.
 const KOWALIK_OSBORNE: [(f64, f64); 11] = [
@@ -53,26 +56,34 @@ const KOWALIK_OSBORNE: [(f64, f64); 11] = [
     (0.0246, 0.0625),
 ];
 const OSBORNE_1: [f64; 33] = [
-    0.844, 0.908, 0.932, 0.936, 0.925, 0.908, 0.881, 0.850, 0.818, 0.784, 0.751, 0.718, 0.685, 0.658, 0.628, 0.603,
-    0.580, 0.558, 0.538, 0.522, 0.506, 0.490, 0.478, 0.467, 0.457, 0.448, 0.438, 0.431, 0.424, 0.420, 0.414, 0.411,
-    0.406,
+    0.844, 0.908, 0.932, 0.936, 0.925, 0.908, 0.881, 0.850, 0.818, 0.784, 0.751, 0.718, 0.685,
+    0.658, 0.628, 0.603, 0.580, 0.558, 0.538, 0.522, 0.506, 0.490, 0.478, 0.467, 0.457, 0.448,
+    0.438, 0.431, 0.424, 0.420, 0.414, 0.411, 0.406,
 ];
 const OSBORNE_2: [f64; 65] = [
-    1.366, 1.191, 1.112, 1.013, 0.991, 0.885, 0.831, 0.847, 0.786, 0.725, 0.746, 0.679, 0.608, 0.655, 0.616, 0.606,
-    0.602, 0.626, 0.651, 0.724, 0.649, 0.649, 0.694, 0.644, 0.624, 0.661, 0.612, 0.558, 0.533, 0.495, 0.500, 0.423,
-    0.395, 0.375, 0.372, 0.391, 0.396, 0.405, 0.428, 0.429, 0.523, 0.562, 0.607, 0.653, 0.672, 0.708, 0.633, 0.668,
-    0.645, 0.632, 0.591, 0.559, 0.597, 0.625, 0.739, 0.710, 0.729, 0.720, 0.636, 0.581, 0.428, 0.292, 0.162, 0.098,
-    0.054,
+    1.366, 1.191, 1.112, 1.013, 0.991, 0.885, 0.831, 0.847, 0.786, 0.725, 0.746, 0.679, 0.608,
+    0.655, 0.616, 0.606, 0.602, 0.626, 0.651, 0.724, 0.649, 0.649, 0.694, 0.644, 0.624, 0.661,
+    0.612, 0.558, 0.533, 0.495, 0.500, 0.423, 0.395, 0.375, 0.372, 0.391, 0.396, 0.405, 0.428,
+    0.429, 0.523, 0.562, 0.607, 0.653, 0.672, 0.708, 0.633, 0.668, 0.645, 0.632, 0.591, 0.559,
+    0.597, 0.625, 0.739, 0.710, 0.729, 0.720, 0.636, 0.581, 0.428, 0.292, 0.162, 0.098, 0.054,
 ];
 
 fn rosenbrock<T: Number>(x: &[T]) -> (T, Vec<T>) {
-    squares(x.chunks(2).flat_map(|x| [(x[1] - x[0] * x[0]) * 10.0, -x[0] + 1.0]))
+    squares(
+        x.chunks(2)
+            .flat_map(|x| [(x[1] - x[0] * x[0]) * 10.0, -x[0] + 1.0]),
+    )
 }
 
 fn powell_singular<T: Number>(x: &[T]) -> (T, Vec<T>) {
     squares(x.chunks(4).flat_map(|x| {
         let (a, b) = (x[1] - x[2] * 2.0, x[0] - x[3]);
-        [x[0] + x[1] * 10.0, (x[2] - x[3]) * 5f64.sqrt(), a * a, b * b * 10f64.sqrt()]
+        [
+            x[0] + x[1] * 10.0,
+            (x[2] - x[3]) * 5f64.sqrt(),
+            a * a,
+            b * b * 10f64.sqrt(),
+        ]
     }))
 }
 
@@ -92,7 +103,10 @@ fn watson<T: Number>(x: &[T]) -> (T, Vec<T>) {
 /// Nos. 28 and 29: t, and (x + t + 1)³ at the ten points.
 fn cubes<T: Number>(x: &[T]) -> Vec<(f64, T)> {
     let h = 1.0 / (x.len() as f64 + 1.0);
-    to(u32::MAX).zip(x).map(|(i, &x)| (i * h, (x + i * h + 1.0).powi(3))).collect()
+    to(u32::MAX)
+        .zip(x)
+        .map(|(i, &x)| (i * h, (x + i * h + 1.0).powi(3)))
+        .collect()
 }
 
 /// Nos. 28 and 29: t (t − 1).
@@ -183,7 +197,8 @@ problems! {
         optimum: 87.9458, at: [],
         |x| squares(numbered(&MEYER).map(|(i, y)| x[0] * (x[1] / (x[2] + (45.0 + 5.0 * i))).exp() - y))
     }
-    /// No. 11, Gulf research and development, m = 99, with |yᵢ − x₂| where the paper has a misprint.
+    /// No. 11, Gulf research and development, m = 99, with |yᵢ − x₂| where the paper has a
+    /// misprint.
     MGH11 {
         start: [5.0, 2.5, 0.15], low: [-INF; 3], high: [INF; 3], least: [], most: [],
         optimum: 0.0, at: [50.0, 25.0, 1.5],
@@ -194,7 +209,8 @@ problems! {
             (-(size.ln() * x[2]).exp() / x[0]).exp() - t
         }))
     }
-    /// No. 12, Box three-dimensional, m = 10; also zero at (10, 1, −1) and wherever x₁ = x₂ and x₃ = 0.
+    /// No. 12, Box three-dimensional, m = 10; also zero at (10, 1, −1) and wherever x₁ = x₂ and x₃
+    /// = 0.
     MGH12 {
         start: [0.0, 10.0, 20.0], low: [-INF; 3], high: [INF; 3], least: [], most: [],
         optimum: 0.0, at: [1.0, 10.0, 1.0],
@@ -222,8 +238,8 @@ problems! {
             (x[1] - x[3]) / 10f64.sqrt(),
         ])
     }
-    /// No. 15, Kowalik and Osborne; 3.0750560385e-4 as certified by NIST; a second minimum 1.02734e-3 is at
-    /// (∞, −14.07, −∞, −∞).
+    /// No. 15, Kowalik and Osborne; 3.0750560385e-4 as certified by NIST; a second minimum
+    /// 1.02734e-3 is at (∞, −14.07, −∞, −∞).
     MGH15 {
         start: [0.25, 0.39, 0.415, 0.39], low: [-INF; 4], high: [INF; 4], least: [], most: [],
         optimum: 3.07505e-4, at: [],
@@ -343,7 +359,8 @@ problems! {
             squares(x.iter().zip(to(10)).map(|(&x, i)| all + (-x.cos() + 1.0) * i - x.sin()))
         }
     }
-    /// No. 27, Brown almost-linear, n = 10; also zero at a second point; a local minimum 1 is at (0, …, 0, 11).
+    /// No. 27, Brown almost-linear, n = 10; also zero at a second point; a local minimum 1 is at
+    /// (0, …, 0, 11).
     MGH27 {
         start: [0.5; 10], low: [-INF; 10], high: [INF; 10], least: [], most: [],
         optimum: 0.0, at: [1.0; 10],
@@ -410,7 +427,8 @@ problems! {
         optimum: 190.0 / 41.0, at: [3.0 / 41.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         |x| squares(to(20).map(|i| weighted(x) * i - 1.0))
     }
-    /// No. 34, linear of rank 1 with zero columns and rows, n = 10, m = 20; wherever 2 x₂ + … + 9 x₉ = 3/37.
+    /// No. 34, linear of rank 1 with zero columns and rows, n = 10, m = 20; wherever 2 x₂ + … + 9
+    /// x₉ = 3/37.
     MGH34 {
         start: [1.0; 10], low: [-INF; 10], high: [INF; 10], least: [], most: [],
         optimum: 227.0 / 37.0, at: [0.0, 1.5 / 37.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],

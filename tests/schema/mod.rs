@@ -11,22 +11,38 @@ static SCHEMAS: LazyLock<BTreeMap<String, Validator>> = LazyLock::new(|| {
     let read = |name: &str| -> Value {
         serde_json::from_str(&std::fs::read_to_string(format!("{folder}/{name}")).unwrap()).unwrap()
     };
-    let registry = Registry::new().add("json-schema:///common.json", read("common.json")).unwrap().prepare().unwrap();
-    let names = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let registry = Registry::new()
+        .add("json-schema:///common.json", read("common.json"))
+        .unwrap()
+        .prepare()
+        .unwrap();
+    let names = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap());
     names
         .filter(|name| name != "common.json")
         .map(|name| {
             let schema = read(&name);
-            jsonschema::draft202012::meta::validate(&schema).unwrap_or_else(|error| panic!("{name}: {error}"));
-            let validator = jsonschema::options().with_registry(&registry).build(&schema);
-            (name.trim_end_matches(".json").to_owned(), validator.unwrap_or_else(|error| panic!("{name}: {error}")))
+            jsonschema::draft202012::meta::validate(&schema)
+                .unwrap_or_else(|error| panic!("{name}: {error}"));
+            let validator = jsonschema::options()
+                .with_registry(&registry)
+                .build(&schema);
+            (
+                name.trim_end_matches(".json").to_owned(),
+                validator.unwrap_or_else(|error| panic!("{name}: {error}")),
+            )
         })
         .collect()
 });
 
 /// What of an answer its command's schema does not allow; nothing where all is as documented.
 pub fn faults(command: &str, answer: &Value) -> Vec<String> {
-    let Some(schema) = SCHEMAS.get(command) else { return vec![format!("{command} has no schema")] };
+    let Some(schema) = SCHEMAS.get(command) else {
+        return vec![format!("{command} has no schema")];
+    };
     let faults = schema.iter_errors(answer);
-    faults.map(|fault| format!("{command}{}: {fault}", fault.instance_path())).collect()
+    faults
+        .map(|fault| format!("{command}{}: {fault}", fault.instance_path()))
+        .collect()
 }

@@ -17,19 +17,32 @@ const REPETITIONS: usize = 3;
 
 /// The child: prints the outcome of each repetition.
 pub fn solve(solver: &str, problem: &str) -> Result<(), Box<dyn Error>> {
-    let peer = PEERS.iter().find(|peer| peer.name == solver).ok_or("no such solver")?;
+    let peer = PEERS
+        .iter()
+        .find(|peer| peer.name == solver)
+        .ok_or("no such solver")?;
     let cases = all();
-    let case = cases.iter().find(|case| case.name == problem).ok_or("no such problem")?;
+    let case = cases
+        .iter()
+        .find(|case| case.name == problem)
+        .ok_or("no such problem")?;
     for _ in 0..REPETITIONS {
         let oracle = Oracle::new(case);
         let started = Instant::now();
         let end = (peer.solve)(&oracle)?;
-        let seconds = started.elapsed().saturating_sub(oracle.spent()).as_secs_f64();
+        let seconds = started
+            .elapsed()
+            .saturating_sub(oracle.spent())
+            .as_secs_f64();
         let outcome = Outcome {
             solver: solver.into(),
             problem: problem.into(),
             status: end.status,
-            x: end.x.into_iter().map(|x| x.is_finite().then_some(x)).collect(),
+            x: end
+                .x
+                .into_iter()
+                .map(|x| x.is_finite().then_some(x))
+                .collect(),
             evaluations: oracle.evaluations(),
             iterations: end.iterations,
             seconds,
@@ -49,7 +62,11 @@ pub fn run(solver: &str, problem: &str) -> Result<Outcome, Box<dyn Error>> {
     let output = BufReader::new(child.stdout.take().ok_or("no output")?);
     let (send, receive) = mpsc::channel();
     let reader = std::thread::spawn(move || {
-        for outcome in output.lines().map_while(Result::ok).filter_map(|line| serde_json::from_str(&line).ok()) {
+        for outcome in output
+            .lines()
+            .map_while(Result::ok)
+            .filter_map(|line| serde_json::from_str(&line).ok())
+        {
             if send.send(outcome).is_err() {
                 return;
             }
@@ -61,7 +78,9 @@ pub fn run(solver: &str, problem: &str) -> Result<Outcome, Box<dyn Error>> {
         match receive.recv_timeout(PATIENCE) {
             Ok(outcome) => {
                 let outcome: Outcome = outcome;
-                let seconds = found.as_ref().map_or(outcome.seconds, |found| found.seconds.min(outcome.seconds));
+                let seconds = found
+                    .as_ref()
+                    .map_or(outcome.seconds, |found| found.seconds.min(outcome.seconds));
                 found = Some(Outcome { seconds, ..outcome });
             }
             Err(mpsc::RecvTimeoutError::Timeout) => {
@@ -73,7 +92,13 @@ pub fn run(solver: &str, problem: &str) -> Result<Outcome, Box<dyn Error>> {
         }
     }
     let status = child.wait()?;
-    reader.join().map_err(|_| "the reader of a solver's output failed")?;
-    let why = if is_late { "more than 10 s".into() } else { format!("failed, {status}") };
+    reader
+        .join()
+        .map_err(|_| "the reader of a solver's output failed")?;
+    let why = if is_late {
+        "more than 10 s".into()
+    } else {
+        format!("failed, {status}")
+    };
     Ok(found.unwrap_or_else(|| Outcome::failed(solver, problem, why)))
 }

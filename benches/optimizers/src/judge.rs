@@ -1,8 +1,10 @@
-//! The judge of all solvers alike: are the KKT conditions met at x? It knows x and the problem, and nothing else.
+//! The judge of all solvers alike: are the KKT conditions met at x? It knows x and the problem, and
+//! nothing else.
 //!
-//! Active are the bounds and constraint limits within 1e-6 (relative to the limit, at least 1). Their multipliers are
-//! those of nonnegative least squares. Stationarity is relative, in each component, to the largest of the terms that
-//! balance, of |f| and of 1; violations relative to the limit and 1; complementarity to |f| and 1.
+//! Active are the bounds and constraint limits within 1e-6 (relative to the limit, at least 1).
+//! Their multipliers are those of nonnegative least squares. Stationarity is relative, in each
+//! component, to the largest of the terms that balance, of |f| and of 1; violations relative to the
+//! limit and 1; complementarity to |f| and 1.
 
 use crate::nnls;
 use crate::oracle::evaluate;
@@ -25,7 +27,13 @@ impl Judgement {
     pub fn residual(&self) -> f64 {
         [self.feasibility, self.stationarity, self.complementarity]
             .into_iter()
-            .fold(0.0, |most, part| if part.is_nan() { f64::INFINITY } else { part.max(most) })
+            .fold(0.0, |most, part| {
+                if part.is_nan() {
+                    f64::INFINITY
+                } else {
+                    part.max(most)
+                }
+            })
     }
 
     pub fn is_at_published_optimum(&self, case: &Case) -> bool {
@@ -33,7 +41,8 @@ impl Judgement {
     }
 }
 
-/// A bound or a limit that is (nearly) active: ∇f + multiplier · slope + … = 0 with multiplier ≥ 0, or of any sign.
+/// A bound or a limit that is (nearly) active: ∇f + multiplier · slope + … = 0 with multiplier ≥ 0,
+/// or of any sign.
 struct Active {
     slope: Vec<f64>,
     is_equality: bool,
@@ -58,7 +67,12 @@ pub fn judge(case: &Case, x: &[f64]) -> Judgement {
     let value = at.objective.value;
     let (active, feasibility) = active_set(case, x, &at);
     let (stationarity, complementarity) = multipliers_fit(&active, &at.objective.gradient, value);
-    Judgement { value, feasibility, stationarity, complementarity }
+    Judgement {
+        value,
+        feasibility,
+        stationarity,
+        complementarity,
+    }
 }
 
 fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
@@ -73,7 +87,11 @@ fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
             worst = worst.max(scaled(-below, high));
         }
         if low == high {
-            active.push(Active { slope, is_equality: true, distance: 0.0 });
+            active.push(Active {
+                slope,
+                is_equality: true,
+                distance: 0.0,
+            });
             return;
         }
         if low.is_finite() && scaled(above, low) <= ACTIVE {
@@ -84,11 +102,17 @@ fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
             });
         }
         if high.is_finite() && scaled(below, high) <= ACTIVE {
-            active.push(Active { slope, is_equality: false, distance: below.max(0.0) });
+            active.push(Active {
+                slope,
+                is_equality: false,
+                distance: below.max(0.0),
+            });
         }
     };
     for i in 0..x.len() {
-        let unit = (0..x.len()).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
+        let unit = (0..x.len())
+            .map(|k| if k == i { 1.0 } else { 0.0 })
+            .collect();
         limit(x[i], case.low[i], case.high[i], unit);
     }
     for (j, c) in at.constraints.iter().enumerate() {
@@ -97,8 +121,8 @@ fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
     (active, worst)
 }
 
-/// Stationarity and complementarity with the multipliers that fit best, in two passes: the second knows the sizes of
-/// the terms that the first has found, and weighs each component by them.
+/// Stationarity and complementarity with the multipliers that fit best, in two passes: the second
+/// knows the sizes of the terms that the first has found, and weighs each component by them.
 fn multipliers_fit(active: &[Active], gradient: &[f64], value: f64) -> (f64, f64) {
     let n = gradient.len();
     let least = value.abs().max(1.0);
@@ -111,12 +135,22 @@ fn multipliers_fit(active: &[Active], gradient: &[f64], value: f64) -> (f64, f64
         let multipliers = nnls::solve(&slopes, &target, &free);
         let mut stationarity = 0.0_f64;
         for i in 0..n {
-            let pulls = || active.iter().zip(multipliers.iter()).map(|(a, m)| a.slope[i] * m);
-            let size = pulls().fold(gradient[i].abs().max(least), |most, pull| pull.abs().max(most));
+            let pulls = || {
+                active
+                    .iter()
+                    .zip(multipliers.iter())
+                    .map(|(a, m)| a.slope[i] * m)
+            };
+            let size = pulls().fold(gradient[i].abs().max(least), |most, pull| {
+                pull.abs().max(most)
+            });
             stationarity = stationarity.max((gradient[i] + pulls().sum::<f64>()).abs() / size);
             sizes[i] = size;
         }
-        let gaps = active.iter().zip(multipliers.iter()).map(|(a, m)| (a.distance * m).abs() / least);
+        let gaps = active
+            .iter()
+            .zip(multipliers.iter())
+            .map(|(a, m)| (a.distance * m).abs() / least);
         let found = (stationarity, gaps.fold(0.0, f64::max));
         if found.0.max(found.1) < best.0.max(best.1) {
             best = found;
@@ -143,7 +177,8 @@ mod tests {
         assert!(residual("HS35", &[at[0], at[1], at[2] + 1e-4]) > 1e-5);
     }
 
-    /// HS4: f = (x₁ + 1)³/3 + x₂ rises from its bounds (1, 0): both multipliers have their sign only there.
+    /// HS4: f = (x₁ + 1)³/3 + x₂ rises from its bounds (1, 0): both multipliers have their sign
+    /// only there.
     #[test]
     fn multipliers_of_the_wrong_sign_do_not_pass() {
         assert!(residual("HS4", &[1.0, 0.0]) < 1e-14);

@@ -20,10 +20,14 @@ use std::path::PathBuf;
 
 const USAGE: &str = "usage: optimizers [--scipy OUTCOMES.jsonl] [-o DIR]   compare all solvers
        optimizers --serve                              evaluate problems: JSON lines in and out
-       optimizers --solve SOLVER PROBLEM               one solver on one problem (used by the comparison)";
+       optimizers --solve SOLVER PROBLEM               one solver on one problem (used by the \
+                     comparison)";
 
 fn all() -> Vec<Case> {
-    problems::hock_schittkowski().into_iter().chain(problems::more_garbow_hillstrom()).collect()
+    problems::hock_schittkowski()
+        .into_iter()
+        .chain(problems::more_garbow_hillstrom())
+        .collect()
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Minimises |A z − b| with z ≥ 0 but for the unknowns that are `free`. Columns are normalised inside.
+/// Minimises |A z − b| with z ≥ 0 but for the unknowns that are `free`. Columns are normalised
+/// inside.
 pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> {
     let columns = a.ncols();
     let sizes: Vec<f64> = (0..columns).map(|j| a.column(j).norm()).collect();
@@ -35,7 +36,13 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
 }
 
 /// Goes to the least squares of the passive columns, dropping those whose sign would turn.
-fn descend(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool], passive: &mut [bool], z: &mut DVector<f64>) {
+fn descend(
+    a: &DMatrix<f64>,
+    b: &DVector<f64>,
+    free: &[bool],
+    passive: &mut [bool],
+    z: &mut DVector<f64>,
+) {
     loop {
         let chosen: Vec<usize> = (0..passive.len()).filter(|&j| passive[j]).collect();
         if chosen.is_empty() {
@@ -43,10 +50,14 @@ fn descend(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool], passive: &mut [boo
             return;
         }
         let svd = a.select_columns(&chosen).svd(true, true);
-        let Ok(target) = svd.solve(b, 1e-13) else { return };
+        let Ok(target) = svd.solve(b, 1e-13) else {
+            return;
+        };
         let turning = |k: usize| !free[chosen[k]] && target[k] < 0.0;
         let part = |k: usize| z[chosen[k]] / (z[chosen[k]] - target[k]);
-        let first = (0..chosen.len()).filter(|&k| turning(k)).min_by(|&k, &l| part(k).total_cmp(&part(l)));
+        let first = (0..chosen.len())
+            .filter(|&k| turning(k))
+            .min_by(|&k, &l| part(k).total_cmp(&part(l)));
         let step = first.map_or(1.0, |k| part(k).clamp(0.0, 1.0));
         for (k, &j) in chosen.iter().enumerate() {
             z[j] += step * (target[k] - z[j]);

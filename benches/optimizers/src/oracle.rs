@@ -1,4 +1,5 @@
-//! A problem as a solver sees it: evaluated, counted, and its evaluations kept out of the solver's time.
+//! A problem as a solver sees it: evaluated, counted, and its evaluations kept out of the solver's
+//! time.
 
 use crate::problems::Case;
 use longdrive::number::Taylor;
@@ -8,7 +9,8 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-/// Counts the points at which a problem is evaluated: value, gradient, constraints and Hessians at one x count once.
+/// Counts the points at which a problem is evaluated: value, gradient, constraints and Hessians at
+/// one x count once.
 pub struct Oracle<'a> {
     pub case: &'a Case,
     known: RefCell<HashMap<Vec<u64>, Rc<Evaluation>>>,
@@ -17,10 +19,15 @@ pub struct Oracle<'a> {
 
 impl<'a> Oracle<'a> {
     pub fn new(case: &'a Case) -> Self {
-        Self { case, known: RefCell::default(), spent: Cell::default() }
+        Self {
+            case,
+            known: RefCell::default(),
+            spent: Cell::default(),
+        }
     }
 
-    /// Hands the functions at `x` to `read`. Neither counts as the solver's time: a peer pays for no conversion.
+    /// Hands the functions at `x` to `read`. Neither counts as the solver's time: a peer pays for
+    /// no conversion.
     pub fn read<R>(&self, x: &[f64], read: impl FnOnce(&Evaluation) -> R) -> R {
         let started = Instant::now();
         let at = self.evaluation(x);
@@ -32,7 +39,10 @@ impl<'a> Oracle<'a> {
     fn evaluation(&self, x: &[f64]) -> Rc<Evaluation> {
         let key: Vec<u64> = x.iter().map(|x| x.to_bits()).collect();
         let mut known = self.known.borrow_mut();
-        known.entry(key).or_insert_with(|| Rc::new(evaluate(self.case, x))).clone()
+        known
+            .entry(key)
+            .or_insert_with(|| Rc::new(evaluate(self.case, x)))
+            .clone()
     }
 
     /// Points evaluated.
@@ -49,7 +59,11 @@ impl<'a> Oracle<'a> {
 /// The functions at `x`; not a number where they are not defined.
 pub fn evaluate(case: &Case, x: &[f64]) -> Evaluation {
     let n = x.len();
-    let undefined = || Taylor { value: f64::NAN, gradient: vec![f64::NAN; n], hessian: vec![vec![f64::NAN; n]; n] };
+    let undefined = || Taylor {
+        value: f64::NAN,
+        gradient: vec![f64::NAN; n],
+        hessian: vec![vec![f64::NAN; n]; n],
+    };
     (case.evaluate)(x).unwrap_or_else(|_| Evaluation {
         objective: undefined(),
         constraints: case.least.iter().map(|_| undefined()).collect(),
@@ -58,10 +72,15 @@ pub fn evaluate(case: &Case, x: &[f64]) -> Evaluation {
 
 /// The published start, moved into the bounds: the same for every solver.
 pub fn start(case: &Case) -> Vec<f64> {
-    case.start.iter().enumerate().map(|(i, x)| x.clamp(case.low[i], case.high[i])).collect()
+    case.start
+        .iter()
+        .enumerate()
+        .map(|(i, x)| x.clamp(case.low[i], case.high[i]))
+        .collect()
 }
 
-/// A constraint in the form sign · (c − limit) = 0 or ≤ 0, for solvers that know no two-sided limits.
+/// A constraint in the form sign · (c − limit) = 0 or ≤ 0, for solvers that know no two-sided
+/// limits.
 #[derive(Clone, Copy)]
 pub struct Row {
     pub constraint: usize,
@@ -84,14 +103,26 @@ pub fn rows(case: &Case) -> (Vec<Row>, Vec<Row>) {
     let (mut equalities, mut inequalities) = (vec![], vec![]);
     for (constraint, (&least, &most)) in case.least.iter().zip(case.most).enumerate() {
         if least == most {
-            equalities.push(Row { constraint, sign: 1.0, limit: most });
+            equalities.push(Row {
+                constraint,
+                sign: 1.0,
+                limit: most,
+            });
             continue;
         }
         if most.is_finite() {
-            inequalities.push(Row { constraint, sign: 1.0, limit: most });
+            inequalities.push(Row {
+                constraint,
+                sign: 1.0,
+                limit: most,
+            });
         }
         if least.is_finite() {
-            inequalities.push(Row { constraint, sign: -1.0, limit: least });
+            inequalities.push(Row {
+                constraint,
+                sign: -1.0,
+                limit: least,
+            });
         }
     }
     (equalities, inequalities)

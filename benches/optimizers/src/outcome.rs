@@ -20,7 +20,15 @@ pub struct Outcome {
 impl Outcome {
     pub fn failed(solver: &str, problem: &str, status: String) -> Self {
         let (solver, problem) = (solver.into(), problem.into());
-        Self { solver, problem, status, x: vec![], evaluations: 0, iterations: None, seconds: f64::NAN }
+        Self {
+            solver,
+            problem,
+            status,
+            x: vec![],
+            evaluations: 0,
+            iterations: None,
+            seconds: f64::NAN,
+        }
     }
 
     /// The point; what JSON could not write is not a number.

@@ -1,6 +1,6 @@
-//! Evaluates problems for a solver in another process. A request a line:
-//! `{}` is answered with all problems; `{"problem": "HS71", "x": [1, 5, 5, 1]}` with f, c and their derivatives there.
-//! What is not finite is null: a limit or bound that there is none, or a value that is not defined.
+//! Evaluates problems for a solver in another process. A request a line: `{}` is answered with all
+//! problems; `{"problem": "HS71", "x": [1, 5, 5, 1]}` with f, c and their derivatives there. What
+//! is not finite is null: a limit or bound that there is none, or a value that is not defined.
 
 use crate::all;
 use crate::oracle::{evaluate, start};
@@ -26,7 +26,10 @@ pub fn serve() -> Result<(), Box<dyn Error>> {
         let answer = match request.problem {
             None => cases.iter().map(describe).collect(),
             Some(name) => {
-                let case = cases.iter().find(|case| case.name == name).ok_or("no such problem")?;
+                let case = cases
+                    .iter()
+                    .find(|case| case.name == name)
+                    .ok_or("no such problem")?;
                 let at = evaluate(case, &request.x);
                 json!({
                     "f": derivatives(&at.objective),

@@ -34,7 +34,9 @@ struct Record<'a> {
 
 impl Record<'_> {
     fn has_solved(&self, problem: &str) -> bool {
-        self.runs.get(problem).is_some_and(|run| run.is_solved(SOLVED))
+        self.runs
+            .get(problem)
+            .is_some_and(|run| run.is_solved(SOLVED))
     }
 
     fn count(&self, is_counted: impl Fn(&Run) -> bool) -> usize {
@@ -42,13 +44,21 @@ impl Record<'_> {
     }
 
     fn sum(&self, problems: &[&str], of: impl Fn(&Outcome) -> f64) -> f64 {
-        problems.iter().filter_map(|problem| self.runs.get(problem)).map(|run| of(run.outcome)).sum()
+        problems
+            .iter()
+            .filter_map(|problem| self.runs.get(problem))
+            .map(|run| of(run.outcome))
+            .sum()
     }
 
     /// The median, over the problems, of what this one needs for each unit that the other needs.
     fn ratio(&self, other: &Self, problems: &[&str], of: impl Fn(&Outcome) -> f64) -> f64 {
-        let both = problems.iter().filter_map(|problem| Some((self.runs.get(problem)?, other.runs.get(problem)?)));
-        let mut ratios: Vec<f64> = both.map(|(run, ours)| of(run.outcome) / of(ours.outcome)).collect();
+        let both = problems
+            .iter()
+            .filter_map(|problem| Some((self.runs.get(problem)?, other.runs.get(problem)?)));
+        let mut ratios: Vec<f64> = both
+            .map(|(run, ours)| of(run.outcome) / of(ours.outcome))
+            .collect();
         ratios.sort_by(f64::total_cmp);
         match ratios.len() {
             0 => f64::NAN,
@@ -72,14 +82,29 @@ pub fn write(cases: &[Case], outcomes: &[Outcome], directory: &Path) -> Result<(
 fn records<'a>(cases: &'a [Case], outcomes: &'a [Outcome]) -> Vec<Record<'a>> {
     let mut records: Vec<Record> = vec![];
     for outcome in outcomes {
-        let Some(case) = cases.iter().find(|case| case.name == outcome.problem) else { continue };
-        let run = Run { case, outcome, judgement: judge(case, &outcome.point()) };
-        match records.iter_mut().find(|record| record.solver == outcome.solver) {
+        let Some(case) = cases.iter().find(|case| case.name == outcome.problem) else {
+            continue;
+        };
+        let run = Run {
+            case,
+            outcome,
+            judgement: judge(case, &outcome.point()),
+        };
+        match records
+            .iter_mut()
+            .find(|record| record.solver == outcome.solver)
+        {
             Some(record) => _ = record.runs.insert(case.name, run),
             None => {
-                let is_general = !PEERS.iter().any(|peer| peer.name == outcome.solver && peer.is_for_bounds_only);
+                let is_general = !PEERS
+                    .iter()
+                    .any(|peer| peer.name == outcome.solver && peer.is_for_bounds_only);
                 let runs = BTreeMap::from([(case.name, run)]);
-                records.push(Record { solver: &outcome.solver, is_general, runs });
+                records.push(Record {
+                    solver: &outcome.solver,
+                    is_general,
+                    runs,
+                });
             }
         }
     }
@@ -87,16 +112,26 @@ fn records<'a>(cases: &'a [Case], outcomes: &'a [Outcome]) -> Vec<Record<'a>> {
 }
 
 fn solvers(records: &[Record]) -> Result<String, Box<dyn Error>> {
-    let ours = records.iter().find(|record| record.solver == OURS).ok_or("longdrive did not run")?;
+    let ours = records
+        .iter()
+        .find(|record| record.solver == OURS)
+        .ok_or("longdrive did not run")?;
     let common: Vec<&str> = ours
         .runs
         .keys()
         .copied()
-        .filter(|problem| records.iter().filter(|record| record.is_general).all(|record| record.has_solved(problem)))
+        .filter(|problem| {
+            records
+                .iter()
+                .filter(|record| record.is_general)
+                .all(|record| record.has_solved(problem))
+        })
         .collect();
     let mut table = format!(
-        "| Solver | Tried | Solved (1e-6) | Of these at the published optimum | Strictly solved (1e-8) \
-         | Evaluations, {0} common problems | Own time, {0} common problems | Median evaluations, per problem \
+        "| Solver | Tried | Solved (1e-6) | Of these at the published optimum | Strictly solved \
+         (1e-8) \
+         | Evaluations, {0} common problems | Own time, {0} common problems | Median evaluations, \
+         per problem \
          | Median own time, per problem |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
         common.len()
     );
@@ -121,7 +156,9 @@ fn solvers(records: &[Record]) -> Result<String, Box<dyn Error>> {
             record.solver,
             record.runs.len(),
             record.count(|run| run.is_solved(SOLVED)),
-            record.count(|run| run.is_solved(SOLVED) && run.judgement.is_at_published_optimum(run.case)),
+            record.count(
+                |run| run.is_solved(SOLVED) && run.judgement.is_at_published_optimum(run.case)
+            ),
             record.count(|run| run.is_solved(STRICTLY)),
             digits(record.ratio(ours, &both, evaluations)),
             digits(record.ratio(ours, &both, seconds)),
@@ -140,13 +177,19 @@ fn digits(ratio: f64) -> String {
 }
 
 fn problems(cases: &[Case], records: &[Record]) -> Result<String, Box<dyn Error>> {
-    let ours = records.iter().find(|record| record.solver == OURS).ok_or("longdrive did not run")?;
+    let ours = records
+        .iter()
+        .find(|record| record.solver == OURS)
+        .ok_or("longdrive did not run")?;
     let mut table = String::from(
-        "| Problem | n | m | Iterations | Evaluations | Status | KKT residual (judge) | f | Published f* \
+        "| Problem | n | m | Iterations | Evaluations | Status | KKT residual (judge) | f | \
+         Published f* \
          | Not solved by |\n|---|--:|--:|--:|--:|---|--:|--:|--:|---|\n",
     );
     for case in cases {
-        let Some(run) = ours.runs.get(case.name) else { continue };
+        let Some(run) = ours.runs.get(case.name) else {
+            continue;
+        };
         let failed: Vec<&str> = records
             .iter()
             .filter(|record| record.runs.contains_key(case.name) && !record.has_solved(case.name))
@@ -158,7 +201,9 @@ fn problems(cases: &[Case], records: &[Record]) -> Result<String, Box<dyn Error>
             case.name,
             case.start.len(),
             case.least.len(),
-            run.outcome.iterations.map_or("–".into(), |iterations| iterations.to_string()),
+            run.outcome
+                .iterations
+                .map_or("–".into(), |iterations| iterations.to_string()),
             run.outcome.evaluations,
             run.outcome.status,
             run.judgement.residual(),

@@ -5,9 +5,15 @@ use std::hint::black_box;
 /// A batch takes about this long, s.
 const BATCH: f64 = 2e-3;
 
-#[expect(unsafe_code, reason = "CPU time, which the standard library does not tell, is asked of the system")]
+#[expect(
+    unsafe_code,
+    reason = "CPU time, which the standard library does not tell, is asked of the system"
+)]
 fn read(clock: libc::clockid_t) -> f64 {
-    let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
+    let mut time = libc::timespec {
+        tv_sec: 0,
+        tv_nsec: 0,
+    };
     // SAFETY: `time` is valid for writing, and both clocks exist on every Linux
     unsafe { libc::clock_gettime(clock, &raw mut time) };
     time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64

@@ -7,11 +7,15 @@ use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::{Outcome, Result};
 use serde_json::{Value, json};
 
-/// The drives whose errors are looked at, in degrees of loft and attack angle: the peers', and the optimum.
+/// The drives whose errors are looked at, in degrees of loft and attack angle: the peers', and the
+/// optimum.
 const PLACES: [[f64; 2]; 2] = [[10.0, 0.0], [14.682_922_531_9, 10.0]];
 const METHODS: [&str; 2] = ["rk4", "dp8"];
 /// Steps of the work–precision table, s, by method.
-const LADDERS: [[f64; 7]; 2] = [[0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3], [0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6]];
+const LADDERS: [[f64; 7]; 2] = [
+    [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3],
+    [0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6],
+];
 /// The error of the rows 'at 1 µm', m.
 const MICROMETRE: f64 = 1e-6;
 /// Steps tried for them: this many, at equal distances up to 2 s.
@@ -26,20 +30,32 @@ fn reference() -> Discretisation {
 fn taylors(by: &Discretisation, order: Order) -> Result<Vec<Taylor>> {
     let setup = mae494(by)?;
     let evaluator = Evaluator::new(&setup, &[Outcome::Carry], &two(&setup)?, order)?;
-    PLACES.iter().map(|place| Ok(evaluator.at(&place.map(f64::to_radians))?.swap_remove(0))).collect()
+    PLACES
+        .iter()
+        .map(|place| Ok(evaluator.at(&place.map(f64::to_radians))?.swap_remove(0)))
+        .collect()
 }
 
 fn largest<'a>(pairs: impl Iterator<Item = (&'a f64, &'a f64)>) -> f64 {
-    pairs.map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max)
+    pairs
+        .map(|(found, exact)| (found - exact).abs())
+        .fold(0.0, f64::max)
 }
 
 /// The largest errors of carry, gradient and Hessian over the places.
 fn errors(found: &[Taylor], exact: &[Taylor]) -> [f64; 3] {
     let mut errors = [0.0_f64; 3];
     for (found, exact) in found.iter().zip(exact) {
-        let hessians = found.hessian.iter().flatten().zip(exact.hessian.iter().flatten());
-        let each =
-            [(found.value - exact.value).abs(), largest(found.gradient.iter().zip(&exact.gradient)), largest(hessians)];
+        let hessians = found
+            .hessian
+            .iter()
+            .flatten()
+            .zip(exact.hessian.iter().flatten());
+        let each = [
+            (found.value - exact.value).abs(),
+            largest(found.gradient.iter().zip(&exact.gradient)),
+            largest(hessians),
+        ];
         errors = std::array::from_fn(|i| errors[i].max(each[i]));
     }
     errors
@@ -75,19 +91,31 @@ fn choose(
         }
         let Some((step, error)) = best else { continue };
         let seconds = time(&Discretisation::new(method, step))?;
-        candidates.push((seconds, json!({"method": method, "step": step, "error": error, "seconds": seconds})));
+        candidates.push((
+            seconds,
+            json!({"method": method, "step": step, "error": error, "seconds": seconds}),
+        ));
     }
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(candidates.into_iter().map(|(_, candidate)| candidate).collect())
+    Ok(candidates
+        .into_iter()
+        .map(|(_, candidate)| candidate)
+        .collect())
 }
 
-/// Candidates, fastest first: by the errors at the two places, for single drives, and by those over the grid, for T6.
+/// Candidates, fastest first: by the errors at the two places, for single drives, and by those over
+/// the grid, for T6.
 pub fn one_micrometre() -> Result<Value> {
     let exact = taylors(&reference(), Order::Value)?;
-    let single = choose(|by| Ok(errors(&taylors(by, Order::Value)?, &exact)[0]), |by| Ok(times(by, 0.1)?[1]))?;
+    let single = choose(
+        |by| Ok(errors(&taylors(by, Order::Value)?, &exact)[0]),
+        |by| Ok(times(by, 0.1)?[1]),
+    )?;
     let exact = grid::carries(&reference())?;
     let over_grid = |by: &Discretisation| Ok(largest(grid::carries(by)?.iter().zip(&exact)));
-    Ok(json!({"single": single, "grid": choose(over_grid, |by| Ok(grid::Rows::new(by)?.time_middle()))?}))
+    Ok(
+        json!({"single": single, "grid": choose(over_grid, |by| Ok(grid::Rows::new(by)?.time_middle()))?}),
+    )
 }
 
 /// Errors and times by method and step.

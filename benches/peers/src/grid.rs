@@ -1,4 +1,5 @@
-//! T6: the grid of 1000 lofts (0–25°) by 1000 attack angles (−10…10°), carry and its gradient at every point, on one thread.
+//! T6: the grid of 1000 lofts (0–25°) by 1000 attack angles (−10…10°), carry and its gradient at
+//! every point, on one thread.
 
 use crate::clock;
 use crate::tasks::{Discretisation, mae494, two};
@@ -6,7 +7,10 @@ use longdrive::batch::{Axis, Batch, Block, Grid, Run, gradient_batch};
 use longdrive::{Outcome, Result};
 use std::hint::black_box;
 
-const AXES: [&str; 2] = ["club.loft=0deg..25deg:1000", "swing.attack_angle=-10deg..10deg:1000"];
+const AXES: [&str; 2] = [
+    "club.loft=0deg..25deg:1000",
+    "swing.attack_angle=-10deg..10deg:1000",
+];
 const SIDE: u64 = 1000;
 /// The check sum takes every 25th row and column; of the rows, these are timed.
 const EVERY: u64 = 25;
@@ -26,15 +30,20 @@ fn axes(by: &Discretisation) -> Result<Vec<Axis>> {
 fn at(block: &Block, row: usize) -> [f64; 3] {
     let mut derivatives = block.derivatives(row).map(Option::unwrap_or_default);
     let carry = block.outcome(row, 0).unwrap_or_default();
-    [carry, derivatives.next().unwrap_or_default(), derivatives.next().unwrap_or_default()]
+    [
+        carry,
+        derivatives.next().unwrap_or_default(),
+        derivatives.next().unwrap_or_default(),
+    ]
 }
 
 /// Sums of carry + (d carry/d loft + d carry/d attack)/1000 over every 25th row and column.
 #[derive(Clone, Copy, Default)]
 pub struct Sums {
     pub all: f64,
-    /// Without the row of loft 0. There the ball does not spin, the drag has a corner, and carry no derivative by loft:
-    /// the peers have that of its upper side, longdrive one between the two sides.
+    /// Without the row of loft 0. There the ball does not spin, the drag has a corner, and carry no
+    /// derivative by loft: the peers have that of its upper side, longdrive one between the two
+    /// sides.
     pub spinning: f64,
 }
 
@@ -63,12 +72,17 @@ impl Rows {
     pub fn new(by: &Discretisation) -> Result<Self> {
         let (setup, axes) = (mae494(by)?, axes(by)?);
         let wrt = two(&setup)?;
-        Ok(Self { batch: Batch::new(&setup, &wrt, &[Outcome::Carry], &wrt)?, axes })
+        Ok(Self {
+            batch: Batch::new(&setup, &wrt, &[Outcome::Carry], &wrt)?,
+            axes,
+        })
     }
 
     fn evaluate(&self, row: u64) -> Block {
         let loft = self.axes[0].value(row);
-        let points = (0..SIDE).flat_map(|column| [loft, self.axes[1].value(column)]).collect();
+        let points = (0..SIDE)
+            .flat_map(|column| [loft, self.axes[1].value(column)])
+            .collect();
         self.batch.evaluate(row * SIDE, black_box(points))
     }
 
@@ -86,7 +100,8 @@ impl Rows {
         clock::fastest(PATIENCE, || self.evaluate(SIDE / 2)) / SIDE as f64
     }
 
-    /// Seconds a point over every 25th row, each the fastest of some repetitions, and the check sums.
+    /// Seconds a point over every 25th row, each the fastest of some repetitions, and the check
+    /// sums.
     pub fn time(&self) -> (f64, Sums) {
         let (mut seconds, mut sums, mut rows) = (0.0, Sums::default(), 0.0);
         for row in (0..SIDE).step_by(EVERY as usize) {
@@ -109,17 +124,28 @@ impl Rows {
     }
 }
 
-/// Seconds a point and the check sums of the whole grid, one call on one thread with all that belongs to it.
+/// Seconds a point and the check sums of the whole grid, one call on one thread with all that
+/// belongs to it.
 pub fn whole(by: &Discretisation) -> Result<(f64, Sums)> {
     let setup = mae494(by)?;
     let mut grid = Grid::new(axes(by)?)?;
-    let run = Run { threads: 1, ..Run::default() };
+    let run = Run {
+        threads: 1,
+        ..Run::default()
+    };
     let start = clock::process();
     let mut sums = Sums::default();
-    gradient_batch(&setup, &mut grid, &[Outcome::Carry], &two(&setup)?, &run, |block| {
-        sums.add(block);
-        Ok(())
-    })?;
+    gradient_batch(
+        &setup,
+        &mut grid,
+        &[Outcome::Carry],
+        &two(&setup)?,
+        &run,
+        |block| {
+            sums.add(block);
+            Ok(())
+        },
+    )?;
     Ok(((clock::process() - start) / (SIDE * SIDE) as f64, sums))
 }
 
@@ -129,7 +155,11 @@ pub fn carries(by: &Discretisation) -> Result<Vec<f64>> {
     let batch = Batch::new(&setup, &two(&setup)?, &[Outcome::Carry], &[])?;
     let every = || (0..SIDE).step_by(EVERY as usize);
     let points = every().flat_map(|i| every().flat_map(move |j| [(i, 0), (j, 1)]));
-    let points = points.map(|(number, axis)| axes[axis].value(number)).collect();
+    let points = points
+        .map(|(number, axis)| axes[axis].value(number))
+        .collect();
     let block = batch.evaluate(0, points);
-    Ok((0..block.rows()).map(|row| block.outcome(row, 0).unwrap_or_default()).collect())
+    Ok((0..block.rows())
+        .map(|row| block.outcome(row, 0).unwrap_or_default())
+        .collect())
 }

@@ -12,7 +12,8 @@ use std::hint::black_box;
 use tasks::Discretisation;
 
 const USAGE: &str = "usage: peers [--method M] [--step S] [--peer NAME] [TASK [once | count N]]
-         all tasks or one, timed; once: printed untimed; count: N times, printing nothing (for instruction counts)
+         all tasks or one, timed; once: printed untimed; count: N times, printing nothing (for \
+                     instruction counts)
          TASK: T1 T2 T3 T4 T5 T6 T6-whole all 3-D 3-D-all
        peers one-micrometre                the method and step of the rows 'at 1 µm'
        peers work-precision                errors and times by method and step
@@ -36,7 +37,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     match words[..] {
         ["one-micrometre"] => println!("{}", discretisation::one_micrometre()?),
         ["work-precision"] => discretisation::work_precision(|row| println!("{row}"))?,
-        ["start", name, task, ref command @ ..] => emit(name, task, start::time(command)?, 0.0, &[], ""),
+        ["start", name, task, ref command @ ..] => {
+            emit(name, task, start::time(command)?, 0.0, &[], "")
+        }
         [] => {
             for task in tasks::SINGLE.into_iter().chain(["T6", "T6-whole"]) {
                 time(&peer, task, &by, false)?;
@@ -53,7 +56,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn time(peer: &str, task: &str, by: &Discretisation, once: bool) -> Result<(), Box<dyn Error>> {
     if let Some(operation) = tasks::ready(task, by)? {
         let (value, derivatives, note) = operation()?.parts();
-        let seconds = if once { 0.0 } else { clock::fastest(BUDGET, &operation) };
+        let seconds = if once {
+            0.0
+        } else {
+            clock::fastest(BUDGET, &operation)
+        };
         emit(peer, task, seconds, value, &derivatives, &note);
         return Ok(());
     }

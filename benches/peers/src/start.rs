@@ -12,7 +12,11 @@ pub fn time(command: &[&str]) -> Result<f64, Box<dyn Error>> {
     let mut best = f64::INFINITY;
     for _ in 0..RUNS {
         let start = Instant::now();
-        let status = Command::new(program).args(arguments).stdin(Stdio::null()).stdout(Stdio::null()).status()?;
+        let status = Command::new(program)
+            .args(arguments)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .status()?;
         best = best.min(start.elapsed().as_secs_f64());
         if !status.success() {
             return Err(format!("{} ended with {status}", command.join(" ")).into());

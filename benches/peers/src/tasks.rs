@@ -8,7 +8,9 @@ use longdrive::{Error, Outcome, Result, Setup};
 use std::hint::black_box;
 
 /// The tasks of a single drive, as they are asked for.
-pub const SINGLE: [&str; 10] = ["T1", "T2", "T3", "T4", "T5", "all", "3-D", "3-D-all", "W&T", "W&T-1um"];
+pub const SINGLE: [&str; 10] = [
+    "T1", "T2", "T3", "T4", "T5", "all", "3-D", "3-D-all", "W&T", "W&T-1um",
+];
 
 /// The twelve parameters of T4: loft, attack, M, m, R, I_b, d, I_yy, e, V, ρ, δ.
 const TWELVE: [&str; 12] = [
@@ -35,7 +37,10 @@ pub struct Discretisation {
 
 impl Discretisation {
     pub fn new(method: &str, step: f64) -> Self {
-        Self { method: Some(method.into()), step: Some(format!("{step}")) }
+        Self {
+            method: Some(method.into()),
+            step: Some(format!("{step}")),
+        }
     }
 
     pub fn apply(&self, mut setup: Setup<f64>) -> Result<Setup<f64>> {
@@ -57,7 +62,11 @@ pub fn mae494(by: &Discretisation) -> Result<Setup<f64>> {
 /// A drive out of its plane: no symmetry to use.
 fn in_space(by: &Discretisation) -> Result<Setup<f64>> {
     let mut setup = Setup::preset("modern-driver")?;
-    setup.set_all([("swing.path", "2 deg"), ("strike.toe", "5 mm"), ("wind.right", "2 m/s")])?;
+    setup.set_all([
+        ("swing.path", "2 deg"),
+        ("strike.toe", "5 mm"),
+        ("wind.right", "2 m/s"),
+    ])?;
     by.apply(setup)
 }
 
@@ -70,29 +79,41 @@ pub fn two(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
     named(setup, &TWELVE[..2])
 }
 
-/// The lofts and the attack angles, deg, that Winfield & Tan (1994), tables 1 and 2, give the best of the other angle for.
+/// The lofts and the attack angles, deg, that Winfield & Tan (1994), tables 1 and 2, give the best
+/// of the other angle for.
 const TABLE_1: [f64; 9] = [5.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 15.0];
-const TABLE_2: [f64; 13] = [-10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0];
+const TABLE_2: [f64; 13] = [
+    -10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0,
+];
 
-/// The optima of Winfield & Tan: the one of both angles from 10° of loft and 0° of attack angle, and those of their tables, each
-/// from the one before.
+/// The optima of Winfield & Tan: the one of both angles from 10° of loft and 0° of attack angle,
+/// and those of their tables, each from the one before.
 fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
-    let vary = vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let vary = vary
+        .iter()
+        .map(|text| Vary::read(&setup, text))
+        .collect::<Result<Vec<_>>>()?;
     if let Some(tolerance) = within {
         let found = accuracy(&setup, &vary, &[Outcome::Carry], tolerance)?;
         (setup.method, setup.flight.step) = (found.method, found.step);
     }
     (setup.club.loft, setup.swing.attack_angle) = (10_f64.to_radians(), 0.0);
     let of_both = Search::longest_drive(&setup)?;
-    let [of_loft, of_attack_angle] = [0, 1].map(|i| Search { vary: vec![vary[i]], ..of_both.clone() });
+    let [of_loft, of_attack_angle] = [0, 1].map(|i| Search {
+        vary: vec![vary[i]],
+        ..of_both.clone()
+    });
     let of_both = Search { vary, ..of_both };
     let converged = |setup: &Setup<f64>, search: &Search| {
         let found = optimum(black_box(setup), search.clone(), Observer::default())?;
         match found.solution.status {
             Status::Converged => Ok(found),
-            _ => Err(Error::NotConverged { status: found.status(), message: found.message() }),
+            _ => Err(Error::NotConverged {
+                status: found.status(),
+                message: found.message(),
+            }),
         }
     };
     Ok(Box::new(move || {
@@ -125,12 +146,20 @@ impl Answer {
                 let upper = rows.flat_map(|(i, row)| row[i..].iter().copied());
                 let derivatives: Vec<f64> = taylor.gradient.iter().copied().chain(upper).collect();
                 let parameters = taylor.gradient.len();
-                let note = if parameters > 12 { format!("{parameters} parameters") } else { String::new() };
+                let note = if parameters > 12 {
+                    format!("{parameters} parameters")
+                } else {
+                    String::new()
+                };
                 (taylor.value, derivatives, note)
             }
             Self::Optimum(best) => {
                 let place = best.solution.x.iter().map(|x| x.to_degrees()).collect();
-                let note = format!("{} evaluations, {}", best.solution.evaluations, best.solution.status.name());
+                let note = format!(
+                    "{} evaluations, {}",
+                    best.solution.evaluations,
+                    best.solution.status.name()
+                );
                 (best.value().unwrap_or(f64::NAN), place, note)
             }
         }
@@ -147,7 +176,11 @@ pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
         "W&T-1um" => return winfield_tan(Some(1e-6)).map(Some),
         _ => {}
     }
-    let setup = if task.starts_with("3-D") { in_space(by)? } else { mae494(by)? };
+    let setup = if task.starts_with("3-D") {
+        in_space(by)?
+    } else {
+        mae494(by)?
+    };
     let (wrt, order) = match task {
         "T1" | "3-D" => (two(&setup)?, Order::Value),
         "T2" => (two(&setup)?, Order::First),
@@ -156,8 +189,14 @@ pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
         "all" | "3-D-all" => (setup.variables(), Order::First),
         "T5" => {
             let ranges = ["club.loft=0deg..25deg", "swing.attack_angle=-10deg..10deg"];
-            let vary = ranges.iter().map(|text| Vary::read(&setup, text)).collect::<Result<_>>()?;
-            let search = Search { vary, ..Search::longest_drive(&setup)? };
+            let vary = ranges
+                .iter()
+                .map(|text| Vary::read(&setup, text))
+                .collect::<Result<_>>()?;
+            let search = Search {
+                vary,
+                ..Search::longest_drive(&setup)?
+            };
             return Ok(Some(Box::new(move || {
                 let best = optimum(black_box(&setup), search.clone(), Observer::default())?;
                 Ok(Answer::Optimum(Box::new(best)))
@@ -166,7 +205,10 @@ pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
         _ => return Ok(None),
     };
     let evaluator = Evaluator::new(&setup, &[Outcome::Carry], &wrt, order)?;
-    let x: Vec<f64> = wrt.iter().map(|parameter| setup.value(parameter).unwrap_or(f64::NAN)).collect();
+    let x: Vec<f64> = wrt
+        .iter()
+        .map(|parameter| setup.value(parameter).unwrap_or(f64::NAN))
+        .collect();
     Ok(Some(Box::new(move || {
         let mut taylors = evaluator.at(black_box(&x))?;
         Ok(Answer::Drive(taylors.swap_remove(0)))

@@ -11,8 +11,8 @@ use std::sync::LazyLock;
 /// rad/s in an rpm.
 const RPM: f64 = PI / 30.0;
 
-/// Beyond the edges of the grid speed, m/s, and spin, rpm, are held over these, at once where it is steep: at 13.7 m/s and 2000 rpm the lift
-/// halves within 200 rpm, and no one knows how it goes on.
+/// Beyond the edges of the grid speed, m/s, and spin, rpm, are held over these, at once where it is
+/// steep: at 13.7 m/s and 2000 rpm the lift halves within 200 rpm, and no one knows how it goes on.
 const SPEED_OVER: [f64; 2] = [1.0, 4.0];
 const SPIN_OVER: f64 = 100.0;
 
@@ -37,15 +37,24 @@ static GRID: LazyLock<Grid> = LazyLock::new(|| {
     let [least, most] = SPINS.map(|rpm| rpm * RPM);
     let [slowest, .., fastest] = SPEEDS;
     Grid {
-        spin: Some(Axis { along: Along::Spin, ends: [least, most], over: [SPIN_OVER * RPM; 2] }),
-        speed: Some(Axis { along: Along::Speed, ends: [slowest, fastest], over: SPEED_OVER }),
+        spin: Some(Axis {
+            along: Along::Spin,
+            ends: [least, most],
+            over: [SPIN_OVER * RPM; 2],
+        }),
+        speed: Some(Axis {
+            along: Along::Speed,
+            ends: [slowest, fastest],
+            over: SPEED_OVER,
+        }),
         begins: Some((Along::Spin, 1.0 / least)),
         surface: Surface::of(&SPEEDS, SPIN_OF_ROW.as_slice(), CELLS.as_slice()),
     }
 });
 
-/// C_D = cd_factor D(v, |ω|), C_L = cl_factor L(v, |ω|): bicubic splines through a grid that was read off the curves of Bearman & Harvey
-/// (1976). With less spin than the grid's 2000 rpm the lift is that at its edge times 1 − (1 − |ω|/2000 rpm)³.
+/// C_D = cd_factor D(v, |ω|), C_L = cl_factor L(v, |ω|): bicubic splines through a grid that was
+/// read off the curves of Bearman & Harvey (1976). With less spin than the grid's 2000 rpm the lift
+/// is that at its edge times 1 − (1 − |ω|/2000 rpm)³.
 impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
@@ -76,7 +85,8 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
             authors: "Bearman & Harvey",
             year: Some(1976),
             ball: Some("conventional and hexagonal dimples of the 1970s"),
-            source: "wind tunnel; grid of 10 speeds and 21 spins as tkt4140 has it (cdclgolfball.py), docs/sources.md",
+            source: "wind tunnel; grid of 10 speeds and 21 spins as tkt4140 has it \
+                     (cdclgolfball.py), docs/sources.md",
         }
     }
 }

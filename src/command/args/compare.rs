@@ -8,7 +8,8 @@ pub struct Pair {
     #[command(flatten)]
     pub question: Question,
 
-    /// The second drive, b: a preset's name or a TOML file; SETUP is the first drive, a [default: the setup of a].
+    /// The second drive, b: a preset's name or a TOML file; SETUP is the first drive, a [default:
+    /// the setup of a].
     #[arg(value_name = "SETUP_B")]
     pub other: Option<String>,
 
@@ -35,6 +36,11 @@ pub struct Compare {
     pub pair: Pair,
 
     /// The outcomes whose difference is split, separated by commas; "all" for every one.
-    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry"
+    )]
     pub of: Vec<String>,
 }

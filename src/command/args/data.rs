@@ -7,8 +7,8 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(group = clap::ArgGroup::new("written").args(["output", "plot"]).multiple(true))]
 pub struct Calibrate {
-    /// Measured shots as CSV, one row per shot; the head of each column names a parameter or an outcome and its unit, as in
-    /// "carry [yd]"; see docs/calibration.md.
+    /// Measured shots as CSV, one row per shot; the head of each column names a parameter or an
+    /// outcome and its unit, as in "carry [yd]"; see docs/calibration.md.
     #[arg(value_name = "DATA")]
     pub data: PathBuf,
 
@@ -16,35 +16,62 @@ pub struct Calibrate {
     pub question: Question,
 
     /// A parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4. Repeatable.
-    #[arg(long, value_name = "NAME[=LOW..HIGH]", required = true, allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "NAME[=LOW..HIGH]",
+        required = true,
+        allow_hyphen_values = true
+    )]
     pub fit: Vec<String>,
 
     /// Limit the influence of outliers to that of a residual of 1.345 σ (Huber's loss).
     #[arg(long)]
     pub huber: bool,
 
-    /// Search from this many starts, spread evenly over the ranges of what is fitted; the first is the setup's own. Give the ranges:
-    /// without one it is all that is allowed, where few drives fly.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=U32, "--starts 8"), allow_negative_numbers = true)]
+    /// Search from this many starts, spread evenly over the ranges of what is fitted; the first is
+    /// the setup's own. Give the ranges: without one it is all that is allowed, where few drives
+    /// fly.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = whole::<u32>(1..=U32, "--starts 8"),
+        allow_negative_numbers = true,
+    )]
     pub starts: u32,
 
-    /// Cross-validate: fit K times, each time without a K-th of the rows, and show how well those rows are predicted.
-    #[arg(long, value_name = "K", default_value_t = 0, value_parser = whole::<u32>(0..=U32, "--folds 5"), allow_negative_numbers = true)]
+    /// Cross-validate: fit K times, each time without a K-th of the rows, and show how well those
+    /// rows are predicted.
+    #[arg(
+        long,
+        value_name = "K",
+        default_value_t = 0,
+        value_parser = whole::<u32>(0..=U32, "--folds 5"),
+        allow_negative_numbers = true,
+    )]
     pub folds: u32,
 
-    /// Compare with another aerodynamic law, as published and fitted, by its cross-validation error. Repeatable.
+    /// Compare with another aerodynamic law, as published and fitted, by its cross-validation
+    /// error. Repeatable.
     #[arg(long, value_name = "LAW")]
     pub compare: Vec<String>,
 
     /// The largest number of iterations of a search.
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 200,
+        value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"),
+        allow_negative_numbers = true,
+    )]
     pub max_iterations: u64,
 
     /// Write the fitted setup into this file.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Write the report into this folder too: a page (index.html), Markdown, and plots of the residuals with their data.
+    /// Write the report into this folder too: a page (index.html), Markdown, and plots of the
+    /// residuals with their data.
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
 
@@ -75,7 +102,8 @@ pub struct DeliveryArgs {
     #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
     pub spin: Option<String>,
 
-    /// The measured tilt of the spin axis, + for a ball that curves to the right [default: not measured].
+    /// The measured tilt of the spin axis, + for a ball that curves to the right [default: not
+    /// measured].
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub spin_axis: Option<String>,
 
@@ -87,18 +115,19 @@ pub struct DeliveryArgs {
     #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
     pub sidespin: Option<String>,
 
-    /// Measured shots as CSV, one row per shot, as a launch monitor exports them or as calibrate reads them. What a row states of the
-    /// club is taken as measured too.
+    /// Measured shots as CSV, one row per shot, as a launch monitor exports them or as calibrate
+    /// reads them. What a row states of the club is taken as measured too.
     #[arg(long, value_name = "FILE")]
     pub shots: Option<PathBuf>,
 
-    /// A parameter to find and its range, e.g. club.loft=4deg..20deg. Repeatable [default: the speed, attack angle, shaft lean, path
-    /// and face angle of the swing, and where the face strikes the ball].
+    /// A parameter to find and its range, e.g. club.loft=4deg..20deg. Repeatable [default: the
+    /// speed, attack angle, shaft lean, path and face angle of the swing, and where the face
+    /// strikes the ball].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 
-    /// How well a parameter is known before the shot: the standard uncertainty of its value in the setup, e.g.
-    /// swing.attack_angle=1deg. Repeatable.
+    /// How well a parameter is known before the shot: the standard uncertainty of its value in the
+    /// setup, e.g. swing.attack_angle=1deg. Repeatable.
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
@@ -106,8 +135,9 @@ pub struct DeliveryArgs {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Write the swings behind the shots into this file, for "longdrive optimize --swings": as a table, a row for each shot (.csv), or as
-    /// distributions with correlations, without the errors of the launch monitor (.toml).
+    /// Write the swings behind the shots into this file, for "longdrive optimize --swings": as a
+    /// table, a row for each shot (.csv), or as distributions with correlations, without the errors
+    /// of the launch monitor (.toml).
     #[arg(long, value_name = "FILE", requires = "shots")]
     pub swings: Option<PathBuf>,
 
@@ -126,7 +156,8 @@ pub struct Reproduce {
     #[arg(long)]
     pub json: bool,
 
-    /// Write the study into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
+    /// Write the study into this folder too: a page (index.html), Markdown, and every plot as SVG
+    /// with its data as CSV.
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
 
@@ -145,8 +176,8 @@ pub struct Validate {
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 
-    /// Write the comparison too: into this folder as a page (index.html) and Markdown with pictures and their data, or, where the name ends in .csv,
-    /// every law on every drive into this file.
+    /// Write the comparison too: into this folder as a page (index.html) and Markdown with pictures
+    /// and their data, or, where the name ends in .csv, every law on every drive into this file.
     #[arg(long, short, value_name = "DIR or FILE.csv")]
     pub output: Option<PathBuf>,
 

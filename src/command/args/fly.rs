@@ -7,8 +7,9 @@ use std::path::PathBuf;
 
 #[derive(clap::Args)]
 pub struct Fly {
-    /// Shots, a row each: the CSV export of a launch monitor, any CSV with columns such as "ball_speed [mph]", "launch_angle [deg]" and
-    /// "backspin [rpm]", or messages of GSPro Open Connect as JSON (one a line, or an array); "-" is standard input. See
+    /// Shots, a row each: the CSV export of a launch monitor, any CSV with columns such as
+    /// "ball_speed [mph]", "launch_angle [deg]" and "backspin [rpm]", or messages of GSPro Open
+    /// Connect as JSON (one a line, or an array); "-" is standard input. See
     /// docs/launch-monitors.md.
     #[arg(value_name = "SHOTS", required_unless_present = "listen")]
     pub shots: Option<PathBuf>,
@@ -16,7 +17,8 @@ pub struct Fly {
     #[command(flatten)]
     pub question: Question,
 
-    /// The outcomes to predict, separated by commas: those of the flight; "all" for every one of them.
+    /// The outcomes to predict, separated by commas: those of the flight; "all" for every one of
+    /// them.
     #[arg(
         long,
         value_name = "OUTCOME,…",
@@ -25,9 +27,16 @@ pub struct Fly {
     )]
     pub of: Vec<String>,
 
-    /// The file to write the rows into; its ending says in which format (.csv, .jsonl, .parquet; .json for Open Connect). "-" is standard output.
-    /// With --json and without a file only the summary is printed.
-    #[arg(long, short, value_name = "FILE", default_value = "-", conflicts_with = "listen")]
+    /// The file to write the rows into; its ending says in which format (.csv, .jsonl, .parquet;
+    /// .json for Open Connect). "-" is standard output. With --json and without a file only the
+    /// summary is printed.
+    #[arg(
+        long,
+        short,
+        value_name = "FILE",
+        default_value = "-",
+        conflicts_with = "listen"
+    )]
     pub output: PathBuf,
 
     /// The format, whatever the name of the file ends in [default for standard output: csv].
@@ -39,15 +48,34 @@ pub struct Fly {
     pub overwrite: bool,
 
     /// The number of threads (0: as many as there are processors). The results do not depend on it.
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"),
+        allow_negative_numbers = true,
+    )]
     pub threads: usize,
 
-    /// Answer shots that are sent as messages of GSPro Open Connect over TCP, until Ctrl-C, in place of those of a file; 0 takes a free port.
-    #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "921", value_parser = whole::<u16>(0..=65_535, "--listen 9210"), allow_negative_numbers = true)]
+    /// Answer shots that are sent as messages of GSPro Open Connect over TCP, until Ctrl-C, in
+    /// place of those of a file; 0 takes a free port.
+    #[arg(
+        long,
+        value_name = "PORT",
+        num_args = 0..=1,
+        default_missing_value = "921",
+        value_parser = whole::<u16>(0..=65_535, "--listen 9210"),
+        allow_negative_numbers = true,
+    )]
     pub listen: Option<u16>,
 
     /// The address to listen on. Any other than the default lets other machines in.
-    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1", requires = "listen")]
+    #[arg(
+        long,
+        value_name = "ADDRESS",
+        default_value = "127.0.0.1",
+        requires = "listen"
+    )]
     pub address: IpAddr,
 }
 
@@ -56,7 +84,8 @@ pub struct Fly {
 pub enum FlyFormat {
     /// The columns of the table as they are, with what is predicted in further columns.
     Csv,
-    /// The columns of a launch monitor, whatever the shots were read from, with what is predicted in further columns.
+    /// The columns of a launch monitor, whatever the shots were read from, with what is predicted
+    /// in further columns.
     LaunchMonitor,
     /// One JSON object per row and line, in SI.
     #[value(alias = "ndjson")]

@@ -11,55 +11,96 @@ pub struct Sweep {
     #[command(flatten)]
     pub question: Question,
 
-    /// A parameter to sweep, with its range and number of values, ends included, e.g. club.loft=5deg..15deg:101.
-    /// Repeatable: all combinations are computed; the last parameter changes fastest.
+    /// A parameter to sweep, with its range and number of values, ends included, e.g.
+    /// club.loft=5deg..15deg:101. Repeatable: all combinations are computed; the last parameter
+    /// changes fastest.
     #[arg(long, value_name = "NAME=LOW..HIGH:COUNT", allow_hyphen_values = true)]
     pub over: Vec<String>,
 
-    /// Take this many points of a quasi-random (Sobol') sequence in the ranges of --over, which then have no counts.
-    #[arg(long, value_name = "N", value_parser = whole::<u64>(1..=u64::MAX, "--sample 1000"), allow_negative_numbers = true)]
+    /// Take this many points of a quasi-random (Sobol') sequence in the ranges of --over, which
+    /// then have no counts.
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = whole::<u64>(1..=u64::MAX, "--sample 1000"),
+        allow_negative_numbers = true,
+    )]
     pub sample: Option<u64>,
 
     /// The seed of --sample; the same seed gives the same points.
-    #[arg(long, value_name = "SEED", default_value_t = 0, requires = "sample", value_parser = whole::<u32>(0..=U32, "--seed 7"), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "SEED",
+        default_value_t = 0,
+        requires = "sample",
+        value_parser = whole::<u32>(0..=U32, "--seed 7"),
+        allow_negative_numbers = true,
+    )]
     pub seed: u32,
 
-    /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a column for each
-    /// parameter; in CSV in the unit that its head names, as in "club.loft [deg]", in the others in SI.
+    /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a
+    /// column for each parameter; in CSV in the unit that its head names, as in "club.loft [deg]",
+    /// in the others in SI.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample", "seed"])]
     pub points: Option<PathBuf>,
 
     /// The outcomes, separated by commas; "all" for every one.
-    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry"
+    )]
     pub outcomes: Vec<String>,
 
     /// Compute the exact derivatives of the outcomes with respect to the swept parameters too.
     #[arg(long)]
     pub gradient: bool,
 
-    /// Compute the exact derivatives of the outcomes with respect to these parameters too, separated by commas.
+    /// Compute the exact derivatives of the outcomes with respect to these parameters too,
+    /// separated by commas.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 
-    /// Write one part of the sweep, K of M, as a Parquet file into the folder that -o names: each process of a job array another part, e.g. --part
-    /// 17/1000. Parts are counted from 1. A part has the same bytes whichever machine computes it, and however often; one that is there already stays.
-    #[arg(long, value_name = "K/M", requires = "output", conflicts_with_all = ["resume", "format", "max_size"], value_parser = PartOf::read)]
+    /// Write one part of the sweep, K of M, as a Parquet file into the folder that -o names: each
+    /// process of a job array another part, e.g. --part 17/1000. Parts are counted from 1. A part
+    /// has the same bytes whichever machine computes it, and however often; one that is there
+    /// already stays.
+    #[arg(
+        long,
+        value_name = "K/M",
+        requires = "output",
+        conflicts_with_all = ["resume", "format", "max_size"],
+        value_parser = PartOf::read,
+    )]
     pub part: Option<PartOf>,
 
-    /// Look through the parts in this folder: whether all are there, and what all rows together are like. Nothing is computed. With the
-    /// options of the sweep its parts are also compared with them.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["part", "output", "resume", "overwrite", "format", "max_size"])]
+    /// Look through the parts in this folder: whether all are there, and what all rows together are
+    /// like. Nothing is computed. With the options of the sweep its parts are also compared with
+    /// them.
+    #[arg(
+        long,
+        value_name = "DIR",
+        conflicts_with_all = ["part", "output", "resume", "overwrite", "format", "max_size"],
+    )]
     pub check: Option<PathBuf>,
 
-    /// With --check: read the rows too, compare them with the SHA-256 in each part, and compute the SHA-256 of the whole set.
+    /// With --check: read the rows too, compare them with the SHA-256 in each part, and compute the
+    /// SHA-256 of the whole set.
     #[arg(long, requires = "check")]
     pub hash: bool,
 
-    /// With --part: count an outcome in bins of equal width, e.g. carry=200m..300m:64. Repeatable, once for each outcome.
-    #[arg(long, value_name = "OUTCOME=LOW..HIGH:BINS", allow_hyphen_values = true)]
+    /// With --part: count an outcome in bins of equal width, e.g. carry=200m..300m:64. Repeatable,
+    /// once for each outcome.
+    #[arg(
+        long,
+        value_name = "OUTCOME=LOW..HIGH:BINS",
+        allow_hyphen_values = true
+    )]
     pub histogram: Vec<String>,
 
-    /// With --part: keep the rows with the highest values of an outcome by themselves too, e.g. carry:10. Repeatable.
+    /// With --part: keep the rows with the highest values of an outcome by themselves too, e.g.
+    /// carry:10. Repeatable.
     #[arg(long, value_name = "OUTCOME:N")]
     pub highest: Vec<String>,
 
@@ -67,21 +108,27 @@ pub struct Sweep {
     #[arg(long, value_name = "OUTCOME:N")]
     pub lowest: Vec<String>,
 
-    /// The instructions of the processor to compute with [default: the most that it has]. Drives computed with others agree to rounding only:
-    /// where the machines of a cluster differ, name those that all of them have.
+    /// The instructions of the processor to compute with [default: the most that it has]. Drives
+    /// computed with others agree to rounding only: where the machines of a cluster differ, name
+    /// those that all of them have.
     #[arg(long, value_name = "NAME", value_parser = instructions())]
     pub instructions: Option<Level>,
 
-    /// The file to write; its ending says in which format (.csv, .jsonl, .parquet). "-" is standard output.
+    /// The file to write; its ending says in which format (.csv, .jsonl, .parquet). "-" is standard
+    /// output.
     #[arg(long, short, value_name = "FILE", default_value = "-")]
     pub output: PathBuf,
 
     /// The format, whatever the name of the file ends in [default for standard output: csv].
     #[cfg_attr(feature = "parquet", arg(long, value_enum))]
-    #[cfg_attr(not(feature = "parquet"), arg(long, value_name = "FORMAT", value_parser = without_parquet))]
+    #[cfg_attr(
+        not(feature = "parquet"),
+        arg(long, value_name = "FORMAT", value_parser = without_parquet),
+    )]
     pub format: Option<Format>,
 
-    /// Continue a sweep that was stopped or killed; the complete file is the same as without the interruption.
+    /// Continue a sweep that was stopped or killed; the complete file is the same as without the
+    /// interruption.
     #[arg(long, conflicts_with = "overwrite")]
     pub resume: bool,
 
@@ -89,19 +136,28 @@ pub struct Sweep {
     #[arg(long)]
     pub overwrite: bool,
 
-    /// Refuse a sweep whose file would be larger than this, e.g. 50GB [default: the free space of the disk].
+    /// Refuse a sweep whose file would be larger than this, e.g. 50GB [default: the free space of
+    /// the disk].
     #[arg(long, value_name = "SIZE")]
     pub max_size: Option<String>,
 
-    /// The number of threads (0: as many as there are processors); no more are used than there is work for, nor than 256. The results do not depend on it.
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"), allow_negative_numbers = true)]
+    /// The number of threads (0: as many as there are processors); no more are used than there is
+    /// work for, nor than 256. The results do not depend on it.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"),
+        allow_negative_numbers = true,
+    )]
     pub threads: usize,
 }
 
 /// Reads the instructions of a processor.
 fn instructions() -> impl TypedValueParser<Value = Level> {
     let named = |name: String| Level::ALL.into_iter().find(|known| known.name() == name);
-    PossibleValuesParser::new(Level::ALL.map(Level::name)).map(move |name| named(name).unwrap_or(Level::Baseline))
+    PossibleValuesParser::new(Level::ALL.map(Level::name))
+        .map(move |name| named(name).unwrap_or(Level::Baseline))
 }
 
 /// A part of a sweep.
@@ -116,11 +172,18 @@ pub struct PartOf {
 impl PartOf {
     fn read(text: &str) -> Result<Self, String> {
         let number = |text: &str| text.trim().parse::<u64>().ok().filter(|number| *number > 0);
-        let parts = text.split_once('/').and_then(|(part, parts)| Some((number(part)?, number(parts)?)));
+        let parts = text
+            .split_once('/')
+            .and_then(|(part, parts)| Some((number(part)?, number(parts)?)));
         match parts {
             Some((part, parts)) if part <= parts => Ok(Self { part, parts }),
-            Some((_, parts)) => Err(format!("there are {parts} parts; give one from 1/{parts} to {parts}/{parts}")),
-            None => Err("write a number of a part, from 1, and how many there are, e.g. --part 17/1000".into()),
+            Some((_, parts)) => Err(format!(
+                "there are {parts} parts; give one from 1/{parts} to {parts}/{parts}"
+            )),
+            None => Err(
+                "write a number of a part, from 1, and how many there are, e.g. --part 17/1000"
+                    .into(),
+            ),
         }
     }
 }

@@ -25,22 +25,25 @@ pub use many::PartOf;
 pub use many::{Format, Sweep};
 pub use pareto::{ParetoArgs, ParetoAsked};
 pub use picture::{
-    Drawing, Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotFace, PlotFairway, PlotKind,
-    PlotLaunch, PlotLaws, PlotPareto, PlotStrike, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
+    Drawing, Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotFace,
+    PlotFairway, PlotKind, PlotLaunch, PlotLaws, PlotPareto, PlotStrike, PlotTornado,
+    PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
 pub use question::{Gradient, Laws, OwnLaw, Parameters, Presets, Question, SETUP, Simulate};
 pub use robust::RobustArgs;
-pub use search::{ChartArgs, DesignArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs};
+pub use search::{
+    ChartArgs, DesignArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs,
+};
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 
 /// The longest golf drive, with exact derivatives.
 ///
-/// Computes the impact (rigid bodies, ellipsoidal face), the flight (drag, lift, spin decay, wind) and the landing of
-/// a golf drive, and the exact derivatives of every outcome with respect to every parameter. Exit status: 0 done, 1 no
-/// answer (no flight, not converged), 2 bad input.
+/// Computes the impact (rigid bodies, ellipsoidal face), the flight (drag, lift, spin decay, wind)
+/// and the landing of a golf drive, and the exact derivatives of every outcome with respect to
+/// every parameter. Exit status: 0 done, 1 no answer (no flight, not converged), 2 bad input.
 #[derive(Parser)]
 #[command(version, max_term_width = 100)]
 pub struct Args {
@@ -57,42 +60,55 @@ pub enum Command {
     Simulate(Simulate),
     /// Exact derivatives of outcomes with respect to parameters.
     Gradient(Gradient),
-    /// Compare two drives: their outcomes, and which part of the difference is due to which parameter and launch condition.
+    /// Compare two drives: their outcomes, and which part of the difference is due to which
+    /// parameter and launch condition.
     Compare(Compare),
-    /// Find the parameters that maximize or minimize an outcome: by default, the loft and attack angle of the longest carry.
+    /// Find the parameters that maximize or minimize an outcome: by default, the loft and attack
+    /// angle of the longest carry.
     Optimize(Optimize),
-    /// How the optimum depends on every other parameter, what its bounds and constraints cost, and how flat it is.
+    /// How the optimum depends on every other parameter, what its bounds and constraints cost, and
+    /// how flat it is.
     OptimumSensitivity(OptimumSensitivity),
-    /// Design head and face for swings that vary, under the Rules of Golf: the best bulge, roll, loft, inertia or movable weights, with what
-    /// each rule costs.
+    /// Design head and face for swings that vary, under the Rules of Golf: the best bulge, roll,
+    /// loft, inertia or movable weights, with what each rule costs.
     Design(DesignArgs),
-    /// Fit parameters to measured shots, with their uncertainties and what the data do not determine.
+    /// Fit parameters to measured shots, with their uncertainties and what the data do not
+    /// determine.
     Calibrate(Calibrate),
-    /// Find the delivery and strike that explain a measured launch, and what the launch does not tell of them.
+    /// Find the delivery and strike that explain a measured launch, and what the launch does not
+    /// tell of them.
     Delivery(DeliveryArgs),
     /// Compute the optimum as a function of a parameter.
     Chart(ChartArgs),
-    /// Find the best compromises between two goals, such as carry and dispersion, with what one costs of the other.
+    /// Find the best compromises between two goals, such as carry and dispersion, with what one
+    /// costs of the other.
     Pareto(ParetoArgs),
     /// Find the design that loses least whichever of several models of impact and flight is true.
     Robust(RobustArgs),
     /// Draw a plot as SVG or PNG, or write its data as CSV.
     Plot(Plot),
-    /// Write a page (HTML) of the drive, the optimum, a map around it, sensitivities and uncertainties, with plots and data.
+    /// Write a page (HTML) of the drive, the optimum, a map around it, sensitivities and
+    /// uncertainties, with plots and data.
     Report(Report),
-    /// Compute very many drives: the points of a grid, a quasi-random sequence or a table, to CSV, JSON lines or Parquet.
+    /// Compute very many drives: the points of a grid, a quasi-random sequence or a table, to CSV,
+    /// JSON lines or Parquet.
     Sweep(Sweep),
-    /// Fly the shots of a launch monitor (a CSV export, or GSPro Open Connect): predicted flights beside the measured ones.
+    /// Fly the shots of a launch monitor (a CSV export, or GSPro Open Connect): predicted flights
+    /// beside the measured ones.
     Fly(Fly),
     /// Reproduce a published study: each printed number beside the computed one.
     Reproduce(Reproduce),
-    /// Compare every law of drag and lift with published drives: bias and mean absolute error of carry, apex and descent.
+    /// Compare every law of drag and lift with published drives: bias and mean absolute error of
+    /// carry, apex and descent.
     Validate(Validate),
-    /// Compare every exact derivative with numerical differences, and check what both rest on; exit status 1 if a check fails.
+    /// Compare every exact derivative with numerical differences, and check what both rest on; exit
+    /// status 1 if a check fails.
     Verify(Verify),
-    /// How outcomes depend on parameters: slopes, elasticities, and the effect of the uncertainty of each parameter.
+    /// How outcomes depend on parameters: slopes, elasticities, and the effect of the uncertainty
+    /// of each parameter.
     Sensitivity(SensitivityArgs),
-    /// Compute the uncertainty of outcomes from uncertain parameters: by exact derivatives, and by a sample of drives.
+    /// Compute the uncertainty of outcomes from uncertain parameters: by exact derivatives, and by
+    /// a sample of drives.
     Uncertainty(UncertaintyArgs),
     /// List every parameter with its unit, range, default and meaning.
     Parameters(Parameters),
@@ -136,7 +152,9 @@ impl Command {
 
     /// The command among arguments that could not be read.
     pub fn named_in(words: &[OsString]) -> Option<&'static str> {
-        words.iter().find_map(|word| Self::NAMES.into_iter().find(|name| word == name))
+        words
+            .iter()
+            .find_map(|word| Self::NAMES.into_iter().find(|name| word == name))
     }
 
     /// Its name on the command line, and whether its answer is to be JSON.

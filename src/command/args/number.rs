@@ -8,17 +8,27 @@ pub fn whole<T: TryFrom<u64>>(
     example: &'static str,
 ) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync {
     move |text| {
-        let number = text.trim().parse().ok().filter(|number| range.contains(number));
-        number.and_then(|number| T::try_from(number).ok()).ok_or_else(|| {
-            let (least, most) = range.clone().into_inner();
-            let range = if most < u64::from(u32::MAX) {
-                format!("from {least} to {most}")
-            } else {
-                format!("of {least} or more")
-            };
-            let most = if most == u64::from(u32::MAX) { format!(" (at most {most})") } else { String::new() };
-            format!("it must be a whole number {range}{most}; write for example {example}")
-        })
+        let number = text
+            .trim()
+            .parse()
+            .ok()
+            .filter(|number| range.contains(number));
+        number
+            .and_then(|number| T::try_from(number).ok())
+            .ok_or_else(|| {
+                let (least, most) = range.clone().into_inner();
+                let range = if most < u64::from(u32::MAX) {
+                    format!("from {least} to {most}")
+                } else {
+                    format!("of {least} or more")
+                };
+                let most = if most == u64::from(u32::MAX) {
+                    format!(" (at most {most})")
+                } else {
+                    String::new()
+                };
+                format!("it must be a whole number {range}{most}; write for example {example}")
+            })
     }
 }
 
@@ -33,15 +43,30 @@ mod tests {
     fn exact_ends_of_the_ranges_are_taken_and_the_words_name_range_and_example() {
         let starts = whole::<u32>(1..=U32, "--starts 8");
         assert_eq!((starts("1"), starts("4294967295")), (Ok(1), Ok(u32::MAX)));
-        for wrong in ["0", "-1", "1.5", "x", "", "4294967296", "99999999999999999999"] {
+        for wrong in [
+            "0",
+            "-1",
+            "1.5",
+            "x",
+            "",
+            "4294967296",
+            "99999999999999999999",
+        ] {
             let told = starts(wrong).unwrap_err();
             assert_eq!(
                 told,
-                "it must be a whole number of 1 or more (at most 4294967295); write for example --starts 8"
+                "it must be a whole number of 1 or more (at most 4294967295); write for example \
+                 --starts 8"
             );
         }
         let told = whole::<u32>(240..=4000, "--width 800")("100").unwrap_err();
-        assert_eq!(told, "it must be a whole number from 240 to 4000; write for example --width 800");
-        assert_eq!(whole::<u64>(0..=u64::MAX, "--seed 7")("18446744073709551615"), Ok(u64::MAX));
+        assert_eq!(
+            told,
+            "it must be a whole number from 240 to 4000; write for example --width 800"
+        );
+        assert_eq!(
+            whole::<u64>(0..=u64::MAX, "--seed 7")("18446744073709551615"),
+            Ok(u64::MAX)
+        );
     }
 }

@@ -24,19 +24,24 @@ pub enum PlotKind {
     Pareto(PlotPareto),
     /// The effects of the uncertainties of parameters on an outcome.
     Tornado(PlotTornado),
-    /// The difference between two drives, split into the parameters and launch conditions that differ.
+    /// The difference between two drives, split into the parameters and launch conditions that
+    /// differ.
     Compare(PlotCompare),
     /// The error of central differences against exact derivatives, by step.
     Vcurve(PlotVcurve),
     /// Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
     Laws(PlotLaws),
-    /// Where the drive and the best one land, from above at true scale, with the ellipses that hold half and 95 % of the landings.
+    /// Where the drive and the best one land, from above at true scale, with the ellipses that hold
+    /// half and 95 % of the landings.
     Fairway(PlotFairway),
-    /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side to which the spin axis tilts.
+    /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side
+    /// to which the spin axis tilts.
     Face(PlotFace),
-    /// Carry, lateral, ball speed and spin axis over the club face, of the drive as set up and of the best one, or of two designs.
+    /// Carry, lateral, ball speed and spin axis over the club face, of the drive as set up and of
+    /// the best one, or of two designs.
     Strike(PlotStrike),
-    /// Carry over launch angle and backspin at the drive's ball speed, with its launch and the best one.
+    /// Carry over launch angle and backspin at the drive's ball speed, with its launch and the best
+    /// one.
     Launch(PlotLaunch),
 }
 
@@ -75,8 +80,14 @@ pub struct Drawing {
     #[arg(long)]
     pub dark: bool,
 
-    /// The width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-    #[arg(long, value_name = "PIXELS", value_parser = whole::<u32>(240..=4000, "--width 800"), allow_negative_numbers = true)]
+    /// The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+    /// does not change [default: 480].
+    #[arg(
+        long,
+        value_name = "PIXELS",
+        value_parser = whole::<u32>(240..=4000, "--width 800"),
+        allow_negative_numbers = true,
+    )]
     pub width: Option<u32>,
 }
 
@@ -84,7 +95,11 @@ impl Drawing {
     /// The options given about how a picture looks.
     pub fn look(&self) -> Vec<&'static str> {
         let given = [("--dark", self.dark), ("--width", self.width.is_some())];
-        given.into_iter().filter(|(_, is_given)| *is_given).map(|(option, _)| option).collect()
+        given
+            .into_iter()
+            .filter(|(_, is_given)| *is_given)
+            .map(|(option, _)| option)
+            .collect()
     }
 }
 
@@ -134,7 +149,8 @@ pub struct PlotLaws {
     #[command(flatten)]
     pub drawing: Drawing,
 
-    /// The laws, separated by commas; "table" for your own of --set aero.table. Without: all of them.
+    /// The laws, separated by commas; "table" for your own of --set aero.table. Without: all of
+    /// them.
     #[arg(long, value_name = "LAW,…", value_delimiter = ',')]
     pub laws: Vec<String>,
 
@@ -179,8 +195,9 @@ pub struct PlotFairway {
     #[command(flatten)]
     pub drawing: Drawing,
 
-    /// How much a parameter of the golfer varies from drive to drive, one standard deviation, e.g. swing.face_angle=2deg.
-    /// Repeatable; other parameters of swing, strike and club have the default uncertainties of "longdrive sensitivity".
+    /// How much a parameter of the golfer varies from drive to drive, one standard deviation, e.g.
+    /// swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
+    /// default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 }
@@ -202,7 +219,8 @@ pub struct PlotStrike {
     #[command(flatten)]
     pub search: SearchArgs,
 
-    /// A preset or setup file of another design, drawn beside this one in place of the best one, e.g. best.toml of "longdrive optimize -o".
+    /// A preset or setup file of another design, drawn beside this one in place of the best one,
+    /// e.g. best.toml of "longdrive optimize -o".
     #[arg(long, value_name = "SETUP")]
     pub after: Option<String>,
 
@@ -278,8 +296,8 @@ pub struct PlotTornado {
     #[arg(long, value_name = "OUTCOME", default_value = "carry")]
     pub of: String,
 
-    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; other parameters have
-    /// the default uncertainties of "longdrive sensitivity".
+    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
+    /// Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
@@ -310,10 +328,16 @@ pub struct PlotVcurve {
     pub drawing: Drawing,
 
     /// The outcomes, separated by commas.
-    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry"
+    )]
     pub of: Vec<String>,
 
-    /// The parameters, separated by commas. Without: loft and attack angle, or the launch conditions where these are given.
+    /// The parameters, separated by commas. Without: loft and attack angle, or the launch
+    /// conditions where these are given.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 }
@@ -326,8 +350,9 @@ pub struct Report {
     #[command(flatten)]
     pub search: SearchArgs,
 
-    /// The folder to write: index.html, the best drive as setup.toml, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it
-    /// does not exist; other files in it are not touched.
+    /// The folder to write: index.html, the best drive as setup.toml, and each plot as
+    /// NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it does not exist; other
+    /// files in it are not touched.
     #[arg(long, short, value_name = "DIR")]
     pub output: PathBuf,
 
@@ -335,13 +360,14 @@ pub struct Report {
     #[arg(long)]
     pub overwrite: bool,
 
-    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; other parameters have
-    /// the default uncertainties of "longdrive sensitivity".
+    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
+    /// Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
-    /// The parameter to follow the optimum along, with its range [default: swing.speed=80mph..130mph; with --launch,
-    /// launch.ball_speed=120mph..190mph; around the drive's own speed where that lies outside].
+    /// The parameter to follow the optimum along, with its range [default:
+    /// swing.speed=80mph..130mph; with --launch, launch.ball_speed=120mph..190mph; around the
+    /// drive's own speed where that lies outside].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: Option<String>,
 }

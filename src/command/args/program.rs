@@ -7,8 +7,8 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Options of every command")]
 pub struct Shown {
-    /// The units that results are shown in as text, in plots and on pages [default: us; reproduce: those of the study]. JSON and CSV are in
-    /// SI units and radians.
+    /// The units that results are shown in as text, in plots and on pages [default: us; reproduce:
+    /// those of the study]. JSON and CSV are in SI units and radians.
     #[arg(long, value_enum, global = true)]
     pub units: Option<Units>,
 
@@ -44,12 +44,13 @@ pub struct Completions {
 
 #[derive(clap::Args)]
 pub struct Man {
-    /// The command whose page is printed, e.g. "optimize" or "plot contour"; without it, the page of the program.
+    /// The command whose page is printed, e.g. "optimize" or "plot contour"; without it, the page
+    /// of the program.
     #[arg(value_name = "COMMAND")]
     pub command: Vec<String>,
 
-    /// Write the page of every command into this folder instead, as longdrive.1, longdrive-optimize.1, …. The folder is created if it
-    /// does not exist.
+    /// Write the page of every command into this folder instead, as longdrive.1,
+    /// longdrive-optimize.1, …. The folder is created if it does not exist.
     #[arg(long, short, value_name = "DIR", conflicts_with = "command")]
     pub output: Option<PathBuf>,
 

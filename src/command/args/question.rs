@@ -6,28 +6,39 @@ pub const SETUP: &str = "tour-average";
 /// What every question starts from.
 #[derive(Clone, clap::Args)]
 pub struct Question {
-    /// A preset's name, a TOML file, or - for the text of one on standard input. A file that names no preset starts from modern-driver.
+    /// A preset's name, a TOML file, or - for the text of one on standard input. A file that names
+    /// no preset starts from modern-driver.
     #[arg(value_name = "SETUP", default_value = SETUP)]
     pub setup: String,
 
-    /// Set a parameter, in place of the value of the setup, e.g. club.loft=10.5deg; a quantity with a dimension needs its unit. Repeatable.
+    /// Set a parameter, in place of the value of the setup, e.g. club.loft=10.5deg; a quantity with
+    /// a dimension needs its unit. Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 
-    /// Compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
-    /// launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
-    /// ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+    /// Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+    /// ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+    /// spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+    /// of the setup file.
     #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
     pub launch: Vec<String>,
 
-    /// Choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-    /// length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-    /// optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or --set gives
+    /// Choose the method and the time step so that every length asked for is within this length of
+    /// its exact value (1um if no length is given), at the least cost; they are chosen once, before
+    /// the first drive. Commands that fly many drives (sweep, optimize, chart, calibrate,
+    /// uncertainty, report, maps) do so by themselves, for 1um, unless the setup or --set gives
     /// flight.method or flight.step.
-    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "1um", require_equals = true)]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        num_args = 0..=1,
+        default_missing_value = "1um",
+        require_equals = true,
+    )]
     pub tolerance: Option<String>,
 
-    /// Integrate by flight.method and flight.step of the setup, also where the command would choose them.
+    /// Integrate by flight.method and flight.step of the setup, also where the command would choose
+    /// them.
     #[arg(long, conflicts_with = "tolerance")]
     pub own_step: bool,
 
@@ -48,11 +59,16 @@ pub struct Gradient {
     pub question: Question,
 
     /// The outcomes, separated by commas.
-    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry"
+    )]
     pub of: Vec<String>,
 
-    /// The parameters, separated by commas; "all" for every one that has a value in this setup. Without: loft and attack
-    /// angle, or the launch conditions where these are given.
+    /// The parameters, separated by commas; "all" for every one that has a value in this setup.
+    /// Without: loft and attack angle, or the launch conditions where these are given.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 
@@ -81,7 +97,8 @@ pub struct Presets {
 /// A user's own law beside the published ones.
 #[derive(clap::Args)]
 pub struct OwnLaw {
-    /// Take your own table of drag and lift too, with its factors: aero.table=mine.csv, aero.cd_factor=1.05. Repeatable.
+    /// Take your own table of drag and lift too, with its factors: aero.table=mine.csv,
+    /// aero.cd_factor=1.05. Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 }

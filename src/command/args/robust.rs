@@ -15,12 +15,20 @@ pub struct RobustArgs {
     #[command(flatten)]
     pub swings: SwingsArgs,
 
-    /// Make each search from this many starts, spread evenly over the ranges (the first is the setup's own).
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=U32, "--starts 8"), allow_negative_numbers = true)]
+    /// Make each search from this many starts, spread evenly over the ranges (the first is the
+    /// setup's own).
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = whole::<u32>(1..=U32, "--starts 8"),
+        allow_negative_numbers = true,
+    )]
     pub starts: u32,
 
-    /// A model beside the setup as it is: its changes, e.g. "aero.law=ferguson" or "impact.friction=0.3,impact.gear_scale=0.5". Repeatable
-    /// [default: the laws launch-monitor and ferguson, a friction of 0.3 and half the gear effect, each alone].
+    /// A model beside the setup as it is: its changes, e.g. "aero.law=ferguson" or
+    /// "impact.friction=0.3,impact.gear_scale=0.5". Repeatable [default: the laws launch-monitor
+    /// and ferguson, a friction of 0.3 and half the gear effect, each alone].
     #[arg(long, value_name = "NAME=VALUE,…", allow_hyphen_values = true)]
     pub model: Vec<String>,
 

@@ -15,27 +15,40 @@ pub struct SearchArgs {
     #[arg(long, value_name = "OUTCOME")]
     pub minimize: Option<String>,
 
-    /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable [default: loft 4 to
-    /// 20 deg and attack angle -5 to 5 deg].
+    /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable [default: loft 4
+    /// to 20 deg and attack angle -5 to 5 deg].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 
-    /// A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or
-    /// "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a name, linear in parameters,
-    /// e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g". Repeatable.
+    /// A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+    /// or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+    /// name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    /// Repeatable.
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 
     /// The largest number of iterations of a search [default: 500].
-    #[arg(long, value_name = "N", value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"),
+        allow_negative_numbers = true,
+    )]
     pub max_iterations: Option<u64>,
 }
 
 /// How much is searched.
 #[derive(clap::Args)]
 pub struct WorkArgs {
-    /// Search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local optima.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=U32, "--starts 8"), allow_negative_numbers = true)]
+    /// Search from this many starts, spread evenly over the ranges (the first is the setup's own),
+    /// and list the local optima.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = whole::<u32>(1..=U32, "--starts 8"),
+        allow_negative_numbers = true,
+    )]
     pub starts: u32,
 
     /// Save the search to this file after every iteration; if the file exists, continue from it.
@@ -46,31 +59,46 @@ pub struct WorkArgs {
 /// Swings that vary, for a design that is best over all of them.
 #[derive(clap::Args)]
 pub struct SwingsArgs {
-    /// Search for the best over many swings: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet, Arrow) of
-    /// recorded swings, a column for each parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)",
-    /// "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and --vary is the loft alone by default.
+    /// Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
+    /// or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
+    /// then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)", "within(lateral,
+    /// 15yd)" or "mean(carry) - 0.5*std(lateral)", and --vary is the loft alone by default.
     #[arg(long, value_name = "FILE")]
     pub swings: Option<PathBuf>,
 
-    /// The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
-    /// NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
+    /// The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
+    /// NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
+    /// NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
     #[arg(long, value_name = "NAME=KIND(…)", allow_hyphen_values = true)]
     pub distribution: Vec<String>,
 
-    /// The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+    /// The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
+    /// Repeatable.
     #[arg(long, value_name = "NAME,NAME=COEFFICIENT", allow_hyphen_values = true)]
     pub correlation: Vec<String>,
 
-    /// Take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else 512 swings].
-    #[arg(long, value_name = "N", value_parser = whole::<usize>(2..=100_000, "--scenarios 1024"), allow_negative_numbers = true)]
+    /// Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
+    /// for up to 3 parameters, else 512 swings].
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = whole::<usize>(2..=100_000, "--scenarios 1024"),
+        allow_negative_numbers = true,
+    )]
     pub scenarios: Option<usize>,
 
     /// The seed of the swings; the same seed gives the same swings [default: 0].
-    #[arg(long, value_name = "SEED", value_parser = whole::<u32>(0..=U32, "--seed 7"), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "SEED",
+        value_parser = whole::<u32>(0..=U32, "--seed 7"),
+        allow_negative_numbers = true,
+    )]
     pub seed: Option<u32>,
 
-    /// A CSV table of the strokes that are expected from a distance, with the columns "distance [yd]" and "strokes", for the goal
-    /// "strokes(400yd)": the expected strokes to hole out after this drive.
+    /// A CSV table of the strokes that are expected from a distance, with the columns "distance
+    /// [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after
+    /// this drive.
     #[arg(long, value_name = "FILE")]
     pub strokes: Option<PathBuf>,
 }
@@ -101,18 +129,23 @@ pub struct Optimize {
 #[derive(clap::Args)]
 #[command(
     mut_arg("setup", |arg| arg.default_value("modern-driver")),
-    mut_arg("maximize", |arg| arg.help("The goal to maximize, e.g. \"mean(carry)\" [default: \"mean(carry) - 0.5*rms(lateral)\", unless --minimize is given]")),
+    mut_arg("maximize", |arg| arg.help("The goal to maximize, e.g. \"mean(carry)\" [default: \
+                                        \"mean(carry) - 0.5*rms(lateral)\", unless --minimize is \
+                                        given]")),
     mut_arg("minimize", |arg| arg.help("The goal to minimize, e.g. \"rms(lateral)\"")),
     mut_arg("vary", |arg| arg.help(
-        "A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or club.weight_1.toe=-50mm..50mm. \
+        "A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or \
+         club.weight_1.toe=-50mm..50mm. \
          Repeatable [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg]"
     )),
     mut_arg("subject_to", |arg| arg.help(
-        "A limit of a goal or of the head, e.g. \"std(lateral) <= 20yd\" or \"head_mass <= 205 g\"; or a relation with a name, linear in \
+        "A limit of a goal or of the head, e.g. \"std(lateral) <= 20yd\" or \"head_mass <= 205 \
+         g\"; or a relation with a name, linear in \
          parameters, e.g. \"volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3\". Repeatable"
     )),
     mut_arg("swings", |arg| arg.help(
-        "The swings to design for: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet, Arrow) of recorded \
+        "The swings to design for: a TOML file with [distributions] and [[correlations]], or a \
+         table (CSV, Parquet, Arrow) of recorded \
          swings [default: a golfer whose drives were measured, about the setup's own swing]"
     )),
     mut_arg("output", |arg| arg.help("Write the setup with the best design into this setup file"))
@@ -121,7 +154,8 @@ pub struct DesignArgs {
     #[command(flatten)]
     pub optimize: Optimize,
 
-    /// The rules that hold the design: those of golf (moment of inertia, volume, spring effect, ball), or none.
+    /// The rules that hold the design: those of golf (moment of inertia, volume, spring effect,
+    /// ball), or none.
     #[arg(long, value_name = "RULES", default_value = "golf", value_parser = ["golf", "none"])]
     pub rules: String,
 }
@@ -131,18 +165,23 @@ pub struct OptimumSensitivity {
     #[command(flatten)]
     pub optimize: Optimize,
 
-    /// The parameters that the optimum depends on, separated by commas; "all" for every one that has a value in this
-    /// setup and is not varied.
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "all")]
+    /// The parameters that the optimum depends on, separated by commas; "all" for every one that
+    /// has a value in this setup and is not varied.
+    #[arg(
+        long,
+        value_name = "NAME,…",
+        value_delimiter = ',',
+        default_value = "all"
+    )]
     pub wrt: Vec<String>,
 
-    /// A change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value: its effect on the optimum is predicted, and compared with a new
-    /// search. Repeatable.
+    /// A change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value: its effect
+    /// on the optimum is predicted, and compared with a new search. Repeatable.
     #[arg(long, value_name = "NAME=AMOUNT", allow_hyphen_values = true)]
     pub change: Vec<String>,
 
-    /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, or 1 %
-    /// of the carry where that is below 10 yd; 1 % of the outcome otherwise].
+    /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for
+    /// a distance, or 1 % of the carry where that is below 10 yd; 1 % of the outcome otherwise].
     #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
     pub loss: Option<String>,
 }
@@ -159,9 +198,15 @@ pub struct ChartArgs {
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: String,
 
-    /// The values of that parameter at which the optimum is computed, separated by commas, e.g. 90mph,100mph,110mph; --along may then
-    /// be the name alone [default: as many values as the curve needs].
-    #[arg(long, value_name = "VALUE,…", value_delimiter = ',', allow_hyphen_values = true)]
+    /// The values of that parameter at which the optimum is computed, separated by commas, e.g.
+    /// 90mph,100mph,110mph; --along may then be the name alone [default: as many values as the
+    /// curve needs].
+    #[arg(
+        long,
+        value_name = "VALUE,…",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
     pub at: Vec<String>,
 
     /// Print the chart as CSV (SI units and radians).

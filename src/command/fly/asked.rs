@@ -1,4 +1,5 @@
-//! What is asked of shots, in a file and of those that are sent alike: the outcomes, the setup, and how they are integrated.
+//! What is asked of shots, in a file and of those that are sent alike: the outcomes, the setup, and
+//! how they are integrated.
 
 use crate::command::args::{Fly, Question};
 use crate::command::names::outcomes;
@@ -10,7 +11,13 @@ use crate::{Error, Outcome, Result, Setup};
 pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
     let is_all = args.of.iter().any(|name| name.trim() == "all");
     let of = outcomes(&args.of)?;
-    Ok(if is_all { of.into_iter().filter(|of| of.part() == Part::Flight).collect() } else { of })
+    Ok(if is_all {
+        of.into_iter()
+            .filter(|of| of.part() == Part::Flight)
+            .collect()
+    } else {
+        of
+    })
 }
 
 /// The setup: its ball, air and law are those of the flights, and the rows have the launches.
@@ -18,7 +25,10 @@ pub fn setup(question: &Question, rows: &str) -> Result<Setup<f64>> {
     let setup = question.setup_of_points()?;
     if setup.launch.is_given() {
         let source = format!("{rows} give the launch of each ball; leave this out").into();
-        return Err(Error::Unreadable { name: question.launch_from(), source });
+        return Err(Error::Unreadable {
+            name: question.launch_from(),
+            source,
+        });
     }
     question.refuse_club(&setup, &format!("{rows} are launches"))?;
     Ok(setup)

@@ -47,9 +47,13 @@ struct Summary {
 fn both_given(file: &Path, why: &str) -> Error {
     let file = file.display();
     let source = format!(
-        "beside --listen the one file is the setup of all messages, and {file} is not one ({why}); to fly the shots of {file} leave --listen out"
+        "beside --listen the one file is the setup of all messages, and {file} is not one ({why}); \
+         to fly the shots of {file} leave --listen out"
     );
-    Error::Unreadable { name: format!("--listen and the shots {file} are both given"), source: source.into() }
+    Error::Unreadable {
+        name: format!("--listen and the shots {file} are both given"),
+        source: source.into(),
+    }
 }
 
 pub fn run(args: &Fly, port: u16) -> Result<Answer> {
@@ -58,7 +62,10 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
     }
     let question = match &args.shots {
         // of a listener the one argument is the setup
-        Some(setup) => Question { setup: setup.display().to_string(), ..args.question.clone() },
+        Some(setup) => Question {
+            setup: setup.display().to_string(),
+            ..args.question.clone()
+        },
         None => args.question.clone(),
     };
     let setup = setup(&question, "the messages").map_err(|error| match (&args.shots, error) {
@@ -67,15 +74,23 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
     })?;
     question.refuse_replaced(&setup, &[])?;
     let of = asked(args)?;
-    let flying = followed(&question, &setup, &of, |setup| Flying::of_messages(setup, &of))?;
+    let flying = followed(&question, &setup, &of, |setup| {
+        Flying::of_messages(setup, &of)
+    })?;
     let warnings = setup.warnings();
     warn(&warnings);
     let wanted = SocketAddr::new(args.address, port);
     let listener = TcpListener::bind(wanted).map_err(|error| refused(wanted, &error))?;
-    listener.set_nonblocking(true).map_err(|error| refused(wanted, &error))?;
-    let address = listener.local_addr().map_err(|error| refused(wanted, &error))?;
+    listener
+        .set_nonblocking(true)
+        .map_err(|error| refused(wanted, &error))?;
+    let address = listener
+        .local_addr()
+        .map_err(|error| refused(wanted, &error))?;
     let stop = interrupt::stops("ending after the messages under way");
-    tell(&format!("listening on {address} for messages of GSPro Open Connect; Ctrl-C ends"));
+    tell(&format!(
+        "listening on {address} for messages of GSPro Open Connect; Ctrl-C ends"
+    ));
     let counts = Counts::default();
     std::thread::scope(|scope| {
         while !stop.load(Ordering::Relaxed) {
@@ -109,7 +124,13 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
     Ok(if question.json {
         Answer::json(&Reply::done("fly", warnings, &summary))
     } else {
-        let Summary { flown, others, refused, connections, .. } = summary;
+        let Summary {
+            flown,
+            others,
+            refused,
+            connections,
+            ..
+        } = summary;
         Answer::text(format!(
             "{} flown, {} without a shot, {} refused, over {}\n",
             counted(flown, "shot"),
@@ -121,7 +142,12 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
 }
 
 /// Answers the messages of a connection until it is closed.
-fn serve(mut stream: TcpStream, flying: &Flying, stop: &AtomicBool, counts: &Counts) -> io::Result<()> {
+fn serve(
+    mut stream: TcpStream,
+    flying: &Flying,
+    stop: &AtomicBool,
+    counts: &Counts,
+) -> io::Result<()> {
     stream.set_nonblocking(false)?;
     stream.set_nodelay(true)?;
     stream.set_read_timeout(Some(PATIENCE))?;
@@ -151,7 +177,12 @@ fn serve(mut stream: TcpStream, flying: &Flying, stop: &AtomicBool, counts: &Cou
             let of = match flown.status(0) {
                 Some(Status::Landed) => &counts.flown,
                 Some(_) => &counts.others,
-                None if flown.shots()[0].refusal().is_some_and(|refusal| refusal.is_no_shot()) => &counts.others,
+                None if flown.shots()[0]
+                    .refusal()
+                    .is_some_and(|refusal| refusal.is_no_shot()) =>
+                {
+                    &counts.others
+                }
                 None => &counts.refused,
             };
             of.fetch_add(1, Ordering::Relaxed);
@@ -167,14 +198,21 @@ fn serve(mut stream: TcpStream, flying: &Flying, stop: &AtomicBool, counts: &Cou
 /// Why nothing can be heard there, and what to do.
 fn refused(address: SocketAddr, error: &io::Error) -> Error {
     let why = match error.kind() {
-        ErrorKind::AddrInUse => "another program listens there; end it, or take another port".to_owned(),
+        ErrorKind::AddrInUse => {
+            "another program listens there; end it, or take another port".to_owned()
+        }
         ErrorKind::PermissionDenied => {
-            "ports below 1024 need the rights of an administrator; take another port, as in --listen 9210".into()
+            "ports below 1024 need the rights of an administrator; take another port, as in \
+             --listen 9210"
+                .into()
         }
         ErrorKind::AddrNotAvailable => {
             "it is not an address of this machine; leave --address out, or name one that is".into()
         }
         _ => format!("the system says: {error}"),
     };
-    Error::Unreadable { name: format!("--listen {address}"), source: why.into() }
+    Error::Unreadable {
+        name: format!("--listen {address}"),
+        source: why.into(),
+    }
 }

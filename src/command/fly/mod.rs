@@ -28,10 +28,18 @@ pub fn run(args: &Fly) -> Result<Answer> {
 }
 
 fn fly(args: &Fly) -> Result<Answer> {
-    let Some(file) = &args.shots else { return listen::run(args, 0) };
+    let Some(file) = &args.shots else {
+        return listen::run(args, 0);
+    };
     if Preset::named(&file.to_string_lossy()).is_some() && !file.exists() {
-        let source = format!("it is a setup; the shots come first, as in longdrive fly shots.csv {}", file.display());
-        return Err(Error::Unreadable { name: file.display().to_string(), source: source.into() });
+        let source = format!(
+            "it is a setup; the shots come first, as in longdrive fly shots.csv {}",
+            file.display()
+        );
+        return Err(Error::Unreadable {
+            name: file.display().to_string(),
+            source: source.into(),
+        });
     }
     let setup = setup(&args.question, &format!("the rows of {}", file.display()))?;
     let target = Target::new(args, file)?;
@@ -40,46 +48,83 @@ fn fly(args: &Fly) -> Result<Answer> {
     if args.question.gives_air()? {
         shots.in_given_air();
     }
-    let of_rows = CONDITIONS.iter().filter_map(|of| setup.launch_condition(of.name()));
+    let of_rows = CONDITIONS
+        .iter()
+        .filter_map(|of| setup.launch_condition(of.name()));
     let of_rows: Vec<_> = of_rows.chain(shots.further().iter().copied()).collect();
-    args.question.refuse_twice(&setup, &of_rows, "every row has a value of its own")?;
+    args.question
+        .refuse_twice(&setup, &of_rows, "every row has a value of its own")?;
     // it has something to tell: after what may be refused
     let of = asked(args)?;
     args.question.refuse_replaced(&setup, shots.further())?;
-    let flying = followed(&args.question, &setup, &of, |setup| Flying::new(setup, &shots, &of))?;
+    let flying = followed(&args.question, &setup, &of, |setup| {
+        Flying::new(setup, &shots, &of)
+    })?;
     let is_on_their_ground = args.question.gives_ground()?;
-    let flying = if is_on_their_ground { flying.on_their_ground() } else { flying };
+    let flying = if is_on_their_ground {
+        flying.on_their_ground()
+    } else {
+        flying
+    };
     let mut warnings = setup.warnings();
     warn(&warnings);
     let mut remarks: Vec<Message> = shots.remarks().to_vec();
     if !is_on_their_ground && of.iter().any(|of| of.is_of_the_run() && shots.has(*of)) {
-        remarks.push("the measured totals are not compared: the ground is not given; name it with --set ground.turf=average, or another".into());
-    }
-    if of.contains(&Outcome::Carry) && shots.has(Outcome::CarryDistance) && !of.contains(&Outcome::CarryDistance) {
         remarks.push(
-            "the measured carry is not compared: it is the distance from the tee, carry_distance; name that with --of"
+            "the measured totals are not compared: the ground is not given; name it with \
+                      --set ground.turf=average, or another"
+                .into(),
+        );
+    }
+    if of.contains(&Outcome::Carry)
+        && shots.has(Outcome::CarryDistance)
+        && !of.contains(&Outcome::CarryDistance)
+    {
+        remarks.push(
+            "the measured carry is not compared: it is the distance from the tee, carry_distance; \
+             name that with --of"
                 .into(),
         );
     }
     for remark in &remarks {
-        tell(&format!("note: {}: {}", file.display(), remark.in_units(system())));
+        tell(&format!(
+            "note: {}: {}",
+            file.display(),
+            remark.in_units(system())
+        ));
     }
     let source = shots.maker();
-    let run = Run { threads: args.threads, stop: Some(&stop), ..Run::default() };
+    let run = Run {
+        threads: args.threads,
+        stop: Some(&stop),
+        ..Run::default()
+    };
     let (tally, output) = written(&target, &flying, &mut shots, &run)?;
     for remark in shots.remarks_of_sections() {
-        tell(&format!("note: {}: {}", file.display(), remark.in_units(system())));
+        tell(&format!(
+            "note: {}: {}",
+            file.display(),
+            remark.in_units(system())
+        ));
         remarks.push(remark.clone());
     }
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
     if tally.rows == 0 && !is_stopped {
         let reason = "it has no rows; give a row for each shot".into();
-        return Err(Error::Table { file: file.display().to_string(), place: String::new(), reason });
+        return Err(Error::Table {
+            file: file.display().to_string(),
+            place: String::new(),
+            reason,
+        });
     }
     if !is_stopped {
         output.finish()?;
     }
-    let beyond = tally.beyond.warnings(&setup.law, ["shot that landed", "shots that landed"], Looked::AtLaunch);
+    let beyond = tally.beyond.warnings(
+        &setup.law,
+        ["shot that landed", "shots that landed"],
+        Looked::AtLaunch,
+    );
     warn(&beyond);
     warnings.extend(beyond);
     let suspicions = tally.unit_warnings(|of| shots.name_of(of));
@@ -90,20 +135,26 @@ fn fly(args: &Fly) -> Result<Answer> {
         tell(&format!("note: {}: {remark}", file.display()));
         remarks.push(remark.into());
     }
-    let missing = Missing { stopped: is_stopped.then(|| stopped(&tally, &target)), nothing: nothing(&tally, &remarks) };
+    let missing = Missing {
+        stopped: is_stopped.then(|| stopped(&tally, &target)),
+        nothing: nothing(&tally, &remarks),
+    };
     if args.question.json {
         let nothing: Vec<Message> = missing.nothing.iter().cloned().map(Message::from).collect();
         warn(&nothing);
         warnings.extend(nothing);
     }
-    Ok(answer(args, &target, &tally, source, warnings, &remarks, missing))
+    Ok(answer(
+        args, &target, &tally, source, warnings, &remarks, missing,
+    ))
 }
 
 /// What the law is worth for shots of other clubs than drivers.
 fn of_lofted(tally: &Tally, law: &Law<f64>) -> Option<String> {
     (tally.lofted > 0 && law.name() == "launch-monitor").then(|| {
         format!(
-            "{} of clubs with more loft than a driver (spin ratio above 0.12): launch monitors predict carries 4 to 8 yd longer there; \
+            "{} of clubs with more loft than a driver (spin ratio above 0.12): launch monitors \
+             predict carries 4 to 8 yd longer there; \
              --set aero.law=ferguson halves that",
             counted(tally.lofted, "shot")
         )
@@ -111,20 +162,35 @@ fn of_lofted(tally: &Tally, law: &Law<f64>) -> Option<String> {
 }
 
 /// Flies the shots into the output; it is still to be ended.
-fn written(target: &Target, flying: &Flying, shots: &mut Shots, run: &Run<'_>) -> Result<(Tally, Output)> {
+fn written(
+    target: &Target,
+    flying: &Flying,
+    shots: &mut Shots,
+    run: &Run<'_>,
+) -> Result<(Tally, Output)> {
     let of = flying.outcomes();
     match target.format {
         Written::Rows(format) => {
             let writer = ShotWriter::new(format, shots, of, system());
             let mut output = target.open(&writer.head())?;
-            let tally = flying.fly(shots, run, |flown| writer.rows(&flown), |bytes| output.write(&bytes))?;
+            let tally = flying.fly(
+                shots,
+                run,
+                |flown| writer.rows(&flown),
+                |bytes| output.write(&bytes),
+            )?;
             Ok((tally, output))
         }
         #[cfg(feature = "parquet")]
         Written::Parquet => {
             let mut writer = ShotParquet::new(shots, of)?;
             let mut output = target.open(&writer.head())?;
-            let tally = flying.fly(shots, run, |flown| flown, |flown| output.write(&writer.take(flown)?))?;
+            let tally = flying.fly(
+                shots,
+                run,
+                |flown| flown,
+                |flown| output.write(&writer.take(flown)?),
+            )?;
             output.write(&writer.finish()?)?;
             Ok((tally, output))
         }
@@ -147,14 +213,19 @@ fn stopped(tally: &Tally, target: &Target) -> String {
     }
 }
 
-/// Where no row could be flown: why the first could not, and in which units columns were read that state none.
+/// Where no row could be flown: why the first could not, and in which units columns were read that
+/// state none.
 fn nothing(tally: &Tally, remarks: &[Message]) -> Option<String> {
     (tally.flown == 0 && tally.rows > 0).then(|| {
         let first = tally.refused.values().min_by_key(|refused| refused.line);
-        let first = first.map_or(String::new(), |first| format!("; line {}: {}", first.line, first.reason));
+        let first = first.map_or(String::new(), |first| {
+            format!("; line {}: {}", first.line, first.reason)
+        });
         let remarks = remarks.iter().map(|remark| remark.in_units(system()));
-        let units: String =
-            remarks.filter(|remark| remark.starts_with(ASSUMED_UNITS)).map(|remark| format!("; {remark}")).collect();
+        let units: String = remarks
+            .filter(|remark| remark.starts_with(ASSUMED_UNITS))
+            .map(|remark| format!("; {remark}"))
+            .collect();
         let all = if tally.rows == 1 {
             "the only row could not".into()
         } else {
@@ -176,8 +247,15 @@ fn answer(
     let text = shots_text(tally, source, system());
     let is_answered = stopped.is_none() && nothing.is_none();
     if args.question.json {
-        let file = target.file().filter(|_| stopped.is_none()).map(|file| file.display().to_string());
-        let reply = Reply::done("fly", warnings, ShotsReport::new(tally, source, file, remarks));
+        let file = target
+            .file()
+            .filter(|_| stopped.is_none())
+            .map(|file| file.display().to_string());
+        let reply = Reply::done(
+            "fly",
+            warnings,
+            ShotsReport::new(tally, source, file, remarks),
+        );
         let reply = match (stopped, nothing) {
             (Some(stopped), _) => reply.ended("interrupted", Some(stopped)),
             (None, Some(nothing)) => reply.ended("no-answer", Some(nothing)),

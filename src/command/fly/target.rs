@@ -25,12 +25,20 @@ impl Target {
     pub fn new(args: &Fly, shots: &Path) -> Result<Self> {
         let path = args.output.as_path();
         let is_standard = path == Path::new("-");
-        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+        let ending = path
+            .extension()
+            .and_then(|ending| ending.to_str())
+            .unwrap_or_default()
+            .to_lowercase();
         let format = match (args.format, ending.as_str()) {
             (Some(FlyFormat::Csv), _) | (None, "csv") => Written::Rows(ShotFormat::Csv),
             (Some(FlyFormat::LaunchMonitor), _) => Written::Rows(ShotFormat::LaunchMonitor),
-            (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => Written::Rows(ShotFormat::JsonLines),
-            (Some(FlyFormat::OpenConnect), _) | (None, "json") => Written::Rows(ShotFormat::OpenConnect),
+            (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => {
+                Written::Rows(ShotFormat::JsonLines)
+            }
+            (Some(FlyFormat::OpenConnect), _) | (None, "json") => {
+                Written::Rows(ShotFormat::OpenConnect)
+            }
             (None, _) if is_standard => Written::Rows(ShotFormat::Csv),
             #[cfg(feature = "parquet")]
             (Some(FlyFormat::Parquet), _) | (None, "parquet") => Written::Parquet,
@@ -39,21 +47,35 @@ impl Target {
             (None, _) => {
                 return Err(refused(
                     path,
-                    "its name must end in .csv, .jsonl, .json or .parquet, or --format must name the format",
+                    "its name must end in .csv, .jsonl, .json or .parquet, or --format must name \
+                     the format",
                 ));
             }
         };
         #[cfg(feature = "parquet")]
         if is_standard && format == Written::Parquet && !args.question.json {
-            return Err(refused(path, "Parquet needs a file; name one with -o, or take --format csv or jsonl"));
+            return Err(refused(
+                path,
+                "Parquet needs a file; name one with -o, or take --format csv or jsonl",
+            ));
         }
         if is_standard && args.overwrite {
-            let reason = "--overwrite replaces a file, and the rows go to standard output; name a file with -o, or leave --overwrite out";
+            let reason = "--overwrite replaces a file, and the rows go to standard output; name a \
+                          file with -o, or leave --overwrite out";
             return Err(refused(path, reason));
         }
-        let inputs = args.question.inputs().chain((shots != Path::new("-")).then(|| shots.to_path_buf()));
-        let destination = (!is_standard).then(|| Rule::new(inputs, args.overwrite).file(path)).transpose()?;
-        Ok(Self { is_silent: destination.is_none() && args.question.json, destination, format })
+        let inputs = args
+            .question
+            .inputs()
+            .chain((shots != Path::new("-")).then(|| shots.to_path_buf()));
+        let destination = (!is_standard)
+            .then(|| Rule::new(inputs, args.overwrite).file(path))
+            .transpose()?;
+        Ok(Self {
+            is_silent: destination.is_none() && args.question.json,
+            destination,
+            format,
+        })
     }
 
     /// The file, where they go into one.
@@ -89,7 +111,10 @@ impl Output {
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
         match self {
             Self::File(file) => file.write(bytes),
-            Self::Standard(out) => out.write_all(bytes).and_then(|()| out.flush()).map_err(Error::Output),
+            Self::Standard(out) => out
+                .write_all(bytes)
+                .and_then(|()| out.flush())
+                .map_err(Error::Output),
             Self::Nowhere => Ok(()),
         }
     }

@@ -23,16 +23,34 @@ impl Asked {
         let points = points(&setup, args)?;
         let notes = points.notes();
         for note in &notes {
-            tell(&format!("note: {}: {}", described(args), note.in_units(system())));
+            tell(&format!(
+                "note: {}: {}",
+                described(args),
+                note.in_units(system())
+            ));
         }
         if let (Some(table), 0) = (&args.points, points.rows()) {
             let reason = "it has a head and no rows; give a row for each drive".into();
-            return Err(Error::Table { file: table.display().to_string(), place: String::new(), reason });
+            return Err(Error::Table {
+                file: table.display().to_string(),
+                place: String::new(),
+                reason,
+            });
         }
-        args.question.refuse_twice(&setup, points.parameters(), "every drive of the sweep has a value of its own")?;
+        args.question.refuse_twice(
+            &setup,
+            points.parameters(),
+            "every drive of the sweep has a value of its own",
+        )?;
         args.question.refuse_replaced(&setup, points.parameters())?;
-        if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
-            args.question.refuse_club(&setup, "the points are launches")?;
+        if !setup.launch.is_given()
+            && points
+                .parameters()
+                .iter()
+                .any(|parameter| parameter.is_of_launch())
+        {
+            args.question
+                .refuse_club(&setup, "the points are launches")?;
         }
         let accuracy = args.question.accuracy(&setup, &points.ranges(), &of)?;
         let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
@@ -47,11 +65,18 @@ impl Asked {
         if let Some(instructions) = args.instructions {
             batch = batch.with_level(instructions)?;
         }
-        Ok(Self { setup, points, batch, notes })
+        Ok(Self {
+            setup,
+            points,
+            batch,
+            notes,
+        })
     }
 }
 
 /// Where the points come from.
 fn described(args: &Sweep) -> String {
-    args.points.as_ref().map_or("--over".into(), |table| table.display().to_string())
+    args.points
+        .as_ref()
+        .map_or("--over".into(), |table| table.display().to_string())
 }

@@ -18,9 +18,9 @@ struct Begun {
     overwrite: bool,
 }
 
-/// How far a file of rows has come, kept beside it as `FILE.resume` until it is complete: the question in the first
-/// line, then a line whenever rows are safe in the file. A line counts once it ends; what stands after the last one is
-/// what a kill cut short.
+/// How far a file of rows has come, kept beside it as `FILE.resume` until it is complete: the
+/// question in the first line, then a line whenever rows are safe in the file. A line counts once
+/// it ends; what stands after the last one is what a kill cut short.
 pub struct Journal {
     path: PathBuf,
     file: File,
@@ -42,8 +42,8 @@ pub struct Entry {
     pub bytes: u64,
     /// How many drives ended how.
     pub drives: BTreeMap<Status, u64>,
-    /// How many landed; of these, how many begin with what the law was not fitted to, and how many with a strike beside any face; and how
-    /// many land too flat.
+    /// How many landed; of these, how many begin with what the law was not fitted to, and how many
+    /// with a strike beside any face; and how many land too flat.
     pub beyond: [u64; 4],
     /// The metadata of the row group that ends here, in hexadecimal.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -52,7 +52,12 @@ pub struct Entry {
 
 impl Entry {
     pub fn new(rows: u64, bytes: u64, tally: Tally, group: &[u8]) -> Self {
-        let BeyondCount { all, law, face, flat } = tally.beyond();
+        let BeyondCount {
+            all,
+            law,
+            face,
+            flat,
+        } = tally.beyond();
         Self {
             rows,
             bytes,
@@ -64,14 +69,24 @@ impl Entry {
 
     pub fn tally(&self) -> Tally {
         let [all, law, face, flat] = self.beyond;
-        Tally::of(&self.drives, BeyondCount { all, law, face, flat })
+        Tally::of(
+            &self.drives,
+            BeyondCount {
+                all,
+                law,
+                face,
+                flat,
+            },
+        )
     }
 
     /// The metadata of the row group.
     #[cfg(feature = "parquet")]
     pub fn group(&self) -> Vec<u8> {
         let digits = self.group.as_bytes();
-        let byte = |pair: &[u8]| u8::from_str_radix(std::str::from_utf8(pair).unwrap_or_default(), 16).unwrap_or(0);
+        let byte = |pair: &[u8]| {
+            u8::from_str_radix(std::str::from_utf8(pair).unwrap_or_default(), 16).unwrap_or(0)
+        };
         digits.chunks(2).map(byte).collect()
     }
 }
@@ -89,20 +104,30 @@ impl Journal {
     /// # Errors
     /// Where a sweep is writing it.
     pub fn is_one(path: &Path) -> io::Result<bool> {
-        let Ok(file) = File::open(path) else { return Ok(false) };
+        let Ok(file) = File::open(path) else {
+            return Ok(false);
+        };
         lock(&file)?;
         let mut line = String::new();
         let read = io::BufReader::new(file).read_line(&mut line);
         Ok(read.is_ok() && serde_json::from_str::<Begun>(&line).is_ok())
     }
 
-    /// A new journal, whole from its first moment on. One that another program is writing stays, and with `overwrite` alone one is replaced.
+    /// A new journal, whole from its first moment on. One that another program is writing stays,
+    /// and with `overwrite` alone one is replaced.
     pub fn begin(of: &Path, question: &Question, overwrite: bool) -> io::Result<Self> {
         let path = Self::path(of);
-        let replaced = if overwrite { File::open(&path).ok() } else { None };
+        let replaced = if overwrite {
+            File::open(&path).ok()
+        } else {
+            None
+        };
         replaced.as_ref().map_or(Ok(()), lock)?;
         let mut beside = beside(&path)?;
-        let mut line = serde_json::to_vec(&Begun { question: question.clone(), overwrite })?;
+        let mut line = serde_json::to_vec(&Begun {
+            question: question.clone(),
+            overwrite,
+        })?;
         line.push(b'\n');
         beside.write_all(&line)?;
         beside.as_file().sync_all()?;
@@ -114,12 +139,22 @@ impl Journal {
             io::ErrorKind::AlreadyExists => busy(),
             _ => failed.error,
         })?;
-        Ok(Self { path, file, entries: vec![], length: line.len() as u64, overwrite, _replaced: replaced })
+        Ok(Self {
+            path,
+            file,
+            entries: vec![],
+            length: line.len() as u64,
+            overwrite,
+            _replaced: replaced,
+        })
     }
 
-    /// The journal of a file, with the question and the entries that `keeps` accepts, up to the first it does not;
-    /// `None` where there is no journal.
-    pub fn open(of: &Path, keeps: impl Fn(&Entry) -> bool) -> io::Result<Option<(Self, Question, Vec<Entry>)>> {
+    /// The journal of a file, with the question and the entries that `keeps` accepts, up to the
+    /// first it does not; `None` where there is no journal.
+    pub fn open(
+        of: &Path,
+        keeps: impl Fn(&Entry) -> bool,
+    ) -> io::Result<Option<(Self, Question, Vec<Entry>)>> {
         let path = Self::path(of);
         let mut file = match OpenOptions::new().read(true).write(true).open(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
@@ -132,14 +167,28 @@ impl Journal {
         if text.is_empty() {
             return Ok(None);
         }
-        let mut lines = text.split_inclusive('\n').take_while(|line| line.ends_with('\n'));
+        let mut lines = text
+            .split_inclusive('\n')
+            .take_while(|line| line.ends_with('\n'));
         let first = lines.next().unwrap_or_default();
-        let Begun { question, overwrite } = serde_json::from_str(first)?;
+        let Begun {
+            question,
+            overwrite,
+        } = serde_json::from_str(first)?;
         let length = first.len() as u64;
-        let mut journal = Self { path, file, entries: vec![], length, overwrite, _replaced: None };
+        let mut journal = Self {
+            path,
+            file,
+            entries: vec![],
+            length,
+            overwrite,
+            _replaced: None,
+        };
         let mut entries = vec![];
         for line in lines {
-            let Some(entry) = serde_json::from_str(line).ok().filter(&keeps) else { break };
+            let Some(entry) = serde_json::from_str(line).ok().filter(&keeps) else {
+                break;
+            };
             journal.entries.push((entry.bytes, journal.length));
             journal.length += line.len() as u64;
             entries.push(entry);
@@ -152,7 +201,10 @@ impl Journal {
     pub fn add(&mut self, entry: &Entry) -> io::Result<()> {
         let mut line = serde_json::to_vec(entry)?;
         line.push(b'\n');
-        let written = self.file.write_all(&line).and_then(|()| self.file.sync_data());
+        let written = self
+            .file
+            .write_all(&line)
+            .and_then(|()| self.file.sync_data());
         if written.is_err() {
             self.cut()?;
             return written;

@@ -22,8 +22,9 @@ use tempfile::TempPath;
 const OFTEN: Duration = Duration::from_secs(1);
 const BLOCKS: u64 = 16;
 
-/// Rows of a sweep that can be resumed: in `FILE.part` until all are there, and then in the file itself. Whatever happens, it
-/// holds whole rows, and its journal knows how many of them an undisturbed run would have written in the same bytes.
+/// Rows of a sweep that can be resumed: in `FILE.part` until all are there, and then in the file
+/// itself. Whatever happens, it holds whole rows, and its journal knows how many of them an
+/// undisturbed run would have written in the same bytes.
 pub struct Kept<'a> {
     files: Files,
     file: File,
@@ -65,7 +66,10 @@ impl Files {
     pub fn of(whole: &Path) -> Self {
         let mut part = whole.as_os_str().to_owned();
         part.push(".part");
-        Self { whole: whole.into(), part: part.into() }
+        Self {
+            whole: whole.into(),
+            part: part.into(),
+        }
     }
 
     /// Whether `--resume` finds rows to continue.
@@ -79,16 +83,23 @@ impl Files {
         if !journal.exists() {
             let part = &self.part;
             return match (part.exists(), resume && self.whole.exists()) {
-                (true, _) => Err(refused(part, "it exists, and it is not known which sweep wrote it; move it away")),
+                (true, _) => Err(refused(
+                    part,
+                    "it exists, and it is not known which sweep wrote it; move it away",
+                )),
                 (_, true) => Err(nothing_left(&self.whole)),
                 _ => Ok(()),
             };
         }
         if !Journal::is_one(&journal).map_err(|error| unwritable(&self.whole, &error))? {
-            return Err(refused(&journal, "it exists, and is not the journal of a sweep; move it away"));
+            return Err(refused(
+                &journal,
+                "it exists, and is not the journal of a sweep; move it away",
+            ));
         }
         if !resume && !overwrite {
-            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite starts again";
+            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite \
+                          starts again";
             return Err(refused(&self.whole, reason));
         }
         Ok(())
@@ -97,7 +108,8 @@ impl Files {
 
 fn nothing_left(path: &Path) -> Error {
     let reason = format!(
-        "there is nothing to resume: without {} it is complete, or not from a sweep; --overwrite replaces it",
+        "there is nothing to resume: without {} it is complete, or not from a sweep; --overwrite \
+         replaces it",
         Journal::path(path).display()
     );
     refused(path, reason)
@@ -111,13 +123,18 @@ impl<'a> Kept<'a> {
         }
         let unwritable = |error: io::Error| unwritable(&files.whole, &error);
         // the journal first: rows without one are nobody's
-        let journal = Journal::begin(&files.whole, &writer.question, overwrite).map_err(unwritable)?;
+        let journal =
+            Journal::begin(&files.whole, &writer.question, overwrite).map_err(unwritable)?;
         // another sweep may have ended since that was checked
         if !overwrite && files.whole.exists() {
             journal.remove().map_err(unwritable)?;
             return Err(exists(&files.whole));
         }
-        let rows = OpenOptions::new().write(true).create(true).truncate(true).open(&files.part);
+        let rows = OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(true)
+            .open(&files.part);
         let file = rows.map_err(|error| {
             let _ = journal.remove();
             unwritable(error)
@@ -149,9 +166,15 @@ impl<'a> Kept<'a> {
 
     fn go_on(files: Files, writer: &'a Writer) -> Result<Self> {
         let path = files.whole.clone();
-        let unusable = |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
+        let unusable =
+            |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
         // a kill may have come between the journal and the first row
-        let file = OpenOptions::new().write(true).create(true).truncate(false).open(&files.part).map_err(unusable)?;
+        let file = OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(&files.part)
+            .map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
         let Some((journal, question, entries)) =
             Journal::open(&path, |entry| entry.bytes <= length).map_err(unusable)?
@@ -160,12 +183,14 @@ impl<'a> Kept<'a> {
         };
         if let Some(part) = writer.question.difference(&question) {
             let reason = format!(
-                "it belongs to another command ({part} differ); repeat the command that began it, or replace it with --overwrite"
+                "it belongs to another command ({part} differ); repeat the command that began it, \
+                 or replace it with --overwrite"
             );
             return Err(refused(&path, reason));
         }
         if !journal.overwrite && files.whole.exists() {
-            let reason = "it exists, and the sweep into it was begun without --overwrite; move it away, then repeat the \
+            let reason = "it exists, and the sweep into it was begun without --overwrite; move it \
+                          away, then repeat the \
                           same command with --resume";
             return Err(refused(&path, reason));
         }
@@ -176,11 +201,16 @@ impl<'a> Kept<'a> {
         }
         #[cfg(feature = "parquet")]
         if let Table::Parquet(table) = &writer.table {
-            kept.groups.restore(table, &entries, table.head().len() as u64)?;
+            kept.groups
+                .restore(table, &entries, table.head().len() as u64)?;
         }
         kept.cut().map_err(unusable)?;
         tell(&format!("resuming after {}", counted(kept.rows, "row")));
-        if kept.rows == 0 { kept.begun() } else { Ok(kept) }
+        if kept.rows == 0 {
+            kept.begun()
+        } else {
+            Ok(kept)
+        }
     }
 
     pub fn rows(&self) -> u64 {
@@ -209,7 +239,9 @@ impl<'a> Kept<'a> {
             }
             #[cfg(feature = "parquet")]
             Content::Block(block) => {
-                let Table::Parquet(table) = &self.writer.table else { return Ok(()) };
+                let Table::Parquet(table) = &self.writer.table else {
+                    return Ok(());
+                };
                 self.groups.pending.push(block);
                 if self.groups.pending.len() == table.blocks_of_group() {
                     let metadata = self.write_group(table)?;
@@ -220,13 +252,17 @@ impl<'a> Kept<'a> {
         Ok(())
     }
 
-    /// Makes the rows so far readable: what was computed is written, and a Parquet file gets its foot. Once all are there the
-    /// file is put in its place, and the journal goes.
+    /// Makes the rows so far readable: what was computed is written, and a Parquet file gets its
+    /// foot. Once all are there the file is put in its place, and the journal goes.
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         #[cfg(feature = "parquet")]
         if let Table::Parquet(table) = &self.writer.table {
             // after an error of the disk there may be no room for these rows
-            let rest = if self.groups.pending.is_empty() { Ok(()) } else { self.write_group(table).map(|_| ()) };
+            let rest = if self.groups.pending.is_empty() {
+                Ok(())
+            } else {
+                self.write_group(table).map(|_| ())
+            };
             self.write_foot(table).and(rest)?;
         }
         if !is_complete && self.since > 0 {
@@ -266,22 +302,37 @@ impl<'a> Kept<'a> {
     }
 
     fn failed(&self, error: &io::Error) -> Error {
-        let (rows, part) = (counted(self.rows, "complete row"), self.files.part.display());
+        let (rows, part) = (
+            counted(self.rows, "complete row"),
+            self.files.part.display(),
+        );
         let (what, remedy) = match error.kind() {
-            ErrorKind::AlreadyExists => {
-                ("it was made by another program while the sweep ran".into(), "move the other file away")
-            }
-            _ => (format!("it cannot be written further ({})", Error::why_unwritten(error)), "make room"),
+            ErrorKind::AlreadyExists => (
+                "it was made by another program while the sweep ran".into(),
+                "move the other file away",
+            ),
+            _ => (
+                format!(
+                    "it cannot be written further ({})",
+                    Error::why_unwritten(error)
+                ),
+                "make room",
+            ),
         };
-        let reason =
-            format!("{what}; {part} keeps its first {rows}; {remedy}, then repeat the same command with --resume");
+        let reason = format!(
+            "{what}; {part} keeps its first {rows}; {remedy}, then repeat the same command with \
+             --resume"
+        );
         refused(&self.files.whole, reason)
     }
 
     /// Enters what is written in the journal.
     fn keep(&mut self, group: &[u8]) -> Result<()> {
         let entry = Entry::new(self.rows, self.bytes, self.tally, group);
-        self.file.sync_data().and_then(|()| self.journal.add(&entry)).map_err(|error| self.failed(&error))?;
+        self.file
+            .sync_data()
+            .and_then(|()| self.journal.add(&entry))
+            .map_err(|error| self.failed(&error))?;
         (self.safe, self.since, self.last) = (self.rows, 0, Some(Instant::now()));
         Ok(())
     }
@@ -304,16 +355,28 @@ impl Kept<'_> {
         Ok(metadata)
     }
 
-    /// Without a foot no row of a Parquet file can be read: where there is no room for it, row groups make room.
+    /// Without a foot no row of a Parquet file can be read: where there is no room for it, row
+    /// groups make room.
     fn write_foot(&mut self, table: &SweepParquet) -> Result<()> {
         let mut no_room = None;
         loop {
-            let groups: Vec<_> = self.groups.placed.iter().map(|(group, ..)| group.clone()).collect();
+            let groups: Vec<_> = self
+                .groups
+                .placed
+                .iter()
+                .map(|(group, ..)| group.clone())
+                .collect();
             let foot = table.foot(&groups)?;
-            let Err(error) = self.file.write_all(&foot) else { break };
-            let Some((_, at, rows, tally)) = self.groups.placed.pop() else { return Err(self.failed(&error)) };
+            let Err(error) = self.file.write_all(&foot) else {
+                break;
+            };
+            let Some((_, at, rows, tally)) = self.groups.placed.pop() else {
+                return Err(self.failed(&error));
+            };
             (self.bytes, self.rows, self.tally) = (at, rows, tally);
-            self.cut().and_then(|()| self.journal.forget_beyond(at)).map_err(|error| self.failed(&error))?;
+            self.cut()
+                .and_then(|()| self.journal.forget_beyond(at))
+                .map_err(|error| self.failed(&error))?;
             no_room = Some(error);
         }
         // what had to go is no longer complete

@@ -37,7 +37,12 @@ struct OfParts {
 /// Writes a part.
 pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     let stop = interrupt::stops("stopping after the drives under way; nothing of the part is kept");
-    let Asked { setup, mut points, batch, notes } = Asked::of(args)?;
+    let Asked {
+        setup,
+        mut points,
+        batch,
+        notes,
+    } = Asked::of(args)?;
     let dataset = of_question(args, batch, points.as_ref(), part.parts)?;
     let rows = dataset.rows_of(part.part)?;
     make(folder)?;
@@ -45,16 +50,30 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     warn(&warnings);
     let bar = bar("drives");
     bar.set_length(rows.end - rows.start);
-    let run = Run { threads: args.threads, stop: Some(&stop), ..Run::default() };
+    let run = Run {
+        threads: args.threads,
+        stop: Some(&stop),
+        ..Run::default()
+    };
     let progress = |done| bar.set_position(done);
-    let written = dataset.write(points.as_mut(), part.part, folder, &run, args.overwrite, progress);
+    let written = dataset.write(
+        points.as_mut(),
+        part.part,
+        folder,
+        &run,
+        args.overwrite,
+        progress,
+    );
     bar.finish_and_clear();
     let (manifest, is_new) = match written? {
         Written::New(manifest) => (manifest, true),
         Written::There(manifest) => (manifest, false),
         Written::Stopped => {
             let PartOf { part, parts } = part;
-            let told = format!("stopped: nothing of part {part} of {parts} is kept; the same command begins it again");
+            let told = format!(
+                "stopped: nothing of part {part} of {parts} is kept; the same command begins it \
+                 again"
+            );
             tell(&told);
             let reply = match args.question.json {
                 true => Answer::json(&Reply::refused(Some("sweep"), "interrupted", told)),
@@ -64,18 +83,34 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
         }
     };
     let beyond = manifest.part.summary.tally().beyond();
-    let beyond = beyond.warnings(&setup.law, ["drive that landed", "drives that landed"], Looked::AtLaunch);
+    let beyond = beyond.warnings(
+        &setup.law,
+        ["drive that landed", "drives that landed"],
+        Looked::AtLaunch,
+    );
     warn(&beyond);
     warnings.extend(beyond);
-    let there = (!is_new).then(|| "it was there already, whole and of the same question, and stays".to_owned());
+    let there = (!is_new)
+        .then(|| "it was there already, whole and of the same question, and stays".to_owned());
     if args.question.json {
-        let body = OfPart { folder: folder.display().to_string(), manifest, remarks: notes };
-        return Ok(Answer::json(&Reply::done("sweep", warnings, body).ended("done", there)));
+        let body = OfPart {
+            folder: folder.display().to_string(),
+            manifest,
+            remarks: notes,
+        };
+        return Ok(Answer::json(
+            &Reply::done("sweep", warnings, body).ended("done", there),
+        ));
     }
     let drives = counted(manifest.part.rows, "drive");
     let path = folder.join(&manifest.file);
     let there = there.map_or(String::new(), |there| format!("; {there}"));
-    Ok(Answer::text(format!("part {} of {}: {drives} in {}{there}\n", part.part, part.parts, path.display())))
+    Ok(Answer::text(format!(
+        "part {} of {}: {drives} in {}{there}\n",
+        part.part,
+        part.parts,
+        path.display()
+    )))
 }
 
 fn of_question(
@@ -84,24 +119,33 @@ fn of_question(
     points: &dyn crate::batch::Points,
     parts: u64,
 ) -> Result<Dataset> {
-    let bins: Vec<_> = args.histogram.iter().map(|text| Bins::read(text)).collect::<Result<_>>()?;
+    let bins: Vec<_> = args
+        .histogram
+        .iter()
+        .map(|text| Bins::read(text))
+        .collect::<Result<_>>()?;
     let highest = args.highest.iter().map(|text| Sought::read(text, true));
-    let sought: Vec<_> =
-        highest.chain(args.lowest.iter().map(|text| Sought::read(text, false))).collect::<Result<_>>()?;
+    let sought: Vec<_> = highest
+        .chain(args.lowest.iter().map(|text| Sought::read(text, false)))
+        .collect::<Result<_>>()?;
     Dataset::new(batch, points, parts, &bins, &sought)
 }
 
 /// The folder of the parts: other processes may make it at the same moment.
 fn make(folder: &Path) -> Result<()> {
     if folder == Path::new("-") {
-        return Err(refused(folder, "a part is written into a folder; name one with -o, as in -o parts"));
+        return Err(refused(
+            folder,
+            "a part is written into a folder; name one with -o, as in -o parts",
+        ));
     }
     match std::fs::create_dir(folder) {
         Ok(()) => Ok(()),
         Err(error) if error.kind() == ErrorKind::AlreadyExists && folder.is_dir() => Ok(()),
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-            Err(refused(folder, "it is a file; name a folder, into which the parts are written"))
-        }
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => Err(refused(
+            folder,
+            "it is a file; name a folder, into which the parts are written",
+        )),
         Err(error) => Err(unwritable(folder, &error)),
     }
 }
@@ -121,8 +165,19 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
     }
     let (is_complete, said) = (checked.is_complete(), said(&checked));
     if args.question.json {
-        let reply = Reply::done("sweep", vec![], OfParts { folder: folder.display().to_string(), checked });
-        let reply = if is_complete { reply } else { reply.ended("partial", Some(said.join("; "))) };
+        let reply = Reply::done(
+            "sweep",
+            vec![],
+            OfParts {
+                folder: folder.display().to_string(),
+                checked,
+            },
+        );
+        let reply = if is_complete {
+            reply
+        } else {
+            reply.ended("partial", Some(said.join("; ")))
+        };
         return Ok(Answer::json(&reply).found(is_complete));
     }
     let text = said.join("\n") + "\n\n" + &summary_text(&checked.summary, system());
@@ -137,19 +192,34 @@ fn wanted(args: &Sweep) -> Result<Option<Question>> {
             Some(_) => Err(Error::Together {
                 given: "--check with --instructions".into(),
                 reason:
-                    "say what was swept too (--over or --points), or leave --instructions out: the answer names them"
+                    "say what was swept too (--over or --points), or leave --instructions out: the \
+                     answer names them"
                         .into(),
             }),
         };
     }
     let Asked { points, batch, .. } = Asked::of(args)?;
     // how many parts there are is told by the files
-    Ok(Some(of_question(args, batch, points.as_ref(), 1)?.question().clone()))
+    Ok(Some(
+        of_question(args, batch, points.as_ref(), 1)?
+            .question()
+            .clone(),
+    ))
 }
 
 /// What is there and what is not, a sentence each.
 fn said(checked: &Checked) -> Vec<String> {
-    let Checked { question, present, missing, faults, unfinished, rows, bytes, sha256, .. } = checked;
+    let Checked {
+        question,
+        present,
+        missing,
+        faults,
+        unfinished,
+        rows,
+        bytes,
+        sha256,
+        ..
+    } = checked;
     let mut said = vec![match checked.is_complete() {
         true => format!(
             "complete: {} of {} with the instructions {}, {bytes} bytes",
@@ -158,22 +228,35 @@ fn said(checked: &Checked) -> Vec<String> {
             question.instructions
         ),
         false if *present == question.parts => format!(
-            "{} are there and sound, but not alone: take out the files that are no part of the sweep",
+            "{} are there and sound, but not alone: take out the files that are no part of the \
+             sweep",
             counted(*present, "part")
         ),
-        false => format!("not complete: {present} of {} are there and sound", counted(question.parts, "part")),
+        false => format!(
+            "not complete: {present} of {} are there and sound",
+            counted(question.parts, "part")
+        ),
     }];
     if !missing.is_empty() {
         said.push(format!("missing: {}", ranges(missing)));
     }
-    said.extend(faults.iter().map(|fault| format!("{}: {}", fault.file, fault.reason)));
+    said.extend(
+        faults
+            .iter()
+            .map(|fault| format!("{}: {}", fault.file, fault.reason)),
+    );
     if !unfinished.is_empty() {
         said.push(format!(
-            "{} of writers that are at work or were killed; where none is at work they can be deleted",
+            "{} of writers that are at work or were killed; where none is at work they can be \
+             deleted",
             counted(unfinished.len() as u64, "file")
         ));
     }
-    said.extend(sha256.as_ref().map(|hash| format!("SHA-256 of the set: {hash}")));
+    said.extend(
+        sha256
+            .as_ref()
+            .map(|hash| format!("SHA-256 of the set: {hash}")),
+    );
     said
 }
 
@@ -186,6 +269,12 @@ fn ranges(numbers: &[u64]) -> String {
             _ => ranges.push((*number, *number)),
         }
     }
-    let range = |(first, last): &(u64, u64)| if first == last { first.to_string() } else { format!("{first}-{last}") };
+    let range = |(first, last): &(u64, u64)| {
+        if first == last {
+            first.to_string()
+        } else {
+            format!("{first}-{last}")
+        }
+    };
     ranges.iter().map(range).collect::<Vec<_>>().join(",")
 }

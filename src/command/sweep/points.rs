@@ -11,7 +11,10 @@ pub fn points(setup: &Setup<f64>, args: &Sweep) -> Result<Box<dyn Points>> {
     }
     let over = args.over.iter();
     Ok(match args.sample {
-        None => Box::new(Grid::new(over.map(|text| Axis::read(setup, text)).collect::<Result<_>>()?)?),
+        None => Box::new(Grid::new(
+            over.map(|text| Axis::read(setup, text))
+                .collect::<Result<_>>()?,
+        )?),
         Some(rows) => {
             let over = over.map(|text| range(setup, text)).collect::<Result<_>>()?;
             Box::new(Sequence::new(over, rows, args.seed)?)
@@ -24,7 +27,9 @@ fn range(setup: &Setup<f64>, text: &str) -> Result<Vary> {
     match text.rsplit_once(':') {
         Some((range, _)) => Err(Error::SearchRange {
             name: text.into(),
-            reason: format!("--sample says how many points there are; write {range}, without a count"),
+            reason: format!(
+                "--sample says how many points there are; write {range}, without a count"
+            ),
         }),
         None => Vary::read_column(setup, text),
     }

@@ -12,11 +12,20 @@ use std::time::Instant;
 const TRIED: usize = 64;
 
 /// Refuses a batch that would take more than there is room for, before any other work.
-pub fn check(args: &Sweep, batch: &Batch, points: &mut dyn Points, writer: &Writer, target: &Target) -> Result<()> {
+pub fn check(
+    args: &Sweep,
+    batch: &Batch,
+    points: &mut dyn Points,
+    writer: &Writer,
+    target: &Target,
+) -> Result<()> {
     let (most, limit) = match (&args.max_size, target.file()) {
         (Some(text), _) => (read_size(text)?, format!("--max-size {text}")),
         (None, Some(path)) => match free(path) {
-            Some((bytes, folder)) => (bytes, format!("the {} that are free in {folder}", size(bytes))),
+            Some((bytes, folder)) => (
+                bytes,
+                format!("the {} that are free in {folder}", size(bytes)),
+            ),
             None => return Ok(()),
         },
         (None, None) => return Ok(()),
@@ -50,40 +59,75 @@ pub fn check(args: &Sweep, batch: &Batch, points: &mut dyn Points, writer: &Writ
         rows: rows.to_string(),
         size: format!("{} and about {time}", size(bytes)),
         limit,
-        advice: "take fewer values or outcomes, --sample points of the same ranges, or a larger --max-size".into(),
+        advice: "take fewer values or outcomes, --sample points of the same ranges, or a larger \
+                 --max-size"
+            .into(),
     })
 }
 
 /// The bytes free for a file, with those that it has already; and the folder.
 fn free(path: &Path) -> Option<(f64, String)> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
     let there = std::fs::metadata(path).map_or(0, |found| found.len());
-    Some(((fs4::available_space(folder).ok()? + there) as f64, folder.display().to_string()))
+    Some((
+        (fs4::available_space(folder).ok()? + there) as f64,
+        folder.display().to_string(),
+    ))
 }
 
-const SIZES: [(&str, f64); 5] = [("TB", 1e12), ("GB", 1e9), ("MB", 1e6), ("kB", 1e3), ("B", 1.0)];
+const SIZES: [(&str, f64); 5] = [
+    ("TB", 1e12),
+    ("GB", 1e9),
+    ("MB", 1e6),
+    ("kB", 1e3),
+    ("B", 1.0),
+];
 
 fn read_size(text: &str) -> Result<f64> {
     let refuse = || Error::Unreadable {
         name: format!("--max-size {text}"),
         source: "write a size like 500MB, 50GB or 1.5TB".into(),
     };
-    let digits = text.trim().trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let digits = text
+        .trim()
+        .trim_end_matches(|c: char| c.is_ascii_alphabetic());
     let unit = text.trim()[digits.len()..].to_uppercase();
-    let (_, of) = SIZES.into_iter().find(|(name, _)| name.to_uppercase() == unit).ok_or_else(refuse)?;
+    let (_, of) = SIZES
+        .into_iter()
+        .find(|(name, _)| name.to_uppercase() == unit)
+        .ok_or_else(refuse)?;
     let number: f64 = digits.trim().parse().map_err(|_| refuse())?;
-    if number > 0.0 && number.is_finite() { Ok(number * of) } else { Err(refuse()) }
+    if number > 0.0 && number.is_finite() {
+        Ok(number * of)
+    } else {
+        Err(refuse())
+    }
 }
 
 /// Bytes as a person reads them.
 fn size(bytes: f64) -> String {
-    let (name, of) = SIZES.into_iter().find(|(_, of)| bytes >= *of).unwrap_or(("B", 1.0));
+    let (name, of) = SIZES
+        .into_iter()
+        .find(|(_, of)| bytes >= *of)
+        .unwrap_or(("B", 1.0));
     format!("{} {name}", crate::units::significant(bytes / of, 3))
 }
 
 /// Seconds as a person reads them.
 fn duration(seconds: f64) -> String {
-    let units = [("years", 3.156e7), ("days", 86400.0), ("h", 3600.0), ("min", 60.0), ("s", 1.0)];
-    let (name, of) = units.into_iter().find(|(_, of)| seconds >= 2.0 * of).unwrap_or(("s", 1.0));
+    let units = [
+        ("years", 3.156e7),
+        ("days", 86400.0),
+        ("h", 3600.0),
+        ("min", 60.0),
+        ("s", 1.0),
+    ];
+    let (name, of) = units
+        .into_iter()
+        .find(|(_, of)| seconds >= 2.0 * of)
+        .unwrap_or(("s", 1.0));
     format!("{} {name}", crate::units::significant(seconds / of, 2))
 }

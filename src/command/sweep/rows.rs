@@ -29,7 +29,10 @@ impl Question {
             // last: the step in it is chosen for all of the above
             ("the setups", &self.setup, &other.setup),
         ];
-        parts.into_iter().find(|(_, ours, theirs)| ours != theirs).map(|(part, _, _)| part)
+        parts
+            .into_iter()
+            .find(|(_, ours, theirs)| ours != theirs)
+            .map(|(part, _, _)| part)
     }
 }
 
@@ -108,6 +111,10 @@ impl Writer {
             #[cfg(feature = "parquet")]
             Table::Parquet(_) => Content::Block(block),
         };
-        Rows { rows, tally, content }
+        Rows {
+            rows,
+            tally,
+            content,
+        }
     }
 }

@@ -20,17 +20,30 @@ pub struct Target {
 
 impl Target {
     pub fn new(args: &Sweep) -> Result<Self> {
-        let target = Self { path: args.output.clone(), files: None, format: Format::Csv };
+        let target = Self {
+            path: args.output.clone(),
+            files: None,
+            format: Format::Csv,
+        };
         let refuse = |reason: &str| Err(refused(&target.path, reason));
-        if ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| target.path == Path::new(name)) {
+        if ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]
+            .iter()
+            .any(|name| target.path == Path::new(name))
+        {
             return refuse("it is standard output; write -o - with --format csv or jsonl");
         }
         if target.is_standard_output() && args.overwrite {
             return refuse(
-                "--overwrite replaces a file, and the rows go to standard output; name a file with -o, or leave --overwrite out",
+                "--overwrite replaces a file, and the rows go to standard output; name a file with \
+                 -o, or leave --overwrite out",
             );
         }
-        let ending = target.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+        let ending = target
+            .path
+            .extension()
+            .and_then(|ending| ending.to_str())
+            .unwrap_or_default()
+            .to_lowercase();
         let format = match (args.format, ending.as_str()) {
             (Some(format), _) => format,
             (None, "csv") => Format::Csv,
@@ -40,10 +53,18 @@ impl Target {
             #[cfg(not(feature = "parquet"))]
             (None, "parquet") => return refuse(&crate::features::how_to_get("parquet")),
             (None, _) if target.is_standard_output() => Format::Csv,
-            _ => return refuse("its name must end in .csv, .jsonl or .parquet, or --format must name the format"),
+            _ => {
+                return refuse(
+                    "its name must end in .csv, .jsonl or .parquet, or --format must name the \
+                     format",
+                );
+            }
         };
         if target.is_standard_output() && args.question.json {
-            return refuse("standard output cannot hold both the rows and the summary of --json; name a file with -o");
+            return refuse(
+                "standard output cannot hold both the rows and the summary of --json; name a file \
+                 with -o",
+            );
         }
         if target.is_stream() && args.resume {
             return refuse("only a file can be resumed; name one with -o");
@@ -62,7 +83,11 @@ impl Target {
         if let Some(files) = &files {
             files.check(args.resume, args.overwrite)?;
         }
-        Ok(Self { format, files, ..target })
+        Ok(Self {
+            format,
+            files,
+            ..target
+        })
     }
 
     pub fn is_standard_output(&self) -> bool {
@@ -71,7 +96,8 @@ impl Target {
 
     /// Whether it takes bytes and keeps none: a pipe, a terminal, a device.
     fn is_stream(&self) -> bool {
-        self.is_standard_output() || std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file())
+        self.is_standard_output()
+            || std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file())
     }
 
     /// Where the rows are until all of them are there.
@@ -87,14 +113,25 @@ impl Target {
     /// Begins, or goes on with what was kept.
     pub fn open<'a>(&self, writer: &'a Writer, args: &Sweep) -> Result<Output<'a>> {
         if let Some(files) = &self.files {
-            return Ok(Output::Kept(Box::new(Kept::open(files.clone(), writer, args.resume, args.overwrite)?)));
+            return Ok(Output::Kept(Box::new(Kept::open(
+                files.clone(),
+                writer,
+                args.resume,
+                args.overwrite,
+            )?)));
         }
         let mut stream = if self.is_standard_output() {
-            Stream { to: To::Standard(io::stdout()), tally: Tally::default() }
+            Stream {
+                to: To::Standard(io::stdout()),
+                tally: Tally::default(),
+            }
         } else {
             let file = OpenOptions::new().write(true).open(&self.path);
             let file = file.map_err(|error| unwritable(&self.path, &error))?;
-            Stream { to: To::Device(file), tally: Tally::default() }
+            Stream {
+                to: To::Device(file),
+                tally: Tally::default(),
+            }
         };
         stream.write(&writer.head())?;
         Ok(Output::Stream(stream))
@@ -123,16 +160,22 @@ impl Stream {
             To::Standard(out) => out,
             To::Device(file) => file,
         };
-        to.write_all(bytes).and_then(|()| to.flush()).map_err(|error| {
-            if error.kind() == io::ErrorKind::BrokenPipe {
-                return Error::Output(error);
-            }
-            let rows: u64 = self.tally.counts().map(|(_, count)| count).sum();
-            Error::Output(io::Error::new(
-                error.kind(),
-                format!("{}; written before: {}", Error::why_unwritten(&error), counted(rows, "row")),
-            ))
-        })
+        to.write_all(bytes)
+            .and_then(|()| to.flush())
+            .map_err(|error| {
+                if error.kind() == io::ErrorKind::BrokenPipe {
+                    return Error::Output(error);
+                }
+                let rows: u64 = self.tally.counts().map(|(_, count)| count).sum();
+                Error::Output(io::Error::new(
+                    error.kind(),
+                    format!(
+                        "{}; written before: {}",
+                        Error::why_unwritten(&error),
+                        counted(rows, "row")
+                    ),
+                ))
+            })
     }
 }
 

@@ -1,17 +1,19 @@
 use super::estimate::{Estimate, Side, estimate};
 
-/// The steps 10^(-k/2) of a ladder, in units of the scale: from 1e-1 down to 1e-13, two to a decade.
+/// The steps 10^(-k/2) of a ladder, in units of the scale: from 1e-1 down to 1e-13, two to a
+/// decade.
 pub const STEPS: std::ops::RangeInclusive<i32> = 2..=26;
 
 /// The steps for functions that are dear: from 1e-1 to 1e-5, and three that show the rounding.
 pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 
-/// Differences are extrapolated over steps of at least this part of the scale. What is rounded off below it (a corner within
-/// a millionth) counts as not rounded at all.
+/// Differences are extrapolated over steps of at least this part of the scale. What is rounded off
+/// below it (a corner within a millionth) counts as not rounded at all.
 pub(super) const LEAST_STEP: f64 = 1e-6;
 
-/// A function that is less than this part of the numbers it is computed from is taken to be so large: with less, what must be seen of a
-/// derivative ([`Demand::FIRST`](super::Demand::FIRST)) would be less than what rounding leaves.
+/// A function that is less than this part of the numbers it is computed from is taken to be so
+/// large: with less, what must be seen of a derivative ([`Demand::FIRST`](super::Demand::FIRST))
+/// would be less than what rounding leaves.
 const LEAST_LEFT: f64 = 1e-5;
 
 /// Steps at which second differences are nothing but rounding.
@@ -37,22 +39,29 @@ pub struct Ladder {
     pub centre: f64,
     /// How large f is taken to be: |f(x)|, or more.
     pub size: f64,
-    /// How large the numbers are that f is computed from, and that its rounding is a part of: [`size`](Self::size), or more.
+    /// How large the numbers are that f is computed from, and that its rounding is a part of:
+    /// [`size`](Self::size), or more.
     pub rounded: f64,
     /// The samples, the largest step first.
     pub rungs: Vec<Rung>,
 }
 
 impl Ladder {
-    /// Samples several functions at once around `at`, at the steps 10^(-k/2) of the scale for each k of `steps` ([`STEPS`] or
-    /// [`FEW_STEPS`]). A value that is not finite, or missing, is none.
+    /// Samples several functions at once around `at`, at the steps 10^(-k/2) of the scale for each
+    /// k of `steps` ([`STEPS`] or [`FEW_STEPS`]). A value that is not finite, or missing, is none.
     pub fn sample(
         at: f64,
         scale: f64,
         steps: impl IntoIterator<Item = i32>,
         f: &mut dyn FnMut(f64) -> Vec<f64>,
     ) -> Vec<Self> {
-        let blank = |centre: f64| Self { scale, centre, size: centre.abs(), rounded: centre.abs(), rungs: vec![] };
+        let blank = |centre: f64| Self {
+            scale,
+            centre,
+            size: centre.abs(),
+            rounded: centre.abs(),
+            rungs: vec![],
+        };
         let mut ladders: Vec<Self> = f(at).into_iter().map(blank).collect();
         for k in steps {
             // the step that is left after rounding
@@ -61,9 +70,14 @@ impl Ladder {
                 break;
             }
             let [below, above] = [f(at - step), f(at + step)];
-            let finite = |values: &[f64], i: usize| values.get(i).copied().filter(|value| value.is_finite());
+            let finite =
+                |values: &[f64], i: usize| values.get(i).copied().filter(|value| value.is_finite());
             for (i, ladder) in ladders.iter_mut().enumerate() {
-                ladder.rungs.push(Rung { step, below: finite(&below, i), above: finite(&above, i) });
+                ladder.rungs.push(Rung {
+                    step,
+                    below: finite(&below, i),
+                    above: finite(&above, i),
+                });
             }
         }
         ladders
@@ -72,22 +86,35 @@ impl Ladder {
     /// The same of a function that is taken to be at least so large, whatever its value here.
     #[must_use]
     pub fn made_of(self, size: f64) -> Self {
-        Self { size: self.size.max(size), ..self }.rounded_as(size)
+        Self {
+            size: self.size.max(size),
+            ..self
+        }
+        .rounded_as(size)
     }
 
-    /// The same of a function that is a small difference of numbers of this size, as spins that cancel: its rounding is theirs, and less than 1e-5 of
-    /// them counts as zero.
+    /// The same of a function that is a small difference of numbers of this size, as spins that
+    /// cancel: its rounding is theirs, and less than 1e-5 of them counts as zero.
     #[must_use]
     pub fn rounded_as(self, size: f64) -> Self {
-        Self { size: self.size.max(LEAST_LEFT * size), rounded: self.rounded.max(size), ..self }
+        Self {
+            size: self.size.max(LEAST_LEFT * size),
+            rounded: self.rounded.max(size),
+            ..self
+        }
     }
 
-    /// How much of the value at the centre is rounding: the most that second differences amount to where the function itself
-    /// cannot bend. At the end of a range they are those of two steps to the one side that there is.
+    /// How much of the value at the centre is rounding: the most that second differences amount to
+    /// where the function itself cannot bend. At the end of a range they are those of two steps to
+    /// the one side that there is.
     pub fn rounding(&self) -> f64 {
-        let small: Vec<&Rung> =
-            self.rungs.iter().filter(|rung| ROUNDING_ONLY.contains(&(rung.step / self.scale))).collect();
-        let central = |rung: &&Rung| Some((rung.above? + rung.below? - 2.0 * self.centre).abs() / 2.0);
+        let small: Vec<&Rung> = self
+            .rungs
+            .iter()
+            .filter(|rung| ROUNDING_ONLY.contains(&(rung.step / self.scale)))
+            .collect();
+        let central =
+            |rung: &&Rung| Some((rung.above? + rung.below? - 2.0 * self.centre).abs() / 2.0);
         let one_sided = |pair: &[&Rung]| {
             let [long, short] = [pair[0], pair[1]];
             let ratio = long.step / short.step;
@@ -97,7 +124,10 @@ impl Ladder {
             };
             Some((rise(long)? - ratio * rise(short)?).abs() / (1.0 + ratio))
         };
-        let second = small.iter().filter_map(central).chain(small.windows(2).filter_map(one_sided));
+        let second = small
+            .iter()
+            .filter_map(central)
+            .chain(small.windows(2).filter_map(one_sided));
         second.fold(rounding_of(self.centre), f64::max)
     }
 
@@ -110,20 +140,38 @@ impl Ladder {
         }
     }
 
-    /// The derivative to a side, extrapolated to steps of 0, no further off than is `enough` if small steps allow; `None` where there
-    /// are too few values.
+    /// The derivative to a side, extrapolated to steps of 0, no further off than is `enough` if
+    /// small steps allow; `None` where there are too few values.
     pub fn slope(&self, side: Side, enough: f64) -> Option<Estimate> {
         let is_wide = |rung: &&Rung| rung.step >= 0.999 * LEAST_STEP * self.scale;
         let rounding = self.rounding();
         let difference = |rung: &Rung| {
             let value = self.difference(rung, side)?;
-            let largest =
-                [rung.below, rung.above].into_iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
-            // a central difference divides the rounding of two values by two steps, a one-sided one by one
+            let largest = [rung.below, rung.above]
+                .into_iter()
+                .flatten()
+                .fold(0.0_f64, |most, value| most.max(value.abs()));
+            // a central difference divides the rounding of two values by two steps, a one-sided one
+            // by one
             let share = 2.0 / f64::from(side.power());
-            Some((rung.step, Estimate { value, uncertainty: share * rounding.max(rounding_of(largest)) / rung.step }))
+            Some((
+                rung.step,
+                Estimate {
+                    value,
+                    uncertainty: share * rounding.max(rounding_of(largest)) / rung.step,
+                },
+            ))
         };
-        estimate(&self.rungs.iter().filter(is_wide).map(difference).collect::<Vec<_>>(), side, enough)
+        estimate(
+            &self
+                .rungs
+                .iter()
+                .filter(is_wide)
+                .map(difference)
+                .collect::<Vec<_>>(),
+            side,
+            enough,
+        )
     }
 }
 

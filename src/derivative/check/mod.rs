@@ -2,9 +2,10 @@
 //!
 //! Values at x ± h, with h from 1e-1 to 1e-13 of the variable's scale, make three checks:
 //!
-//! - the **V-curve** of plain central differences: with a smaller step they come nearer, as h², until rounding over the step
-//!   takes them away again;
-//! - the **verdict**: differences extrapolated to steps of 0, with an estimate of how far off they may be, which is the bar;
+//! - the **V-curve** of plain central differences: with a smaller step they come nearer, as h²,
+//!   until rounding over the step takes them away again;
+//! - the **verdict**: differences extrapolated to steps of 0, with an estimate of how far off they
+//!   may be, which is the bar;
 //! - **Taylor's remainders**: with an exact gradient and Hessian they shrink as h, h², h³.
 //!
 //! ```
@@ -41,48 +42,74 @@ use super::Taylor;
 pub struct Checked {
     /// Each ∂f/∂xᵢ beside differences of values.
     pub gradient: Vec<Check>,
-    /// Each ∂²f/∂xᵢ∂xⱼ beside differences of ∂f/∂xⱼ along xᵢ; empty where the function tells no Hessian.
+    /// Each ∂²f/∂xᵢ∂xⱼ beside differences of ∂f/∂xⱼ along xᵢ; empty where the function tells no
+    /// Hessian.
     pub hessian: Vec<Vec<Check>>,
-    /// The slopes of Taylor's remainders along each xᵢ, 1, 2 and 3; without a Hessian the third is that of a polynomial without it.
+    /// The slopes of Taylor's remainders along each xᵢ, 1, 2 and 3; without a Hessian the third is
+    /// that of a polynomial without it.
     pub slopes: Vec<[Option<f64>; 3]>,
 }
 
 impl Checked {
     /// Whether nothing failed.
     pub fn passed(&self) -> bool {
-        self.gradient.iter().chain(self.hessian.iter().flatten()).all(|check| check.verdict != Verdict::Fail)
+        self.gradient
+            .iter()
+            .chain(self.hessian.iter().flatten())
+            .all(|check| check.verdict != Verdict::Fail)
     }
 }
 
-/// Checks the derivatives that `f` tells at `x` against differences of its own values and gradients; `scale` is the size of each
-/// variable, of which steps are parts. `f` is `None` where it has no value.
+/// Checks the derivatives that `f` tells at `x` against differences of its own values and
+/// gradients; `scale` is the size of each variable, of which steps are parts. `f` is `None` where
+/// it has no value.
 ///
 /// # Panics
 /// Where there are not as many scales as variables, or a scale is not above 0.
 pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> Checked {
     assert_eq!(x.len(), scale.len(), "a scale for each variable");
-    assert!(scale.iter().all(|scale| *scale > 0.0), "scales above 0: {scale:?}");
-    let exact = f(x).unwrap_or(Taylor { value: f64::NAN, gradient: vec![f64::NAN; x.len()], hessian: vec![] });
+    assert!(
+        scale.iter().all(|scale| *scale > 0.0),
+        "scales above 0: {scale:?}"
+    );
+    let exact = f(x).unwrap_or(Taylor {
+        value: f64::NAN,
+        gradient: vec![f64::NAN; x.len()],
+        hessian: vec![],
+    });
     let along = |i: usize, value: f64| {
         let mut moved = x.to_vec();
         moved[i] = value;
         f(&moved)
     };
-    let mut checked = Checked { gradient: vec![], hessian: vec![], slopes: vec![] };
+    let mut checked = Checked {
+        gradient: vec![],
+        hessian: vec![],
+        slopes: vec![],
+    };
     for i in 0..x.len() {
         let mut values = |value: f64| vec![along(i, value).map_or(f64::NAN, |taylor| taylor.value)];
         for ladder in Ladder::sample(x[i], scale[i], STEPS, &mut values) {
             let second = exact.hessian.get(i).map_or(0.0, |row| row[i]);
-            checked.gradient.push(ladder.judge(exact.gradient[i], Demand::FIRST));
-            checked.slopes.push(taylor_slopes(&ladder, exact.gradient[i], second));
+            checked
+                .gradient
+                .push(ladder.judge(exact.gradient[i], Demand::FIRST));
+            checked
+                .slopes
+                .push(taylor_slopes(&ladder, exact.gradient[i], second));
         }
         if let Some(row) = exact.hessian.get(i) {
-            let mut gradients = |value: f64| along(i, value).map_or(vec![], |taylor| taylor.gradient);
+            let mut gradients =
+                |value: f64| along(i, value).map_or(vec![], |taylor| taylor.gradient);
             let ladders = Ladder::sample(x[i], scale[i], FEW_STEPS, &mut gradients);
             let judged = |(j, ladder): (usize, Ladder)| {
-                ladder.made_of(exact.value.abs() / scale[j]).judge(row[j], Demand::SECOND)
+                ladder
+                    .made_of(exact.value.abs() / scale[j])
+                    .judge(row[j], Demand::SECOND)
             };
-            checked.hessian.push(ladders.into_iter().enumerate().map(judged).collect());
+            checked
+                .hessian
+                .push(ladders.into_iter().enumerate().map(judged).collect());
         }
     }
     checked

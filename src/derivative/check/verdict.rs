@@ -23,33 +23,42 @@ impl Verdict {
     }
 }
 
-/// The error that a derivative may have, in estimated uncertainties of the differences it is held against. The estimates are rough: of
-/// ten thousand right derivatives a few are off by more than four.
+/// The error that a derivative may have, in estimated uncertainties of the differences it is held
+/// against. The estimates are rough: of ten thousand right derivatives a few are off by more than
+/// four.
 pub const BAR: f64 = 5.0;
 
-/// A derivative is next to nothing where the variable, moved by the whole of its scale, moves the function by less than this part
-/// of it.
+/// A derivative is next to nothing where the variable, moved by the whole of its scale, moves the
+/// function by less than this part of it.
 pub const NEXT_TO_NOTHING: f64 = 1e-2;
 
 /// What is asked of differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand {
-    /// The bar is not set below this part of a derivative, or of the size below which it is next to nothing: where a higher
-    /// derivative jumps (as with a flight's number of steps) differences wobble by a little that no estimate from small steps shows.
+    /// The bar is not set below this part of a derivative, or of the size below which it is next to
+    /// nothing: where a higher derivative jumps (as with a flight's number of steps) differences
+    /// wobble by a little that no estimate from small steps shows.
     pub least_bar: f64,
-    /// The relative error that they must be able to see, unless the derivative is next to nothing ([`NEXT_TO_NOTHING`]): then this
-    /// part of the size below which it is.
+    /// The relative error that they must be able to see, unless the derivative is next to nothing
+    /// ([`NEXT_TO_NOTHING`]): then this part of the size below which it is.
     pub seen: Option<f64>,
 }
 
 impl Demand {
     /// Of differences of values: an error of a millionth is seen, with a hundredfold margin.
-    pub const FIRST: Self = Self { least_bar: 1e-8, seen: Some(1e-6) };
+    pub const FIRST: Self = Self {
+        least_bar: 1e-8,
+        seen: Some(1e-6),
+    };
     /// Of differences of gradients, whose own derivative may jump: what they can tell, they must.
-    pub const SECOND: Self = Self { least_bar: 1e-7, seen: None };
+    pub const SECOND: Self = Self {
+        least_bar: 1e-7,
+        seen: None,
+    };
 }
 
-/// Rounding of the exact derivative itself, in sizes of the numbers that the function is computed from over the scale.
+/// Rounding of the exact derivative itself, in sizes of the numbers that the function is computed
+/// from over the scale.
 const OWN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// One step of a V-curve: the error of the plain central difference.
@@ -70,11 +79,13 @@ pub struct Check {
     pub exact: f64,
     /// The best that differences make of it; `None` where the function has values to neither side.
     pub best: Option<Estimate>,
-    /// The slopes below and above, where they differ; `None` for a side to which the function has no values.
+    /// The slopes below and above, where they differ; `None` for a side to which the function has
+    /// no values.
     pub sides: Option<[Option<f64>; 2]>,
     /// |exact − best|.
     pub error: f64,
-    /// The error that it may have: [`BAR`] times the uncertainty of the differences, and no less than [`Demand::least_bar`] asks.
+    /// The error that it may have: [`BAR`] times the uncertainty of the differences, and no less
+    /// than [`Demand::least_bar`] asks.
     pub bar: f64,
     /// The verdict.
     pub verdict: Verdict,
@@ -90,7 +101,10 @@ impl Check {
 
     /// The step at which a plain central difference comes nearest, and how near.
     pub fn best_step(&self) -> Option<Point> {
-        self.curve.iter().copied().min_by(|a, b| a.error.total_cmp(&b.error))
+        self.curve
+            .iter()
+            .copied()
+            .min_by(|a, b| a.error.total_cmp(&b.error))
     }
 }
 
@@ -99,7 +113,11 @@ impl Ladder {
     pub fn judge(&self, exact: f64, demand: Demand) -> Check {
         let plain = |rung: &super::Rung| {
             let difference = self.difference(rung, Side::Both)?;
-            Some(Point { step: rung.step, difference, error: (exact - difference).abs() })
+            Some(Point {
+                step: rung.step,
+                difference,
+                error: (exact - difference).abs(),
+            })
         };
         let curve = self.rungs.iter().filter_map(plain).collect();
         let sides = self.corner();
@@ -108,7 +126,8 @@ impl Ladder {
         let bar_of = |best: &Estimate| least.max(BAR * best.uncertainty);
         let is_seen = |bar: f64| demand.seen.is_none_or(|seen| bar <= seen * worth);
         // differences to one side see what central ones do not: a slope whose own slope jumps here
-        let estimates = [Side::Both, Side::Above, Side::Below].map(|side| self.slope(side, least / BAR));
+        let estimates =
+            [Side::Both, Side::Above, Side::Below].map(|side| self.slope(side, least / BAR));
         let estimates = || estimates.iter().flatten().copied();
         let best = estimates()
             .find(|best| is_seen(bar_of(best)))
@@ -122,16 +141,29 @@ impl Ladder {
         } else {
             Verdict::Fail
         };
-        Check { exact, best, sides, error, bar, verdict, curve }
+        Check {
+            exact,
+            best,
+            sides,
+            error,
+            bar,
+            verdict,
+            curve,
+        }
     }
 
-    /// The same of a function that is known to have a corner here. At the end of its range it has one of the two slopes, and a derivative that lies
-    /// between them is not held against that one.
+    /// The same of a function that is known to have a corner here. At the end of its range it has
+    /// one of the two slopes, and a derivative that lies between them is not held against that one.
     pub fn judge_on_a_corner(&self, exact: f64, demand: Demand) -> Check {
         let check = self.judge(exact, demand);
-        let sides = [Side::Below, Side::Above].map(|side| self.slope(side, 0.0).map(|slope| slope.value));
+        let sides =
+            [Side::Below, Side::Above].map(|side| self.slope(side, 0.0).map(|slope| slope.value));
         if check.failed() && sides.iter().flatten().count() == 1 {
-            Check { sides: Some(sides), verdict: Verdict::Corner, ..check }
+            Check {
+                sides: Some(sides),
+                verdict: Verdict::Corner,
+                ..check
+            }
         } else {
             check
         }
@@ -142,14 +174,17 @@ impl Ladder {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// The slopes to both sides, where they are not the same: by more than rounding of the numbers that the function is computed from makes of slopes over
-    /// the least step. Where these cancel, no difference from the centre over the smallest steps may show their rounding.
+    /// The slopes to both sides, where they are not the same: by more than rounding of the numbers
+    /// that the function is computed from makes of slopes over the least step. Where these cancel,
+    /// no difference from the centre over the smallest steps may show their rounding.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let apart = (above.value - below.value).abs();
         let size = above.value.abs().max(below.value.abs());
         let rounding = rounding_of(self.rounded) / (LEAST_STEP * self.scale);
-        let bar = (10.0 * (above.uncertainty + below.uncertainty)).max(1e-4 * size).max(rounding);
+        let bar = (10.0 * (above.uncertainty + below.uncertainty))
+            .max(1e-4 * size)
+            .max(rounding);
         (apart > bar).then_some([Some(below.value), Some(above.value)])
     }
 }

@@ -3,13 +3,15 @@ use crate::optimize::sensitivity::Held;
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
-/// Compromises of which none is better than another in both functions, from the minimum of the first to that of the second.
+/// Compromises of which none is better than another in both functions, from the minimum of the
+/// first to that of the second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Front {
     /// The points, in order.
     pub points: Vec<FrontPoint>,
-    /// Which of them is the knee: the point that lies farthest, on the better side, from the straight line between the ends in the plane
-    /// of the two functions, each scaled from 0 to 1 (Das 1999). A front that is nearly straight, or bends the other way, has none.
+    /// Which of them is the knee: the point that lies farthest, on the better side, from the
+    /// straight line between the ends in the plane of the two functions, each scaled from 0 to 1
+    /// (Das 1999). A front that is nearly straight, or bends the other way, has none.
     pub knee: Option<usize>,
     /// How far the front bends off that line, as a part of its length.
     pub bend: f64,
@@ -28,7 +30,8 @@ pub struct FrontPoint {
     pub x: Vec<f64>,
     /// The two functions there.
     pub values: [f64; 2],
-    /// What the first changes by for each unit that the second changes by, along the front; `None` where the front has no one slope.
+    /// What the first changes by for each unit that the second changes by, along the front; `None`
+    /// where the front has no one slope.
     pub slope: Option<f64>,
     /// What each variable changes by for each unit of s.
     pub rates: Vec<f64>,
@@ -81,7 +84,10 @@ impl NoFront {
                     _ => &found.message,
                 };
                 let message = format!("{which} function alone: {why}").into();
-                Error::NotConverged { status: found.status.name(), message }
+                Error::NotConverged {
+                    status: found.status.name(),
+                    message,
+                }
             }
             Self::Refused(error) => error,
         }

@@ -11,7 +11,8 @@ use crate::optimize::sensitivity::{Held, Response, first_event, response};
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
-/// A front that is steeper than this in the plane, or flatter than its inverse, is upright or level: the rest is rounding.
+/// A front that is steeper than this in the plane, or flatter than its inverse, is upright or
+/// level: the rest is rounding.
 const STEEPEST: f64 = 1e8;
 
 /// A compromise, with what is known of its neighbours.
@@ -41,7 +42,12 @@ impl Plane<'_> {
     /// The sum of the two in the plane, and, held, their difference.
     fn combined(&self, is_held: bool) -> Combined<'_> {
         let [a, b] = self.span.map(|span| 1.0 / span);
-        Combined { problem: self.context.problem, zero: self.zero, of: [a, b], held: is_held.then_some([a, -b]) }
+        Combined {
+            problem: self.context.problem,
+            zero: self.zero,
+            of: [a, b],
+            held: is_held.then_some([a, -b]),
+        }
     }
 
     /// Where a function's own minimum lies.
@@ -60,7 +66,13 @@ impl Plane<'_> {
         };
         // the same point as a compromise, which says how the front leaves it
         match self.found(at, &end.x) {
-            Ok(place) if context.apart(&place.x, &end.x) < 1e-4 => Place { x: end.x, values, at, sum: 1.0, ..place },
+            Ok(place) if context.apart(&place.x, &end.x) < 1e-4 => Place {
+                x: end.x,
+                values,
+                at,
+                sum: 1.0,
+                ..place
+            },
             _ => bare,
         }
     }
@@ -76,16 +88,24 @@ impl Plane<'_> {
     /// The compromise at s, searched for from a point nearby.
     pub fn found(&self, at: f64, from: &[f64]) -> Result<Place> {
         let domain = self.domain(at);
-        let solution = self.context.search(&self.combined(true), &domain, from, &self.context.near())?;
+        let solution =
+            self.context
+                .search(&self.combined(true), &domain, from, &self.context.near())?;
         if solution.status != Status::Converged {
             let message = solution.message.clone().into();
-            return Err(Error::NotConverged { status: solution.status.name(), message });
+            return Err(Error::NotConverged {
+                status: solution.status.name(),
+                message,
+            });
         }
         let mut held = Held::new(&solution, &domain);
         held.constraints.pop();
         let known = response(&solution, &domain, &by_limit(&solution)).ok();
         let sum = solution.value.unwrap_or(f64::NAN);
-        let (difference, price) = solution.constraints.last().map_or((at, 0.0), |last| (last.value, last.multiplier));
+        let (difference, price) = solution
+            .constraints
+            .last()
+            .map_or((at, 0.0), |last| (last.value, last.multiplier));
         let [a, b] = [0.5 * (sum + difference), 0.5 * (sum - difference)];
         let slope = match (1.0 - price) / (1.0 + price) {
             slope if slope.abs() < STEEPEST.recip() => Some(0.0),
@@ -95,16 +115,25 @@ impl Plane<'_> {
             at,
             sum,
             x: solution.x.clone(),
-            values: [self.zero[0] + a * self.span[0], self.zero[1] + b * self.span[1]],
+            values: [
+                self.zero[0] + a * self.span[0],
+                self.zero[1] + b * self.span[1],
+            ],
             // where the optimum is not isolated, its multipliers are not either
-            slope: known.as_ref().and(slope).map(|slope| slope * self.span[0] / self.span[1]),
-            rates: known.as_ref().map_or_else(|| vec![0.0; solution.x.len()], |known| known.x.clone()),
+            slope: known
+                .as_ref()
+                .and(slope)
+                .map(|slope| slope * self.span[0] / self.span[1]),
+            rates: known
+                .as_ref()
+                .map_or_else(|| vec![0.0; solution.x.len()], |known| known.x.clone()),
             held,
             known: known.map(|known| (solution, known)),
         })
     }
 
-    /// The compromise at another s, and how far it is from where it was predicted, in units of the ranges.
+    /// The compromise at another s, and how far it is from where it was predicted, in units of the
+    /// ranges.
     pub fn next(&self, here: &Place, to: f64) -> Result<(Place, f64)> {
         let bounds = &self.context.domain.variables;
         let predicted = predicted(&here.x, &here.rates, to - here.at, bounds);
@@ -120,10 +149,16 @@ impl Plane<'_> {
         Some(here.at + part * (to - here.at))
     }
 
-    /// The point of the front that lies farthest from the straight line between its ends, near one: the least a + b.
+    /// The point of the front that lies farthest from the straight line between its ends, near one:
+    /// the least a + b.
     pub fn knee(&self, near: &Place) -> Result<Place> {
         let context = self.context;
-        let found = context.search(&self.combined(false), &context.domain, &near.x, &context.near())?;
+        let found = context.search(
+            &self.combined(false),
+            &context.domain,
+            &near.x,
+            &context.near(),
+        )?;
         let values = context.values(&found.x)?;
         let [a, b]: [f64; 2] = std::array::from_fn(|k| (values[k] - self.zero[k]) / self.span[k]);
         self.found(a - b, &found.x)
@@ -139,10 +174,17 @@ fn by_limit(solution: &Solution) -> Evaluation {
     let n = solution.x.len();
     let mut hessian = vec![vec![]; n];
     hessian.push(vec![0.0; n + 1]);
-    let still = Taylor { value: 0.0, gradient: vec![0.0; n + 1], hessian };
+    let still = Taylor {
+        value: 0.0,
+        gradient: vec![0.0; n + 1],
+        hessian,
+    };
     let mut constraints = vec![still.clone(); solution.constraints.len()];
     if let Some(last) = constraints.last_mut() {
         last.gradient[n] = -1.0;
     }
-    Evaluation { objective: still, constraints }
+    Evaluation {
+        objective: still,
+        constraints,
+    }
 }

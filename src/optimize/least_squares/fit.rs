@@ -12,21 +12,24 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// First damping, relative to the scaled columns, whose length is 1 (Madsen, Nielsen & Tingleff 2004, eq. 3.14: τ between 1e-6
-/// for a start that is good and 1 for one that is not).
+/// First damping, relative to the scaled columns, whose length is 1 (Madsen, Nielsen & Tingleff
+/// 2004, eq. 3.14: τ between 1e-6 for a start that is good and 1 for one that is not).
 const FIRST_DAMPING: f64 = 1e-3;
 /// A gain that the residuals' rounding hides, relative to F.
 const NOISE: f64 = 1e-15;
 /// Damping at which a step is no longer one.
 const MOST_DAMPING: f64 = 1e20;
-/// Least damping. The model's curvature JᵀJ is known to about 1e-16 of the scaled columns: with less damping, directions in
-/// which the residuals do not change would be walked along by rounding alone.
+/// Least damping. The model's curvature JᵀJ is known to about 1e-16 of the scaled columns: with
+/// less damping, directions in which the residuals do not change would be walked along by rounding
+/// alone.
 const LEAST_DAMPING: f64 = 1e-12;
-/// A step without damping shorter than this, relative to the point and to the way there, is rounding where no step lowers the sum
-/// (Moré 1978, MINPACK's `xtol`; near a sum of 0 the slope says nothing, since the residuals themselves are rounding).
+/// A step without damping shorter than this, relative to the point and to the way there, is
+/// rounding where no step lowers the sum (Moré 1978, MINPACK's `xtol`; near a sum of 0 the slope
+/// says nothing, since the residuals themselves are rounding).
 const SHORTEST: f64 = 1e-8;
 
-/// What tells how near a fit is to the lowest sum, in words: 0 where no small change of a parameter changes the sum.
+/// What tells how near a fit is to the lowest sum, in words: 0 where no small change of a parameter
+/// changes the sum.
 const COSINE: &str = "cosine between the residuals and their slopes";
 
 /// How a fit ended.
@@ -35,14 +38,15 @@ const COSINE: &str = "cosine between the residuals and their slopes";
 pub enum Status {
     /// No direction is left, within the bounds, in which the sum falls.
     Converged,
-    /// The sum is at a minimum, but not at one point alone: along some direction the residuals do not change, or too little to
-    /// tell. A fit does not look for that; whoever judges its Jacobian says so.
+    /// The sum is at a minimum, but not at one point alone: along some direction the residuals do
+    /// not change, or too little to tell. A fit does not look for that; whoever judges its Jacobian
+    /// says so.
     Undetermined,
-    /// The sum is at a minimum as far as can be told, but one residual is so large that the others have no say beside it. Said by
-    /// whoever judges the residuals, as above.
+    /// The sum is at a minimum as far as can be told, but one residual is so large that the others
+    /// have no say beside it. Said by whoever judges the residuals, as above.
     Outweighed,
-    /// The sum is at a minimum, but the residuals are many times larger than they may be: the model does not describe the data. Said by whoever knows
-    /// how large they may be.
+    /// The sum is at a minimum, but the residuals are many times larger than they may be: the model
+    /// does not describe the data. Said by whoever knows how large they may be.
     Misfit,
     /// No step makes the sum smaller, though the slope is not 0.
     Stalled,
@@ -104,8 +108,8 @@ pub struct Fit {
 pub struct Follow {
     /// Is shown the number of each iteration and F.
     pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
-    /// Ends the fit, with the best point so far, once it is true: after the evaluation under way, or within one that
-    /// [looks at it](super::Residuals::evaluate).
+    /// Ends the fit, with the best point so far, once it is true: after the evaluation under way,
+    /// or within one that [looks at it](super::Residuals::evaluate).
     pub interrupt: Arc<AtomicBool>,
 }
 
@@ -119,14 +123,19 @@ impl Follow {
 /// Fits from a start, which is moved into the bounds first.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for a start of the wrong length or that is not finite, for a tolerance or loss that makes no sense, and for a domain
-/// with constraints.
-pub fn fit(residuals: &impl Residuals, domain: &Domain, start: &[f64], options: &Options) -> Result<Fit> {
+/// [`Error::Optimizer`] for a start of the wrong length or that is not finite, for a tolerance or
+/// loss that makes no sense, and for a domain with constraints.
+pub fn fit(
+    residuals: &impl Residuals,
+    domain: &Domain,
+    start: &[f64],
+    options: &Options,
+) -> Result<Fit> {
     fit_observed(residuals, domain, start, options, &Follow::default())
 }
 
-/// Fits from every start, side by side; what was found, the smallest sum first. The order does not depend on the number of
-/// threads. [`starts`](super::super::starts) spreads starts.
+/// Fits from every start, side by side; what was found, the smallest sum first. The order does not
+/// depend on the number of threads. [`starts`](super::super::starts) spreads starts.
 ///
 /// # Errors
 /// As [`fit`]; [`Error::Optimizer`] without starts.
@@ -142,7 +151,13 @@ pub fn fit_from(
     }
     let one = |start: &Vec<f64>| fit_observed(residuals, domain, start, options, follow);
     let mut fits = starts.par_iter().map(one).collect::<Result<Vec<_>>>()?;
-    let rank = |fit: &Fit| if fit.rows.residuals.is_empty() { f64::INFINITY } else { fit.cost };
+    let rank = |fit: &Fit| {
+        if fit.rows.residuals.is_empty() {
+            f64::INFINITY
+        } else {
+            fit.cost
+        }
+    };
     fits.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
     Ok(fits)
 }
@@ -166,15 +181,23 @@ pub fn fit_observed(
         ));
     }
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
-        return Err(Error::Optimizer(format!("tolerance = {} is outside its range 0 < … < 1", options.tolerance)));
+        return Err(Error::Optimizer(format!(
+            "tolerance = {} is outside its range 0 < … < 1",
+            options.tolerance
+        )));
     }
     if !(options.rounding >= 0.0 && options.rounding.is_finite()) {
-        return Err(Error::Optimizer(format!("rounding = {} is outside its range 0 ≤ … < inf", options.rounding)));
+        return Err(Error::Optimizer(format!(
+            "rounding = {} is outside its range 0 ≤ … < inf",
+            options.rounding
+        )));
     }
     if let super::Loss::Huber(k) = options.loss
         && !(k > 0.0 && k.is_finite())
     {
-        return Err(Error::Optimizer(format!("Huber's k = {k} is outside its range 0 < … < inf")));
+        return Err(Error::Optimizer(format!(
+            "Huber's k = {k} is outside its range 0 < … < inf"
+        )));
     }
     let start = bounds.project(start);
     let evaluate = |x: Vec<f64>| {
@@ -195,13 +218,32 @@ pub fn fit_observed(
         if let Some(verdict) = search.verdict(cosine, options, follow.is_interrupted()) {
             break verdict;
         }
-        if let Some(verdict) = search.advance(domain, (cosine, options.tolerance), &evaluate, follow) {
+        if let Some(verdict) =
+            search.advance(domain, (cosine, options.tolerance), &evaluate, follow)
+        {
             break verdict;
         }
     };
-    let Search { at, iterations, evaluations, refused, why_refused, .. } = search;
+    let Search {
+        at,
+        iterations,
+        evaluations,
+        refused,
+        why_refused,
+        ..
+    } = search;
     let Point { x, rows, cost, .. } = at;
-    Ok(Fit { status, message, x, rows, cost, iterations, evaluations, refused, why_refused })
+    Ok(Fit {
+        status,
+        message,
+        x,
+        rows,
+        cost,
+        iterations,
+        evaluations,
+        refused,
+        why_refused,
+    })
 }
 
 /// What a fit knows between two iterations.
@@ -236,11 +278,22 @@ impl Search {
         }
     }
 
-    fn verdict(&self, cosine: f64, options: &Options, is_interrupted: bool) -> Option<(Status, String)> {
+    fn verdict(
+        &self,
+        cosine: f64,
+        options: &Options,
+        is_interrupted: bool,
+    ) -> Option<(Status, String)> {
         let tolerance = options.tolerance;
-        let largest = self.at.rows.residuals.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
+        let largest = self
+            .at
+            .rows
+            .residuals
+            .iter()
+            .fold(0.0, |most: f64, r| most.max(r.abs()));
         if largest <= options.rounding {
-            let message = format!("every residual is a rounding error: the largest is {largest:.1e}");
+            let message =
+                format!("every residual is a rounding error: the largest is {largest:.1e}");
             return Some((Status::Converged, message));
         }
         if cosine <= tolerance {
@@ -254,7 +307,8 @@ impl Search {
         }
         (self.iterations >= options.max_iterations).then(|| {
             let limit = counted(self.iterations, "iteration");
-            let message = format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
+            let message =
+                format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
             (Status::IterationLimit, message)
         })
     }
@@ -270,43 +324,67 @@ impl Search {
         self.iterations += 1;
         loop {
             let stalled = |what: &str| {
-                let message = format!("{what}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
+                let message = format!(
+                    "{what}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters"
+                );
                 Some((Status::Stalled, message))
             };
             if self.damping > MOST_DAMPING {
                 if let Some(verdict) = self.rounding(domain) {
                     return Some(verdict);
                 }
-                let why = self.why_refused.as_ref().map_or(String::new(), |why| format!(" (last refused: {why})"));
+                let why = self
+                    .why_refused
+                    .as_ref()
+                    .map_or(String::new(), |why| format!(" (last refused: {why})"));
                 return stalled(&format!("no step makes the sum smaller{why}"));
             }
-            let Some((to, promised)) = self.at.step(&domain.variables, &self.scale, self.damping, &mut self.solver)
-            else {
+            let Some((to, promised)) = self.at.step(
+                &domain.variables,
+                &self.scale,
+                self.damping,
+                &mut self.solver,
+            ) else {
                 self.grow();
                 continue;
             };
             if promised <= NOISE * self.at.cost || to == self.at.x {
-                // what a step without damping could still gain is what tells the end from a standstill
+                // what a step without damping could still gain is what tells the end from a
+                // standstill
                 let undamped = self
                     .at
-                    .step(&domain.variables, &self.scale, LEAST_DAMPING, &mut self.solver)
+                    .step(
+                        &domain.variables,
+                        &self.scale,
+                        LEAST_DAMPING,
+                        &mut self.solver,
+                    )
                     .map_or(0.0, |(_, gain)| gain);
                 if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
-                    let part = if self.at.cost > 0.0 { undamped / self.at.cost } else { 0.0 };
+                    let part = if self.at.cost > 0.0 {
+                        undamped / self.at.cost
+                    } else {
+                        0.0
+                    };
                     let message = format!(
-                        "the sum of squares is at its smallest: a step could lower it by {part:.1e} of its value at most, which is less than \
+                        "the sum of squares is at its smallest: a step could lower it by \
+                         {part:.1e} of its value at most, which is less than \
                          its rounding error"
                     );
                     return Some((Status::Converged, message));
                 }
                 return self.rounding(domain).or_else(|| {
-                    stalled("the next change of what is fitted is too small to tell whether the sum still falls")
+                    stalled(
+                        "the next change of what is fitted is too small to tell whether the \
+                             sum still falls",
+                    )
                 });
             }
             self.evaluations += 1;
             match evaluate(to) {
                 Ok(next) => {
-                    // the gain ratio and the damping that follows it: Nielsen (1999); Madsen, Nielsen & Tingleff (2004), alg. 3.16
+                    // the gain ratio and the damping that follows it: Nielsen (1999); Madsen,
+                    // Nielsen & Tingleff (2004), alg. 3.16
                     let gain = (self.at.cost - next.cost) / promised;
                     if gain > 0.0 {
                         self.damping *= (1.0 - (2.0 * gain - 1.0).powi(3)).max(1.0 / 3.0);
@@ -331,18 +409,28 @@ impl Search {
         }
     }
 
-    /// Converged, where no step lowers the sum and a step without damping would hardly move the point.
+    /// Converged, where no step lowers the sum and a step without damping would hardly move the
+    /// point.
     fn rounding(&mut self, domain: &Domain) -> Option<(Status, String)> {
-        let (to, _) = self.at.step(&domain.variables, &self.scale, LEAST_DAMPING, &mut self.solver)?;
+        let (to, _) = self.at.step(
+            &domain.variables,
+            &self.scale,
+            LEAST_DAMPING,
+            &mut self.solver,
+        )?;
         let length = |of: &dyn Fn(usize) -> f64| -> f64 {
-            (0..self.scale.len()).map(|i| (self.scale[i] * of(i)).powi(2)).sum::<f64>().sqrt()
+            (0..self.scale.len())
+                .map(|i| (self.scale[i] * of(i)).powi(2))
+                .sum::<f64>()
+                .sqrt()
         };
         let x = &self.at.x;
         let step = length(&|i| to[i] - x[i]);
         let way = length(&|i| x[i].abs().max((x[i] - self.begun_at[i]).abs()));
         (step <= SHORTEST * way).then(|| {
             let message = format!(
-                "no step makes the sum smaller, and one without damping would move the point by {:.1e} of itself: because of \
+                "no step makes the sum smaller, and one without damping would move the point by \
+                 {:.1e} of itself: because of \
                  rounding the sum can fall no further",
                 if way > 0.0 { step / way } else { 0.0 }
             );
@@ -357,13 +445,22 @@ impl Search {
 }
 
 fn interrupted(cosine: f64, tolerance: f64) -> (Status, String) {
-    (Status::Interrupted, format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}"))
+    (
+        Status::Interrupted,
+        format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}"),
+    )
 }
 
 /// The end of a fit that was stopped before its residuals were known once.
 fn not_begun(x: Vec<f64>) -> Fit {
     let message = "stopped before the residuals were evaluated once".into();
-    Fit { status: Status::Interrupted, message, refused: 0, why_refused: None, ..nowhere(x, String::new()) }
+    Fit {
+        status: Status::Interrupted,
+        message,
+        refused: 0,
+        why_refused: None,
+        ..nowhere(x, String::new())
+    }
 }
 
 fn nowhere(x: Vec<f64>, why: String) -> Fit {

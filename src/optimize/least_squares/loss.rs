@@ -7,12 +7,14 @@ pub enum Loss {
     /// ½ r².
     #[default]
     Squares,
-    /// ½ r² up to k, beyond it k |r| − ½ k² (Huber 1964): an outlier pulls no harder than a residual of k.
+    /// ½ r² up to k, beyond it k |r| − ½ k² (Huber 1964): an outlier pulls no harder than a
+    /// residual of k.
     Huber(f64),
 }
 
 impl Loss {
-    /// Huber's loss with k = 1.345, which costs 5 % of efficiency where the noise is normal (Huber 1964; Holland & Welsch 1977).
+    /// Huber's loss with k = 1.345, which costs 5 % of efficiency where the noise is normal (Huber
+    /// 1964; Holland & Welsch 1977).
     pub const HUBER: Self = Self::Huber(1.345);
 
     /// ρ(r).
@@ -39,7 +41,17 @@ mod tests {
     #[test]
     fn exact_huber_joins_smoothly_and_its_weight_is_its_slope() {
         let huber = Loss::Huber(2.0);
-        assert_eq!((huber.of(2.0), huber.of(5.0), huber.of(-5.0)), (2.0, 8.0, 8.0));
-        assert_eq!((huber.weight(2.0), huber.weight(4.0), Loss::Squares.weight(4.0)), (1.0, 0.5, 1.0));
+        assert_eq!(
+            (huber.of(2.0), huber.of(5.0), huber.of(-5.0)),
+            (2.0, 8.0, 8.0)
+        );
+        assert_eq!(
+            (
+                huber.weight(2.0),
+                huber.weight(4.0),
+                Loss::Squares.weight(4.0)
+            ),
+            (1.0, 0.5, 1.0)
+        );
     }
 }

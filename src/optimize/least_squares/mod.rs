@@ -4,9 +4,10 @@
 //!   minimise F(x) = Σ ρ(rᵢ(x))  subject to  low ≤ x ≤ high,   ρ(r) = ½ r², or Huber's
 //! ```
 //!
-//! by Levenberg and Marquardt's method: each step is the convex quadratic program of the damped Gauss–Newton model over the
-//! bounds ([`qp`](super::qp)), so that active bounds are exact; the damping follows the gain ratio. Where residuals are not
-//! defined at a trial point, the step is refused and the damping grows.
+//! by Levenberg and Marquardt's method: each step is the convex quadratic program of the damped
+//! Gauss–Newton model over the bounds ([`qp`](super::qp)), so that active bounds are exact; the
+//! damping follows the gain ratio. Where residuals are not defined at a trial point, the step is
+//! refused and the damping grows.
 //!
 //! ```
 //! use longdrive::optimize::Domain;
@@ -44,8 +45,8 @@ pub trait Residuals {
     /// The residuals and their Jacobian at `x`.
     ///
     /// # Errors
-    /// A sentence saying why there are none at `x`. The search then steps back; where its [`interrupt`](Follow::interrupt) is true by then, it
-    /// ends with the point before.
+    /// A sentence saying why there are none at `x`. The search then steps back; where its
+    /// [`interrupt`](Follow::interrupt) is true by then, it ends with the point before.
     fn evaluate(&self, x: &[f64]) -> Result<Rows, String>;
 }
 
@@ -62,16 +63,22 @@ pub struct Options {
     pub loss: Loss,
     /// Most iterations (200).
     pub max_iterations: u64,
-    /// Largest cosine of the angle between the residuals and a column of the Jacobian that is free to move, at which the fit
-    /// has converged (1e-10; Moré 1978, MINPACK's `gtol`).
+    /// Largest cosine of the angle between the residuals and a column of the Jacobian that is free
+    /// to move, at which the fit has converged (1e-10; Moré 1978, MINPACK's `gtol`).
     pub tolerance: f64,
-    /// Residuals no larger than this are rounding, and a fit that leaves no larger ones is exact (0: not known).
+    /// Residuals no larger than this are rounding, and a fit that leaves no larger ones is exact
+    /// (0: not known).
     pub rounding: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { loss: Loss::Squares, max_iterations: 200, tolerance: 1e-10, rounding: 0.0 }
+        Self {
+            loss: Loss::Squares,
+            max_iterations: 200,
+            tolerance: 1e-10,
+            rounding: 0.0,
+        }
     }
 }
 
@@ -83,8 +90,8 @@ mod tests {
     /// A model with its gradient by the parameters.
     type Model = fn(x: f64, b: &[f64]) -> (f64, Vec<f64>);
 
-    /// A problem of NIST's Statistical Reference Datasets, nonlinear regression (itl.nist.gov/div898/strd/nls), with its
-    /// certified parameters and residual sum of squares.
+    /// A problem of NIST's Statistical Reference Datasets, nonlinear regression
+    /// (itl.nist.gov/div898/strd/nls), with its certified parameters and residual sum of squares.
     struct Dataset {
         name: &'static str,
         data: &'static [(f64, f64)],
@@ -101,7 +108,10 @@ mod tests {
                 (value - y, gradient)
             });
             let (residuals, jacobian) = rows.unzip();
-            Ok(Rows { residuals, jacobian })
+            Ok(Rows {
+                residuals,
+                jacobian,
+            })
         }
     }
 
@@ -134,12 +144,20 @@ mod tests {
         },
         Dataset {
             name: "BoxBOD",
-            data: &[(109.0, 1.0), (149.0, 2.0), (149.0, 3.0), (191.0, 5.0), (213.0, 7.0), (224.0, 10.0)],
+            data: &[
+                (109.0, 1.0),
+                (149.0, 2.0),
+                (149.0, 3.0),
+                (191.0, 5.0),
+                (213.0, 7.0),
+                (224.0, 10.0),
+            ],
             model: |x, b| {
                 let e = (-b[1] * x).exp();
                 (b[0] * (1.0 - e), vec![1.0 - e, b[0] * x * e])
             },
-            // from (1, 1), the first of its starts, a search without bounds goes on towards b₂ = ∞: see the test within bounds
+            // from (1, 1), the first of its starts, a search without bounds goes on towards b₂ = ∞:
+            // see the test within bounds
             starts: [&[100.0, 0.75], &[100.0, 0.75]],
             certified: &[2.138_094_088_9e2, 5.472_374_854_2e-1],
             sum: 1.168_008_876_6e3,
@@ -162,10 +180,23 @@ mod tests {
             model: |x, b| {
                 let (over, under) = (x * x + x * b[1], x * x + x * b[2] + b[3]);
                 let value = b[0] * over / under;
-                (value, vec![over / under, b[0] * x / under, -value * x / under, -value / under])
+                (
+                    value,
+                    vec![
+                        over / under,
+                        b[0] * x / under,
+                        -value * x / under,
+                        -value / under,
+                    ],
+                )
             },
             starts: [&[25.0, 39.0, 41.5, 39.0], &[0.25, 0.39, 0.415, 0.39]],
-            certified: &[1.928_069_345_8e-1, 1.912_823_287_3e-1, 1.230_565_069_3e-1, 1.360_623_306_8e-1],
+            certified: &[
+                1.928_069_345_8e-1,
+                1.912_823_287_3e-1,
+                1.230_565_069_3e-1,
+                1.360_623_306_8e-1,
+            ],
             sum: 3.075_056_038_5e-4,
         },
     ];
@@ -173,7 +204,16 @@ mod tests {
     fn fitted(set: &Dataset, start: &[f64], low: f64, high: f64) -> Fit {
         let n = set.certified.len();
         let domain = Domain::new(vec![low; n], vec![high; n]).unwrap();
-        fit(set, &domain, start, &Options { max_iterations: 1000, ..Options::default() }).unwrap()
+        fit(
+            set,
+            &domain,
+            start,
+            &Options {
+                max_iterations: 1000,
+                ..Options::default()
+            },
+        )
+        .unwrap()
     }
 
     #[test]
@@ -181,10 +221,25 @@ mod tests {
         for set in &SETS {
             for start in set.starts {
                 let found = fitted(set, start, f64::NEG_INFINITY, f64::INFINITY);
-                assert_eq!(found.status, Status::Converged, "{}: {}", set.name, found.message);
-                assert!((2.0 * found.cost / set.sum - 1.0).abs() < 1e-9, "{}: {}", set.name, 2.0 * found.cost);
+                assert_eq!(
+                    found.status,
+                    Status::Converged,
+                    "{}: {}",
+                    set.name,
+                    found.message
+                );
+                assert!(
+                    (2.0 * found.cost / set.sum - 1.0).abs() < 1e-9,
+                    "{}: {}",
+                    set.name,
+                    2.0 * found.cost
+                );
                 for (b, certified) in found.x.iter().zip(set.certified) {
-                    assert!((b / certified - 1.0).abs() < 1e-6, "{}: {b} against {certified}", set.name);
+                    assert!(
+                        (b / certified - 1.0).abs() < 1e-6,
+                        "{}: {b} against {certified}",
+                        set.name
+                    );
                 }
             }
         }
@@ -197,9 +252,20 @@ mod tests {
         let spread = starts(&domain, &[1.0, 1.0], 8).unwrap();
         assert_eq!(spread[0], [1.0, 1.0]);
         let alone = fit(set, &domain, &spread[0], &Options::default()).unwrap();
-        let found = fit_from(set, &domain, &spread, &Options::default(), &Follow::default()).unwrap();
+        let found = fit_from(
+            set,
+            &domain,
+            &spread,
+            &Options::default(),
+            &Follow::default(),
+        )
+        .unwrap();
         for best in [&alone, &found[0]] {
-            assert!((2.0 * best.cost / set.sum - 1.0).abs() < 1e-9, "{}", 2.0 * best.cost);
+            assert!(
+                (2.0 * best.cost / set.sum - 1.0).abs() < 1e-9,
+                "{}",
+                2.0 * best.cost
+            );
         }
         assert_eq!(found.len(), 8);
         assert!(found.windows(2).all(|pair| pair[0].cost <= pair[1].cost));
@@ -207,16 +273,29 @@ mod tests {
 
     #[test]
     fn exact_active_bound() {
-        // with b₁ ≤ 230 the best b₂ of Misra1a solves a problem of one variable: its slope vanishes there, b₁ stays on its bound
+        // with b₁ ≤ 230 the best b₂ of Misra1a solves a problem of one variable: its slope vanishes
+        // there, b₁ stays on its bound
         let found = fitted(&SETS[0], &[200.0, 6e-4], 0.0, 230.0);
         assert_eq!((found.status, found.x[0]), (Status::Converged, 230.0));
         let slope = |k: usize| -> f64 {
-            found.rows.residuals.iter().zip(&found.rows.jacobian).map(|(r, row)| r * row[k]).sum()
+            found
+                .rows
+                .residuals
+                .iter()
+                .zip(&found.rows.jacobian)
+                .map(|(r, row)| r * row[k])
+                .sum()
         };
-        assert!(slope(0) < 0.0 && slope(1).abs() < 1e-6 * slope(0).abs() * 230.0 / 5e-4, "{} {}", slope(0), slope(1));
+        assert!(
+            slope(0) < 0.0 && slope(1).abs() < 1e-6 * slope(0).abs() * 230.0 / 5e-4,
+            "{} {}",
+            slope(0),
+            slope(1)
+        );
     }
 
-    /// As many residuals as variables, none of them linear, with a zero that the last digits miss: the cosine says nothing there.
+    /// As many residuals as variables, none of them linear, with a zero that the last digits miss:
+    /// the cosine says nothing there.
     #[test]
     fn exact_zero_of_as_many_residuals_as_variables_is_converged() {
         let curve = |x: &[f64]| {
@@ -225,51 +304,89 @@ mod tests {
             let second = a * a * b - 0.7 * 0.7 * 0.3;
             Ok(Rows {
                 residuals: vec![first, second],
-                jacobian: vec![vec![200.0 * a.cos() * b.exp(), 200.0 * a.sin() * b.exp()], vec![2.0 * a * b, a * a]],
+                jacobian: vec![
+                    vec![200.0 * a.cos() * b.exp(), 200.0 * a.sin() * b.exp()],
+                    vec![2.0 * a * b, a * a],
+                ],
             })
         };
         let free = Domain::new(vec![f64::NEG_INFINITY; 2], vec![f64::INFINITY; 2]).unwrap();
         for start in [[0.5, 0.5], [0.71, 0.29], [0.7, 0.3], [0.9, 0.1]] {
             let found = fit(&curve, &free, &start, &Options::default()).unwrap();
-            assert_eq!(found.status, Status::Converged, "from {start:?}: {}", found.message);
-            assert!(found.rows.residuals.iter().all(|r| r.abs() < 1e-12), "{:?}", found.rows.residuals);
+            assert_eq!(
+                found.status,
+                Status::Converged,
+                "from {start:?}: {}",
+                found.message
+            );
+            assert!(
+                found.rows.residuals.iter().all(|r| r.abs() < 1e-12),
+                "{:?}",
+                found.rows.residuals
+            );
         }
     }
 
-    /// Only x₁ − x₂ matters: the sum of the two stays where it began, and is not walked along by rounding.
+    /// Only x₁ − x₂ matters: the sum of the two stays where it began, and is not walked along by
+    /// rounding.
     #[test]
     fn exact_combination_that_nothing_depends_on_stays_where_it_began() {
         let difference = |x: &[f64]| {
             let d = x[0] - x[1];
             let residuals = vec![d.sin() - 0.1, d.exp() - 1.2, d - 0.3];
-            Ok(Rows { residuals, jacobian: [d.cos(), d.exp(), 1.0].iter().map(|j| vec![*j, -j]).collect() })
+            Ok(Rows {
+                residuals,
+                jacobian: [d.cos(), d.exp(), 1.0]
+                    .iter()
+                    .map(|j| vec![*j, -j])
+                    .collect(),
+            })
         };
         let free = Domain::new(vec![-1e6; 2], vec![1e6; 2]).unwrap();
         let found = fit(&difference, &free, &[3.0, 1.0], &Options::default()).unwrap();
         assert_eq!(found.status, Status::Converged, "{}", found.message);
-        assert!((found.x[0] + found.x[1] - 4.0).abs() < 1e-3, "{:?}", found.x);
+        assert!(
+            (found.x[0] + found.x[1] - 4.0).abs() < 1e-3,
+            "{:?}",
+            found.x
+        );
     }
 
     #[test]
     fn exact_residuals_too_large_to_square_are_no_start() {
-        let huge = |x: &[f64]| Ok(Rows { residuals: vec![x[0], 1e300], jacobian: vec![vec![1.0], vec![1.0]] });
+        let huge = |x: &[f64]| {
+            Ok(Rows {
+                residuals: vec![x[0], 1e300],
+                jacobian: vec![vec![1.0], vec![1.0]],
+            })
+        };
         let free = Domain::new(vec![f64::NEG_INFINITY], vec![f64::INFINITY]).unwrap();
         let found = fit(&huge, &free, &[1.0], &Options::default()).unwrap();
         assert_eq!(found.status, Status::Undefined, "{}", found.message);
-        assert!(found.message.contains("residual 2 is 1e300"), "{}", found.message);
+        assert!(
+            found.message.contains("residual 2 is 1e300"),
+            "{}",
+            found.message
+        );
     }
 
     #[test]
     fn exact_steps_into_the_undefined_are_refused_and_the_fit_goes_on() {
         // √x − 1 from 9: the first undamped step leads to −3
         let root = |x: &[f64]| match x[0] >= 0.0 {
-            true => Ok(Rows { residuals: vec![x[0].sqrt() - 1.0], jacobian: vec![vec![0.5 / x[0].sqrt()]] }),
+            true => Ok(Rows {
+                residuals: vec![x[0].sqrt() - 1.0],
+                jacobian: vec![vec![0.5 / x[0].sqrt()]],
+            }),
             false => Err(format!("there is no root of {}", x[0])),
         };
         let domain = Domain::new(vec![f64::NEG_INFINITY], vec![f64::INFINITY]).unwrap();
         let found = fit(&root, &domain, &[9.0], &Options::default()).unwrap();
         assert_eq!(found.status, Status::Converged, "{}", found.message);
-        assert!((found.x[0] - 1.0).abs() < 1e-7 && found.refused > 0, "{found:?}");
+        assert!(
+            (found.x[0] - 1.0).abs() < 1e-7 && found.refused > 0,
+            "{found:?}"
+        );
         assert!(found.why_refused.unwrap().contains("no root"));
     }
 }

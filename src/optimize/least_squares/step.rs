@@ -19,9 +19,13 @@ impl Point {
     /// The point, if residuals and Jacobian are of the right shape and finite.
     pub fn new(x: Vec<f64>, rows: Rows, loss: Loss) -> Result<Self, String> {
         let n = x.len();
-        if rows.jacobian.len() != rows.residuals.len() || rows.jacobian.iter().any(|row| row.len() != n) {
+        if rows.jacobian.len() != rows.residuals.len()
+            || rows.jacobian.iter().any(|row| row.len() != n)
+        {
             let shape = format!("{} by {n}", rows.residuals.len());
-            return Err(format!("the Jacobian must be {shape} (residuals by variables), and is not"));
+            return Err(format!(
+                "the Jacobian must be {shape} (residuals by variables), and is not"
+            ));
         }
         let all = rows.residuals.iter().chain(rows.jacobian.iter().flatten());
         if !all.copied().all(f64::is_finite) {
@@ -31,8 +35,15 @@ impl Point {
         const TOO_LARGE: f64 = 1e150;
         for (at, (r, row)) in rows.residuals.iter().zip(&rows.jacobian).enumerate() {
             if let Some(entry) = row.iter().chain([r]).find(|entry| entry.abs() > TOO_LARGE) {
-                let what = if r.abs() > TOO_LARGE { "is" } else { "has the derivative" };
-                return Err(format!("residual {} {what} {entry:e}, too large for a sum of squares", at + 1));
+                let what = if r.abs() > TOO_LARGE {
+                    "is"
+                } else {
+                    "has the derivative"
+                };
+                return Err(format!(
+                    "residual {} {what} {entry:e}, too large for a sum of squares",
+                    at + 1
+                ));
             }
         }
         let (mut gradient, mut curvature) = (DVector::zeros(n), DMatrix::zeros(n, n));
@@ -47,30 +58,49 @@ impl Point {
         }
         curvature.fill_upper_triangle_with_lower_triangle();
         let cost = rows.residuals.iter().map(|r| loss.of(*r)).sum();
-        Ok(Self { x, rows, cost, gradient, curvature })
+        Ok(Self {
+            x,
+            rows,
+            cost,
+            gradient,
+            curvature,
+        })
     }
 
-    /// Lengths of the Jacobian's columns, none shorter than in `longest` (Moré 1978: the scale never shrinks).
+    /// Lengths of the Jacobian's columns, none shorter than in `longest` (Moré 1978: the scale
+    /// never shrinks).
     pub fn lengthen(&self, longest: &mut [f64]) {
         for (i, length) in longest.iter_mut().enumerate() {
             *length = length.max(self.curvature[(i, i)].sqrt());
         }
     }
 
-    /// The largest cosine between the residuals and a column whose variable is free to go down the slope.
+    /// The largest cosine between the residuals and a column whose variable is free to go down the
+    /// slope.
     pub fn cosine(&self, bounds: &Bounds) -> f64 {
         let size = (2.0 * self.cost).sqrt();
         let of = |i: usize| {
             let (slope, length) = (self.gradient[i], self.curvature[(i, i)].sqrt());
-            let is_held = slope > 0.0 && self.x[i] <= bounds.low[i] || slope < 0.0 && self.x[i] >= bounds.high[i];
-            if is_held || length == 0.0 || size == 0.0 { 0.0 } else { slope.abs() / (length * size) }
+            let is_held = slope > 0.0 && self.x[i] <= bounds.low[i]
+                || slope < 0.0 && self.x[i] >= bounds.high[i];
+            if is_held || length == 0.0 || size == 0.0 {
+                0.0
+            } else {
+                slope.abs() / (length * size)
+            }
         };
         (0..self.x.len()).map(of).fold(0.0, f64::max)
     }
 
-    /// The step that makes the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd least over the bounds, and what the undamped model
-    /// promises to fall by.
-    pub fn step(&self, bounds: &Bounds, scale: &[f64], damping: f64, solver: &mut QpSolver) -> Option<(Vec<f64>, f64)> {
+    /// The step that makes the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd least over the bounds, and what the
+    /// undamped model promises to fall by.
+    pub fn step(
+        &self,
+        bounds: &Bounds,
+        scale: &[f64],
+        damping: f64,
+        solver: &mut QpSolver,
+    ) -> Option<(Vec<f64>, f64)> {
         /// Steps beyond this, in scaled units, are not taken at once.
         const FAR: f64 = 1e12;
         let n = self.x.len();
@@ -83,12 +113,17 @@ impl Point {
         let gradient = DVector::from_fn(n, |i, _| self.gradient[i] / size(i));
         let program = QuadraticProgram {
             hessian: DMatrix::from_fn(n, n, damped),
-            max_terms: vec![MaxTerm { offset: 0.0, gradient }],
+            max_terms: vec![MaxTerm {
+                offset: 0.0,
+                gradient,
+            }],
             low: DVector::from_fn(n, |i, _| end(i, bounds.low[i])),
             high: DVector::from_fn(n, |i, _| end(i, bounds.high[i])),
             rows: vec![],
         };
-        let found = solver.solve(&program).filter(|found| found.d.amax() <= FAR)?;
+        let found = solver
+            .solve(&program)
+            .filter(|found| found.d.amax() <= FAR)?;
         let d = DVector::from_fn(n, |i, _| found.d[i] / size(i));
         let promised = -(self.gradient.dot(&d) + 0.5 * d.dot(&(&self.curvature * &d)));
         let to = |i: usize| match found.sides[i] {

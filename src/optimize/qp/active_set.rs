@@ -30,13 +30,29 @@ impl ActiveSet {
             && self.max_terms.len() == program.max_terms.len()
     }
 
-    /// The active set of these constraints, and of what is always active: fixed variables, equations, and at least one term.
-    pub(super) fn new(program: &QuadraticProgram, active: impl IntoIterator<Item = ActiveConstraint>) -> Self {
-        let fixed = |is_fixed: bool| if is_fixed { Side::Lower } else { Side::Inactive };
+    /// The active set of these constraints, and of what is always active: fixed variables,
+    /// equations, and at least one term.
+    pub(super) fn new(
+        program: &QuadraticProgram,
+        active: impl IntoIterator<Item = ActiveConstraint>,
+    ) -> Self {
+        let fixed = |is_fixed: bool| {
+            if is_fixed {
+                Side::Lower
+            } else {
+                Side::Inactive
+            }
+        };
         let terms = program.max_terms.len();
         let mut set = Self {
-            bounds: (0..program.dimension()).map(|i| fixed(program.low[i] == program.high[i])).collect(),
-            rows: program.rows.iter().map(|row| fixed(row.is_equation())).collect(),
+            bounds: (0..program.dimension())
+                .map(|i| fixed(program.low[i] == program.high[i]))
+                .collect(),
+            rows: program
+                .rows
+                .iter()
+                .map(|row| fixed(row.is_equation()))
+                .collect(),
             max_terms: vec![terms == 1; terms],
         };
         for constraint in active {

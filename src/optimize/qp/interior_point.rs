@@ -1,4 +1,5 @@
-//! Clarabel, the interior-point method: active sets, approximate solutions, and proofs of infeasibility.
+//! Clarabel, the interior-point method: active sets, approximate solutions, and proofs of
+//! infeasibility.
 
 use super::active_set::ActiveConstraint;
 use super::program::{QuadraticProgram, Side, Step, StepSource};
@@ -9,13 +10,15 @@ use std::fmt;
 
 /// Clarabel's answer.
 pub(super) enum Answer {
-    /// The active constraints, those with the largest multipliers first, and the solution itself where Clarabel calls it one.
+    /// The active constraints, those with the largest multipliers first, and the solution itself
+    /// where Clarabel calls it one.
     Found(Vec<ActiveConstraint>, Option<Step>),
     /// The rows cannot be met within the bounds.
     Infeasible,
 }
 
-/// A Clarabel solver for programs of one sparsity pattern. A program of the same pattern only updates its data.
+/// A Clarabel solver for programs of one sparsity pattern. A program of the same pattern only
+/// updates its data.
 #[derive(Default)]
 pub(super) struct InteriorPoint {
     solver: Option<DefaultSolver<f64>>,
@@ -35,7 +38,8 @@ impl fmt::Debug for InteriorPoint {
     }
 }
 
-/// Accuracy asked of Clarabel. Where no active set is exact, its own multipliers must meet the KKT tolerance of a search.
+/// Accuracy asked of Clarabel. Where no active set is exact, its own multipliers must meet the KKT
+/// tolerance of a search.
 const TOLERANCE: f64 = 1e-10;
 
 /// A constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 or s ≥ 0.
@@ -62,10 +66,12 @@ impl ConeRow {
     }
 }
 
-/// A program in Clarabel's standard form, scaled: steps in units of the largest bound, the objective in units of its change over it, rows
-/// with a largest coefficient of 1. Clarabel's tolerances are absolute, and its own equilibration is then of no use.
+/// A program in Clarabel's standard form, scaled: steps in units of the largest bound, the
+/// objective in units of its change over it, rows with a largest coefficient of 1. Clarabel's
+/// tolerances are absolute, and its own equilibration is then of no use.
 struct StandardForm {
-    /// The number of variables, with the epigraph variable t ≥ offsetₖ + gradientₖ · d where there are several terms.
+    /// The number of variables, with the epigraph variable t ≥ offsetₖ + gradientₖ · d where there
+    /// are several terms.
     size: usize,
     hessian: CscMatrix<f64>,
     gradient: Vec<f64>,
@@ -83,15 +89,25 @@ impl InteriorPoint {
         solver.solve();
         let solution = &solver.solution;
         match solution.status {
-            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => return Some(Answer::Infeasible),
-            _ if !solution.x.iter().chain(&solution.z).all(|number| number.is_finite()) => return None,
+            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
+                return Some(Answer::Infeasible);
+            }
+            _ if !solution
+                .x
+                .iter()
+                .chain(&solution.z)
+                .all(|number| number.is_finite()) =>
+            {
+                return None;
+            }
             _ => {}
         }
         let is_accurate = matches!(
             solution.status,
             SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress
         );
-        // of a constraint's multiplier and its slack one vanishes at a solution: the larger says which
+        // of a constraint's multiplier and its slack one vanishes at a solution: the larger says
+        // which
         let first = form.equations.len();
         let mut active: Vec<(f64, ActiveConstraint)> = form
             .inequalities
@@ -101,7 +117,10 @@ impl InteriorPoint {
             .map(|(row, (z, _))| (*z, row.constraint))
             .collect();
         active.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let active = active.into_iter().map(|(_, constraint)| constraint).collect();
+        let active = active
+            .into_iter()
+            .map(|(_, constraint)| constraint)
+            .collect();
         let own = is_accurate.then(|| form.step(program, &solution.x, &solution.z));
         Some(Answer::Found(active, own))
     }
@@ -111,7 +130,9 @@ impl InteriorPoint {
         let (matrix, limits) = form.constraints();
         if self.equations == form.equations.len()
             && let Some(solver) = &mut self.solver
-            && solver.update_data(&form.hessian, &form.gradient, &matrix, &limits).is_ok()
+            && solver
+                .update_data(&form.hessian, &form.gradient, &matrix, &limits)
+                .is_ok()
         {
             return self.solver.as_mut();
         }
@@ -130,7 +151,15 @@ impl InteriorPoint {
             ..DefaultSettings::default()
         };
         self.equations = form.equations.len();
-        self.solver = DefaultSolver::new(&form.hessian, &form.gradient, &matrix, &limits, &cones, settings).ok();
+        self.solver = DefaultSolver::new(
+            &form.hessian,
+            &form.gradient,
+            &matrix,
+            &limits,
+            &cones,
+            settings,
+        )
+        .ok();
         self.solver.as_mut()
     }
 }
@@ -143,7 +172,11 @@ impl StandardForm {
         let bend = program.hessian.amax() * length_unit * length_unit;
         let slope = program.largest_slope() * length_unit;
         // between the two where curvature dominates: neither vanishes beside the tolerances
-        let value_unit = if slope > 0.0 { (slope * slope.max(bend)).sqrt() } else { bend.max(f64::MIN_POSITIVE) };
+        let value_unit = if slope > 0.0 {
+            (slope * slope.max(bend)).sqrt()
+        } else {
+            bend.max(f64::MIN_POSITIVE)
+        };
         let slope_unit = value_unit / length_unit;
 
         let mut gradient = vec![0.0; size];
@@ -170,7 +203,11 @@ impl StandardForm {
         if terms > 1 {
             for (k, term) in program.max_terms.iter().enumerate() {
                 // gradientₖ · d − t ≤ −offsetₖ
-                let mut coefficients: Vec<f64> = term.gradient.iter().map(|slope| slope / slope_unit).collect();
+                let mut coefficients: Vec<f64> = term
+                    .gradient
+                    .iter()
+                    .map(|slope| slope / slope_unit)
+                    .collect();
                 coefficients.push(-1.0);
                 form.inequalities.push(ConeRow {
                     coefficients: Coefficients::All(coefficients),
@@ -190,19 +227,31 @@ impl StandardForm {
             constraint: ActiveConstraint::Bound(i, side),
             multiplier_unit: self.value_unit / self.length_unit,
         };
-        let (upper, lower) = (row(1.0, program.high[i], Side::Upper), row(-1.0, -program.low[i], Side::Lower));
+        let (upper, lower) = (
+            row(1.0, program.high[i], Side::Upper),
+            row(-1.0, -program.low[i], Side::Lower),
+        );
         if program.low[i] == program.high[i] {
             self.equations.push(upper);
             return;
         }
-        self.inequalities.extend([upper, lower].into_iter().filter(|row| row.limit.is_finite()));
+        self.inequalities.extend(
+            [upper, lower]
+                .into_iter()
+                .filter(|row| row.limit.is_finite()),
+        );
     }
 
     fn add_row(&mut self, program: &QuadraticProgram, j: usize) {
         let row = &program.rows[j];
-        let largest = if row.normal.amax() > 0.0 { row.normal.amax() } else { 1.0 };
+        let largest = if row.normal.amax() > 0.0 {
+            row.normal.amax()
+        } else {
+            1.0
+        };
         let cone_row = |sign: f64, limit: f64, side: Side| {
-            let mut coefficients: Vec<f64> = row.normal.iter().map(|a| sign * a / largest).collect();
+            let mut coefficients: Vec<f64> =
+                row.normal.iter().map(|a| sign * a / largest).collect();
             coefficients.resize(self.size, 0.0);
             ConeRow {
                 coefficients: Coefficients::All(coefficients),
@@ -243,7 +292,10 @@ impl StandardForm {
             starts.push(values.len());
         }
         let limits: Vec<f64> = self.rows().map(|row| row.limit).collect();
-        (CscMatrix::new(limits.len(), self.size, starts, places, values), limits)
+        (
+            CscMatrix::new(limits.len(), self.size, starts, places, values),
+            limits,
+        )
     }
 
     /// Clarabel's solution x with its multipliers z, moved inside the bounds.
@@ -277,7 +329,14 @@ fn upper_triangle(program: &QuadraticProgram, size: usize, scale: f64) -> CscMat
     for column in 0..size {
         if column < n {
             places.extend(0..=column);
-            values.extend(program.hessian.column(column).iter().take(column + 1).map(|entry| entry * scale));
+            values.extend(
+                program
+                    .hessian
+                    .column(column)
+                    .iter()
+                    .take(column + 1)
+                    .map(|entry| entry * scale),
+            );
         }
         starts.push(values.len());
     }

@@ -1,5 +1,5 @@
-//! The quadratic program of a step: a warm start from the active set of the program before; otherwise Clarabel, polished to an exact KKT
-//! point (`QpSolver::solve`).
+//! The quadratic program of a step: a warm start from the active set of the program before;
+//! otherwise Clarabel, polished to an exact KKT point (`QpSolver::solve`).
 
 mod active_set;
 mod interior_point;
@@ -54,11 +54,23 @@ mod tests {
             let gradient = DVector::from_fn(n, |_, _| random() * 10_f64.powi(case as i32 % 7 - 3));
             let low = DVector::from_fn(n, |_, _| -random().abs());
             let high = DVector::from_fn(n, |_, _| random().abs());
-            let max_terms = vec![MaxTerm { offset: 0.0, gradient }];
-            let qp = QuadraticProgram { hessian, max_terms, low, high, rows: vec![] };
+            let max_terms = vec![MaxTerm {
+                offset: 0.0,
+                gradient,
+            }];
+            let qp = QuadraticProgram {
+                hessian,
+                max_terms,
+                low,
+                high,
+                rows: vec![],
+            };
             let step = QpSolver::default().solve(&qp).unwrap();
             let (value, least) = (qp.value(&step.d), enumerated(&qp));
-            assert!(value <= least + 1e-12 * least.abs().max(1e-3), "case {case}: {value} against {least}");
+            assert!(
+                value <= least + 1e-12 * least.abs().max(1e-3),
+                "case {case}: {value} against {least}"
+            );
             for i in 0..n {
                 match step.sides[i] {
                     Side::Lower => assert_eq!(step.d[i], qp.low[i]),
@@ -75,20 +87,30 @@ mod tests {
         let qp = QuadraticProgram {
             hessian: DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 1.0]),
             max_terms: vec![
-                MaxTerm { offset: 0.0, gradient: DVector::from_vec(vec![-1.0, 0.5]) },
-                MaxTerm { offset: -0.3, gradient: DVector::from_vec(vec![2.0, 0.5]) },
+                MaxTerm {
+                    offset: 0.0,
+                    gradient: DVector::from_vec(vec![-1.0, 0.5]),
+                },
+                MaxTerm {
+                    offset: -0.3,
+                    gradient: DVector::from_vec(vec![2.0, 0.5]),
+                },
             ],
             low: DVector::from_vec(vec![-1.0, -1.0]),
             high: DVector::from_vec(vec![1.0, 1.0]),
             rows: vec![],
         };
         let step = QpSolver::default().solve(&qp).unwrap();
-        assert!((step.d[0] - 0.1).abs() < 1e-14 && (step.d[1] + 0.5).abs() < 1e-14, "{step:?}");
+        assert!(
+            (step.d[0] - 0.1).abs() < 1e-14 && (step.d[1] + 0.5).abs() < 1e-14,
+            "{step:?}"
+        );
         // stationary: d₀ − α₀ + 2 α₁ = 0, α₀ + α₁ = 1
         assert!((step.weights[0] - 0.7).abs() < 1e-14 && (step.weights[1] - 0.3).abs() < 1e-14);
     }
 
-    /// Random convex programs with rows, of which some cannot be met; the first row of most is an equation.
+    /// Random convex programs with rows, of which some cannot be met; the first row of most is an
+    /// equation.
     fn random_programs_with_rows(count: usize) -> impl Iterator<Item = QuadraticProgram> {
         let mut state = 0.3_f64;
         let mut random = move || {
@@ -99,21 +121,39 @@ mod tests {
             let (n, m) = (1 + case % 5, 1 + case % 4);
             let a = DMatrix::from_fn(n, n, |_, _| random());
             let hessian = &a * a.transpose() + DMatrix::identity(n, n) * 1e-2;
-            let max_terms = vec![MaxTerm { offset: 0.0, gradient: DVector::from_fn(n, |_, _| random()) }];
+            let max_terms = vec![MaxTerm {
+                offset: 0.0,
+                gradient: DVector::from_fn(n, |_, _| random()),
+            }];
             let row = |random: &mut dyn FnMut() -> f64, is_equation: bool| {
                 let normal = DVector::from_fn(n, |_, _| random());
                 let low = random() * 0.6;
-                Row { normal, low, high: if is_equation { low } else { low + random().abs() } }
+                Row {
+                    normal,
+                    low,
+                    high: if is_equation {
+                        low
+                    } else {
+                        low + random().abs()
+                    },
+                }
             };
             let rows = (0..m).map(|j| row(&mut random, j == 0 && n > 1)).collect();
             let low = DVector::from_fn(n, |_, _| -random().abs());
             let high = DVector::from_fn(n, |_, _| random().abs());
-            QuadraticProgram { hessian, max_terms, low, high, rows }
+            QuadraticProgram {
+                hessian,
+                max_terms,
+                low,
+                high,
+                rows,
+            }
         })
     }
 
-    /// KKT conditions, checked from the program's own numbers: sufficient, for it is convex. Clarabel's verdict of infeasibility is compared
-    /// with the least violation, which an elastic program has.
+    /// KKT conditions, checked from the program's own numbers: sufficient, for it is convex.
+    /// Clarabel's verdict of infeasibility is compared with the least violation, which an elastic
+    /// program has.
     #[test]
     fn exact_kkt_conditions_of_random_programs_with_rows() {
         let (mut infeasible, mut solved) = (0, 0);
@@ -143,18 +183,29 @@ mod tests {
                     Side::Lower => slopes[i] > -1e-9,
                     Side::Upper => slopes[i] < 1e-9,
                 };
-                assert!(is_balanced || qp.low[i] == qp.high[i], "case {case}: {slopes}");
+                assert!(
+                    is_balanced || qp.low[i] == qp.high[i],
+                    "case {case}: {slopes}"
+                );
             }
         }
         assert!(solved > 100 && infeasible > 20, "{solved} {infeasible}");
     }
 
-    /// The least violation of the rows within the bounds, by projected gradient descent on ½‖violation‖².
+    /// The least violation of the rows within the bounds, by projected gradient descent on
+    /// ½‖violation‖².
     fn least_violation(qp: &QuadraticProgram) -> f64 {
         let mut d = DVector::zeros(qp.low.len());
-        let step = 1.0 / qp.rows.iter().map(|row| row.normal.norm_squared()).sum::<f64>().max(1e-12);
+        let step = 1.0
+            / qp.rows
+                .iter()
+                .map(|row| row.normal.norm_squared())
+                .sum::<f64>()
+                .max(1e-12);
         for _ in 0..200_000 {
-            let slope = qp.rows.iter().fold(DVector::zeros(d.len()), |sum, row| sum + &row.normal * row.excess(&d));
+            let slope = qp.rows.iter().fold(DVector::zeros(d.len()), |sum, row| {
+                sum + &row.normal * row.excess(&d)
+            });
             d -= slope * step;
             d = DVector::from_fn(d.len(), |i, _| d[i].clamp(qp.low[i], qp.high[i]));
         }
@@ -165,21 +216,27 @@ mod tests {
     fn a_second_program_with_the_same_active_set_is_a_warm_start_with_the_same_solution() {
         for qp in random_programs_with_rows(60) {
             let mut solver = QpSolver::default();
-            let Some(first) = solver.solve(&qp) else { continue };
+            let Some(first) = solver.solve(&qp) else {
+                continue;
+            };
             let second = solver.solve(&qp).unwrap();
             assert_eq!(second.source, StepSource::WarmStart);
             assert_eq!((first.d, first.multipliers), (second.d, second.multipliers));
         }
     }
 
-    /// A solver that has solved other programs gives the bits that a new one gives: its data are updated, and nothing else is left of them.
+    /// A solver that has solved other programs gives the bits that a new one gives: its data are
+    /// updated, and nothing else is left of them.
     #[test]
     fn regress_a_used_solver_gives_the_bits_of_a_new_one() {
         let mut used = QpSolver::default();
         for qp in random_programs_with_rows(200) {
             used.active_set = None;
             let (a, b) = (used.solve(&qp), QpSolver::default().solve(&qp));
-            assert_eq!(a.map(|step| (step.d, step.multipliers)), b.map(|step| (step.d, step.multipliers)));
+            assert_eq!(
+                a.map(|step| (step.d, step.multipliers)),
+                b.map(|step| (step.d, step.multipliers))
+            );
         }
     }
 }

@@ -22,8 +22,8 @@ const ROW_ROUNDING: f64 = 1e-11;
 const BOUND_ROUNDING: f64 = 1e-14;
 
 impl QuadraticProgram {
-    /// The active set of these constraints, strongest first, without the weakest that contradict the others: two limits nearer to each other than
-    /// Clarabel's tolerance both look active.
+    /// The active set of these constraints, strongest first, without the weakest that contradict
+    /// the others: two limits nearer to each other than Clarabel's tolerance both look active.
     pub(super) fn consistent_part(&self, mut ranked: Vec<ActiveConstraint>) -> ActiveSet {
         loop {
             let active = ActiveSet::new(self, ranked.iter().copied());
@@ -33,9 +33,13 @@ impl QuadraticProgram {
         }
     }
 
-    /// The exact solution near an active set, with its own: what contradicts the KKT conditions is corrected, up to a set that was
-    /// there before. `None` where no set on the way is exact.
-    pub(super) fn polished(&self, mut active: ActiveSet, source: StepSource) -> Option<(ActiveSet, Step)> {
+    /// The exact solution near an active set, with its own: what contradicts the KKT conditions is
+    /// corrected, up to a set that was there before. `None` where no set on the way is exact.
+    pub(super) fn polished(
+        &self,
+        mut active: ActiveSet,
+        source: StepSource,
+    ) -> Option<(ActiveSet, Step)> {
         let mut seen = vec![];
         while seen.len() < self.most_corrections() && !seen.contains(&active) {
             let candidate = self.candidate(&active)?;
@@ -49,17 +53,30 @@ impl QuadraticProgram {
         None
     }
 
-    /// The exact point of an active set with the multipliers of an approximate solution: where gradients of active constraints depend on
-    /// each other the point is unique, its multipliers are not, and those of the equations may have the wrong sign.
-    pub(super) fn with_multipliers_of(&self, active: &ActiveSet, approximate: &Step) -> Option<Step> {
+    /// The exact point of an active set with the multipliers of an approximate solution: where
+    /// gradients of active constraints depend on each other the point is unique, its multipliers
+    /// are not, and those of the equations may have the wrong sign.
+    pub(super) fn with_multipliers_of(
+        &self,
+        active: &ActiveSet,
+        approximate: &Step,
+    ) -> Option<Step> {
         let candidate = self.candidate(active)?;
         let distance = (&candidate.d - &approximate.d).amax();
         if distance > NEARBY * (approximate.d.amax() + self.reach().min(1.0)) {
             return None;
         }
         let step = self.accepted(candidate, active, approximate.source)?;
-        let Step { weights, multipliers, .. } = approximate.clone();
-        Some(Step { weights, multipliers, ..step })
+        let Step {
+            weights,
+            multipliers,
+            ..
+        } = approximate.clone();
+        Some(Step {
+            weights,
+            multipliers,
+            ..step
+        })
     }
 
     /// The solution that an active set implies, if the KKT conditions hold there.
@@ -77,9 +94,25 @@ impl QuadraticProgram {
     }
 
     /// A candidate as a step within the bounds; `None` where rounding has spoilt it.
-    fn accepted(&self, candidate: Candidate, active: &ActiveSet, source: StepSource) -> Option<Step> {
-        let Candidate { d, weights, multipliers, .. } = candidate;
-        let mut step = Step { d, sides: active.bounds.clone(), weights, multipliers, source };
+    fn accepted(
+        &self,
+        candidate: Candidate,
+        active: &ActiveSet,
+        source: StepSource,
+    ) -> Option<Step> {
+        let Candidate {
+            d,
+            weights,
+            multipliers,
+            ..
+        } = candidate;
+        let mut step = Step {
+            d,
+            sides: active.bounds.clone(),
+            weights,
+            multipliers,
+            source,
+        };
         step.move_inside(self);
         let meets_rows = self.violation(&step.d) <= 1e-9 * (1.0 + step.d.amax());
         (meets_rows && self.is_no_worse_than_none(&step)).then_some(step)
@@ -90,17 +123,26 @@ impl QuadraticProgram {
         if self.rows.iter().any(|row| row.low > 0.0 || row.high < 0.0) {
             return true;
         }
-        let at_zero = self.max_terms.iter().map(|term| term.offset).fold(f64::NEG_INFINITY, f64::max);
+        let at_zero = self
+            .max_terms
+            .iter()
+            .map(|term| term.offset)
+            .fold(f64::NEG_INFINITY, f64::max);
         let rounding = 1e-14 * self.reach() * self.largest_slope();
         self.value(&step.d) <= at_zero + rounding
     }
 
-    /// Solves the program with the active bounds, rows and terms as equations: B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the inactive
-    /// variables, Σ αₖ = 1, and offsetₖ + gradientₖ · d equal for all active terms. The first active term is subtracted from
-    /// the others, so that a single one needs no equation.
+    /// Solves the program with the active bounds, rows and terms as equations: B d + Σ αₖ gradientₖ
+    /// + Σ μⱼ normalⱼ = 0 on the inactive variables, Σ αₖ = 1, and offsetₖ + gradientₖ · d equal
+    /// for all active terms. The first active term is subtracted from the others, so that a single
+    /// one needs no equation.
     fn candidate(&self, active: &ActiveSet) -> Option<Candidate> {
-        let free: Vec<usize> = (0..self.dimension()).filter(|&i| active.bounds[i] == Side::Inactive).collect();
-        let active_rows: Vec<usize> = (0..self.rows.len()).filter(|&j| active.rows[j] != Side::Inactive).collect();
+        let free: Vec<usize> = (0..self.dimension())
+            .filter(|&i| active.bounds[i] == Side::Inactive)
+            .collect();
+        let active_rows: Vec<usize> = (0..self.rows.len())
+            .filter(|&j| active.rows[j] != Side::Inactive)
+            .collect();
         let mut others = (0..self.max_terms.len()).filter(|&k| active.max_terms[k]);
         let first = others.next()?;
         let others: Vec<usize> = others.collect();
@@ -127,15 +169,31 @@ impl QuadraticProgram {
                 matrix[(row, at)] = normal(i);
                 matrix[(at, row)] = normal(i);
             }
-            right[at] = limit - d.iter().enumerate().map(|(i, d)| normal(i) * d).sum::<f64>();
+            right[at] = limit
+                - d.iter()
+                    .enumerate()
+                    .map(|(i, d)| normal(i) * d)
+                    .sum::<f64>();
         };
         for (at, &k) in others.iter().enumerate() {
             let other = &self.max_terms[k];
-            border(f + at, &|i| other.gradient[i] - gradient[i], offset - other.offset);
+            border(
+                f + at,
+                &|i| other.gradient[i] - gradient[i],
+                offset - other.offset,
+            );
         }
         for (at, &j) in active_rows.iter().enumerate() {
             let Row { normal, low, high } = &self.rows[j];
-            border(after_terms + at, &|i| normal[i], if active.rows[j] == Side::Lower { *low } else { *high });
+            border(
+                after_terms + at,
+                &|i| normal[i],
+                if active.rows[j] == Side::Lower {
+                    *low
+                } else {
+                    *high
+                },
+            );
         }
 
         let solution = solved(matrix, right)?;
@@ -152,17 +210,28 @@ impl QuadraticProgram {
         let mut weights = spread(self.max_terms.len(), &others, f);
         weights[first] = 1.0 - weights.iter().sum::<f64>();
         let epigraph = offset + gradient.dot(&d);
-        Some(Candidate { weights, multipliers: spread(self.rows.len(), &active_rows, after_terms), epigraph, d })
+        Some(Candidate {
+            weights,
+            multipliers: spread(self.rows.len(), &active_rows, after_terms),
+            epigraph,
+            d,
+        })
     }
 
-    /// The active set with what a candidate contradicts corrected: a violated constraint becomes active, one whose multiplier has the wrong
-    /// sign inactive.
+    /// The active set with what a candidate contradicts corrected: a violated constraint becomes
+    /// active, one whose multiplier has the wrong sign inactive.
     fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
         let slopes = self.lagrangian_slopes(candidate);
         ActiveSet {
-            bounds: (0..self.dimension()).map(|i| self.corrected_bound(i, active, candidate, slopes[i])).collect(),
-            rows: (0..self.rows.len()).map(|j| self.corrected_row(j, active, candidate)).collect(),
-            max_terms: (0..self.max_terms.len()).map(|k| self.corrected_term(k, active, candidate)).collect(),
+            bounds: (0..self.dimension())
+                .map(|i| self.corrected_bound(i, active, candidate, slopes[i]))
+                .collect(),
+            rows: (0..self.rows.len())
+                .map(|j| self.corrected_row(j, active, candidate))
+                .collect(),
+            max_terms: (0..self.max_terms.len())
+                .map(|k| self.corrected_term(k, active, candidate))
+                .collect(),
         }
     }
 
@@ -178,7 +247,13 @@ impl QuadraticProgram {
         slopes
     }
 
-    fn corrected_bound(&self, i: usize, active: &ActiveSet, candidate: &Candidate, slope: f64) -> Side {
+    fn corrected_bound(
+        &self,
+        i: usize,
+        active: &ActiveSet,
+        candidate: &Candidate,
+        slope: f64,
+    ) -> Side {
         let (low, high, d) = (self.low[i], self.high[i], candidate.d[i]);
         let is_beyond = |excess: f64| excess > 0.0 && excess > BOUND_ROUNDING * candidate.d.amax();
         match active.bounds[i] {

@@ -1,9 +1,11 @@
 use nalgebra::{DMatrix, DVector};
 
-/// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high  and  linear constraints, with B positive semidefinite.
+/// minimise ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d) over low ≤ d ≤ high and linear constraints,
+/// with B positive semidefinite.
 ///
-/// One term of the maximum is the usual quadratic model of a smooth function; more describe a function with a corner, each smooth side of it
-/// by a term. All numbers must be finite but for limits of rows, and no lower end may exceed its upper one.
+/// One term of the maximum is the usual quadratic model of a smooth function; more describe a
+/// function with a corner, each smooth side of it by a term. All numbers must be finite but for
+/// limits of rows, and no lower end may exceed its upper one.
 #[derive(Clone, Debug, Default)]
 pub struct QuadraticProgram {
     /// B.
@@ -90,12 +92,16 @@ impl Row {
 }
 
 impl QuadraticProgram {
-    /// Gives it the shape of a program of `n` variables, one term and `m` rows, in the memory that it has.
+    /// Gives it the shape of a program of `n` variables, one term and `m` rows, in the memory that
+    /// it has.
     pub(in crate::optimize) fn resize(&mut self, n: usize, m: usize) {
         if self.dimension() != n {
             *self = Self {
                 hessian: DMatrix::zeros(n, n),
-                max_terms: vec![MaxTerm { offset: 0.0, gradient: DVector::zeros(n) }],
+                max_terms: vec![MaxTerm {
+                    offset: 0.0,
+                    gradient: DVector::zeros(n),
+                }],
                 low: DVector::zeros(n),
                 high: DVector::zeros(n),
                 rows: vec![],
@@ -107,13 +113,19 @@ impl QuadraticProgram {
 
     /// The objective.
     pub fn value(&self, d: &DVector<f64>) -> f64 {
-        let terms = self.max_terms.iter().map(|term| term.offset + term.gradient.dot(d));
+        let terms = self
+            .max_terms
+            .iter()
+            .map(|term| term.offset + term.gradient.dot(d));
         0.5 * quadratic_form(&self.hessian, d) + terms.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The largest violation of a row.
     pub(super) fn violation(&self, d: &DVector<f64>) -> f64 {
-        self.rows.iter().map(|row| row.excess(d).abs()).fold(0.0, f64::max)
+        self.rows
+            .iter()
+            .map(|row| row.excess(d).abs())
+            .fold(0.0, f64::max)
     }
 
     pub(super) fn dimension(&self) -> usize {
@@ -129,11 +141,17 @@ impl QuadraticProgram {
 
     /// The largest slope of a term.
     pub(super) fn largest_slope(&self) -> f64 {
-        self.max_terms.iter().map(|term| term.gradient.amax()).fold(0.0, f64::max)
+        self.max_terms
+            .iter()
+            .map(|term| term.gradient.amax())
+            .fold(0.0, f64::max)
     }
 }
 
 /// dᵀ B d.
 pub(in crate::optimize) fn quadratic_form(b: &DMatrix<f64>, d: &DVector<f64>) -> f64 {
-    b.column_iter().zip(d).map(|(column, d_j)| d_j * column.dot(d)).sum()
+    b.column_iter()
+        .zip(d)
+        .map(|(column, d_j)| d_j * column.dot(d))
+        .sum()
 }

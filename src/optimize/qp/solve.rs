@@ -18,15 +18,23 @@ const MOST_VIOLATION: f64 = 1e-6;
 impl QpSolver {
     /// A solver whose first program begins, of `n` variables and no rows, where no bound is active.
     pub fn from_no_active_bound(n: usize) -> Self {
-        let active_set = ActiveSet { bounds: vec![Side::Inactive; n], rows: vec![], max_terms: vec![true] };
-        Self { active_set: Some(active_set), ..Self::default() }
+        let active_set = ActiveSet {
+            bounds: vec![Side::Inactive; n],
+            rows: vec![],
+            max_terms: vec![true],
+        };
+        Self {
+            active_set: Some(active_set),
+            ..Self::default()
+        }
     }
 
     /// Solves a program; `None` where its rows cannot be met within the bounds.
     ///
-    /// 1. Warm start: the active set of the program before, solved as equations. Where the KKT conditions hold at the result, it is the
-    ///    solution (the program is convex).
-    /// 2. Clarabel: it proves infeasibility, or finds an active set, which is polished to an exact KKT point.
+    /// 1. Warm start: the active set of the program before, solved as equations. Where the KKT
+    ///    conditions hold at the result, it is the solution (the program is convex).
+    /// 2. Clarabel: it proves infeasibility, or finds an active set, which is polished to an exact
+    ///    KKT point.
     /// 3. Where no active set near Clarabel's is exact, its own solution, moved inside the bounds.
     ///
     /// # Panics
@@ -41,18 +49,24 @@ impl QpSolver {
             Some(Answer::Infeasible) | None => return None,
         };
         let active = program.consistent_part(ranked);
-        let degenerate = own.as_ref().and_then(|own| program.with_multipliers_of(&active, own));
+        let degenerate = own
+            .as_ref()
+            .and_then(|own| program.with_multipliers_of(&active, own));
         if let Some((active, step)) = program.polished(active, StepSource::Clarabel) {
             self.active_set = Some(active);
             return Some(step);
         }
-        let is_feasible =
-            |own: &Step| program.violation(&own.d) <= MOST_VIOLATION * (program.reach().min(1.0) + own.d.amax());
+        let is_feasible = |own: &Step| {
+            program.violation(&own.d) <= MOST_VIOLATION * (program.reach().min(1.0) + own.d.amax())
+        };
         degenerate.or(own.filter(is_feasible))
     }
 
     fn warm_start(&self, program: &QuadraticProgram) -> Option<Step> {
-        let active = self.active_set.as_ref().filter(|active| active.fits(program))?;
+        let active = self
+            .active_set
+            .as_ref()
+            .filter(|active| active.fits(program))?;
         program.exact_step(active, StepSource::WarmStart)
     }
 }

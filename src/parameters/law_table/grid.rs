@@ -46,7 +46,11 @@ impl Along {
     pub fn head(self) -> String {
         let (_, unit) = self.quantity();
         let name = self.names()[0];
-        if unit.is_empty() { name.into() } else { format!("{name} [{unit}]") }
+        if unit.is_empty() {
+            name.into()
+        } else {
+            format!("{name} [{unit}]")
+        }
     }
 }
 
@@ -57,16 +61,19 @@ pub struct Axis {
     pub along: Along,
     /// Its first and last value, SI.
     pub ends: [f64; 2],
-    /// Beyond its ends the place is held, with two continuous derivatives, over these: below the first and above the last.
+    /// Beyond its ends the place is held, with two continuous derivatives, over these: below the
+    /// first and above the last.
     pub over: [f64; 2],
 }
 
-/// A grid of C_D and C_L with its splines: speed, or the Reynolds number, across, spin, or the spin ratio, up.
+/// A grid of C_D and C_L with its splines: speed, or the Reynolds number, across, spin, or the spin
+/// ratio, up.
 #[derive(Debug)]
 pub(crate) struct Grid {
     pub speed: Option<Axis>,
     pub spin: Option<Axis>,
-    /// Where the lift is whole, 1/SI: below it begins without spin. `None` where the grid itself begins there.
+    /// Where the lift is whole, 1/SI: below it begins without spin. `None` where the grid itself
+    /// begins there.
     pub begins: Option<(Along, f64)>,
     pub surface: Surface,
 }

@@ -45,18 +45,29 @@ struct Column {
     one: f64,
 }
 
-const COLUMNS: &str = "the columns are cd, cl, spin_ratio (or s) or spin [rpm], and reynolds (or re) or speed [m/s]; one of these two axes may be left out";
+const COLUMNS: &str = "the columns are cd, cl, spin_ratio (or s) or spin [rpm], and reynolds (or \
+                       re) or speed [m/s]; one of these two axes may be left out";
 
 /// Reads the text of a table.
 pub(super) fn nodes(text: &str) -> Result<Nodes, Wrong> {
     let (separator, rest) = separated(text);
     let skipped = text[..text.len() - rest.len()].matches('\n').count() as u64;
-    let mut reader =
-        ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(rest.as_bytes());
+    let mut reader = ReaderBuilder::new()
+        .trim(Trim::All)
+        .comment(Some(b'#'))
+        .delimiter(separator)
+        .from_reader(rest.as_bytes());
     let line = |record: Option<&csv::Position>| record.map_or(0, csv::Position::line) + skipped;
-    let unreadable =
-        |error: &csv::Error| (format!(", line {}", line(error.position())), of_csv_row(error, text.as_bytes()));
-    let heads = reader.headers().map_err(|error| unreadable(&error))?.clone();
+    let unreadable = |error: &csv::Error| {
+        (
+            format!(", line {}", line(error.position())),
+            of_csv_row(error, text.as_bytes()),
+        )
+    };
+    let heads = reader
+        .headers()
+        .map_err(|error| unreadable(&error))?
+        .clone();
     let columns = columns(&heads)?;
     let axis = |of_spin: bool| {
         columns.iter().find_map(|column| match column.holds {
@@ -76,15 +87,23 @@ pub(super) fn nodes(text: &str) -> Result<Nodes, Wrong> {
             return Err((
                 String::new(),
                 format!(
-                    "it has more than {MOST_NODES} rows; give a coarser grid, since the law is smooth between its nodes"
+                    "it has more than {MOST_NODES} rows; give a coarser grid, since the law is \
+                     smooth between its nodes"
                 ),
             ));
         }
-        let mut node = Node { line, speed: 0.0, spin: 0.0, drag: 0.0, lift: 0.0 };
+        let mut node = Node {
+            line,
+            speed: 0.0,
+            spin: 0.0,
+            drag: 0.0,
+            lift: 0.0,
+        };
         for (column, cell) in columns.iter().zip(record.iter()) {
             let wrong = |reason| (format!(", line {line}, column {}", column.head), reason);
-            let value =
-                number(cell, separator).and_then(|value| in_range(column, value * column.one)).map_err(wrong)?;
+            let value = number(cell, separator)
+                .and_then(|value| in_range(column, value * column.one))
+                .map_err(wrong)?;
             *match column.holds {
                 Holds::Place(along) if along.is_of_spin() => &mut node.spin,
                 Holds::Place(_) => &mut node.speed,
@@ -107,35 +126,53 @@ fn columns(heads: &StringRecord) -> Result<Vec<Column>, Wrong> {
             (a, b) => a == b,
         };
         if let Some(other) = columns.iter().find(is_same) {
-            let reason = format!("'{}' and '{head}' give the same axis or number twice; keep one", other.head);
+            let reason = format!(
+                "'{}' and '{head}' give the same axis or number twice; keep one",
+                other.head
+            );
             return Err((format!(", column {}", at + 1), reason));
         }
         columns.push(column);
     }
     let has = |holds: Holds| columns.iter().any(|column| column.holds == holds);
-    let missing = match columns.iter().any(|column| matches!(column.holds, Holds::Place(_))) {
+    let missing = match columns
+        .iter()
+        .any(|column| matches!(column.holds, Holds::Place(_)))
+    {
         _ if !has(Holds::Drag) => "cd",
         _ if !has(Holds::Lift) => "cl",
         false => "spin_ratio, spin, reynolds or speed",
         true => return Ok(columns),
     };
-    Err((String::new(), format!("it has no column {missing}; {COLUMNS}")))
+    Err((
+        String::new(),
+        format!("it has no column {missing}; {COLUMNS}"),
+    ))
 }
 
 /// A column by its head, `speed [m/s]`.
 fn column(head: &str) -> Result<Column, String> {
     let (name, unit) = match head.split_once(['[', '(']) {
-        Some((name, unit)) => (name.trim(), Some(unit.trim().trim_end_matches([']', ')']).trim())),
+        Some((name, unit)) => (
+            name.trim(),
+            Some(unit.trim().trim_end_matches([']', ')']).trim()),
+        ),
         None => (head.trim(), None),
     };
     let small = name.to_lowercase();
     let holds = match small.as_str() {
         "cd" => Holds::Drag,
         "cl" => Holds::Lift,
-        _ => match Along::ALL.into_iter().find(|along| along.names().contains(&small.as_str())) {
+        _ => match Along::ALL
+            .into_iter()
+            .find(|along| along.names().contains(&small.as_str()))
+        {
             Some(along) => Holds::Place(along),
             None => {
-                let names = Along::ALL.into_iter().flat_map(|along| along.names().iter().copied()).chain(["cd", "cl"]);
+                let names = Along::ALL
+                    .into_iter()
+                    .flat_map(|along| along.names().iter().copied())
+                    .chain(["cd", "cl"]);
                 return Err(Error::unknown("column", name, names, COLUMNS).to_string());
             }
         },
@@ -144,17 +181,31 @@ fn column(head: &str) -> Result<Column, String> {
         (Holds::Place(along @ (Along::Spin | Along::Speed)), unit) => {
             let (quantity, usual) = along.quantity();
             let Some(unit) = unit else {
-                return Err(format!("'{head}' has no unit; write it into the head, as in '{name} [{usual}]'"));
+                return Err(format!(
+                    "'{head}' has no unit; write it into the head, as in '{name} [{usual}]'"
+                ));
             };
             let size = quantity.size_of(unit);
-            size.ok_or_else(|| format!("'{unit}' is no unit of {}; take one of {}", quantity.name, quantity.units()))?
+            size.ok_or_else(|| {
+                format!(
+                    "'{unit}' is no unit of {}; take one of {}",
+                    quantity.name,
+                    quantity.units()
+                )
+            })?
         }
         (_, Some(unit)) if !unit.is_empty() => {
-            return Err(format!("'{head}' has a unit, but {name} is a plain number; take [{unit}] out of the head"));
+            return Err(format!(
+                "'{head}' has a unit, but {name} is a plain number; take [{unit}] out of the head"
+            ));
         }
         _ => 1.0,
     };
-    Ok(Column { head: head.into(), holds, one })
+    Ok(Column {
+        head: head.into(),
+        holds,
+        one,
+    })
 }
 
 /// A number, with a decimal comma where that separates no cells.
@@ -169,7 +220,9 @@ fn number(cell: &str, separator: u8) -> Result<f64, String> {
     match plain.parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(_) => Err(format!("'{cell}' is not finite; give a number")),
-        Err(_) => Err(format!("'{cell}' is not a number; a unit is written in the head, as in 'speed [m/s]'")),
+        Err(_) => Err(format!(
+            "'{cell}' is not a number; a unit is written in the head, as in 'speed [m/s]'"
+        )),
     }
 }
 
@@ -193,6 +246,7 @@ fn in_range(column: &Column, value: f64) -> Result<f64, String> {
     let [value, least, most] = [value, least, most].map(|value| quantity.show(value, quantity.si));
     let begins = if is_least_in { "at least" } else { "more than" };
     Err(format!(
-        "{value} is outside of its range, {begins} {least} and at most {most}; check the number, and the unit in the head"
+        "{value} is outside of its range, {begins} {least} and at most {most}; check the number, \
+         and the unit in the head"
     ))
 }

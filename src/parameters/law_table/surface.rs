@@ -1,10 +1,13 @@
-//! Cubic splines through a grid of numbers, natural at its edges: the surface has two continuous derivatives in both directions.
+//! Cubic splines through a grid of numbers, natural at its edges: the surface has two continuous
+//! derivatives in both directions.
 
-/// A cell of the grid: its corner and its sizes (x, 1/width, y, 1/height), then the coefficients of both numbers by the powers of the place
-/// in it, 0 to 1 in both directions, four of y for each of x.
+/// A cell of the grid: its corner and its sizes (x, 1/width, y, 1/height), then the coefficients of
+/// both numbers by the powers of the place in it, 0 to 1 in both directions, four of y for each of
+/// x.
 pub(crate) type Cell = [f64; 36];
 
-/// The surfaces through two numbers at each node of a grid. They are kept until the program ends, and asking them takes no memory.
+/// The surfaces through two numbers at each node of a grid. They are kept until the program ends,
+/// and asking them takes no memory.
 #[derive(Debug)]
 pub(crate) struct Surface {
     x: Knots,
@@ -24,18 +27,28 @@ struct Knots {
 }
 
 impl Surface {
-    /// The surfaces over the lines `x` and `y`, each rising, through two tables of numbers, row by row. Along a direction with one line
-    /// nothing changes.
+    /// The surfaces over the lines `x` and `y`, each rising, through two tables of numbers, row by
+    /// row. Along a direction with one line nothing changes.
     pub fn new(x: Vec<f64>, y: Vec<f64>, tables: [&[f64]; 2]) -> Self {
         let mut cells = vec![[0.0; 36]; steps(&x) * steps(&y)];
         let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
-        fill(&x, &y, tables, work.each_mut().map(Vec::as_mut_slice), &mut cells);
+        fill(
+            &x,
+            &y,
+            tables,
+            work.each_mut().map(Vec::as_mut_slice),
+            &mut cells,
+        );
         Self::of(x.leak(), y.leak(), cells.leak())
     }
 
     /// The surfaces with the cells that [`cells_of`] gives.
     pub fn of(x: &'static [f64], y: &'static [f64], cells: &'static [Cell]) -> Self {
-        Self { x: Knots::new(x), y: Knots::new(y), cells }
+        Self {
+            x: Knots::new(x),
+            y: Knots::new(y),
+            cells,
+        }
     }
 
     /// The cell where a place lies; outside of the grid the next one.
@@ -50,9 +63,19 @@ impl Surface {
 }
 
 /// The cells of the surfaces through two tables of N numbers, without any memory of the heap.
-pub(crate) fn cells_of<const N: usize, const CELLS: usize>(x: &[f64], y: &[f64], tables: [&[f64]; 2]) -> [Cell; CELLS] {
+pub(crate) fn cells_of<const N: usize, const CELLS: usize>(
+    x: &[f64],
+    y: &[f64],
+    tables: [&[f64]; 2],
+) -> [Cell; CELLS] {
     let (mut cells, mut work) = ([[0.0; 36]; CELLS], [[0.0; N]; 4]);
-    fill(x, y, tables, work.each_mut().map(|work| work.as_mut_slice()), &mut cells);
+    fill(
+        x,
+        y,
+        tables,
+        work.each_mut().map(|work| work.as_mut_slice()),
+        &mut cells,
+    );
     cells
 }
 
@@ -63,9 +86,15 @@ impl Knots {
     fn new(at: &'static [f64]) -> Self {
         let (first, last) = (at[0], at[at.len() - 1]);
         let even = (last - first) / steps(at) as f64;
-        let is_even = |(i, knot): (usize, &f64)| (first + even * i as f64 - knot).abs() <= 1e-12 * (last - first);
+        let is_even = |(i, knot): (usize, &f64)| {
+            (first + even * i as f64 - knot).abs() <= 1e-12 * (last - first)
+        };
         let per_unit = (at.len() > 1 && at.iter().enumerate().all(is_even)).then_some(1.0 / even);
-        Self { last: steps(at) - 1, at, per_unit }
+        Self {
+            last: steps(at) - 1,
+            at,
+            per_unit,
+        }
     }
 
     /// The number of the step that a value lies in, or next to.
@@ -78,7 +107,10 @@ impl Knots {
         }
         // the inner knots that are not above the value: of few all are asked, which needs no branch
         if self.last <= FEW {
-            return self.at[1..=self.last].iter().map(|knot| usize::from(*knot <= value)).sum();
+            return self.at[1..=self.last]
+                .iter()
+                .map(|knot| usize::from(*knot <= value))
+                .sum();
         }
         self.at[1..=self.last].partition_point(|knot| *knot <= value)
     }
@@ -91,7 +123,12 @@ fn steps(knots: &[f64]) -> usize {
 
 /// Where a step begins, and its width; without end along a single line.
 fn step(knots: &[f64], i: usize) -> (f64, f64) {
-    (knots[i], knots.get(i + 1).map_or(f64::INFINITY, |next| next - knots[i]))
+    (
+        knots[i],
+        knots
+            .get(i + 1)
+            .map_or(f64::INFINITY, |next| next - knots[i]),
+    )
 }
 
 /// Writes the cells of the surfaces through two tables; `work` has four times the room of a table.
@@ -112,11 +149,20 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
             let ((corner, wide), (low, high)) = (step(x, column), step(y, row));
             // the same line twice where there is but one
             let ends = |first: usize, count: usize| [first, (first + 1).min(count - 1)];
-            let part = |slope: f64, width: f64| if width.is_finite() { slope * width } else { 0.0 };
+            let part = |slope: f64, width: f64| {
+                if width.is_finite() {
+                    slope * width
+                } else {
+                    0.0
+                }
+            };
             // along x at both rows: the values, and their slopes by y
             let along = |values: &[f64], slopes: &[f64], row: usize| {
                 let places = ends(column, columns).map(|column| row * columns + column);
-                cubic(places.map(|at| values[at]), places.map(|at| part(slopes[at], wide)))
+                cubic(
+                    places.map(|at| values[at]),
+                    places.map(|at| part(slopes[at], wide)),
+                )
             };
             let rows = ends(row, y.len());
             let values = rows.map(|row| along(table, by_x, row));
@@ -124,22 +170,38 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
             [cell[0], cell[1], cell[2], cell[3]] = [corner, 1.0 / wide, low, 1.0 / high];
             for power in 0..4 {
                 let first = 4 + 16 * which + 4 * power;
-                let found = cubic(values.map(|v| v[power]), slopes.map(|s| part(s[power], high)));
+                let found = cubic(
+                    values.map(|v| v[power]),
+                    slopes.map(|s| part(s[power], high)),
+                );
                 cell[first..first + 4].copy_from_slice(&found);
             }
         }
     }
 }
 
-/// The coefficients, by powers from 0 on, of the cubic between 0 and 1 that has these values and slopes there.
+/// The coefficients, by powers from 0 on, of the cubic between 0 and 1 that has these values and
+/// slopes there.
 fn cubic([here, there]: [f64; 2], [slope, end]: [f64; 2]) -> [f64; 4] {
     let rise = there - here;
-    [here, slope, 3.0 * rise - 2.0 * slope - end, slope + end - 2.0 * rise]
+    [
+        here,
+        slope,
+        3.0 * rise - 2.0 * slope - end,
+        slope + end - 2.0 * rise,
+    ]
 }
 
-/// Writes the slopes at the knots of the cubic spline through some values, without curvature at both ends; `place` says where in a table each value
-/// is and its slope goes, `diagonal` is room for a number at each knot.
-fn slopes(knots: &[f64], values: &[f64], slopes: &mut [f64], diagonal: &mut [f64], place: impl Fn(usize) -> usize) {
+/// Writes the slopes at the knots of the cubic spline through some values, without curvature at
+/// both ends; `place` says where in a table each value is and its slope goes, `diagonal` is room
+/// for a number at each knot.
+fn slopes(
+    knots: &[f64],
+    values: &[f64],
+    slopes: &mut [f64],
+    diagonal: &mut [f64],
+    place: impl Fn(usize) -> usize,
+) {
     let count = knots.len();
     for i in 0..count {
         (diagonal[i], slopes[place(i)]) = (0.0, 0.0);
@@ -149,7 +211,8 @@ fn slopes(knots: &[f64], values: &[f64], slopes: &mut [f64], diagonal: &mut [f64
     }
     let per = |i: usize| 1.0 / (knots[i + 1] - knots[i]);
     let pull = |i: usize| 3.0 * (values[place(i + 1)] - values[place(i)]) * per(i) * per(i);
-    // row i: per(i−1) m(i−1) + 2 (per(i−1) + per(i)) m(i) + per(i) m(i+1) = pull(i−1) + pull(i), where there are such neighbours
+    // row i: per(i−1) m(i−1) + 2 (per(i−1) + per(i)) m(i) + per(i) m(i+1) = pull(i−1) + pull(i),
+    // where there are such neighbours
     for i in 0..count - 1 {
         for at in [i, i + 1] {
             diagonal[at] += 2.0 * per(i);
@@ -162,7 +225,11 @@ fn slopes(knots: &[f64], values: &[f64], slopes: &mut [f64], diagonal: &mut [f64
         slopes[place(i)] -= part * slopes[place(i - 1)];
     }
     for i in (0..count).rev() {
-        let next = if i + 1 < count { per(i) * slopes[place(i + 1)] } else { 0.0 };
+        let next = if i + 1 < count {
+            per(i) * slopes[place(i + 1)]
+        } else {
+            0.0
+        };
         slopes[place(i)] = (slopes[place(i)] - next) / diagonal[i];
     }
 }
@@ -179,7 +246,10 @@ mod tests {
             found
         };
         let line = slopes(&[0.0, 1.0, 3.0, 4.5], &[1.0, 3.0, 7.0, 10.0]);
-        assert!(line.iter().all(|slope| (slope - 2.0).abs() < 1e-14), "{line:?}");
+        assert!(
+            line.iter().all(|slope| (slope - 2.0).abs() < 1e-14),
+            "{line:?}"
+        );
         // through (−1, 0), (0, 1), (1, 0): 1 − 3/2 x² ± x³/2, with slope 3/2, 0, −3/2
         let hill = slopes(&[-1.0, 0.0, 1.0], &[0.0, 1.0, 0.0]);
         for (found, by_hand) in hill.iter().zip([1.5, 0.0, -1.5]) {
@@ -193,15 +263,25 @@ mod tests {
         let plane = |x: f64, y: f64| 1.0 + 2.0 * x + 3.0 * y + 4.0 * x * y;
         for y in [vec![0.0, 0.5, 2.0, 2.5], vec![0.5]] {
             let x = vec![0.0, 1.0, 2.0, 3.0, 4.0];
-            let table: Vec<f64> = y.iter().flat_map(|y| x.iter().map(|x| plane(*x, *y)).collect::<Vec<_>>()).collect();
+            let table: Vec<f64> = y
+                .iter()
+                .flat_map(|y| x.iter().map(|x| plane(*x, *y)).collect::<Vec<_>>())
+                .collect();
             let surface = Surface::new(x, y.clone(), [&table, &table]);
             for (x, at) in [(0.25, 0.4), (3.9, 2.2), (2.0, 0.5)] {
                 let cell = surface.cell(x, at);
                 let (u, w) = ((x - cell[0]) * cell[1], (at - cell[2]) * cell[3]);
-                let along = |power: usize| (0..4).rev().fold(0.0, |sum, k| sum * w + cell[4 + 4 * power + k]);
+                let along = |power: usize| {
+                    (0..4)
+                        .rev()
+                        .fold(0.0, |sum, k| sum * w + cell[4 + 4 * power + k])
+                };
                 let found = (0..4).rev().fold(0.0, |sum, power| sum * u + along(power));
                 let expected = plane(x, if y.len() > 1 { at } else { 0.5 });
-                assert!((found - expected).abs() < 1e-13, "{x}, {at}: {found} {expected}");
+                assert!(
+                    (found - expected).abs() < 1e-13,
+                    "{x}, {at}: {found} {expected}"
+                );
             }
         }
     }

@@ -3,15 +3,25 @@ use crate::report::{Reply, json};
 use crate::units::Message;
 use serde_json::{Map, Value, json};
 
-/// The answer of `calibrate`: the status and the message are the fit's, unless a fit for the held-out error was interrupted.
+/// The answer of `calibrate`: the status and the message are the fit's, unless a fit for the
+/// held-out error was interrupted.
 pub fn calibration_reply(report: &CalibrationReport<'_>, warnings: Vec<Message>) -> Reply<Value> {
-    Reply::done("calibrate", warnings, body(report)).ended(report.status().name(), Some(report.message()))
+    Reply::done("calibrate", warnings, body(report))
+        .ended(report.status().name(), Some(report.message()))
 }
 
 fn body(report: &CalibrationReport<'_>) -> Value {
-    let CalibrationReport { table, found, held_out } = report;
+    let CalibrationReport {
+        table,
+        found,
+        held_out,
+    } = report;
     let statistics = &found.statistics;
-    let names: Vec<&str> = found.estimates.iter().map(|estimate| estimate.parameter.name).collect();
+    let names: Vec<&str> = found
+        .estimates
+        .iter()
+        .map(|estimate| estimate.parameter.name)
+        .collect();
     let estimates: Map<String, Value> = found
         .estimates
         .iter()
@@ -31,14 +41,25 @@ fn body(report: &CalibrationReport<'_>) -> Value {
         })
         .collect();
     let matrix = |entry: &dyn Fn(usize, usize) -> Option<f64>| {
-        let row = |a: usize| (0..names.len()).map(|b| json::number(entry(a, b))).collect();
+        let row = |a: usize| {
+            (0..names.len())
+                .map(|b| json::number(entry(a, b)))
+                .collect()
+        };
         let values: Vec<Vec<Value>> = (0..names.len()).map(row).collect();
         json!({ "names": names, "values": values })
     };
     let undetermined: Vec<Value> = statistics
         .undetermined
         .iter()
-        .map(|direction| Value::Object(json::named(direction.parts.iter().map(|(at, part)| (names[*at], Some(*part))))))
+        .map(|direction| {
+            Value::Object(json::named(
+                direction
+                    .parts
+                    .iter()
+                    .map(|(at, part)| (names[*at], Some(*part))),
+            ))
+        })
         .collect();
     let residuals: Vec<Value> = found
         .remainders
@@ -57,8 +78,10 @@ fn body(report: &CalibrationReport<'_>) -> Value {
     let held: Vec<Value> = held_out
         .iter()
         .map(|(name, held)| {
-            let rms: Map<String, Value> =
-                by_outcome(held).into_iter().map(|(name, rms, ..)| (name, json::number(Some(rms)))).collect();
+            let rms: Map<String, Value> = by_outcome(held)
+                .into_iter()
+                .map(|(name, rms, ..)| (name, json::number(Some(rms))))
+                .collect();
             let mut fits = Map::new();
             for status in &held.ended {
                 fits.insert(status.name().into(), json!(held.count(*status)));
@@ -72,8 +95,11 @@ fn body(report: &CalibrationReport<'_>) -> Value {
             })
         })
         .collect();
-    let elsewhere: Map<String, Value> =
-        found.elsewhere.iter().map(|(status, count)| (status.name().into(), json!(count))).collect();
+    let elsewhere: Map<String, Value> = found
+        .elsewhere
+        .iter()
+        .map(|(status, count)| (status.name().into(), json!(count)))
+        .collect();
     json!({
         "interrupted": report.is_interrupted(),
         "data": {

@@ -10,7 +10,9 @@ pub use setup_file::calibration_toml;
 use super::document::Document;
 use crate::optimize::least_squares::Status;
 use crate::report::shown;
-use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
+use crate::study::calibrate::{
+    Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined,
+};
 use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant, with_unit};
 use std::path::Path;
 
@@ -28,20 +30,31 @@ pub struct CalibrationReport<'a> {
 impl CalibrationReport<'_> {
     /// Whether the fit, or one for the held-out error, was interrupted.
     pub fn is_interrupted(&self) -> bool {
-        self.found.fit.status == Status::Interrupted || self.held_out.iter().any(|(_, held)| held.is_interrupted())
+        self.found.fit.status == Status::Interrupted
+            || self.held_out.iter().any(|(_, held)| held.is_interrupted())
     }
 
     /// How it ended: as the fit did, or interrupted where a fit for the held-out error was.
     pub fn status(&self) -> Status {
-        if self.is_interrupted() { Status::Interrupted } else { self.found.fit.status }
+        if self.is_interrupted() {
+            Status::Interrupted
+        } else {
+            self.found.fit.status
+        }
     }
 
     /// The same in a sentence.
     pub fn message(&self) -> String {
         let fit = &self.found.fit;
-        let (stopped, all) = self.held_out.iter().fold((0, 0), |(stopped, all), (_, held)| {
-            (stopped + held.count(Status::Interrupted), all + held.ended.len())
-        });
+        let (stopped, all) = self
+            .held_out
+            .iter()
+            .fold((0, 0), |(stopped, all), (_, held)| {
+                (
+                    stopped + held.count(Status::Interrupted),
+                    all + held.ended.len(),
+                )
+            });
         let of_all = counted_of(stopped as u64, all as u64, ["fit", "fits"]);
         match stopped {
             0 => fit.message.clone(),
@@ -49,7 +62,8 @@ impl CalibrationReport<'_> {
                 format!("{}; not made for the held-out error: {of_all}", fit.message)
             }
             _ => format!(
-                "the held-out error leaves out the fits that were stopped: {of_all}; the fit itself: {}, {}",
+                "the held-out error leaves out the fits that were stopped: {of_all}; the fit \
+                 itself: {}, {}",
                 fit.status, fit.message
             ),
         }
@@ -65,7 +79,9 @@ impl CalibrationReport<'_> {
 fn to_its_error(quantity: Quantity, unit: &str, value: f64, standard_error: Option<f64>) -> String {
     let size = quantity.size_of(unit).unwrap_or(1.0);
     let number = value / size;
-    let decimals = standard_error.filter(|error| *error > 0.0).map(|error| 1.0 - (error / size).log10().floor());
+    let decimals = standard_error
+        .filter(|error| *error > 0.0)
+        .map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
         Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
         // a number far from 1: the same digits, with a power of ten
@@ -77,16 +93,27 @@ fn to_its_error(quantity: Quantity, unit: &str, value: f64, standard_error: Opti
     }
 }
 
-/// The estimate as a person reads it, with its 95 % interval: to the second digit of its standard error.
+/// The estimate as a person reads it, with its 95 % interval: to the second digit of its standard
+/// error.
 fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
-    let Estimate { parameter, value, standard_error, is_at_bound, is_determined } = estimate;
+    let Estimate {
+        parameter,
+        value,
+        standard_error,
+        is_at_bound,
+        is_determined,
+    } = estimate;
     let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
     let size = quantity.size_of(unit).unwrap_or(1.0);
     let show = |value: f64| with_unit(&to_its_error(quantity, unit, value, *standard_error), unit);
     let (error, interval) = match standard_error {
         Some(error) => (
             significant(error / size, 2),
-            format!("{} .. {}", show(value - reach * error), show(value + reach * error)),
+            format!(
+                "{} .. {}",
+                show(value - reach * error),
+                show(value + reach * error)
+            ),
         ),
         None if !is_determined => ("–".into(), "not determined by the data".into()),
         None if *is_at_bound => ("–".into(), "on the bound of its range".into()),
@@ -97,10 +124,16 @@ fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
 
 /// The calibration as a document, in the units of a system.
 pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> Document {
-    let CalibrationReport { table, found, held_out } = report;
+    let CalibrationReport {
+        table,
+        found,
+        held_out,
+    } = report;
     let (fit, statistics) = (&found.fit, &found.statistics);
     // where the file is, is nobody's business but the reader's own
-    let file = Path::new(&table.file).file_name().map_or(table.file.as_str().into(), |name| name.to_string_lossy());
+    let file = Path::new(&table.file)
+        .file_name()
+        .map_or(table.file.as_str().into(), |name| name.to_string_lossy());
     let mut document = Document::new(&format!("Calibration to {file}"));
     document.paragraph(format!(
         "{}: {} ({}, {})",
@@ -109,7 +142,11 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
         counted(fit.iterations, "iteration"),
         counted(fit.evaluations, "evaluation")
     ));
-    let kind = if table.is_launched { "launch conditions, flown without an impact" } else { "club deliveries" };
+    let kind = if table.is_launched {
+        "launch conditions, flown without an impact"
+    } else {
+        "club deliveries"
+    };
     document.paragraph(format!(
         "{}, {}; the rows are {kind}.",
         counted(table.shots.len() as u64, "shot"),
@@ -121,42 +158,62 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
     if found.starts.0 > 1 {
         let of = match found.stopped {
             0 => counted(found.starts.0 as u64, "start"),
-            stopped => format!("the {} that came to their end", counted((found.starts.0 - stopped) as u64, "start")),
+            stopped => format!(
+                "the {} that came to their end",
+                counted((found.starts.0 - stopped) as u64, "start")
+            ),
         };
         let mut told = format!("{} of {of} ended at this sum", found.starts.1);
         for (status, count) in &found.elsewhere {
             told += &match status {
-                Status::Undefined => format!("; {count} could not begin, for not every row flies there"),
+                Status::Undefined => {
+                    format!("; {count} could not begin, for not every row flies there")
+                }
                 _ => format!("; {count} ended at a larger sum ({status})"),
             };
         }
         document.paragraph(told + ".");
         if found.elsewhere.iter().any(|(status, _)| {
-            !matches!(status, Status::Converged | Status::Undetermined | Status::Outweighed | Status::Misfit)
+            !matches!(
+                status,
+                Status::Converged | Status::Undetermined | Status::Outweighed | Status::Misfit
+            )
         }) {
             document.paragraph(
-                "Starts are spread over the ranges of the parameters: with narrower ones, --fit NAME=LOW..HIGH, more of them come to a minimum.",
+                "Starts are spread over the ranges of the parameters: with narrower ones, --fit \
+                 NAME=LOW..HIGH, more of them come to a minimum.",
             );
         }
     }
     if let (1.., Some(why)) = (fit.refused, &fit.why_refused) {
         let refused = counted(fit.refused, "trial point");
-        document.paragraph(format!("Refused: {refused}. The reason for the last: {why}"));
+        document.paragraph(format!(
+            "Refused: {refused}. The reason for the last: {why}"
+        ));
     }
     document.heading("Estimates");
     if fit.status == Status::Interrupted {
         document.paragraph(match found.is_minimum {
-            true => "The fit was interrupted: these values are a minimum, and the searches that were stopped may have led to a lower one.",
+            true => {
+                "The fit was interrupted: these values are a minimum, and the searches that \
+                     were stopped may have led to a lower one."
+            }
             false => "The fit was interrupted: these values are where it stood, not a minimum.",
         });
     }
     document.table(
         &["parameter", "estimate", "standard error", "95 % interval"],
-        found.estimates.iter().map(|estimate| estimated(estimate, statistics.reach, system)),
+        found
+            .estimates
+            .iter()
+            .map(|estimate| estimated(estimate, statistics.reach, system)),
     );
     document.paragraph(left_over(report));
     for undetermined in &statistics.undetermined {
-        document.paragraph(format!("The data do not determine {}.", said(found, undetermined)));
+        document.paragraph(format!(
+            "The data do not determine {}.",
+            said(found, undetermined)
+        ));
     }
     correlations(&mut document, found);
     document.heading("Residuals");
@@ -164,11 +221,22 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
         document.figure(figure);
     }
     let head = ["row", "measured", "computed − measured", "in σ", "what"];
-    document.table(&head, found.remainders.iter().map(|remainder| row(remainder, system)));
+    document.table(
+        &head,
+        found
+            .remainders
+            .iter()
+            .map(|remainder| row(remainder, system)),
+    );
     if !held_out.is_empty() {
         document.heading("Held-out error");
         let head = ["folds", "rms in σ", "rms by outcome", "law and fit"];
-        document.table(&head, held_out.iter().map(|(name, held)| held_row(name, held, system)));
+        document.table(
+            &head,
+            held_out
+                .iter()
+                .map(|(name, held)| held_row(name, held, system)),
+        );
     }
     document
 }
@@ -176,9 +244,13 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
 /// What is left over, and how the standard errors follow from it.
 fn left_over(report: &CalibrationReport<'_>) -> String {
     let (statistics, stated) = (&report.found.statistics, report.table.uncertainties);
-    let (chi, dof) = (significant(statistics.chi_square, 5), statistics.degrees_of_freedom);
+    let (chi, dof) = (
+        significant(statistics.chi_square, 5),
+        statistics.degrees_of_freedom,
+    );
     let freedom = match dof {
-        0 => "no degree of freedom left, for there are as many parameters as values, or more".to_owned(),
+        0 => "no degree of freedom left, for there are as many parameters as values, or more"
+            .to_owned(),
         _ => counted(dof as u64, "degree") + " of freedom",
     };
     let errors = match (statistics.scale, stated) {
@@ -186,43 +258,78 @@ fn left_over(report: &CalibrationReport<'_>) -> String {
             "Standard errors are scaled by √(χ²/{dof}) = {}, since not every uncertainty is stated",
             significant(scale, 4)
         ),
-        (Some(_), Uncertainties::Stated) => "Standard errors follow from the stated uncertainties".into(),
+        (Some(_), Uncertainties::Stated) => {
+            "Standard errors follow from the stated uncertainties".into()
+        }
         (Some(_), _) => {
-            "Standard errors follow from the instruments' uncertainties and are not scaled, since the residuals give no \
+            "Standard errors follow from the instruments' uncertainties and are not scaled, since \
+             the residuals give no \
                          scale"
                 .into()
         }
         (None, _) => {
-            "No uncertainty is stated and no degree of freedom is left to estimate one: there are no standard errors"
+            "No uncertainty is stated and no degree of freedom is left to estimate one: there are \
+             no standard errors"
                 .into()
         }
     };
-    let exact = if statistics.is_exact { "; the data are met to rounding" } else { "" };
-    let probability = statistics
-        .probability
-        .map_or(String::new(), |p| format!(" The probability of a sum as large as this is {}.", significant(p, 3)));
+    let exact = if statistics.is_exact {
+        "; the data are met to rounding"
+    } else {
+        ""
+    };
+    let probability = statistics.probability.map_or(String::new(), |p| {
+        format!(
+            " The probability of a sum as large as this is {}.",
+            significant(p, 3)
+        )
+    });
     format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
 }
 
 /// A direction in the parameters' own units, one of them changed by 1 of its unit.
 fn said(found: &Calibration, undetermined: &Undetermined) -> String {
     let parameter = |at: usize| found.estimates[at].parameter;
-    let size = |at: usize| parameter(at).quantity.size_of(parameter(at).unit).unwrap_or(1.0);
-    let [(first, part), others @ ..] = &undetermined.parts[..] else { return "any parameter".into() };
+    let size = |at: usize| {
+        parameter(at)
+            .quantity
+            .size_of(parameter(at).unit)
+            .unwrap_or(1.0)
+    };
+    let [(first, part), others @ ..] = &undetermined.parts[..] else {
+        return "any parameter".into();
+    };
     if others.is_empty() && undetermined.standard_error.is_none() {
-        return format!("{}: no measured value depends on it", parameter(*first).name);
+        return format!(
+            "{}: no measured value depends on it",
+            parameter(*first).name
+        );
     }
     let unit = part / size(*first);
     let one = |(at, part): &(usize, f64)| {
         let change = significant(part / size(*at) / unit, 3);
-        let sign = if change.starts_with(['-', '−']) { "" } else { "+" };
-        format!("{} by {sign}{change} {}", parameter(*at).name, parameter(*at).unit).trim_end().to_owned()
+        let sign = if change.starts_with(['-', '−']) {
+            ""
+        } else {
+            "+"
+        };
+        format!(
+            "{} by {sign}{change} {}",
+            parameter(*at).name,
+            parameter(*at).unit
+        )
+        .trim_end()
+        .to_owned()
     };
     let all: Vec<String> = undetermined.parts.iter().map(one).collect();
     match undetermined.standard_error {
-        None => format!("a change of {}: no measured value depends on it", all.join(" with ")),
+        None => format!(
+            "a change of {}: no measured value depends on it",
+            all.join(" with ")
+        ),
         Some(error) => format!(
-            "a change of {}: one standard error is {} times as much, more than the range of a parameter",
+            "a change of {}: one standard error is {} times as much, more than the range of a \
+             parameter",
             all.join(" with "),
             significant((error * unit).abs(), 2)
         ),
@@ -235,7 +342,10 @@ fn correlations(document: &mut Document, found: &Calibration) {
         return;
     }
     document.heading("Correlations");
-    let head: Vec<String> = (0..n).map(|i| format!("{}", i + 1)).chain(["parameter".into()]).collect();
+    let head: Vec<String> = (0..n)
+        .map(|i| format!("{}", i + 1))
+        .chain(["parameter".into()])
+        .collect();
     let head: Vec<&str> = head.iter().map(String::as_str).collect();
     let cell = |a: usize, b: usize| match found.statistics.correlation(a, b) {
         _ if b > a => String::new(),
@@ -250,19 +360,38 @@ fn correlations(document: &mut Document, found: &Calibration) {
 }
 
 fn row(remainder: &Remainder, system: System) -> Vec<String> {
-    let Remainder { row, outcome, stationary, measured, difference, residual } = remainder;
+    let Remainder {
+        row,
+        outcome,
+        stationary,
+        measured,
+        difference,
+        residual,
+    } = remainder;
     let (what, measured, difference) = match stationary {
         Some(parameter) => {
             let difference = short(*difference, parameter.quantity, system.unit(parameter.unit));
-            (format!("optimum in {}", parameter.name), String::new(), difference)
+            (
+                format!("optimum in {}", parameter.name),
+                String::new(),
+                difference,
+            )
         }
         None => (
             outcome.name().into(),
-            measured.map_or(String::new(), |value| shown::outcome(*outcome, value, system)),
+            measured.map_or(String::new(), |value| {
+                shown::outcome(*outcome, value, system)
+            }),
             short(*difference, outcome.quantity(), system.unit(outcome.unit())),
         ),
     };
-    vec![row.to_string(), measured, difference, fixed(*residual, 2), what]
+    vec![
+        row.to_string(),
+        measured,
+        difference,
+        fixed(*residual, 2),
+        what,
+    ]
 }
 
 /// A difference, with its sign.
@@ -275,8 +404,16 @@ pub(super) fn by_outcome(held: &HeldOut) -> Vec<(String, f64, &'static str, Quan
     let mut all: Vec<(String, f64, &'static str, Quantity, usize)> = vec![];
     for remainder in &held.remainders {
         let (name, quantity, unit) = match remainder.stationary {
-            Some(parameter) => (format!("optimum in {}", parameter.name), parameter.quantity, parameter.unit),
-            None => (remainder.outcome.name().to_owned(), remainder.outcome.quantity(), remainder.outcome.unit()),
+            Some(parameter) => (
+                format!("optimum in {}", parameter.name),
+                parameter.quantity,
+                parameter.unit,
+            ),
+            None => (
+                remainder.outcome.name().to_owned(),
+                remainder.outcome.quantity(),
+                remainder.outcome.unit(),
+            ),
         };
         let square = remainder.difference.powi(2);
         match all.iter_mut().find(|(other, ..)| *other == name) {
@@ -288,17 +425,28 @@ pub(super) fn by_outcome(held: &HeldOut) -> Vec<(String, f64, &'static str, Quan
         }
     }
     all.into_iter()
-        .map(|(name, sum, unit, quantity, count)| (name, (sum / count as f64).sqrt(), unit, quantity))
+        .map(|(name, sum, unit, quantity, count)| {
+            (name, (sum / count as f64).sqrt(), unit, quantity)
+        })
         .collect()
 }
 
 fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     let one = |(name, rms, unit, quantity): (String, f64, &'static str, Quantity)| {
-        format!("{name} {}", quantity.read_off_difference(rms, system.unit(unit)))
+        format!(
+            "{name} {}",
+            quantity.read_off_difference(rms, system.unit(unit))
+        )
     };
     let outcomes: Vec<_> = by_outcome(held).into_iter().map(one).collect();
-    let folds = if held.folds == 0 { "not fitted".into() } else { held.folds.to_string() };
-    let rms = held.mean_square().map_or("–".into(), |mean| format!("{:.3}", mean.sqrt()));
+    let folds = if held.folds == 0 {
+        "not fitted".into()
+    } else {
+        held.folds.to_string()
+    };
+    let rms = held
+        .mean_square()
+        .map_or("–".into(), |mean| format!("{:.3}", mean.sqrt()));
     let interrupted = held.count(Status::Interrupted);
     let others = held.ended.len() - interrupted - held.count(Status::Converged);
     let mut what = match (interrupted, held.ended.len()) {
@@ -307,7 +455,10 @@ fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
         (stopped, all) => format!("{name}: interrupted, {stopped} of {all} fits left out"),
     };
     if others > 0 {
-        what += &format!("; not converged: {}", counted_of(others as u64, held.ended.len() as u64, ["fit", "fits"]));
+        what += &format!(
+            "; not converged: {}",
+            counted_of(others as u64, held.ended.len() as u64, ["fit", "fits"])
+        );
     }
     vec![folds, rms, outcomes.join(", "), what]
 }

@@ -11,10 +11,15 @@ struct Point {
     sigma: f64,
 }
 
-/// What was measured over what is computed, and what is left over: two plots for each outcome that was measured more than once.
+/// What was measured over what is computed, and what is left over: two plots for each outcome that
+/// was measured more than once.
 pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
-    for remainder in found.remainders.iter().filter(|remainder| remainder.stationary.is_none()) {
+    for remainder in found
+        .remainders
+        .iter()
+        .filter(|remainder| remainder.stationary.is_none())
+    {
         if !outcomes.contains(&remainder.outcome) {
             outcomes.push(remainder.outcome);
         }
@@ -27,12 +32,23 @@ pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
 }
 
 fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
-    let remainders = found.remainders.iter().filter(|remainder| remainder.outcome == of);
+    let remainders = found
+        .remainders
+        .iter()
+        .filter(|remainder| remainder.outcome == of);
     let point = |remainder: &Remainder| {
         let measured = remainder.measured?;
         let shot = table.shots.iter().find(|shot| shot.row == remainder.row)?;
-        let sigma = shot.measured.iter().find(|measurement| measurement.outcome == of)?.sigma;
-        Some(Point { computed: measured + remainder.difference, measured, sigma })
+        let sigma = shot
+            .measured
+            .iter()
+            .find(|measurement| measurement.outcome == of)?
+            .sigma;
+        Some(Point {
+            computed: measured + remainder.difference,
+            measured,
+            sigma,
+        })
     };
     remainders.filter_map(point).collect()
 }
@@ -40,9 +56,17 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
 /// Measured over computed, with the line on which they are equal.
 fn agreement(of: Outcome, points: &[Point]) -> Figure {
     let measure = Measure::outcome(of);
-    let labelled =
-        |which: &str| Axis::linear(Measure { label: format!("{which} {}", measure.label), ..measure.clone() });
-    let reach = |sign: f64| points.iter().flat_map(move |point| [point.computed, point.measured + sign * point.sigma]);
+    let labelled = |which: &str| {
+        Axis::linear(Measure {
+            label: format!("{which} {}", measure.label),
+            ..measure.clone()
+        })
+    };
+    let reach = |sign: f64| {
+        points
+            .iter()
+            .flat_map(move |point| [point.computed, point.measured + sign * point.sigma])
+    };
     let low = reach(-1.0).fold(f64::INFINITY, f64::min);
     let high = reach(1.0).fold(f64::NEG_INFINITY, f64::max);
     let bar = |point: &Point| {
@@ -56,10 +80,29 @@ fn agreement(of: Outcome, points: &[Point]) -> Figure {
         labelled("computed"),
         labelled("measured"),
     )
-    .with(Layer::Line { name: "equal".into(), hue: Hue::Faint, is_dashed: true, points: equal })
-    .with(Layer::line("± one standard uncertainty", 0, points.iter().flat_map(bar).collect()))
-    .with(Layer::dots("shots", 0, points.iter().map(|point| [point.computed, point.measured]).collect()))
-    .noted("The bars are the standard uncertainty of what was measured: that of the table, or of the instrument where it states none.");
+    .with(Layer::Line {
+        name: "equal".into(),
+        hue: Hue::Faint,
+        is_dashed: true,
+        points: equal,
+    })
+    .with(Layer::line(
+        "± one standard uncertainty",
+        0,
+        points.iter().flat_map(bar).collect(),
+    ))
+    .with(Layer::dots(
+        "shots",
+        0,
+        points
+            .iter()
+            .map(|point| [point.computed, point.measured])
+            .collect(),
+    ))
+    .noted(
+        "The bars are the standard uncertainty of what was measured: that of the table, or of \
+            the instrument where it states none.",
+    );
     figure.aspect = 0.85;
     figure
 }
@@ -67,12 +110,18 @@ fn agreement(of: Outcome, points: &[Point]) -> Figure {
 /// What is left over.
 fn residuals(of: Outcome, points: &[Point]) -> Figure {
     let x = Measure::outcome(of);
-    let y = Measure { label: format!("computed − measured {}", x.label), ..x.clone() };
+    let y = Measure {
+        label: format!("computed − measured {}", x.label),
+        ..x.clone()
+    };
     let title = format!("Residuals of {}", x.label);
     let name = format!("residuals-{}", of.name().replace('_', "-"));
     Figure::new(name, title, Axis::linear(x), Axis::linear(y)).with(Layer::dots(
         "shots",
         0,
-        points.iter().map(|point| [point.measured, point.computed - point.measured]).collect(),
+        points
+            .iter()
+            .map(|point| [point.measured, point.computed - point.measured])
+            .collect(),
     ))
 }

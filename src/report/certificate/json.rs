@@ -23,11 +23,13 @@ pub struct CertificateReport {
     pub continuity: Value,
     /// How the outcomes converge with the time step.
     pub convergence: Value,
-    /// What the time step leaves of an error in the outcomes and their derivatives: measured, and not judged.
+    /// What the time step leaves of an error in the outcomes and their derivatives: measured, and
+    /// not judged.
     pub step_errors: Value,
     /// Checks that were not made, with the reason.
     pub not_examined: Value,
-    /// What differences make of the MAE 494 report's while-loop, by each parameter that carry was certified by.
+    /// What differences make of the MAE 494 report's while-loop, by each parameter that carry was
+    /// certified by.
     pub while_loop: Value,
     /// Outcomes that the drive has no derivatives of, with the reason.
     pub missing: Value,
@@ -58,7 +60,8 @@ pub struct CertificateRow {
     pub best_step: Value,
     /// How near.
     pub best_step_error: Value,
-    /// The slopes of the remainders of Taylor's polynomials of degree 0, 1, 2; `null` where little but rounding is left.
+    /// The slopes of the remainders of Taylor's polynomials of degree 0, 1, 2; `null` where little
+    /// but rounding is left.
     pub taylor_slopes: [Value; 3],
     /// The second derivative by the parameter, likewise.
     pub second: Value,
@@ -68,12 +71,26 @@ pub struct CertificateRow {
 
 impl CertificateReport {
     /// The answer of `verify`: `passed`, `failed` or `interrupted`.
-    pub fn reply(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<Message>) -> Reply<Self> {
-        let missing = by_reason(certificate.missing.iter().map(|(of, why)| (of.name(), why.to_string())));
+    pub fn reply(
+        certificate: &Certificate,
+        loops: &[LoopRow],
+        warnings: Vec<Message>,
+    ) -> Reply<Self> {
+        let missing = by_reason(
+            certificate
+                .missing
+                .iter()
+                .map(|(of, why)| (of.name(), why.to_string())),
+        );
         let missing = missing.iter().map(|line| format!("left out: {line}"));
         let failed = certificate.failures();
         let failed = (!failed.is_empty()).then(|| format!("failed: {}", failed.join("; ")));
-        let message = stopped(certificate).into_iter().chain(failed).chain(missing).collect::<Vec<_>>().join("; ");
+        let message = stopped(certificate)
+            .into_iter()
+            .chain(failed)
+            .chain(missing)
+            .collect::<Vec<_>>()
+            .join("; ");
         let message = (!message.is_empty()).then_some(message);
         let status = match (certificate.stopped, certificate.passed()) {
             (Some(_), _) => "interrupted",
@@ -107,7 +124,13 @@ impl CertificateReport {
             })
         });
         let convergence = certificate.convergence.iter().map(|found| {
-            let errors = |which: usize| found.errors.iter().map(|(_, pair)| pair[which]).collect::<Vec<_>>();
+            let errors = |which: usize| {
+                found
+                    .errors
+                    .iter()
+                    .map(|(_, pair)| pair[which])
+                    .collect::<Vec<_>>()
+            };
             json!({
                 "of": found.of.name(),
                 "steps": found.errors.iter().map(|(step, _)| *step).collect::<Vec<_>>(),
@@ -129,8 +152,14 @@ impl CertificateReport {
                 "derivative_error_of_outcome": json::number(Some(found.of_outcome)),
             })
         });
-        let not_examined = certificate.not_examined.iter().map(|it| json!({ "check": it.check, "message": it.reason }));
-        let missing = certificate.missing.iter().map(|(of, why)| json!({ "of": of.name(), "message": why }));
+        let not_examined = certificate
+            .not_examined
+            .iter()
+            .map(|it| json!({ "check": it.check, "message": it.reason }));
+        let missing = certificate
+            .missing
+            .iter()
+            .map(|(of, why)| json!({ "of": of.name(), "message": why }));
         Self {
             passed: certificate.passed(),
             rows: certificate.rows.iter().map(CertificateRow::new).collect(),
@@ -199,6 +228,7 @@ fn loop_json(row: &LoopRow) -> Value {
 }
 
 fn curve_json(curve: &[Point]) -> Value {
-    let (steps, errors): (Vec<f64>, Vec<f64>) = curve.iter().map(|point| (point.step, point.error)).unzip();
+    let (steps, errors): (Vec<f64>, Vec<f64>) =
+        curve.iter().map(|point| (point.step, point.error)).unzip();
     json!({ "steps": steps, "errors": errors })
 }

@@ -12,11 +12,18 @@ use crate::study::certificate::Certificate;
 use crate::units::counted;
 
 fn verdict_of(passed: bool) -> &'static str {
-    if passed { Verdict::Pass.name() } else { Verdict::Fail.name() }
+    if passed {
+        Verdict::Pass.name()
+    } else {
+        Verdict::Fail.name()
+    }
 }
 
 /// How far a certificate came that was interrupted.
 fn stopped(certificate: &Certificate) -> Option<String> {
     let [done, all] = certificate.stopped?;
-    Some(format!("the rows are complete for {done} of {}", counted(all as u64, "parameter")))
+    Some(format!(
+        "the rows are complete for {done} of {}",
+        counted(all as u64, "parameter")
+    ))
 }

@@ -4,22 +4,33 @@ use crate::report::frame::{Frame, Pair, both, picture_files, pictures, scrolled}
 use crate::units::System;
 use maud::{Markup, html};
 
-/// A document as one page of HTML, complete in itself, and the pictures and data of its figures as files beside it: their names and
-/// texts, `index.html` first. `documents` are the same one in each of [`System::ALL`]; the reader chooses between them, and the page
-/// opens with `system`, in which the data are named.
+/// A document as one page of HTML, complete in itself, and the pictures and data of its figures as
+/// files beside it: their names and texts, `index.html` first. `documents` are the same one in each
+/// of [`System::ALL`]; the reader chooses between them, and the page opens with `system`, in which
+/// the data are named.
 ///
 /// # Errors
-/// As [`figure_svg`](crate::report::plot::figure_svg) and [`figure_csv`](crate::report::plot::figure_csv).
+/// As [`figure_svg`](crate::report::plot::figure_svg) and
+/// [`figure_csv`](crate::report::plot::figure_csv).
 pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<(String, String)>> {
     let [metric, us] = documents;
     let chosen = if system == System::ALL[0] { metric } else { us };
     let figures = metric.figures().zip(us.figures());
-    let pairs: Vec<Pair> = figures.map(|(metric, us)| [metric.clone(), us.clone()]).collect();
-    let mut parts = Parts { pairs: &pairs, labels: vec![], about: String::new() };
+    let pairs: Vec<Pair> = figures
+        .map(|(metric, us)| [metric.clone(), us.clone()])
+        .collect();
+    let mut parts = Parts {
+        pairs: &pairs,
+        labels: vec![],
+        about: String::new(),
+    };
     let blocks: Vec<_> = metric.blocks.iter().zip(&us.blocks).collect();
     // figures that follow each other stand side by side
     let of_a_kind = |a: &(&Block, &Block), b: &(&Block, &Block)| a.0.is_figure() && b.0.is_figure();
-    let all = blocks.chunk_by(of_a_kind).map(|blocks| parts.part(blocks)).collect::<Result<Vec<_>>>()?;
+    let all = blocks
+        .chunk_by(of_a_kind)
+        .map(|blocks| parts.part(blocks))
+        .collect::<Result<Vec<_>>>()?;
     let header = words(&metric.title, &us.title);
     let frame = Frame {
         title: &chosen.title,
@@ -60,7 +71,9 @@ impl Parts<'_> {
                 }
                 html! { p { (words(metric, us)) } }
             }
-            [(Block::Table(metric), Block::Table(us)), ..] => scrolled(&self.label(), table(metric, us)),
+            [(Block::Table(metric), Block::Table(us)), ..] => {
+                scrolled(&self.label(), table(metric, us))
+            }
             figures => {
                 let (now, later) = self.pairs.split_at(figures.len().min(self.pairs.len()));
                 self.pairs = later;
@@ -71,16 +84,35 @@ impl Parts<'_> {
 
     /// The name of a table, that no other one has.
     fn label(&mut self) -> String {
-        let count = self.labels.iter().filter(|label| **label == self.about).count();
+        let count = self
+            .labels
+            .iter()
+            .filter(|label| **label == self.about)
+            .count();
         self.labels.push(self.about.clone());
-        if count == 0 { self.about.clone() } else { format!("{} ({})", self.about, count + 1) }
+        if count == 0 {
+            self.about.clone()
+        } else {
+            format!("{} ({})", self.about, count + 1)
+        }
     }
 }
 
 fn table(metric: &Table, us: &Table) -> Markup {
-    let class = |column: usize| if us.is_right[column] { "number" } else { "words" };
+    let class = |column: usize| {
+        if us.is_right[column] {
+            "number"
+        } else {
+            "words"
+        }
+    };
     let cells = |metric: &[String], us: &[String]| -> Vec<(&'static str, Markup)> {
-        metric.iter().zip(us).enumerate().map(|(column, (metric, us))| (class(column), words(metric, us))).collect()
+        metric
+            .iter()
+            .zip(us)
+            .enumerate()
+            .map(|(column, (metric, us))| (class(column), words(metric, us)))
+            .collect()
     };
     html! {
         table {

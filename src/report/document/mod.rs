@@ -1,4 +1,5 @@
-//! A report of several parts, written once: shown as text on a terminal, as Markdown, or as a page of HTML.
+//! A report of several parts, written once: shown as text on a terminal, as Markdown, or as a page
+//! of HTML.
 
 mod html;
 mod markdown;
@@ -41,7 +42,10 @@ impl Block {
 impl Document {
     /// A document of this title.
     pub(super) fn new(title: &str) -> Self {
-        Self { title: title.into(), blocks: vec![] }
+        Self {
+            title: title.into(),
+            blocks: vec![],
+        }
     }
 
     /// Begins a part.
@@ -57,9 +61,19 @@ impl Document {
     pub(super) fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
         let head: Vec<String> = head.iter().map(|&name| name.to_owned()).collect();
         let rows: Vec<Vec<String>> = rows.into_iter().collect();
-        let cells = |column: usize| rows.iter().filter_map(move |row| row.get(column)).map(String::as_str);
-        let is_right = (0..head.len()).map(|column| is_of_numbers(cells(column))).collect();
-        self.blocks.push(Block::Table(Table { head, rows, is_right }));
+        let cells = |column: usize| {
+            rows.iter()
+                .filter_map(move |row| row.get(column))
+                .map(String::as_str)
+        };
+        let is_right = (0..head.len())
+            .map(|column| is_of_numbers(cells(column)))
+            .collect();
+        self.blocks.push(Block::Table(Table {
+            head,
+            rows,
+            is_right,
+        }));
     }
 
     /// A figure; on a terminal it is left out.

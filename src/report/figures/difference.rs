@@ -6,35 +6,54 @@ use crate::units::{System, counted};
 /// Most bars of each split: the largest; the others are counted in the note.
 const MOST: usize = 12;
 
-/// The difference of an outcome between two drives as bars, a share each, the largest on top: of the parameters that differ, and below them
-/// of the launch conditions and what else the flight depends on. The note is in the units of `system`.
+/// The difference of an outcome between two drives as bars, a share each, the largest on top: of
+/// the parameters that differ, and below them of the launch conditions and what else the flight
+/// depends on. The note is in the units of `system`.
 pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let of = difference.of;
     let measure = Measure::outcome(of);
     let mut names: Vec<String> = vec![];
     let mut left_out = 0;
     let mut bars = |split: &Shares| -> Vec<Bar> {
-        let is_rounding = |share: &&Share| shown::is_rounding(of, difference.values[0], share.amount);
-        let mut shares: Vec<&Share> = split.shares.iter().filter(|share| !is_rounding(share)).collect();
+        let is_rounding =
+            |share: &&Share| shown::is_rounding(of, difference.values[0], share.amount);
+        let mut shares: Vec<&Share> = split
+            .shares
+            .iter()
+            .filter(|share| !is_rounding(share))
+            .collect();
         shares.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
         left_out += shares.len().saturating_sub(MOST);
         shares.truncate(MOST);
         let bar = |share: &Share| {
             names.push(words(share.cause.name()));
-            Bar { place: names.len() - 1, from: 0.0, to: share.amount }
+            Bar {
+                place: names.len() - 1,
+                from: 0.0,
+                to: share.amount,
+            }
         };
         shares.into_iter().map(bar).collect()
     };
     let by_parameter = bars(&difference.by_parameter);
     let by_launch = difference.by_launch.as_ref().map(bars);
-    let layer = |name: &str, hue: usize, bars: Vec<Bar>| Layer::Bars { name: name.into(), hue: Hue::Series(hue), bars };
-    let x = Axis::linear(Measure { label: format!("share of the difference of {}", measure.label), ..measure.clone() });
+    let layer = |name: &str, hue: usize, bars: Vec<Bar>| Layer::Bars {
+        name: name.into(),
+        hue: Hue::Series(hue),
+        bars,
+    };
+    let x = Axis::linear(Measure {
+        label: format!("share of the difference of {}", measure.label),
+        ..measure.clone()
+    });
     let title = format!("Difference of {} between two drives", measure.label);
-    let mut figure = Figure::new(format!("difference-{}", of.name()), title, x, Axis::names(names)).with(layer(
-        "by parameter",
-        2,
-        by_parameter,
-    ));
+    let mut figure = Figure::new(
+        format!("difference-{}", of.name()),
+        title,
+        x,
+        Axis::names(names),
+    )
+    .with(layer("by parameter", 2, by_parameter));
     if let Some(bars) = by_launch {
         figure = figure.with(layer("by launch and air", 3, bars));
     }

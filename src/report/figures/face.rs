@@ -13,7 +13,8 @@ const RINGS: [f64; 3] = [1.0, 5.0, 10.0];
 /// The longest arrow, m on the face.
 const LONGEST_ARROW: f64 = 0.013;
 
-/// Where a place on a face is seen from the front: the toe of a club for the right hand is on the left.
+/// Where a place on a face is seen from the front: the toe of a club for the right hand is on the
+/// left.
 pub(super) fn seen(face: &Face, [toe, high]: [f64; 2]) -> [f64; 2] {
     match face.golfer {
         Golfer::Right => [-toe, high],
@@ -27,57 +28,96 @@ pub(super) fn across(face: &Face) -> Axis {
         Golfer::Right => ["toe", "heel"],
         Golfer::Left => ["heel", "toe"],
     };
-    Axis::linear(Measure::new(format!("← {left} · from {} · {right} →", origin(face)), Quantity::LENGTH, "mm"))
+    Axis::linear(Measure::new(
+        format!("← {left} · from {} · {right} →", origin(face)),
+        Quantity::LENGTH,
+        "mm",
+    ))
 }
 
 /// What runs up the face.
 pub(super) fn above(face: &Face) -> Axis {
-    Axis::linear(Measure::new(format!("above {}", origin(face)), Quantity::LENGTH, "mm"))
+    Axis::linear(Measure::new(
+        format!("above {}", origin(face)),
+        Quantity::LENGTH,
+        "mm",
+    ))
 }
 
 /// From where strikes are measured.
 fn origin(face: &Face) -> &'static str {
-    if face.is_from_centre { "the centre of the face" } else { "the sweet spot" }
+    if face.is_from_centre {
+        "the centre of the face"
+    } else {
+        "the sweet spot"
+    }
 }
 
 /// From where tilts and slopes are told.
 pub(super) fn reference(face: &Face) -> &'static str {
-    if face.sweet_spot.is_some() { "the sweet spot" } else { "the centre of the face" }
+    if face.sweet_spot.is_some() {
+        "the sweet spot"
+    } else {
+        "the centre of the face"
+    }
 }
 
 /// The sweet spot, and the strike where that is another one.
 pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
-    let mark = |name: &str, hue, at| Layer::Mark { name: name.into(), hue, at: seen(face, at) };
+    let mark = |name: &str, hue, at| Layer::Mark {
+        name: name.into(),
+        hue,
+        at: seen(face, at),
+    };
     let spot = face.sweet_spot.map(|at| mark("sweet spot", Hue::Ink, at));
-    spot.into_iter().chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
+    spot.into_iter()
+        .chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
 }
 
-/// How far the spin axis tilts further than from the sweet spot, in proportion to the largest tilt; right of the target line is on the left of
-/// one who looks at the face.
+/// How far the spin axis tilts further than from the sweet spot, in proportion to the largest tilt;
+/// right of the target line is on the left of one who looks at the face.
 pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
     let arrow = |(at, tilt): &([f64; 2], f64)| {
         let [x, y] = seen(face, *at);
         [[x, y], [x - LONGEST_ARROW * tilt / largest, y]]
     };
-    Layer::Arrows { name, hue: Hue::Faint, arrows: face.tilts.iter().map(arrow).collect() }
+    Layer::Arrows {
+        name,
+        hue: Hue::Faint,
+        arrows: face.tilts.iter().map(arrow).collect(),
+    }
 }
 
-/// The face of a club from the front, at true scale: where the ball is struck, the sweet spot, the strike of the longest carry, rings of carry
-/// lost against it, and the side to which the axis of the spin tilts.
+/// The face of a club from the front, at true scale: where the ball is struck, the sweet spot, the
+/// strike of the longest carry, rings of carry lost against it, and the side to which the axis of
+/// the spin tilts.
 pub fn face_figure(face: &Face, system: System) -> Figure {
     let seen = |at: [f64; 2]| seen(face, at);
     let [wide, tall] = face.half;
     // room for the names above and below the face
-    let ranges = [with_margin([-wide, wide], 0.04, 0.04), with_margin([-tall, tall], 0.3, 0.3)];
+    let ranges = [
+        with_margin([-wide, wide], 0.04, 0.04),
+        with_margin([-tall, tall], 0.3, 0.3),
+    ];
     let mut figure = to_scale(
-        Figure::new("face", "Carry lost by where the face is struck", across(face), above(face)),
+        Figure::new(
+            "face",
+            "Carry lost by where the face is struck",
+            across(face),
+            above(face),
+        ),
         ranges,
         [0.3, 1.2],
         [Grows::Evenly; 2],
     );
     figure.names_on_lines = true;
     let outline = face.outline().into_iter().map(seen).collect();
-    figure.layers.push(Layer::Line { name: String::new(), hue: Hue::Faint, is_dashed: false, points: outline });
+    figure.layers.push(Layer::Line {
+        name: String::new(),
+        hue: Hue::Faint,
+        is_dashed: false,
+        points: outline,
+    });
 
     let (at, most) = face.longest;
     let carries = field(&face.plane, 0, Measure::outcome(Outcome::Carry));
@@ -86,20 +126,48 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     for ring in RINGS {
         let points = carries.line_at(most - ring * size);
         // what lies beside the face is no ring on it
-        let points: Vec<_> =
-            points.into_iter().map(|at| if face.holds(at) { seen(at) } else { [f64::NAN; 2] }).collect();
+        let points: Vec<_> = points
+            .into_iter()
+            .map(|at| {
+                if face.holds(at) {
+                    seen(at)
+                } else {
+                    [f64::NAN; 2]
+                }
+            })
+            .collect();
         if points.iter().any(|[x, _]| x.is_finite()) {
             let name = format!("−{} {unit}", significant(ring, 3));
-            figure.layers.push(Layer::Line { name, hue: Hue::Series(2), is_dashed: false, points });
+            figure.layers.push(Layer::Line {
+                name,
+                hue: Hue::Series(2),
+                is_dashed: false,
+                points,
+            });
         }
     }
-    let largest = face.tilts.iter().map(|(_, tilt)| tilt.abs()).fold(0.0, f64::max);
+    let largest = face
+        .tilts
+        .iter()
+        .map(|(_, tilt)| tilt.abs())
+        .fold(0.0, f64::max);
     if largest > 0.0 {
-        let name = format!("spin axis tilt, longest {}", Quantity::ANGLE.read_off(largest, "deg"));
+        let name = format!(
+            "spin axis tilt, longest {}",
+            Quantity::ANGLE.read_off(largest, "deg")
+        );
         figure.layers.push(tilt_arrows(face, name, largest));
     }
-    let longest = if face.is_longest_at_edge() { "longest carry, at the edge" } else { "longest carry" };
-    figure.layers.push(Layer::Mark { name: longest.into(), hue: Hue::Series(1), at: seen(at) });
+    let longest = if face.is_longest_at_edge() {
+        "longest carry, at the edge"
+    } else {
+        "longest carry"
+    };
+    figure.layers.push(Layer::Mark {
+        name: longest.into(),
+        hue: Hue::Series(1),
+        at: seen(at),
+    });
     figure.layers.extend(marks(face, Hue::Series(0)));
     figure.noted(note(face, largest, system))
 }
@@ -108,13 +176,28 @@ fn note(face: &Face, largest: f64, system: System) -> String {
     let carry = |value: f64| shown::outcome(Outcome::Carry, value, system);
     let place = |[toe, high]: [f64; 2]| {
         let mm = |value: f64| format!("{:.1} mm", 1e3 * value.abs());
-        let side = if toe < 0.0 { "towards the heel" } else { "towards the toe" };
+        let side = if toe < 0.0 {
+            "towards the heel"
+        } else {
+            "towards the toe"
+        };
         let level = if high < 0.0 { "below" } else { "above" };
-        format!("{} {side} and {} {level} {}", mm(toe), mm(high), origin(face))
+        format!(
+            "{} {side} and {} {level} {}",
+            mm(toe),
+            mm(high),
+            origin(face)
+        )
     };
-    let own = face.carry.map_or("does not fly".into(), |own| format!("carries {}", carry(own)));
+    let own = face.carry.map_or("does not fly".into(), |own| {
+        format!("carries {}", carry(own))
+    });
     let (longest, most) = face.longest;
-    let edge = if face.is_longest_at_edge() { ", at the edge of the searched face" } else { "" };
+    let edge = if face.is_longest_at_edge() {
+        ", at the edge of the searched face"
+    } else {
+        ""
+    };
     let struck = match face.is_struck_sweetly() {
         true => "at the sweet spot".into(),
         false if face.strike == [0.0, 0.0] => "at the centre of the face".into(),
@@ -126,9 +209,12 @@ fn note(face: &Face, largest: f64, system: System) -> String {
         None => ": this face is so curved that it has none".into(),
     };
     format!(
-        "The strike is {struck} and {own}. The longest carry, {}, is from a strike {}{edge}. Rings: carry lost against it. The sweet spot is where the \
-         line from the centre of mass meets the face at a right angle{spot}. Longest arrow: the spin axis tilts {} further than from {}. Seen \
-         from the front, so that right of the target line is on the left. {}. The outline is that of a usual driver, for scale only.",
+        "The strike is {struck} and {own}. The longest carry, {}, is from a strike {}{edge}. \
+         Rings: carry lost against it. The sweet spot is where the \
+         line from the centre of mass meets the face at a right angle{spot}. Longest arrow: the \
+         spin axis tilts {} further than from {}. Seen \
+         from the front, so that right of the target line is on the left. {}. The outline is that \
+         of a usual driver, for scale only.",
         carry(most),
         place(longest),
         Quantity::ANGLE.read_off(largest, "deg"),

@@ -13,8 +13,9 @@ const SHAPE: [f64; 2] = [0.8, 1.25];
 /// Points around an ellipse.
 const AROUND: u32 = 120;
 
-/// The landings of drives from above at true scale, target at the top: each with the ellipses that hold half and 95 % of the landings
-/// when what the golfer controls varies, and where the ball comes to rest.
+/// The landings of drives from above at true scale, target at the top: each with the ellipses that
+/// hold half and 95 % of the landings when what the golfer controls varies, and where the ball
+/// comes to rest.
 pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     let length = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
     let mut layers = vec![];
@@ -29,24 +30,62 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
         for (k, ellipse) in landing.ellipses.iter().rev().enumerate() {
             let [long, short] = ellipse.half_axes;
             let point = |step: u32| {
-                let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(AROUND)).sin_cos();
+                let (sin, cos) =
+                    (std::f64::consts::TAU * f64::from(step) / f64::from(AROUND)).sin_cos();
                 [0, 1].map(|axis| ellipse.centre[axis] + cos * long[axis] + sin * short[axis])
             };
-            let name = if k == 0 { name.clone() } else { part(format!("{:.0} %", 100.0 * ellipse.share)) };
-            layers.push(Layer::Line { name, hue, is_dashed, points: (0..=AROUND).map(point).collect() });
+            let name = if k == 0 {
+                name.clone()
+            } else {
+                part(format!("{:.0} %", 100.0 * ellipse.share))
+            };
+            layers.push(Layer::Line {
+                name,
+                hue,
+                is_dashed,
+                points: (0..=AROUND).map(point).collect(),
+            });
         }
         if landing.ellipses.is_empty() {
-            layers.push(Layer::Dots { name: name.clone(), hue, points: vec![landing.at] });
+            layers.push(Layer::Dots {
+                name: name.clone(),
+                hue,
+                points: vec![landing.at],
+            });
         }
-        let mut told = format!("{}: carry {carry}, {}", capital(&landing.name), beside_target(lateral, system));
+        let mut told = format!(
+            "{}: carry {carry}, {}",
+            capital(&landing.name),
+            beside_target(lateral, system)
+        );
         if let Some(rest) = landing.rest {
             // the legend names the first one
-            let name = if i == 0 { "run".into() } else { format!("run ({})", landing.name) };
-            layers.push(Layer::Line { name, hue, is_dashed: false, points: vec![landing.at, rest] });
-            layers.push(Layer::Dots { name: part("at rest".into()), hue, points: vec![rest] });
-            told += &format!(", total {}", shown::outcome(Outcome::Total, rest[1], system));
+            let name = if i == 0 {
+                "run".into()
+            } else {
+                format!("run ({})", landing.name)
+            };
+            layers.push(Layer::Line {
+                name,
+                hue,
+                is_dashed: false,
+                points: vec![landing.at, rest],
+            });
+            layers.push(Layer::Dots {
+                name: part("at rest".into()),
+                hue,
+                points: vec![rest],
+            });
+            told += &format!(
+                ", total {}",
+                shown::outcome(Outcome::Total, rest[1], system)
+            );
         }
-        layers.push(Layer::Mark { name: String::new(), hue, at: landing.at });
+        layers.push(Layer::Mark {
+            name: String::new(),
+            hue,
+            at: landing.at,
+        });
         notes.push(told + ".");
     }
     let points = || {
@@ -58,7 +97,13 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     };
     let widest = points().map(|[x, _]| x.abs()).fold(0.0, f64::max);
     // a point alone has room around it too
-    let around = |[low, high]: [f64; 2]| if high - low > 1.0 { [low, high] } else { [low - 5.0, high + 5.0] };
+    let around = |[low, high]: [f64; 2]| {
+        if high - low > 1.0 {
+            [low, high]
+        } else {
+            [low - 5.0, high + 5.0]
+        }
+    };
     let y = with_margin(around(extent(points().map(|[_, y]| y))), 0.08, 0.08);
     let x = with_margin(around([-widest, widest]), 0.1, 0.1);
     let figure = Figure::new(
@@ -78,7 +123,12 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     figure.layers.push(target);
     figure.layers.extend(layers);
     notes.extend(spread(landings, system));
-    notes.extend(landings.iter().filter(|landing| landing.is_too_wide).map(too_wide));
+    notes.extend(
+        landings
+            .iter()
+            .filter(|landing| landing.is_too_wide)
+            .map(too_wide),
+    );
     if landings.iter().any(|landing| landing.rest.is_some()) {
         notes.push("Small points: where the ball comes to rest.".into());
     }
@@ -89,16 +139,20 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
 /// How far from the target line: "3.2 yd right of the target line", "on the target line".
 fn beside_target(lateral: f64, system: System) -> String {
     let shown = shown::outcome(Outcome::Lateral, lateral, system);
-    let beside =
-        [(" R", "right"), (" L", "left")].into_iter().find_map(|(sign, side)| Some((shown.strip_suffix(sign)?, side)));
-    beside.map_or("on the target line".into(), |(size, side)| format!("{size} {side} of the target line"))
+    let beside = [(" R", "right"), (" L", "left")]
+        .into_iter()
+        .find_map(|(sign, side)| Some((shown.strip_suffix(sign)?, side)));
+    beside.map_or("on the target line".into(), |(size, side)| {
+        format!("{size} {side} of the target line")
+    })
 }
 
 /// What the ellipses say.
 fn spread(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);
-        return is_known.then(|| "Nothing of the golfer is uncertain, so that there are no ellipses.".into());
+        return is_known
+            .then(|| "Nothing of the golfer is uncertain, so that there are no ellipses.".into());
     };
     let sigma = |sigma: &crate::study::Sigma| {
         let measure = Measure::parameter(sigma.parameter);
@@ -108,7 +162,8 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
     };
     let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();
     Some(format!(
-        "The inner and the outer ellipse hold 50 % and 95 % of the landings when these vary from drive to drive, one standard deviation each: {}; by exact \
+        "The inner and the outer ellipse hold 50 % and 95 % of the landings when these vary from \
+         drive to drive, one standard deviation each: {}; by exact \
          derivatives. Everything else is the same in all.",
         sigmas.join(", ")
     ))
@@ -117,7 +172,8 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
 /// Why a drive has no ellipses, though much of it varies.
 fn too_wide(landing: &Landing) -> String {
     format!(
-        "{}: no ellipses are drawn: the standard deviation of the speed is more than a third of the speed, or an ellipse is larger than the \
+        "{}: no ellipses are drawn: the standard deviation of the speed is more than a third of \
+         the speed, or an ellipse is larger than the \
          carry, so that derivatives do not tell where the balls land.",
         capital(&landing.name)
     )

@@ -23,14 +23,16 @@ pub enum Coefficient {
     Lift,
 }
 
-/// Spin ratios and Reynolds numbers from a driver's launch to its landing, and about as much beside them.
+/// Spin ratios and Reynolds numbers from a driver's launch to its landing, and about as much beside
+/// them.
 const SPIN_RATIOS: [f64; 2] = [0.0, 0.4];
 const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 
 /// Steps of a curve.
 const STEPS: usize = 240;
 
-/// Measured points are drawn whose Reynolds number or spin ratio is that of the picture within this part of it.
+/// Measured points are drawn whose Reynolds number or spin ratio is that of the picture within this
+/// part of it.
 const NEAR: f64 = 0.1;
 
 /// A measured point; what a source does not tell apart is missing.
@@ -41,8 +43,9 @@ struct Measured {
     values: [Option<f64>; 2],
 }
 
-/// Laws of drag and lift as curves: solid within what each was fitted to, dashed beyond and where that is not known, with measured points. Speeds and
-/// spins are those of the ball and the air of a setup.
+/// Laws of drag and lift as curves: solid within what each was fitted to, dashed beyond and where
+/// that is not known, with measured points. Speeds and spins are those of the ball and the air of a
+/// setup.
 pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coefficient) -> Figure {
     let air = AirState::of(&setup.air);
     let radius = setup.ball.radius;
@@ -56,21 +59,33 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
         Stream::new(spin_ratio * speed / radius, speed, radius, per_speed)
     };
     let ([low, high], label, at) = match over {
-        Over::SpinRatio(reynolds) => {
-            (SPIN_RATIOS, "spin ratio", format!("a Reynolds number of {}", significant(reynolds, 4)))
-        }
-        Over::Reynolds(spin_ratio) => {
-            (REYNOLDS, "Reynolds number", format!("a spin ratio of {}", significant(spin_ratio, 4)))
-        }
+        Over::SpinRatio(reynolds) => (
+            SPIN_RATIOS,
+            "spin ratio",
+            format!("a Reynolds number of {}", significant(reynolds, 4)),
+        ),
+        Over::Reynolds(spin_ratio) => (
+            REYNOLDS,
+            "Reynolds number",
+            format!("a spin ratio of {}", significant(spin_ratio, 4)),
+        ),
     };
     let (symbol, words, which) = match of {
         Coefficient::Drag => ("C_D", "Drag", 0),
         Coefficient::Lift => ("C_L", "Lift", 1),
     };
-    let name = format!("laws-{}-{}", words.to_lowercase(), label.replace(' ', "-").to_lowercase());
+    let name = format!(
+        "laws-{}-{}",
+        words.to_lowercase(),
+        label.replace(' ', "-").to_lowercase()
+    );
     let title = format!("{words} coefficient over the {label}, at {at}");
-    let mut figure =
-        Figure::new(name, title, Axis::linear(Measure::plain(label)), Axis::linear(Measure::plain(symbol)));
+    let mut figure = Figure::new(
+        name,
+        title,
+        Axis::linear(Measure::plain(label)),
+        Axis::linear(Measure::plain(symbol)),
+    );
     let (mut marks, mut has_points) = (vec![], false);
     for (i, law) in laws.iter().enumerate() {
         let fitted = law.fitted();
@@ -79,7 +94,13 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
             let at = low + (high - low) * k as f64 / STEPS as f64;
             let stream = stream(at);
             let Coefficients { drag, lift } = law.coefficients(stream);
-            let is_in = is_known && fitted.holds([stream.spin_ratio(), stream.spin, stream.reynolds(), stream.speed]);
+            let is_in = is_known
+                && fitted.holds([
+                    stream.spin_ratio(),
+                    stream.spin,
+                    stream.reynolds(),
+                    stream.speed,
+                ]);
             ([at, [drag, lift][which]], is_in)
         });
         let curve: Vec<([f64; 2], bool)> = curve.collect();
@@ -95,13 +116,25 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
         // at another place of each curve, so that the words do not stand in each other's way
         let drawn: Vec<_> = curve.iter().filter(|at| at[1].is_finite()).collect();
         let at = drawn.get(drawn.len() * (2 * i + 1) / (2 * laws.len()));
-        marks.extend(at.map(|at| Layer::Mark { name: law.name().into(), hue: Hue::Series(i), at: **at }));
+        marks.extend(at.map(|at| Layer::Mark {
+            name: law.name().into(),
+            hue: Hue::Series(i),
+            at: **at,
+        }));
         // a law that is dashed alone has its own name
-        let suffix =
-            if within.is_empty() { String::new() } else { format!(" ({})", fitted.beyond(fitted.left(reached))) };
-        let layers = [Layer::line(law.name(), i, within), Layer::dashed(format!("{}{suffix}", law.name()), i, beyond)];
+        let suffix = if within.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", fitted.beyond(fitted.left(reached)))
+        };
+        let layers = [
+            Layer::line(law.name(), i, within),
+            Layer::dashed(format!("{}{suffix}", law.name()), i, beyond),
+        ];
         figure.layers.extend(
-            layers.into_iter().filter(|layer| !matches!(layer, Layer::Line { points, .. } if points.is_empty())),
+            layers
+                .into_iter()
+                .filter(|layer| !matches!(layer, Layer::Line { points, .. } if points.is_empty())),
         );
         let points: Vec<[f64; 2]> = measured(law, &fitted, per_speed, radius)
             .into_iter()
@@ -117,28 +150,42 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
             .collect();
         if !points.is_empty() {
             has_points = true;
-            figure.layers.push(Layer::dots(format!("{} (measured)", law.name()), i, points));
+            figure
+                .layers
+                .push(Layer::dots(format!("{} (measured)", law.name()), i, points));
         }
     }
     // where colours begin again, names stand beside the curves too
     if laws.len() > Hue::SERIES {
         figure.layers.extend(marks);
     }
-    let mut note = "Solid within what a law was fitted to, dashed beyond it and where that is not known.".to_owned();
+    let mut note =
+        "Solid within what a law was fitted to, dashed beyond it and where that is not known."
+            .to_owned();
     if has_points {
-        note += &format!(" Points are measured values, within {:.0} % of {at}.", 100.0 * NEAR);
+        note += &format!(
+            " Points are measured values, within {:.0} % of {at}.",
+            100.0 * NEAR
+        );
     }
-    note += " Speeds and spins, for laws that depend on them, are those of the setup's ball in its air.";
+    note += " Speeds and spins, for laws that depend on them, are those of the setup's ball in its \
+             air.";
     figure.noted(note)
 }
 
-/// The parts of a curve that lie within the law's range or beyond it, with a break between two of them. Where the range ends they meet.
+/// The parts of a curve that lie within the law's range or beyond it, with a break between two of
+/// them. Where the range ends they meet.
 fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> = vec![];
     for (k, (at, is_in)) in curve.iter().enumerate() {
         // a part beyond goes on to the first point within
-        let is_next_to = |k: Option<usize>| k.and_then(|k| curve.get(k)).is_some_and(|(_, is_in)| !is_in);
-        if *is_in == within || (!within && (is_next_to(k.checked_sub(1)) || is_next_to(Some(k + 1)))) {
+        let is_next_to = |k: Option<usize>| {
+            k.and_then(|k| curve.get(k))
+                .is_some_and(|(_, is_in)| !is_in)
+        };
+        if *is_in == within
+            || (!within && (is_next_to(k.checked_sub(1)) || is_next_to(Some(k + 1))))
+        {
             points.push(*at);
         } else if points.last().is_some_and(|last| last[1].is_finite()) {
             points.push([at[0], f64::NAN]);
@@ -169,9 +216,14 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        // lift over the spin ratio, as a mean of balls, and drag over the Reynolds number, of one of them, whatever the other
+        // lift over the spin ratio, as a mean of balls, and drag over the Reynolds number, of one
+        // of them, whatever the other
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
-            .map(|[reynolds, spin_ratio, drag, lift]| Measured { spin_ratio, reynolds, values: [drag, lift] })
+            .map(|[reynolds, spin_ratio, drag, lift]| Measured {
+                spin_ratio,
+                reynolds,
+                values: [drag, lift],
+            })
             .collect(),
         Law::UsgaItr(_) => rows(include_str!("../../../tests/data/usga_itr_test_ball.csv"))
             .map(|[re, s, drag, lift]| Measured {
@@ -183,13 +235,26 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
         Law::Table(law) => {
             let has = |along: Along| law.table.axes().any(|axis| axis.along == along);
             let node = |[speed, spin, drag, lift]: &[f64; 4]| {
-                let reynolds =
-                    if has(Along::Reynolds) { Some(*speed) } else { has(Along::Speed).then_some(per_speed * speed) };
+                let reynolds = if has(Along::Reynolds) {
+                    Some(*speed)
+                } else {
+                    has(Along::Speed).then_some(per_speed * speed)
+                };
                 // a spin alone is a spin ratio at a known speed only
                 let at_speed = reynolds.map(|reynolds| reynolds / per_speed);
-                let by_spin = at_speed.filter(|_| has(Along::Spin)).map(|speed| spin * radius / speed);
-                let spin_ratio = if has(Along::SpinRatio) { Some(*spin) } else { by_spin };
-                Measured { spin_ratio, reynolds, values: [Some(*drag), Some(*lift)] }
+                let by_spin = at_speed
+                    .filter(|_| has(Along::Spin))
+                    .map(|speed| spin * radius / speed);
+                let spin_ratio = if has(Along::SpinRatio) {
+                    Some(*spin)
+                } else {
+                    by_spin
+                };
+                Measured {
+                    spin_ratio,
+                    reynolds,
+                    values: [Some(*drag), Some(*lift)],
+                }
             };
             law.table.nodes().iter().map(node).collect()
         }

@@ -21,51 +21,94 @@ pub struct OnMap<'a> {
     pub region: Option<&'a Region>,
 }
 
-/// A map with its gradients, the constraints as lines with what they forbid hatched, the drive as set up and the optimum with what is nearly as
-/// good. Words are in the units of `system`.
+/// A map with its gradients, the constraints as lines with what they forbid hatched, the drive as
+/// set up and the optimum with what is nearly as good. Words are in the units of `system`.
 pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
-    let Map { of, across, up, missing, slopes, .. } = map;
-    let [x, y] = [across, up].map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
+    let Map {
+        of,
+        across,
+        up,
+        missing,
+        slopes,
+        ..
+    } = map;
+    let [x, y] = [across, up]
+        .map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
     let measure = Measure::outcome(*of);
-    let title = format!("{} over {} and {}", capital(&measure.label), x.measure.label, y.measure.label);
+    let title = format!(
+        "{} over {} and {}",
+        capital(&measure.label),
+        x.measure.label,
+        y.measure.label
+    );
     let name = format!("map-{}", of.name());
-    let mut figure = Figure::new(name, title, x, y).with(Layer::Contours(field(map))).with(arrows(across, up, slopes));
+    let mut figure = Figure::new(name, title, x, y)
+        .with(Layer::Contours(field(map)))
+        .with(arrows(across, up, slopes));
     figure.aspect = 0.85;
     figure.names_on_lines = true;
     let best = on.best.filter(|best| best.value().is_some());
     figure.subtitle = held(on.setup, best, [across, up], system);
     let mut notes = vec!["The edges of the map are the bounds.".to_owned()];
     for (i, (constraint, map)) in on.limits.iter().enumerate() {
-        figure.layers.extend(forbidden(constraint, &field(map), 2 + i, system));
+        figure
+            .layers
+            .extend(forbidden(constraint, &field(map), 2 + i, system));
     }
-    if on.limits.iter().any(|(constraint, _)| !constraint.is_equation()) {
+    if on
+        .limits
+        .iter()
+        .any(|(constraint, _)| !constraint.is_equation())
+    {
         notes.push("Hatched: forbidden by a constraint.".into());
     }
     if let Some(region) = on.region {
-        let layers = nearly_as_good(region, &format!("at most {} lost", shown::spread(*of, region.loss, system)));
+        let layers = nearly_as_good(
+            region,
+            &format!("at most {} lost", shown::spread(*of, region.loss, system)),
+        );
         let loss = measure.show_difference(region.loss, system);
         if !layers.is_empty() {
             notes.push(format!(
-                "Drives in the tinted region lose at most {loss} and meet every bound and constraint; each was flown."
+                "Drives in the tinted region lose at most {loss} and meet every bound and \
+                 constraint; each was flown."
             ));
         }
         figure.layers.extend(layers);
     }
     notes.push(
-        "Arrows: exact gradients, scaled by the ranges; their length grows with the square root of the slope.".into(),
+        "Arrows: exact gradients, scaled by the ranges; their length grows with the square root of \
+         the slope.".into(),
     );
     if let Some(why) = missing {
-        notes.push(format!("Without colour: no value; the first reason: {}.", why.in_units(system)));
+        notes.push(format!(
+            "Without colour: no value; the first reason: {}.",
+            why.in_units(system)
+        ));
     }
-    let at = |setup: &Setup<f64>| Some([setup.value(across.parameter)?, setup.value(up.parameter)?]);
-    let is_on = |[x, y]: &[f64; 2]| (across.low..=across.high).contains(x) && (up.low..=up.high).contains(y);
+    let at =
+        |setup: &Setup<f64>| Some([setup.value(across.parameter)?, setup.value(up.parameter)?]);
+    let is_on = |[x, y]: &[f64; 2]| {
+        (across.low..=across.high).contains(x) && (up.low..=up.high).contains(y)
+    };
     let own = at(on.setup).filter(is_on);
     let top = best.and_then(|best| at(&best.setup)).filter(is_on);
     if let (Some(own), Some(top)) = (own, top) {
-        figure.layers.push(Layer::Arrows { name: String::new(), hue: Hue::SET_UP, arrows: vec![[own, top]] });
+        figure.layers.push(Layer::Arrows {
+            name: String::new(),
+            hue: Hue::SET_UP,
+            arrows: vec![[own, top]],
+        });
     }
-    for (place, name, hue) in [(own, "as set up", Hue::SET_UP), (top, "optimum", Hue::OPTIMUM)] {
-        figure.layers.extend(place.map(|at| Layer::Mark { name: name.into(), hue, at }));
+    for (place, name, hue) in [
+        (own, "as set up", Hue::SET_UP),
+        (top, "optimum", Hue::OPTIMUM),
+    ] {
+        figure.layers.extend(place.map(|at| Layer::Mark {
+            name: name.into(),
+            hue,
+            at,
+        }));
     }
     if own.is_none() {
         notes.push("The drive as set up lies outside of the map.".into());
@@ -73,25 +116,51 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// Where the map is taken: the speed, and what the search varied beside its axes, which is held at the optimum.
+/// Where the map is taken: the speed, and what the search varied beside its axes, which is held at
+/// the optimum.
 fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: System) -> String {
     let is_axis = |name: &str| axes.iter().any(|vary| vary.parameter.name == name);
-    let speed = if setup.launch.is_given() { "launch.ball_speed" } else { "swing.speed" };
-    let varied = best.iter().flat_map(|best| best.search.vary.iter().zip(&best.solution.x));
+    let speed = if setup.launch.is_given() {
+        "launch.ball_speed"
+    } else {
+        "swing.speed"
+    };
+    let varied = best
+        .iter()
+        .flat_map(|best| best.search.vary.iter().zip(&best.solution.x));
     let varied: Vec<String> = varied
         .filter(|(vary, _)| !is_axis(vary.parameter.name))
         .map(|(vary, x)| {
-            format!("{} {}", Measure::parameter(vary.parameter).label, shown::parameter(vary.parameter, *x, system))
+            format!(
+                "{} {}",
+                Measure::parameter(vary.parameter).label,
+                shown::parameter(vary.parameter, *x, system)
+            )
         })
         .collect();
-    let is_varied = best.is_some_and(|best| best.search.vary.iter().any(|vary| vary.parameter.name == speed));
-    let speed = setup.variable(speed).ok().filter(|row| !is_axis(row.name) && !is_varied);
+    let is_varied = best.is_some_and(|best| {
+        best.search
+            .vary
+            .iter()
+            .any(|vary| vary.parameter.name == speed)
+    });
+    let speed = setup
+        .variable(speed)
+        .ok()
+        .filter(|row| !is_axis(row.name) && !is_varied);
     let speed = speed.and_then(|row| {
-        Some(format!("{} {}", Measure::parameter(row).label, shown::stated(row, setup.value(row)?, system)))
+        Some(format!(
+            "{} {}",
+            Measure::parameter(row).label,
+            shown::stated(row, setup.value(row)?, system)
+        ))
     });
     let optimum = (!varied.is_empty()).then(|| format!("{} of the optimum", varied.join(", ")));
     let parts = [speed, optimum, Some("all else as set up".into())];
-    format!("at {}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
+    format!(
+        "at {}",
+        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    )
 }
 
 /// The line of a constraint, and what lies beyond it.
@@ -114,59 +183,106 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
         layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
         // the line has the name
     }
-    let mut ends: Vec<f64> = [constraint.low, constraint.high].into_iter().filter(|end| end.is_finite()).collect();
+    let mut ends: Vec<f64> = [constraint.low, constraint.high]
+        .into_iter()
+        .filter(|end| end.is_finite())
+        .collect();
     ends.dedup();
     let lines = ends.into_iter().zip([words.as_str(), ""]);
     let lines = lines.map(|(end, name)| Layer::line(name, hue, field.line_at(end)));
-    layers.extend(lines.filter(|line| !matches!(line, Layer::Line { points, .. } if points.is_empty())));
+    layers.extend(
+        lines.filter(|line| !matches!(line, Layer::Line { points, .. } if points.is_empty())),
+    );
     layers
 }
 
 /// The region of drives that lose little; of an equation, the part of its line.
 fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
-    let of =
-        |values: &[Option<f64>]| field_of(Measure::plain("missed"), region.across, region.up, region.columns, values);
+    let of = |values: &[Option<f64>]| {
+        field_of(
+            Measure::plain("missed"),
+            region.across,
+            region.up,
+            region.columns,
+            values,
+        )
+    };
     let Some(equation) = &region.equation else {
         // where nothing flies, nothing is near the optimum
-        let beyond = region.misses.iter().map(|missed| Some(missed.unwrap_or(1.0))).collect::<Vec<_>>();
+        let beyond = region
+            .misses
+            .iter()
+            .map(|missed| Some(missed.unwrap_or(1.0)))
+            .collect::<Vec<_>>();
         let rings = of(&beyond).below(0.0);
-        let region = Layer::Region { name: name.into(), hue: Hue::OPTIMUM, is_hatched: false, rings };
+        let region = Layer::Region {
+            name: name.into(),
+            hue: Hue::OPTIMUM,
+            is_hatched: false,
+            rings,
+        };
         return vec![region];
     };
     let misses = of(&region.misses);
     let is_in = |at: &[f64; 2]| misses.at(*at).is_some_and(|missed| missed <= 0.0);
     let line = of(equation).line_at(0.0).into_iter();
-    let points: Vec<_> = line.map(|at| if is_in(&at) { at } else { [f64::NAN; 2] }).collect();
+    let points: Vec<_> = line
+        .map(|at| if is_in(&at) { at } else { [f64::NAN; 2] })
+        .collect();
     if !points.iter().any(|[x, _]| x.is_finite()) {
         return vec![];
     }
-    vec![Layer::Line { name: name.into(), hue: Hue::OPTIMUM, is_dashed: false, points }]
+    vec![Layer::Line {
+        name: name.into(),
+        hue: Hue::OPTIMUM,
+        is_dashed: false,
+        points,
+    }]
 }
 
 /// A map as a field to draw.
 fn field(map: &Map) -> Field {
-    field_of(Measure::outcome(map.of), map.across, map.up, map.columns, &map.values)
+    field_of(
+        Measure::outcome(map.of),
+        map.across,
+        map.up,
+        map.columns,
+        &map.values,
+    )
 }
 
-/// Gradients in units of the ranges, as the map shows them: steepest ascent on the page. Lengths go as the root of the slope:
-/// in proportion to it, those near the top would be too short to show their direction.
+/// Gradients in units of the ranges, as the map shows them: steepest ascent on the page. Lengths go
+/// as the root of the slope: in proportion to it, those near the top would be too short to show
+/// their direction.
 fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
     let width = [across, up].map(|vary| vary.high - vary.low);
     let scaled = |gradient: [f64; 2]| [gradient[0] * width[0], gradient[1] * width[1]];
     let size = |[x, y]: [f64; 2]| x.hypot(y);
-    let longest = slopes.iter().map(|slope| size(scaled(slope.gradient))).fold(f64::MIN_POSITIVE, f64::max);
+    let longest = slopes
+        .iter()
+        .map(|slope| size(scaled(slope.gradient)))
+        .fold(f64::MIN_POSITIVE, f64::max);
     let arrow = |slope: &Slope| {
         let scaled = scaled(slope.gradient);
         let steepness = size(scaled).max(f64::MIN_POSITIVE);
         let length = LONGEST_ARROW * (steepness / longest).sqrt();
         let [x, y] = scaled.map(|part| part / steepness * length);
-        [slope.at, [slope.at[0] + x * width[0], slope.at[1] + y * width[1]]]
+        [
+            slope.at,
+            [slope.at[0] + x * width[0], slope.at[1] + y * width[1]],
+        ]
     };
-    Layer::Arrows { name: "gradient".into(), hue: Hue::Faint, arrows: slopes.iter().map(arrow).collect() }
+    Layer::Arrows {
+        name: "gradient".into(),
+        hue: Hue::Faint,
+        arrows: slopes.iter().map(arrow).collect(),
+    }
 }
 
 /// A word that begins a line.
 pub(in crate::report) fn capital(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }

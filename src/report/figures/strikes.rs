@@ -10,19 +10,40 @@ use crate::units::{Quantity, System};
 /// Every so many of the nodes of a face are drawn: values change little from one to the next.
 const THINNED: usize = 5;
 
-/// What comes of strikes all over the face: carry, lateral, ball speed and spin axis, from the front at true scale. Designs stand beside each
-/// other with the same levels and colours; each has its name. `None` without a design.
+/// What comes of strikes all over the face: carry, lateral, ball speed and spin axis, from the
+/// front at true scale. Designs stand beside each other with the same levels and colours; each has
+/// its name. `None` without a design.
 pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figure> {
-    let largest = designs.iter().flat_map(|(_, face)| &face.tilts).map(|(_, tilt)| tilt.abs()).fold(0.0, f64::max);
+    let largest = designs
+        .iter()
+        .flat_map(|(_, face)| &face.tilts)
+        .map(|(_, tilt)| tilt.abs())
+        .fold(0.0, f64::max);
     let mut views = vec![];
     for (i, of) in Face::OUTCOMES.into_iter().enumerate() {
-        let fields: Vec<Field> = designs.iter().map(|(_, face)| over_face(face, i, of)).collect();
-        let all: Vec<f64> = fields.iter().flat_map(|field| field.values.iter().flatten().copied()).collect();
+        let fields: Vec<Field> = designs
+            .iter()
+            .map(|(_, face)| over_face(face, i, of))
+            .collect();
+        let all: Vec<f64> = fields
+            .iter()
+            .flat_map(|field| field.values.iter().flatten().copied())
+            .collect();
         for ((name, face), field) in designs.iter().zip(fields) {
-            let mut view = view(face, of, Field { beside: all.clone(), ..field });
+            let mut view = view(
+                face,
+                of,
+                Field {
+                    beside: all.clone(),
+                    ..field
+                },
+            );
             view.subtitle = (*name).into();
             if of == Outcome::SpinAxis && largest > 0.0 {
-                let name = format!("further tilt, longest {}", Quantity::ANGLE.read_off(largest, "deg"));
+                let name = format!(
+                    "further tilt, longest {}",
+                    Quantity::ANGLE.read_off(largest, "deg")
+                );
                 view.layers.push(tilt_arrows(face, name, largest));
             }
             views.push(view);
@@ -36,12 +57,25 @@ pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figur
 
 fn view(face: &Face, of: Outcome, field: Field) -> Figure {
     let [wide, tall] = face.half;
-    let (x, y) = (across(face).exactly(-wide, wide), above(face).exactly(-tall, tall));
+    let (x, y) = (
+        across(face).exactly(-wide, wide),
+        above(face).exactly(-tall, tall),
+    );
     let title = format!("{} over the face", capital(&field.measure.label));
-    let mut figure = Figure::new(format!("strikes-{}", of.name()), title, x, y).with(Layer::Contours(field));
+    let mut figure =
+        Figure::new(format!("strikes-{}", of.name()), title, x, y).with(Layer::Contours(field));
     figure.aspect = tall / wide;
-    let points = face.outline().into_iter().map(|at| seen(face, at)).collect();
-    figure.layers.push(Layer::Line { name: String::new(), hue: Hue::Faint, is_dashed: false, points });
+    let points = face
+        .outline()
+        .into_iter()
+        .map(|at| seen(face, at))
+        .collect();
+    figure.layers.push(Layer::Line {
+        name: String::new(),
+        hue: Hue::Faint,
+        is_dashed: false,
+        points,
+    });
     figure.layers.extend(marks(face, Hue::Ink));
     figure
 }
@@ -52,9 +86,17 @@ fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
     let is_turned = seen(face, [1.0, 0.0])[0] < 0.0;
     let columns: Vec<usize> = (0..whole.columns).step_by(THINNED).collect();
     let column = |i: usize| columns[if is_turned { columns.len() - 1 - i } else { i }];
-    let nodes = (0..whole.rows()).step_by(THINNED).flat_map(|row| (0..columns.len()).map(move |i| (row, i)));
-    let values = nodes.map(|(row, i)| whole.values[row * whole.columns + column(i)]).collect();
-    Field { values, columns: columns.len(), ..whole }
+    let nodes = (0..whole.rows())
+        .step_by(THINNED)
+        .flat_map(|row| (0..columns.len()).map(move |i| (row, i)));
+    let values = nodes
+        .map(|(row, i)| whole.values[row * whole.columns + column(i)])
+        .collect();
+    Field {
+        values,
+        columns: columns.len(),
+        ..whole
+    }
 }
 
 fn note(designs: &[(&str, &Face)], system: System) -> String {
@@ -63,7 +105,12 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
     let told = |(name, face): &(&str, &Face)| {
         let by_toe = face.by_toe?;
         let change = |i: usize| shown::change(Face::OUTCOMES[i], STEP * by_toe[i], system);
-        Some(format!("{name}: {} of spin axis, {} of lateral, {} of carry", change(3), change(1), change(0)))
+        Some(format!(
+            "{name}: {} of spin axis, {} of lateral, {} of carry",
+            change(3),
+            change(1),
+            change(0)
+        ))
     };
     let told: Vec<String> = designs.iter().filter_map(told).collect();
     let mut references: Vec<_> = designs.iter().map(|(_, face)| reference(face)).collect();
@@ -71,10 +118,15 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
     let from = references.join(" or ");
     let slopes = match told.is_empty() {
         true => String::new(),
-        false => format!("Of a strike 1 mm from {from} towards the toe: {}. ", told.join("; ")),
+        false => format!(
+            "Of a strike 1 mm from {from} towards the toe: {}. ",
+            told.join("; ")
+        ),
     };
     format!(
-        "{slopes}Arrows: how far the spin axis tilts further than from {from}, by bulge, roll and gear effect together. {}. Seen from the front, so that right of the target line is on the left. The \
+        "{slopes}Arrows: how far the spin axis tilts further than from {from}, by bulge, roll and \
+         gear effect together. {}. Seen from the front, so that right of the target line is on the \
+         left. The \
          outline is that of a usual driver, for scale only.",
         capital(shown::RIGID)
     )

@@ -23,7 +23,8 @@ pub enum Causes {
 }
 
 impl Causes {
-    /// Those that a report shows, each in a picture of its own: the scale of one would hide the other.
+    /// Those that a report shows, each in a picture of its own: the scale of one would hide the
+    /// other.
     pub const APART: [Self; 2] = [Self::Control, Self::Model];
 
     /// Whether a parameter is one of them.
@@ -82,24 +83,45 @@ impl Ends {
     }
 }
 
-/// What standard uncertainties of parameters do to an outcome, as bars, the largest on top: flown at p − σ and p + σ, one
-/// parameter at a time. The uncertainties and the note are in the units of `system`. `None` where none of these causes has an
-/// uncertainty with an effect.
+/// What standard uncertainties of parameters do to an outcome, as bars, the largest on top: flown
+/// at p − σ and p + σ, one parameter at a time. The uncertainties and the note are in the units of
+/// `system`. `None` where none of these causes has an uncertainty with an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
-    let mut ranked: Vec<Ends> = effects.effects.iter().filter(is_cause).filter_map(Ends::of).collect();
+    let mut ranked: Vec<Ends> = effects
+        .effects
+        .iter()
+        .filter(is_cause)
+        .filter_map(Ends::of)
+        .collect();
     ranked.sort_by(|a, b| b.size().total_cmp(&a.size()));
-    let longest = ranked.first().map(Ends::size).filter(|longest| *longest > 0.0)?;
+    let longest = ranked
+        .first()
+        .map(Ends::size)
+        .filter(|longest| *longest > 0.0)?;
     let measure = Measure::outcome(effects.of);
     // what is shown as 0 has no length
-    let seen = ranked.iter().take_while(|ends| ends.size() > SMALL * longest).count().min(MOST);
+    let seen = ranked
+        .iter()
+        .take_while(|ends| ends.size() > SMALL * longest)
+        .count()
+        .min(MOST);
     let folded = ranked.split_off(seen);
     let name = |ends: &Ends| {
-        let Sigma { parameter, value, .. } = ends.sigma;
-        format!("{} ± {}", Measure::parameter(parameter).label, shown::uncertainty(parameter, value, system))
+        let Sigma {
+            parameter, value, ..
+        } = ends.sigma;
+        format!(
+            "{} ± {}",
+            Measure::parameter(parameter).label,
+            shown::uncertainty(parameter, value, system)
+        )
     };
     let mut names: Vec<String> = ranked.iter().map(name).collect();
-    let together = folded.iter().map(|ends| ends.first_order).fold(0.0, f64::hypot);
+    let together = folded
+        .iter()
+        .map(|ends| ends.first_order)
+        .fold(0.0, f64::hypot);
     if !folded.is_empty() {
         let of = effects.of;
         let amount = if is_rounding(of, effects.value, together) {
@@ -113,41 +135,86 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
         Causes::All => format!("Effects of uncertainties on {}, {at}", measure.label),
         _ => format!("Effects on {} of {}, {at}", measure.label, causes.words()),
     };
-    let x = Axis::linear(Measure { label: format!("change of {}", measure.label), ..measure.clone() });
+    let x = Axis::linear(Measure {
+        label: format!("change of {}", measure.label),
+        ..measure.clone()
+    });
     let bars = |name: &str, hue: Hue, to: fn(&Ends) -> f64| {
-        let bars = ranked.iter().enumerate().map(|(place, ends)| Bar { place, from: 0.0, to: to(ends) });
-        Layer::Bars { name: name.into(), hue, bars: bars.collect() }
+        let bars = ranked.iter().enumerate().map(|(place, ends)| Bar {
+            place,
+            from: 0.0,
+            to: to(ends),
+        });
+        Layer::Bars {
+            name: name.into(),
+            hue,
+            bars: bars.collect(),
+        }
     };
-    let figure = Figure::new(format!("tornado-{}{}", effects.of.name(), causes.suffix()), title, x, Axis::names(names))
-        .with(bars("parameter lower", Hue::Series(3), |ends| ends.lower))
-        .with(bars("parameter higher", Hue::Series(2), |ends| ends.higher));
+    let figure = Figure::new(
+        format!("tornado-{}{}", effects.of.name(), causes.suffix()),
+        title,
+        x,
+        Axis::names(names),
+    )
+    .with(bars("parameter lower", Hue::Series(3), |ends| ends.lower))
+    .with(bars("parameter higher", Hue::Series(2), |ends| ends.higher));
     Some(figure.noted(note(effects, causes, at, &ranked, &folded, system)))
 }
 
-fn note(effects: &Effects, causes: Causes, at: At, ranked: &[Ends], folded: &[Ends], system: System) -> String {
+fn note(
+    effects: &Effects,
+    causes: Causes,
+    at: At,
+    ranked: &[Ends],
+    folded: &[Ends],
+    system: System,
+) -> String {
     let measure = Measure::outcome(effects.of);
     let sum = |causes: Causes| {
-        let of_causes = effects.effects.iter().filter(|effect| causes.has(effect.parameter));
-        let sum = of_causes.filter_map(|effect| effect.bar).map(|bar| bar.first_order).fold(0.0, f64::hypot);
+        let of_causes = effects
+            .effects
+            .iter()
+            .filter(|effect| causes.has(effect.parameter));
+        let sum = of_causes
+            .filter_map(|effect| effect.bar)
+            .map(|bar| bar.first_order)
+            .fold(0.0, f64::hypot);
         measure.show_difference(sum, system)
     };
     let mut note = format!(
-        "Change of {} when each parameter is moved by its standard uncertainty, one at a time, {at}. All together, if independent: ± {}.",
+        "Change of {} when each parameter is moved by its standard uncertainty, one at a time, \
+         {at}. All together, if independent: ± {}.",
         measure.label,
         sum(causes),
     );
     match causes {
-        Causes::Control => note += &format!(" What the model does not know makes ± {} beside it.", sum(Causes::Model)),
-        Causes::Model => note += &format!(" What you control makes ± {} beside it.", sum(Causes::Control)),
+        Causes::Control => {
+            note += &format!(
+                " What the model does not know makes ± {} beside it.",
+                sum(Causes::Model)
+            )
+        }
+        Causes::Model => {
+            note += &format!(
+                " What you control makes ± {} beside it.",
+                sum(Causes::Control)
+            )
+        }
         Causes::All => {}
     }
     let straight = ranked.iter().filter(|ends| !ends.is_flown).count();
     if straight > 0 {
         let bars = counted(straight as u64, "bar");
-        note += &format!(" Drawn from the derivative, since a drive at one end or both does not fly: {bars}.");
+        note += &format!(
+            " Drawn from the derivative, since a drive at one end or both does not fly: {bars}."
+        );
     }
     if !folded.is_empty() {
-        let names: Vec<String> = folded.iter().map(|ends| Measure::parameter(ends.sigma.parameter).label).collect();
+        let names: Vec<String> = folded
+            .iter()
+            .map(|ends| Measure::parameter(ends.sigma.parameter).label)
+            .collect();
         note += &format!(" In the last row: {}.", names.join(", "));
     }
     note

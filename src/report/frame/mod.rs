@@ -1,4 +1,5 @@
-//! What every page has: one HTML file that needs nothing else, with its head, the switch of units, tables and pictures.
+//! What every page has: one HTML file that needs nothing else, with its head, the switch of units,
+//! tables and pictures.
 
 mod picture;
 mod table;
@@ -29,7 +30,13 @@ pub(super) struct Frame<'a> {
 impl Frame<'_> {
     /// The whole page. It has a switch of units where something in it differs between them.
     pub fn page(self) -> String {
-        let Self { title, header, main, footer, system } = self;
+        let Self {
+            title,
+            header,
+            main,
+            footer,
+            system,
+        } = self;
         let dark = format!(
             "@media screen and (prefers-color-scheme: dark) {{\n{}{}}}",
             include_str!("dark.css"),

@@ -9,7 +9,8 @@ use maud::{Markup, PreEscaped, html};
 /// A plot with its words in the units of each of [`System::ALL`].
 pub(in crate::report) type Pair = [Figure; 2];
 
-/// Widths that pictures are drawn for, pixels: the column of a phone or of print, where text has its own size, and that of a screen.
+/// Widths that pictures are drawn for, pixels: the column of a phone or of print, where text has
+/// its own size, and that of a screen.
 const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
 
 /// A plot drawn in each system.
@@ -38,7 +39,10 @@ pub(in crate::report) fn picture_files<'a>(
     let mut files = vec![];
     for pair in pairs {
         for (figure, system) in pair.iter().zip(System::ALL) {
-            let look = Look { system, ..Look::default() };
+            let look = Look {
+                system,
+                ..Look::default()
+            };
             files.push((svg_name(figure, system), figure_svg(figure, &look)?));
             if system == data_of {
                 files.push((csv_name(figure), figure_csv(figure)?));
@@ -53,7 +57,10 @@ pub(in crate::report) fn picture_files<'a>(
 /// # Errors
 /// As [`figure_svg`].
 pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>) -> Result<Markup> {
-    let drawn = pairs.into_iter().map(|pair| Ok((pair, drawings(pair)?))).collect::<Result<Vec<_>>>()?;
+    let drawn = pairs
+        .into_iter()
+        .map(|pair| Ok((pair, drawings(pair)?)))
+        .collect::<Result<Vec<_>>>()?;
     Ok(html! {
         @if !drawn.is_empty() {
             div.figures {
@@ -72,9 +79,20 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
 fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];
     for (place, width) in WIDTHS {
-        let picture =
-            |figure: &Figure, system: System| figure_svg(figure, &Look { system, shades: Shades::Light, width });
-        let [metric, us] = [picture(&pair[0], System::ALL[0])?, picture(&pair[1], System::ALL[1])?];
+        let picture = |figure: &Figure, system: System| {
+            figure_svg(
+                figure,
+                &Look {
+                    system,
+                    shades: Shades::Light,
+                    width,
+                },
+            )
+        };
+        let [metric, us] = [
+            picture(&pair[0], System::ALL[0])?,
+            picture(&pair[1], System::ALL[1])?,
+        ];
         if metric == us {
             drawings.push((place.into(), us));
         } else {
@@ -87,7 +105,12 @@ fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
 
 /// The note of a plot in a system.
 fn note([metric, us]: &Pair, system: System) -> String {
-    if system == System::Us { &us.note } else { &metric.note }.clone()
+    if system == System::Us {
+        &us.note
+    } else {
+        &metric.note
+    }
+    .clone()
 }
 
 /// The files of a plot.

@@ -2,12 +2,14 @@
 
 use maud::{Markup, html};
 
-/// A table that can be moved to the side where it is wider than the page, by keys too; `label` says what is in it.
+/// A table that can be moved to the side where it is wider than the page, by keys too; `label` says
+/// what is in it.
 pub(in crate::report) fn scrolled(label: &str, table: Markup) -> Markup {
     html! { section.wide tabindex="0" aria-label=(label) { (table) } }
 }
 
-/// Whether most of the cells of a column are numbers; with a unit of up to three letters, as "rpm" is. Empty cells and dashes are neither.
+/// Whether most of the cells of a column are numbers; with a unit of up to three letters, as "rpm"
+/// is. Empty cells and dashes are neither.
 pub(in crate::report) fn is_of_numbers<'a>(cells: impl Iterator<Item = &'a str>) -> bool {
     let cells: Vec<&str> = cells.filter(|cell| !["", "–"].contains(cell)).collect();
     let numbers = cells.iter().filter(|cell| is_number(cell)).count();
@@ -16,7 +18,10 @@ pub(in crate::report) fn is_of_numbers<'a>(cells: impl Iterator<Item = &'a str>)
 
 fn is_number(cell: &str) -> bool {
     let digits = cell.trim_start_matches(['+', '-', '−', '±', '<', '≤', ' ']);
-    let has_words = || cell.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() > 3);
+    let has_words = || {
+        cell.split(|c: char| !c.is_alphabetic())
+            .any(|word| word.chars().count() > 3)
+    };
     digits.starts_with(|c: char| c.is_ascii_digit()) && !has_words()
 }
 
@@ -28,7 +33,10 @@ mod tests {
     fn exact_columns_of_numbers_and_of_words() {
         for (cells, is) in [
             (vec!["8.75°", "−0.5 deg", "–"], true),
-            (vec!["248.48 m (271.74 yd)", "does not fly", "114.3 m"], true),
+            (
+                vec!["248.48 m (271.74 yd)", "does not fly", "114.3 m"],
+                true,
+            ),
             (vec!["0.1497 .. 0.1502 1/s"], true),
             (vec!["1 club.loft", "2 swing.speed"], false),
             (vec!["smooth", "the report's loop"], false),

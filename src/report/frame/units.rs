@@ -5,7 +5,9 @@ use maud::{Markup, html};
 
 /// Whether a part of a page differs between the units.
 pub(super) fn has_both(part: &Markup) -> bool {
-    [r#"<span class="us""#, r#" us">"#].iter().any(|class| part.0.contains(class))
+    [r#"<span class="us""#, r#" us">"#]
+        .iter()
+        .any(|class| part.0.contains(class))
 }
 
 /// What is written in each system, as pages print it; once, where both are the same.

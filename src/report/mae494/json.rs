@@ -1,7 +1,8 @@
 use crate::report::Reply;
 use crate::report::json::{named, number};
 use crate::reproduce::{
-    Average, Delivery, Energy, Launched, Mae494, Noise, Parametric, Peak, Regression, Row, Searches, Subsystems,
+    Average, Delivery, Energy, Launched, Mae494, Noise, Parametric, Peak, Regression, Row,
+    Searches, Subsystems,
 };
 use serde_json::{Map, Value, json};
 
@@ -10,7 +11,11 @@ pub fn mae494_reply(found: &Mae494) -> Reply<Value> {
     let mut optimum = delivery(&found.optimum.exact());
     optimum.extend(held(&found.optimum));
     let rows = |rows: &[Row]| rows.iter().map(row).collect::<Vec<_>>();
-    let printed = |rows: &[Row]| rows.iter().map(|row| delivery(&row.printed)).collect::<Vec<_>>();
+    let printed = |rows: &[Row]| {
+        rows.iter()
+            .map(|row| delivery(&row.printed))
+            .collect::<Vec<_>>()
+    };
     let body = json!({
         "study": "mae494",
         "slipped_optimum": delivery(&found.slipped),
@@ -50,21 +55,38 @@ fn held(row: &Row) -> Map<String, Value> {
         let prices = json!({ "lower": solution.lower_multipliers[i], "upper": solution.upper_multipliers[i] });
         (vary.parameter.name.to_owned(), prices)
     });
-    let active = row.active.iter().map(|active| (active.name.clone(), json!(active.end)));
+    let active = row
+        .active
+        .iter()
+        .map(|active| (active.name.clone(), json!(active.end)));
     Map::from_iter([
-        ("multipliers".to_owned(), Value::Object(multipliers.collect())),
+        (
+            "multipliers".to_owned(),
+            Value::Object(multipliers.collect()),
+        ),
         ("active".to_owned(), Value::Object(active.collect())),
     ])
 }
 
 /// A delivery under the names of the parameters.
 fn delivery(delivery: &Delivery) -> Map<String, Value> {
-    let Delivery { loft, attack_angle, carry } = *delivery;
-    named([("club.loft", Some(loft)), ("swing.attack_angle", Some(attack_angle)), ("carry", Some(carry))])
+    let Delivery {
+        loft,
+        attack_angle,
+        carry,
+    } = *delivery;
+    named([
+        ("club.loft", Some(loft)),
+        ("swing.attack_angle", Some(attack_angle)),
+        ("carry", Some(carry)),
+    ])
 }
 
 fn average(average: &Average) -> Value {
-    let rows = average.rows.iter().map(|(loft, carry)| json!({ "club.loft": loft, "carry": carry }));
+    let rows = average
+        .rows
+        .iter()
+        .map(|(loft, carry)| json!({ "club.loft": loft, "carry": carry }));
     json!({ "club.loft": average.best.0, "carry": average.best.1, "rows": rows.collect::<Vec<_>>() })
 }
 
@@ -99,8 +121,13 @@ fn energy(energy: &Energy) -> Value {
 }
 
 fn subsystems(subsystems: &Subsystems) -> Value {
-    let by_quantity =
-        |parts: &[f64; 3]| named(["ball_speed", "launch_angle", "backspin"].into_iter().zip(parts.map(Some)));
+    let by_quantity = |parts: &[f64; 3]| {
+        named(
+            ["ball_speed", "launch_angle", "backspin"]
+                .into_iter()
+                .zip(parts.map(Some)),
+        )
+    };
     json!({
         "whole": launched(&subsystems.whole),
         "flight": launched(&subsystems.flight),
@@ -149,7 +176,10 @@ fn noise(noise: &Noise, searches: &[Searches]) -> Value {
             "sign_is_wrong": at.overshot * at.exact < 0.0,
         })
     });
-    let shorter = noise.shorter_steps.iter().map(|(step, slope)| json!({ "step": step, "loop": slope }));
+    let shorter = noise
+        .shorter_steps
+        .iter()
+        .map(|(step, slope)| json!({ "step": step, "loop": slope }));
     let longer = noise.longer_differences.iter().map(|(difference, [overshot, interpolated, smooth])| {
         json!({ "difference": difference, "loop": overshot, "interpolated": interpolated, "smooth": smooth })
     });

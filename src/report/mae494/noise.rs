@@ -10,10 +10,14 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
     let per_radian = |slope: f64| shown.per_radian(slope);
     document.heading("The noise of its flight loop");
     document.paragraph(format!(
-        "The report's flight loop stops at the first step of {} s that ends below the ground. Carry as a function of loft is then a \
-         sawtooth: around loft 10°, attack angle 0° there is a jump every {}° of loft, {} high. This is not random noise but a bias: a small \
-         difference lies between two jumps, where the number of steps does not change, and gives the slope of carry at a fixed time, not that \
-         at landing. Its sign is wrong at {} of the {} lofts below. Linear interpolation between the last two steps of the loop removes the jumps.",
+        "The report's flight loop stops at the first step of {} s that ends below the ground. \
+         Carry as a function of loft is then a \
+         sawtooth: around loft 10°, attack angle 0° there is a jump every {}° of loft, {} high. \
+         This is not random noise but a bias: a small \
+         difference lies between two jumps, where the number of steps does not change, and gives \
+         the slope of carry at a fixed time, not that \
+         at landing. Its sign is wrong at {} of the {} lofts below. Linear interpolation between \
+         the last two steps of the loop removes the jumps.",
         noise.step,
         significant(noise.teeth.width.to_degrees(), 3),
         Quantity::LENGTH.read_off_difference(noise.teeth.height, shown.length_unit()),
@@ -22,7 +26,8 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
     ));
     document.figure(zoomed(&noise.zoom));
     document.paragraph(format!(
-        "Slopes of carry by loft at attack angle 0°, differences of {} rad as MATLAB's fmincon takes them:",
+        "Slopes of carry by loft at attack angle 0°, differences of {} rad as MATLAB's fmincon \
+         takes them:",
         significant(noise.difference, 3)
     ));
     let rows = noise.slopes.iter().map(|slopes| {
@@ -32,24 +37,59 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
             per_radian(slopes.at_fixed_time),
             per_radian(slopes.overshot),
             per_radian(slopes.interpolated),
-            if slopes.overshot * slopes.exact < 0.0 { "the loop's sign is wrong" } else { "" }.into(),
+            if slopes.overshot * slopes.exact < 0.0 {
+                "the loop's sign is wrong"
+            } else {
+                ""
+            }
+            .into(),
         ]
     });
-    document.table(&["loft", "exact", "exact, at fixed time", "loop", "loop, interpolated", ""], rows);
+    document.table(
+        &[
+            "loft",
+            "exact",
+            "exact, at fixed time",
+            "loop",
+            "loop, interpolated",
+            "",
+        ],
+        rows,
+    );
     document.figure(slopes(&noise.slopes));
-    document
-        .paragraph("A shorter time step does not help. At loft 10°, attack angle 0° the loop's differences with it:");
-    let rows =
-        noise.shorter_steps.iter().map(|(step, slope)| vec![format!("{step} s"), per_radian(*slope), String::new()]);
+    document.paragraph(
+        "A shorter time step does not help. At loft 10°, attack angle 0° the loop's \
+                    differences with it:",
+    );
+    let rows = noise
+        .shorter_steps
+        .iter()
+        .map(|(step, slope)| vec![format!("{step} s"), per_radian(*slope), String::new()]);
     document.table(&["time step", "loop", ""], rows);
     document.paragraph(
-        "Longer differences reach over several jumps, but have an error from the curvature instead. The same loft and attack angle, with the original time step:",
+        "Longer differences reach over several jumps, but have an error from the curvature \
+         instead. The same loft and attack angle, with the original time step:",
     );
     let rows = noise.longer_differences.iter().map(|(difference, slopes)| {
         let [overshot, interpolated, smooth] = slopes.map(per_radian);
-        vec![format!("{} rad", significant(*difference, 3)), overshot, interpolated, smooth, String::new()]
+        vec![
+            format!("{} rad", significant(*difference, 3)),
+            overshot,
+            interpolated,
+            smooth,
+            String::new(),
+        ]
     });
-    document.table(&["difference", "loop", "loop, interpolated", "smooth landing", ""], rows);
+    document.table(
+        &[
+            "difference",
+            "loop",
+            "loop, interpolated",
+            "smooth landing",
+            "",
+        ],
+        rows,
+    );
 }
 
 fn loft() -> Axis {
@@ -59,19 +99,61 @@ fn loft() -> Axis {
 fn zoomed(zoom: &[Landings]) -> Figure {
     let points = |carry: fn(&Landings) -> f64| zoom.iter().map(|at| [at.loft, carry(at)]).collect();
     let carry = Axis::linear(Measure::new("carry", Quantity::LENGTH, "m"));
-    Figure::new("teeth", "Carry at high zoom, attack angle 0°", loft(), carry)
-        .with(Layer::line("the report's loop", 1, points(|at| at.overshot)))
-        .with(Layer::line("the loop, interpolated", 2, points(|at| at.interpolated)))
-        .with(Layer::line("smooth landing", 0, points(|at| at.smooth)))
-        .noted("The loop also has the error of its Euler steps: when it is interpolated, it is smooth but does not agree with the exact flight.")
+    Figure::new(
+        "teeth",
+        "Carry at high zoom, attack angle 0°",
+        loft(),
+        carry,
+    )
+    .with(Layer::line(
+        "the report's loop",
+        1,
+        points(|at| at.overshot),
+    ))
+    .with(Layer::line(
+        "the loop, interpolated",
+        2,
+        points(|at| at.interpolated),
+    ))
+    .with(Layer::line("smooth landing", 0, points(|at| at.smooth)))
+    .noted(
+        "The loop also has the error of its Euler steps: when it is interpolated, it is \
+                smooth but does not agree with the exact flight.",
+    )
 }
 
 fn slopes(slopes: &[Slopes]) -> Figure {
-    let points = |slope: fn(&Slopes) -> f64| slopes.iter().map(|at| [at.loft, slope(at).to_radians()]).collect();
-    let slope = Axis::linear(Measure::new("carry per degree of loft", Quantity::LENGTH, "m"));
-    Figure::new("slopes", "Slopes of carry by loft, attack angle 0°", loft(), slope)
-        .with(Layer::line("exact, at fixed time", 3, points(|at| at.at_fixed_time)))
-        .with(Layer::dots("differences of the report's loop", 1, points(|at| at.overshot)))
-        .with(Layer::line("exact", 0, points(|at| at.exact)))
-        .with(Layer::dots("differences of the loop, interpolated", 2, points(|at| at.interpolated)))
+    let points = |slope: fn(&Slopes) -> f64| {
+        slopes
+            .iter()
+            .map(|at| [at.loft, slope(at).to_radians()])
+            .collect()
+    };
+    let slope = Axis::linear(Measure::new(
+        "carry per degree of loft",
+        Quantity::LENGTH,
+        "m",
+    ));
+    Figure::new(
+        "slopes",
+        "Slopes of carry by loft, attack angle 0°",
+        loft(),
+        slope,
+    )
+    .with(Layer::line(
+        "exact, at fixed time",
+        3,
+        points(|at| at.at_fixed_time),
+    ))
+    .with(Layer::dots(
+        "differences of the report's loop",
+        1,
+        points(|at| at.overshot),
+    ))
+    .with(Layer::line("exact", 0, points(|at| at.exact)))
+    .with(Layer::dots(
+        "differences of the loop, interpolated",
+        2,
+        points(|at| at.interpolated),
+    ))
 }

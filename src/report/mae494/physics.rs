@@ -12,16 +12,25 @@ pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) 
     let longest = found.optimum.printed.carry;
     document.heading("Its distances are not possible");
     document.paragraph(format!(
-        "No ball leaves this club faster than (1 + e)/(1 + m/M) V = {}, with {:.1} J of the club's {:.1} J. At this speed no ball carries \
-         farther than {}, whatever its launch angle and spin: the best launch is {} above horizontal with {} rad/s of spin, and more speed would \
-         add {}. The report's longest distance, {}, needs at least {}, that is {:.1} J: {:.1} % of the club's energy.",
+        "No ball leaves this club faster than (1 + e)/(1 + m/M) V = {}, with {:.1} J of the club's \
+         {:.1} J. At this speed no ball carries \
+         farther than {}, whatever its launch angle and spin: the best launch is {} above \
+         horizontal with {} rad/s of spin, and more speed would \
+         add {}. The report's longest distance, {}, needs at least {}, that is {:.1} J: {:.1} % of \
+         the club's energy.",
         shown.speed(energy.fastest),
         energy.ball,
         energy.club,
         shown.length(energy.farthest.carry),
         degrees(energy.farthest.angle),
         spin(&energy.farthest),
-        ratio((Quantity::LENGTH, "m"), (Quantity::SPEED, "m/s"), energy.price_of_speed, shown.system, 4),
+        ratio(
+            (Quantity::LENGTH, "m"),
+            (Quantity::SPEED, "m/s"),
+            energy.price_of_speed,
+            shown.system,
+            4
+        ),
         shown.printed_length(longest),
         shown.speed(energy.needed.speed),
         energy.ball_needed,
@@ -33,8 +42,10 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
     let parts = &found.subsystems;
     document.heading("Its subsystems");
     document.paragraph(
-        "The report says that the optimum of its two subsystems, combined, is that of the whole. But the optimum of each subsystem is different, and the \
-         flight cannot choose its launch freely: more loft raises the launch angle, but also reduces the ball speed and adds spin.",
+        "The report says that the optimum of its two subsystems, combined, is that of the whole. \
+         But the optimum of each subsystem is different, and the \
+         flight cannot choose its launch freely: more loft raises the launch angle, but also \
+         reduces the ball speed and adds spin.",
     );
     let row = |what: &str, launched: &Launched| {
         vec![
@@ -49,14 +60,23 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
         &["ball speed", "launch angle", "backspin", "carry", ""],
         [
             row("the optimum of the whole", &parts.whole),
-            row("the optimum of the flight alone at that ball speed", &parts.flight),
-            row("the same at the greatest ball speed", &found.energy.farthest),
+            row(
+                "the optimum of the flight alone at that ball speed",
+                &parts.flight,
+            ),
+            row(
+                "the same at the greatest ball speed",
+                &found.energy.farthest,
+            ),
         ],
     );
     document.paragraph(format!(
-        "The optimum of the impact alone is the greatest ball speed, which a face without loft gives: at attack angle {} it carries {}. The optimum \
-         of the flight alone has no spin, and only a face without loft gives that: at an attack angle of {}, which no golfer reaches. Within \
-         the ranges no impact gives that launch, and the optimum of the whole is that of neither subsystem: {} shorter than the flight's own.",
+        "The optimum of the impact alone is the greatest ball speed, which a face without loft \
+         gives: at attack angle {} it carries {}. The optimum \
+         of the flight alone has no spin, and only a face without loft gives that: at an attack \
+         angle of {}, which no golfer reaches. Within \
+         the ranges no impact gives that launch, and the optimum of the whole is that of neither \
+         subsystem: {} shorter than the flight's own.",
         degrees(parts.impact.attack_angle),
         shown.length(parts.impact.carry),
         degrees(found.energy.farthest.angle),
@@ -66,15 +86,29 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
         let for_a_degree = |part: f64| with_sign(shown.length_number(part).to_radians());
         let [speed, angle, spin] = parts.map(for_a_degree);
         let sum: f64 = parts.iter().sum();
-        vec![speed, angle, spin, for_a_degree(if sum.abs() < 1e-9 { 0.0 } else { sum })]
+        vec![
+            speed,
+            angle,
+            spin,
+            for_a_degree(if sum.abs() < 1e-9 { 0.0 } else { sum }),
+        ]
     };
     document.paragraph(format!(
         "The change of carry there in {} for one degree, through each part of the launch (exact):",
         shown.length_unit()
     ));
-    let rows = [("loft", &parts.by_loft), ("attack angle", &parts.by_attack_angle)];
+    let rows = [
+        ("loft", &parts.by_loft),
+        ("attack angle", &parts.by_attack_angle),
+    ];
     document.table(
-        &["ball speed", "launch angle", "backspin", "total", "by one degree of"],
+        &[
+            "ball speed",
+            "launch angle",
+            "backspin",
+            "total",
+            "by one degree of",
+        ],
         rows.map(|(name, parts)| through(parts).into_iter().chain([name.into()]).collect()),
     );
 }
@@ -83,23 +117,34 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
     let study = &found.parametric;
     document.heading("Its parametric study");
     document.paragraph(
-        "The report proposes a parametric study but does not make one. These are the exact sensitivities of the optimum to the constants of its model, \
-         the largest first: the change of the best carry and of the best loft when a constant grows by one per cent. (The best attack angle stays at \
+        "The report proposes a parametric study but does not make one. These are the exact \
+         sensitivities of the optimum to the constants of its model, \
+         the largest first: the change of the best carry and of the best loft when a constant \
+         grows by one per cent. (The best attack angle stays at \
          its bound.)",
     );
     let rows = study.sensitivities.iter().map(|constant| {
         let parameter = constant.sensitivity.parameter;
         vec![
-            format!("{} {}", with_sign(shown.length_number(constant.carry_per_cent())), shown.length_unit()),
+            format!(
+                "{} {}",
+                with_sign(shown.length_number(constant.carry_per_cent())),
+                shown.length_unit()
+            ),
             format!("{}°", with_sign(constant.loft_per_cent().to_degrees())),
             stated(parameter, constant.value, shown.system),
             parameter.name.into(),
         ]
     });
-    document.table(&["best carry", "best loft", "value", "one per cent more of"], rows);
+    document.table(
+        &["best carry", "best loft", "value", "one per cent more of"],
+        rows,
+    );
     document.paragraph(
-        "The report says that the shape of the head has a large effect through the inertia dyadic; in a strike on the sweet spot only the moment about \
-         the heel–toe axis has an effect. The constants it asks about, changed by ten per cent: predicted to second order in carry and to first order in \
+        "The report says that the shape of the head has a large effect through the inertia dyadic; \
+         in a strike on the sweet spot only the moment about \
+         the heel–toe axis has an effect. The constants it asks about, changed by ten per cent: \
+         predicted to second order in carry and to first order in \
          loft, and found by a new search:",
     );
     let rows = study.changes.iter().map(|changed| {
@@ -107,13 +152,25 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
         let part = changed.change.delta / value.unwrap_or(f64::NAN);
         vec![
             shown.length(changed.second_order),
-            changed.resolved.value().map_or("–".into(), |carry| shown.length(carry)),
+            changed
+                .resolved
+                .value()
+                .map_or("–".into(), |carry| shown.length(carry)),
             degrees(changed.predicted[0]),
             degrees(changed.resolved.solution.x[0]),
             format!("{} {:+.0} %", changed.change.parameter.name, 100.0 * part),
         ]
     });
-    document.table(&["carry predicted", "carry", "loft predicted", "loft", "change"], rows);
+    document.table(
+        &[
+            "carry predicted",
+            "carry",
+            "loft predicted",
+            "loft",
+            "change",
+        ],
+        rows,
+    );
 }
 
 /// A change with four decimals and its sign.
@@ -123,5 +180,12 @@ fn with_sign(change: f64) -> String {
 
 /// A spin without the trace that a search leaves of none.
 fn spin(launched: &Launched) -> String {
-    format!("{:.1}", if launched.spin.abs() < 1e-3 { 0.0 } else { launched.spin })
+    format!(
+        "{:.1}",
+        if launched.spin.abs() < 1e-3 {
+            0.0
+        } else {
+            launched.spin
+        }
+    )
 }

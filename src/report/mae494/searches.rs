@@ -11,14 +11,27 @@ const FOUND: f64 = 0.01;
 
 pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published) {
     let best = found.optimum.exact();
-    let count = found.searches.first().map_or(0, |searches| searches.ends.len());
+    let count = found
+        .searches
+        .first()
+        .map_or(0, |searches| searches.ends.len());
     document.heading("Searches with its flight loop");
     document.paragraph(format!(
-        "Searches from the same {count} starts in the report's ranges, all of which fly. The table counts the searches that end within {} of \
-         the best carry, {}; how much carry the others miss is computed with the smooth landing. A flight with exact derivatives counts as one. L-BFGS is \
-         that of argmin, with the line search of Moré and Thuente; since it has no bounds, it searches over u, with x = middle + half the width · sin u. \
+        "Searches from the same {count} starts in the report's ranges, all of which fly. The table \
+         counts the searches that end within {} of \
+         the best carry, {}; how much carry the others miss is computed with the smooth landing. A \
+         flight with exact derivatives counts as one. L-BFGS is \
+         that of argmin, with the line search of Moré and Thuente; since it has no bounds, it \
+         searches over u, with x = middle + half the width · sin u. \
          Its carry is taken as 0 where a drive does not fly.",
-        Quantity::LENGTH.read_off(FOUND, if shown.length_unit() == "yd" { "in" } else { "mm" }),
+        Quantity::LENGTH.read_off(
+            FOUND,
+            if shown.length_unit() == "yd" {
+                "in"
+            } else {
+                "mm"
+            }
+        ),
         shown.length(best.carry),
     ));
     let rows = found.searches.iter().map(|searches| {
@@ -34,7 +47,17 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
             method(searches.method).into(),
         ]
     });
-    document.table(&["found", "median miss", "worst miss", "flights each", "landing", "method"], rows);
+    document.table(
+        &[
+            "found",
+            "median miss",
+            "worst miss",
+            "flights each",
+            "landing",
+            "method",
+        ],
+        rows,
+    );
     document.figure(ends(&found.searches, &best));
 }
 
@@ -57,19 +80,49 @@ fn method(method: Method) -> &'static str {
 
 fn ends(searches: &[Searches], best: &Delivery) -> Figure {
     let angle = |label: &str| Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"));
-    let mut figure =
-        Figure::new("ends", "Where searches from the same starts end", angle("loft"), angle("attack angle"))
-            .noted("The end of a search that does not move hides its start.");
+    let mut figure = Figure::new(
+        "ends",
+        "Where searches from the same starts end",
+        angle("loft"),
+        angle("attack angle"),
+    )
+    .noted("The end of a search that does not move hides its start.");
     if let Some(any) = searches.first() {
-        let points = any.ends.iter().map(|end| [end.start.loft, end.start.attack_angle]).collect();
-        figure = figure.with(Layer::Dots { name: "starts".into(), hue: Hue::Faint, points });
+        let points = any
+            .ends
+            .iter()
+            .map(|end| [end.start.loft, end.start.attack_angle])
+            .collect();
+        figure = figure.with(Layer::Dots {
+            name: "starts".into(),
+            hue: Hue::Faint,
+            points,
+        });
     }
-    let drawn = [(Landing::Overshot, Method::LimitedMemory, 1), (Landing::Overshot, Method::QuasiNewton, 2)];
+    let drawn = [
+        (Landing::Overshot, Method::LimitedMemory, 1),
+        (Landing::Overshot, Method::QuasiNewton, 2),
+    ];
     for (landing, by, hue) in drawn {
-        for searches in searches.iter().filter(|searches| (searches.landing, searches.method) == (landing, by)) {
-            let points = searches.ends.iter().map(|end| [end.at.loft, end.at.attack_angle]).collect();
-            figure = figure.with(Layer::dots(format!("{} on the report's loop", method(by)), hue, points));
+        for searches in searches
+            .iter()
+            .filter(|searches| (searches.landing, searches.method) == (landing, by))
+        {
+            let points = searches
+                .ends
+                .iter()
+                .map(|end| [end.at.loft, end.at.attack_angle])
+                .collect();
+            figure = figure.with(Layer::dots(
+                format!("{} on the report's loop", method(by)),
+                hue,
+                points,
+            ));
         }
     }
-    figure.with(Layer::Mark { name: "the optimum".into(), hue: Hue::Series(0), at: [best.loft, best.attack_angle] })
+    figure.with(Layer::Mark {
+        name: "the optimum".into(),
+        hue: Hue::Series(0),
+        at: [best.loft, best.attack_angle],
+    })
 }

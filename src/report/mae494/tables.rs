@@ -12,8 +12,10 @@ pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: Published)
     let exact = found.optimum.exact();
     document.heading("The optimum");
     document.paragraph(format!(
-        "Within loft 0–20° and attack angle −10…+10° the report's own model carries farthest at loft {}, attack angle {}: {} ({}). The \
-         report recommends {} and {} and prints {}; in its model that delivery carries {}, which is {} less than the best.",
+        "Within loft 0–20° and attack angle −10…+10° the report's own model carries farthest at \
+         loft {}, attack angle {}: {} ({}). The \
+         report recommends {} and {} and prints {}; in its model that delivery carries {}, which \
+         is {} less than the best.",
         degrees(exact.loft),
         degrees(exact.attack_angle),
         shown.length(exact.carry),
@@ -31,8 +33,10 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
     let active = |rows: &[Row]| rows.iter().filter(|row| !row.active.is_empty()).count();
     document.heading("Its tables");
     document.paragraph(format!(
-        "The report says that no constraint was active. In its model the bound of loft is active at {} of {} attack angles, and that of the \
-         attack angle at {} of {} lofts. The cost is the carry of the exact optimum less that of the printed delivery; a printed delivery that does not fly counts with a carry of 0.",
+        "The report says that no constraint was active. In its model the bound of loft is active \
+         at {} of {} attack angles, and that of the \
+         attack angle at {} of {} lofts. The cost is the carry of the exact optimum less that of \
+         the printed delivery; a printed delivery that does not fly counts with a carry of 0.",
         active(&found.table1),
         found.table1.len(),
         active(&found.table2),
@@ -51,44 +55,90 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
         ]
     };
     let head = |given: &'static str, best: &'static str, exact: &'static str| {
-        [given, best, "distance printed", "its carry", exact, "carry", "cost", "active bounds"]
+        [
+            given,
+            best,
+            "distance printed",
+            "its carry",
+            exact,
+            "carry",
+            "cost",
+            "active bounds",
+        ]
     };
     document.paragraph("Table 1: the best loft at each attack angle.");
     document.table(
         &head("attack angle", "loft printed", "exact best loft"),
-        found.table1.iter().map(|r| row(r, r.printed.attack_angle, r.printed.loft, r.exact().loft)),
+        found
+            .table1
+            .iter()
+            .map(|r| row(r, r.printed.attack_angle, r.printed.loft, r.exact().loft)),
     );
     document.figure(best_lofts(&found.table1));
     document.paragraph("Table 2: the best attack angle at each loft.");
     document.table(
         &head("loft", "attack angle printed", "exact best attack angle"),
-        found.table2.iter().map(|r| row(r, r.printed.loft, r.printed.attack_angle, r.exact().attack_angle)),
+        found.table2.iter().map(|r| {
+            row(
+                r,
+                r.printed.loft,
+                r.printed.attack_angle,
+                r.exact().attack_angle,
+            )
+        }),
     );
 }
 
 fn best_lofts(rows: &[Row]) -> Figure {
     let angle = |label: &str| Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"));
-    let points = |loft: fn(&Row) -> f64| rows.iter().map(|row| [row.printed.attack_angle, loft(row)]).collect();
-    Figure::new("table-1", "The best loft at each attack angle", angle("attack angle"), angle("loft"))
-        .with(Layer::dots("as the report prints it", 1, points(|row| row.printed.loft)))
-        .with(Layer::line("exact, within 0–20°", 0, points(|row| row.exact().loft)))
+    let points = |loft: fn(&Row) -> f64| {
+        rows.iter()
+            .map(|row| [row.printed.attack_angle, loft(row)])
+            .collect()
+    };
+    Figure::new(
+        "table-1",
+        "The best loft at each attack angle",
+        angle("attack angle"),
+        angle("loft"),
+    )
+    .with(Layer::dots(
+        "as the report prints it",
+        1,
+        points(|row| row.printed.loft),
+    ))
+    .with(Layer::line(
+        "exact, within 0–20°",
+        0,
+        points(|row| row.exact().loft),
+    ))
 }
 
 /// How far the printed optimum carries.
 fn carried(row: &Row, shown: Published) -> String {
-    row.at_printed.map_or("does not fly".into(), |carry| shown.length(carry))
+    row.at_printed
+        .map_or("does not fly".into(), |carry| shown.length(carry))
 }
 
 /// "club.loft at its upper bound, 0.52 m per deg beyond it".
 fn held(row: &Row, shown: Published) -> String {
     let solution = &row.best.solution;
     let bounds = row.active.iter().filter_map(|active| {
-        let i = row.best.search.vary.iter().position(|vary| vary.parameter.name == active.name)?;
+        let i = row
+            .best
+            .search
+            .vary
+            .iter()
+            .position(|vary| vary.parameter.name == active.name)?;
         let price = solution.lower_multipliers[i] + solution.upper_multipliers[i];
         Some(format!("{active}, {} beyond it", shown.per_degree(price)))
     });
     let bounds: Vec<_> = bounds.collect();
-    if bounds.is_empty() { "free".into() } else { bounds.join(", ") }
+    if bounds.is_empty() {
+        "free".into()
+    } else {
+        bounds.join(", ")
+    }
 }
 
 pub(super) fn average(document: &mut Document, found: &Mae494, shown: Published) {
@@ -96,10 +146,15 @@ pub(super) fn average(document: &mut Document, found: &Mae494, shown: Published)
     document.heading("The average over attack angles");
     let longest = average.rows.iter().max_by(|a, b| a.1.total_cmp(&b.1));
     let whole = longest.map_or(String::new(), |(loft, carry)| {
-        format!("Of the lofts computed, {:.0}° has the longest ({}). ", loft.to_degrees(), shown.length(*carry))
+        format!(
+            "Of the lofts computed, {:.0}° has the longest ({}). ",
+            loft.to_degrees(),
+            shown.length(*carry)
+        )
     });
     document.paragraph(format!(
-        "Carry averaged over the attack angles 0, 1 … 10° is longest at {:.0}° by the report. {whole}The exact best is {}, with {}.",
+        "Carry averaged over the attack angles 0, 1 … 10° is longest at {:.0}° by the report. \
+         {whole}The exact best is {}, with {}.",
         average.printed.to_degrees(),
         degrees(average.best.0),
         shown.length(average.best.1),
@@ -110,9 +165,12 @@ pub(super) fn regression(document: &mut Document, found: &Mae494, shown: Publish
     let fit = &found.regression;
     document.heading("The regression");
     document.paragraph(format!(
-        "The listing fits 1, λ², λ³, λ⁴, λ⁵ to five distances at attack angle 10° and evaluates the coefficients against 1, λ, λ², λ³, λ⁴. So its \
-         maximum is at {}, the optimum that Table 1 prints there, where it predicts {}. The same coefficients, evaluated as they were fitted, \
-         have their maximum at {} ({}); the ordinary polynomial 1 … λ⁴ through the same points has it at {} ({}). In the report's model a ball struck with loft \
+        "The listing fits 1, λ², λ³, λ⁴, λ⁵ to five distances at attack angle 10° and evaluates \
+         the coefficients against 1, λ, λ², λ³, λ⁴. So its \
+         maximum is at {}, the optimum that Table 1 prints there, where it predicts {}. The same \
+         coefficients, evaluated as they were fitted, \
+         have their maximum at {} ({}); the ordinary polynomial 1 … λ⁴ through the same points has \
+         it at {} ({}). In the report's model a ball struck with loft \
          {} at attack angle 10° carries {}.",
         degrees(fit.slipped.loft),
         shown.length(fit.slipped.distance),

@@ -1,4 +1,5 @@
-//! The answer, before everything else: what the drive does, what the best one does, and what changes between them.
+//! The answer, before everything else: what the drive does, what the best one does, and what
+//! changes between them.
 
 use super::findings::Findings;
 use super::numbers::{from_to, of_known_size, outcome};
@@ -18,7 +19,10 @@ const NAMED: usize = 3;
 
 /// The block that the page begins with.
 pub(super) fn answer(findings: &Findings<'_>) -> Markup {
-    let yours = findings.flown.first().and_then(|flown| findings.of.value(&flown.drive));
+    let yours = findings
+        .flown
+        .first()
+        .and_then(|flown| findings.of.value(&flown.drive));
     let best = findings.best.and_then(|best| Some((best, best.value()?)));
     html! {
         section.answer {
@@ -44,7 +48,11 @@ fn headline(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> M
                 format!("{name} {}: {change}", from_to(&show(yours), &show(best)))
             }
             (None, Some(best)) => {
-                format!("{name} {} at best; as set up there is no {}", show(best), shown::words(of.name()))
+                format!(
+                    "{name} {} at best; as set up there is no {}",
+                    show(best),
+                    shown::words(of.name())
+                )
             }
             (Some(yours), None) if findings.found.is_some() => {
                 format!("{name} {}; no best drive was found", show(yours))
@@ -55,13 +63,16 @@ fn headline(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> M
     })
 }
 
-/// From one value to another, with its sign: the difference of the two as they are printed, so that they add up.
+/// From one value to another, with its sign: the difference of the two as they are printed, so that
+/// they add up.
 fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
     let unit = system.unit(of.unit());
     let size = of.quantity().size_of(unit).unwrap_or(1.0);
     let printed = |value: f64| {
         let text = of.quantity().read_off(value, unit);
-        leading_number(&text).parse::<f64>().map_or(value, |number| number * size)
+        leading_number(&text)
+            .parse::<f64>()
+            .map_or(value, |number| number * size)
     };
     let by = printed(of.beside(to, from)) - printed(from);
     signed(by, of.quantity().read_off(by, unit))
@@ -97,10 +108,16 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
         let parameter = vary.parameter;
         let from = findings.setup.value(parameter);
         both(|system| {
-            let from = from.map_or(UNSET.into(), |value| shown::parameter(parameter, value, system));
+            let from = from.map_or(UNSET.into(), |value| {
+                shown::parameter(parameter, value, system)
+            });
             let to = shown::parameter(parameter, best.solution.x[i], system);
             let held = bound(best, i, system).map_or(String::new(), |held| format!(", {held}"));
-            format!("{} {}{held}", capital(&shown::words(parameter.name)), from_to(&from, &to))
+            format!(
+                "{} {}{held}",
+                capital(&shown::words(parameter.name)),
+                from_to(&from, &to)
+            )
         })
     });
     let reports = constraints(best);
@@ -112,7 +129,9 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
             format!(
                 "Limited by {}: {}",
                 shown::constraint(of, system),
-                price.trim_start_matches("active").trim_start_matches([':', ' '])
+                price
+                    .trim_start_matches("active")
+                    .trim_start_matches([':', ' '])
             )
         })
     });
@@ -122,7 +141,10 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
 /// What is said of a parameter on its bound: "your limit: each further degree adds 2.11 yd".
 fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     let (of, parameter) = (best.search.of, best.search.vary[i].parameter);
-    let (lower, upper) = (best.solution.lower_multipliers[i], best.solution.upper_multipliers[i]);
+    let (lower, upper) = (
+        best.solution.lower_multipliers[i],
+        best.solution.upper_multipliers[i],
+    );
     if best.search.vary[i].low == best.search.vary[i].high {
         return Some("held".into());
     }
@@ -137,20 +159,42 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
         return Some(bound_in_words(best, i, system));
     }
     let one = one(unit);
-    let amount = shown::spread(of, price * parameter.quantity.size_of(unit).unwrap_or(1.0), system);
-    let each = if upper > 0.0 { format!("each further {one}") } else { format!("each {one} less") };
-    let does = if best.search.sense == Sense::Maximize { "adds" } else { "takes off" };
+    let amount = shown::spread(
+        of,
+        price * parameter.quantity.size_of(unit).unwrap_or(1.0),
+        system,
+    );
+    let each = if upper > 0.0 {
+        format!("each further {one}")
+    } else {
+        format!("each {one} less")
+    };
+    let does = if best.search.sense == Sense::Maximize {
+        "adds"
+    } else {
+        "takes off"
+    };
     Some(format!("your limit: {each} {does} {amount}"))
 }
 
 /// What the ± is of.
 fn what_is_known(findings: &Findings<'_>) -> Markup {
-    let of = findings.effects_of(findings.of).filter(|effects| effects.standard_uncertainty() > 0.0);
+    let of = findings
+        .effects_of(findings.of)
+        .filter(|effects| effects.standard_uncertainty() > 0.0);
     let Some(effects) = of else { return html! {} };
-    let mut moving: Vec<_> = effects.effects.iter().filter_map(|effect| effect.bar).collect();
+    let mut moving: Vec<_> = effects
+        .effects
+        .iter()
+        .filter_map(|effect| effect.bar)
+        .collect();
     moving.retain(|bar| bar.first_order != 0.0);
     moving.sort_by(|a, b| b.first_order.abs().total_cmp(&a.first_order.abs()));
-    let names: Vec<String> = moving.iter().take(NAMED).map(|bar| shown::words(bar.sigma.parameter.name)).collect();
+    let names: Vec<String> = moving
+        .iter()
+        .take(NAMED)
+        .map(|bar| shown::words(bar.sigma.parameter.name))
+        .collect();
     let others = match moving.len().saturating_sub(NAMED) {
         0 => String::new(),
         count => format!(" and {count} more"),
@@ -159,7 +203,8 @@ fn what_is_known(findings: &Findings<'_>) -> Markup {
         p.faint {
             "± is one standard uncertainty: that of " (names.join(", ")) (others) " together."
             @if findings.at_best.is_some() {
-                " An error that is the same in both drives changes both, so the change is known better."
+                " An error that is the same in both drives changes both, so the change is known \
+                 better."
             }
         }
     }

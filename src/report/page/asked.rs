@@ -20,13 +20,19 @@ pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
         return Ok(findings.name.into());
     }
     let changed = changed(findings, system)?;
-    let named = if changed.len() > NAMED { NAMED - 1 } else { changed.len() };
+    let named = if changed.len() > NAMED {
+        NAMED - 1
+    } else {
+        changed.len()
+    };
     let drive = if findings.stated.launch.is_given() {
         stated(findings, &launch(findings), system)
     } else {
         findings.name.into()
     };
-    let changes = changed[..named].iter().map(|change| format!(", {} {}", change.name, change.to));
+    let changes = changed[..named]
+        .iter()
+        .map(|change| format!(", {} {}", change.name, change.to));
     let others = match changed.len() - named {
         0 => String::new(),
         count => format!(" and {count} more"),
@@ -36,7 +42,12 @@ pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
 
 /// The conditions of the launch that are given.
 fn launch(findings: &Findings<'_>) -> Vec<&'static str> {
-    findings.stated.given_launch_conditions().iter().map(|row| row.name).collect()
+    findings
+        .stated
+        .given_launch_conditions()
+        .iter()
+        .map(|row| row.name)
+        .collect()
 }
 
 /// What is below the title. The words of a preset are about the drive as the preset has it.
@@ -45,26 +56,41 @@ pub(super) fn subtitle(findings: &Findings<'_>) -> Result<String> {
     let changes = changed(findings, System::default())?.len() as u64;
     Ok(match (findings.stated.launch.is_given(), changes) {
         (true, _) => {
-            format!("The ball leaves as its launch says, without a club; its flight is based on the preset {preset}.")
+            format!(
+                "The ball leaves as its launch says, without a club; its flight is based on the \
+                 preset {preset}."
+            )
         }
         (false, 0) => findings.preset.about.into(),
         (false, changes) => format!("The preset {preset} with {}.", counted(changes, "change")),
     })
 }
 
-/// What differs from the preset, without the launch, which stands in a line of its own, and the club that then strikes nothing.
+/// What differs from the preset, without the launch, which stands in a line of its own, and the
+/// club that then strikes nothing.
 fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
     let is_launched = findings.stated.launch.is_given();
     let is_told = |change: &Change| {
         let is_of_club = |parameter: &Parameter| is_launched && parameter.is_of_strike();
-        !change.parameter.is_some_and(|parameter| parameter.is_of_launch() || is_of_club(parameter))
+        !change
+            .parameter
+            .is_some_and(|parameter| parameter.is_of_launch() || is_of_club(parameter))
     };
-    Ok(changes(findings.stated, findings.preset, system)?.into_iter().filter(is_told).collect())
+    Ok(changes(findings.stated, findings.preset, system)?
+        .into_iter()
+        .filter(is_told)
+        .collect())
 }
 
-/// The question: who strikes with what into which wind, what is varied and what is held, and what differs from the preset.
+/// The question: who strikes with what into which wind, what is varied and what is held, and what
+/// differs from the preset.
 pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
-    const GOLFER: [&str; 4] = ["swing.speed", "swing.attack_angle", "swing.path", "swing.face_angle"];
+    const GOLFER: [&str; 4] = [
+        "swing.speed",
+        "swing.attack_angle",
+        "swing.path",
+        "swing.face_angle",
+    ];
     const CLUB: [&str; 2] = ["club.loft", "club.mass"];
     const STRIKE: [&str; 2] = ["strike.high", "strike.toe"];
     let values = |names: &[&str]| both(|system| stated(findings, names, system));
@@ -73,7 +99,8 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
     let (metric, us) = (metric?, us?);
     let of_preset = |system: System| {
         let changes = if system == System::Us { &us } else { &metric };
-        let one = |change: &Change| format!("{} {}", change.name, from_to(&change.from, &change.to));
+        let one =
+            |change: &Change| format!("{} {}", change.name, from_to(&change.from, &change.to));
         changes.iter().map(one).collect::<Vec<_>>().join("; ")
     };
     let search = findings.found.map(|found| &found.search);
@@ -130,21 +157,41 @@ fn to(low: &str, high: &str) -> String {
 fn stated(findings: &Findings<'_>, names: &[&str], system: System) -> String {
     let one = |name: &&str| {
         let row = findings.stated.variable(name).ok()?;
-        Some(format!("{} {}", shown::words(row.name), shown::told(row, findings.stated.value(row)?, system)))
+        Some(format!(
+            "{} {}",
+            shown::words(row.name),
+            shown::told(row, findings.stated.value(row)?, system)
+        ))
     };
     names.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }
 
 /// The wind, without what is still.
 fn wind(findings: &Findings<'_>, system: System) -> String {
-    const WIND: [&str; 5] = ["wind.downrange", "wind.right", "wind.up", "wind.speed", "wind.from"];
+    const WIND: [&str; 5] = [
+        "wind.downrange",
+        "wind.right",
+        "wind.up",
+        "wind.speed",
+        "wind.from",
+    ];
     let blows = |name: &str| {
         let value = |row| findings.stated.value(row).is_some_and(|value| value != 0.0);
         let row = findings.stated.parameter(name);
         row.is_ok_and(|row| findings.stated.why_replaced(row).is_none() && value(row))
     };
     // a wind from 0° has a direction as any other
-    let is_given = |name: &&str| blows(if *name == "wind.from" { "wind.speed" } else { name });
+    let is_given = |name: &&str| {
+        blows(if *name == "wind.from" {
+            "wind.speed"
+        } else {
+            name
+        })
+    };
     let names: Vec<&str> = WIND.into_iter().filter(is_given).collect();
-    if names.is_empty() { "none".into() } else { stated(findings, &names, system) }
+    if names.is_empty() {
+        "none".into()
+    } else {
+        stated(findings, &names, system)
+    }
 }

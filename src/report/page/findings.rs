@@ -4,7 +4,9 @@ use crate::parameters::{Preset, Setup};
 use crate::report::figures::Flown;
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
-use crate::study::{Chart, Constraint, Effects, Face, Flatness, Landing, Launches, Map, Optimum, Region};
+use crate::study::{
+    Chart, Constraint, Effects, Face, Flatness, Landing, Launches, Map, Optimum, Region,
+};
 use crate::units::{Message, System};
 
 /// The setup file of a report: the best drive, or the drive as set up where there is no best one.

@@ -1,4 +1,5 @@
-//! A page to look at: one HTML file that needs nothing else, and its plots and their data as files beside it. It begins with the answer.
+//! A page to look at: one HTML file that needs nothing else, and its plots and their data as files
+//! beside it. It begins with the answer.
 
 mod answer;
 mod asked;
@@ -9,8 +10,8 @@ mod sections;
 pub use findings::{Findings, SETUP_FILE};
 
 use super::figures::{
-    At, Causes, Flown, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
-    strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    At, Causes, Flown, OnMap, View, capital, chart_figures, face_figure, fairway_figure,
+    launches_figure, map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
 use super::optimum::best_toml;
@@ -30,7 +31,8 @@ pub struct Document {
     pub text: String,
 }
 
-/// The files of a report: `index.html`, [`SETUP_FILE`], and for each plot `NAME-us.svg`, `NAME-metric.svg` and `NAME.csv`.
+/// The files of a report: `index.html`, [`SETUP_FILE`], and for each plot `NAME-us.svg`,
+/// `NAME-metric.svg` and `NAME.csv`.
 ///
 /// # Errors
 /// As [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
@@ -38,17 +40,31 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let (mut drive, left_out) = trajectories(findings.flown);
     if !findings.landings.is_empty() {
         // after the view from the side
-        drive.insert(drive.len().min(1), in_each(|system| fairway_figure(findings.landings, system)));
+        drive.insert(
+            drive.len().min(1),
+            in_each(|system| fairway_figure(findings.landings, system)),
+        );
     }
-    let launches = findings.launches.map(|launches| in_each(|system| launches_figure(launches, system)));
-    let face = findings.face.map(|face| in_each(|system| face_figure(face, system)));
+    let launches = findings
+        .launches
+        .map(|launches| in_each(|system| launches_figure(launches, system)));
+    let face = findings
+        .face
+        .map(|face| in_each(|system| face_figure(face, system)));
     let plots = Plots {
         drive,
         strike: launches.into_iter().chain(face).collect(),
         strikes: strikes(findings),
         left_out,
-        map: findings.map.map(|map| in_each(|system| mapped(findings, map, system))).into_iter().collect(),
-        chart: findings.chart.map(|chart| charts(findings, chart)).unwrap_or_default(),
+        map: findings
+            .map
+            .map(|map| in_each(|system| mapped(findings, map, system)))
+            .into_iter()
+            .collect(),
+        chart: findings
+            .chart
+            .map(|chart| charts(findings, chart))
+            .unwrap_or_default(),
         // without any effect there is no bar to draw
         effects: findings
             .effects
@@ -65,19 +81,40 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     };
     let setup = match findings.best {
         Some(best) => best_toml(best, None, findings.preset)?,
-        None => setup_toml(findings.setup, findings.preset, &[format!("{}, as set up", findings.name)], &[])?,
+        None => setup_toml(
+            findings.setup,
+            findings.preset,
+            &[format!("{}, as set up", findings.name)],
+            &[],
+        )?,
     };
-    let mut files = vec![("index.html".to_owned(), page(findings, &plots)?), (SETUP_FILE.to_owned(), setup)];
+    let mut files = vec![
+        ("index.html".to_owned(), page(findings, &plots)?),
+        (SETUP_FILE.to_owned(), setup),
+    ];
     files.extend(picture_files(plots.all(), System::default())?);
-    Ok(files.into_iter().map(|(name, text)| Document { name, text }).collect())
+    Ok(files
+        .into_iter()
+        .map(|(name, text)| Document { name, text })
+        .collect())
 }
 
 /// The face of the drive as set up and that of the optimum.
 fn strikes(findings: &Findings<'_>) -> Vec<Pair> {
-    let faces = [("as set up", findings.face), ("optimum", findings.best_face)];
-    let designs: Vec<_> = faces.into_iter().filter_map(|(name, face)| Some((name, face?))).collect();
+    let faces = [
+        ("as set up", findings.face),
+        ("optimum", findings.best_face),
+    ];
+    let designs: Vec<_> = faces
+        .into_iter()
+        .filter_map(|(name, face)| Some((name, face?)))
+        .collect();
     let [metric, us] = System::ALL.map(|system| strikes_figure(&designs, system));
-    metric.zip(us).map(<[Figure; 2]>::from).into_iter().collect()
+    metric
+        .zip(us)
+        .map(<[Figure; 2]>::from)
+        .into_iter()
+        .collect()
 }
 
 /// A plot without any unit in its words.
@@ -86,8 +123,23 @@ fn alike(figure: &Figure) -> Pair {
 }
 
 fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
-    let Findings { setup, limits, best, region, .. } = *findings;
-    map_figure(map, &OnMap { setup, limits, best, region }, system)
+    let Findings {
+        setup,
+        limits,
+        best,
+        region,
+        ..
+    } = *findings;
+    map_figure(
+        map,
+        &OnMap {
+            setup,
+            limits,
+            best,
+            region,
+        },
+        system,
+    )
 }
 
 /// The effects of some causes as set up, where they have any.
@@ -98,19 +150,31 @@ fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
 
 fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
     let [metric, us] = System::ALL.map(|system| chart_figures(chart, findings.best, system).drawn);
-    metric.into_iter().zip(us).map(|(metric, us)| [metric, us]).collect()
+    metric
+        .into_iter()
+        .zip(us)
+        .map(|(metric, us)| [metric, us])
+        .collect()
 }
 
 /// The paths of what flies, from both sides, and why a view is left out.
 fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<[String; 2]>) {
-    let flying: Vec<Flown> = flown.iter().filter(|one| one.path.points.len() > 1).cloned().collect();
+    let flying: Vec<Flown> = flown
+        .iter()
+        .filter(|one| one.path.points.len() > 1)
+        .cloned()
+        .collect();
     let (mut pairs, mut left_out) = (vec![], vec![]);
-    for view in [View::Side, View::Top].into_iter().filter(|_| !flying.is_empty()) {
+    for view in [View::Side, View::Top]
+        .into_iter()
+        .filter(|_| !flying.is_empty())
+    {
         match System::ALL.map(|system| trajectory_figure(&flying, view, system)) {
             [Ok(metric), Ok(us)] => pairs.push([metric, us]),
-            [Err(Error::Plot { reason: metric, .. }), Err(Error::Plot { reason: us, .. })] => {
-                left_out.push([metric, us])
-            }
+            [
+                Err(Error::Plot { reason: metric, .. }),
+                Err(Error::Plot { reason: us, .. }),
+            ] => left_out.push([metric, us]),
             _ => {}
         }
     }
@@ -133,7 +197,15 @@ struct Plots {
 
 impl Plots {
     fn all(&self) -> impl Iterator<Item = &Pair> {
-        let sections = [&self.drive, &self.strike, &self.strikes, &self.map, &self.chart, &self.effects, &self.curves];
+        let sections = [
+            &self.drive,
+            &self.strike,
+            &self.strikes,
+            &self.map,
+            &self.chart,
+            &self.effects,
+            &self.curves,
+        ];
         sections.into_iter().flatten()
     }
 }
@@ -141,7 +213,13 @@ impl Plots {
 fn page(findings: &Findings<'_>, plots: &Plots) -> Result<String> {
     let [metric, us] = System::ALL.map(|system| asked::title(findings, system));
     let (metric, us) = (metric?, us?);
-    let title = |system| if system == System::Us { us.clone() } else { metric.clone() };
+    let title = |system| {
+        if system == System::Us {
+            us.clone()
+        } else {
+            metric.clone()
+        }
+    };
     let header = html! {
         h1 { "Drive: " (both(title)) }
         p.faint { (asked::subtitle(findings)?) }
@@ -161,7 +239,8 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
     // the answer begins with the reason
     let why = findings.why_not_flown();
     let is_told = |remark: &&Message| {
-        why.as_ref().is_some_and(|why| why.in_units(findings.system) == remark.in_units(findings.system))
+        why.as_ref()
+            .is_some_and(|why| why.in_units(findings.system) == remark.in_units(findings.system))
     };
     Ok(html! {
         (answer::answer(findings))

@@ -31,9 +31,16 @@ pub(super) fn of_known_size(of: Outcome, size: f64, system: System) -> String {
 
 /// A change, its unit said once: "9.5 → 6.70 deg".
 pub(super) fn from_to(from: &str, to: &str) -> String {
-    let number = |text: &str| text.rfind(|c: char| c.is_ascii_digit()).map_or(0, |at| at + 1);
+    let number = |text: &str| {
+        text.rfind(|c: char| c.is_ascii_digit())
+            .map_or(0, |at| at + 1)
+    };
     let (end, of_to) = (number(from), number(to));
-    let from = if from[end..] == to[of_to..] { &from[..end] } else { from };
+    let from = if from[end..] == to[of_to..] {
+        &from[..end]
+    } else {
+        from
+    };
     format!("{from} → {to}")
 }
 
@@ -47,6 +54,9 @@ mod tests {
         assert_eq!(from_to("-0.9°", "5.0°"), "-0.9 → 5.0°");
         assert_eq!(from_to("3.2 yd L", "1.0 yd R"), "3.2 yd L → 1.0 yd R");
         assert_eq!(from_to("none", "3 deg"), "none → 3 deg");
-        assert_eq!(from_to("launch-monitor", "ferguson"), "launch-monitor → ferguson");
+        assert_eq!(
+            from_to("launch-monitor", "ferguson"),
+            "launch-monitor → ferguson"
+        );
     }
 }

@@ -32,9 +32,12 @@ pub(super) fn panel(findings: &Findings<'_>) -> Markup {
         Outcome::DescentAngle,
         Outcome::FlightTime,
     ];
-    let Some(first) = findings.flown.first() else { return html! {} };
-    let inputs =
-        ["swing.speed", "swing.attack_angle"].into_iter().filter_map(|name| findings.setup.variable(name).ok());
+    let Some(first) = findings.flown.first() else {
+        return html! {};
+    };
+    let inputs = ["swing.speed", "swing.attack_angle"]
+        .into_iter()
+        .filter_map(|name| findings.setup.variable(name).ok());
     html! {
         dl.panel {
             @for row in inputs {
@@ -52,14 +55,19 @@ pub(super) fn panel(findings: &Findings<'_>) -> Markup {
 /// What a tile calls a parameter: "club speed", as launch monitors do.
 fn tile_name(name: &str) -> String {
     let last = name.rsplit('.').next().unwrap_or(name);
-    if name == "swing.speed" { "club speed".into() } else { last.replace('_', " ") }
+    if name == "swing.speed" {
+        "club speed".into()
+    } else {
+        last.replace('_', " ")
+    }
 }
 
 /// Every outcome of each drive.
 pub(super) fn outcomes(flown: &[Flown]) -> Markup {
     html! {
         (scrolled("Launch and flight", html! { table {
-            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "what it is" } } }
+            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "what \
+                it is" } } }
             tbody {
                 @for of in Outcome::of_part(Part::Launch).chain(Outcome::of_part(Part::Flight)) {
                     tr {
@@ -95,7 +103,8 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
                         td.words { (both(|system| bound_in_words(best, i, system))) }
                         @if let Some(window) = window(i) {
                             td.words {
-                                (parameter(vary.parameter, window.low)) (limit(best, window.low_limit)) " … "
+                                (parameter(vary.parameter, window.low)) (limit(best, window.low_limit)) " \
+                                    … "
                                 (parameter(vary.parameter, window.high)) (limit(best, window.high_limit))
                             }
                         }
@@ -143,8 +152,13 @@ fn limits(best: &Optimum) -> Markup {
 
 /// The uncertainties that the bars are of, with their sources.
 pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
-    let Some(first) = effects.first() else { return html! {} };
-    let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
+    let Some(first) = effects.first() else {
+        return html! {};
+    };
+    let sigmas = first
+        .effects
+        .iter()
+        .filter_map(|effect| Some(effect.bar?.sigma));
     html! {
         (scrolled("Uncertainties", html! { table.told {
             thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
@@ -187,7 +201,11 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
     let is_of_strike = |name: &str| {
-        [GOLFER, SPEED_OF].contains(&name) || findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike)
+        [GOLFER, SPEED_OF].contains(&name)
+            || findings
+                .setup
+                .parameter(name)
+                .is_ok_and(Parameter::is_of_strike)
     };
     let is_used = |name: &str| !(is_launched && is_of_strike(name));
     let (flown, stated) = (findings.setup, findings.stated);
@@ -200,9 +218,15 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     // the spin of a launch stands in one of two forms
     let is_total = |name: &str| ["launch.spin", "launch.spin_axis"].contains(&name);
     let is_in_parts = |name: &str| ["launch.backspin", "launch.sidespin"].contains(&name);
-    let spin = given.iter().find(|row| is_in_parts(row.name) || row.name == "launch.spin");
+    let spin = given
+        .iter()
+        .find(|row| is_in_parts(row.name) || row.name == "launch.spin");
     let is_of_other_form = |name: &str, spin: &str| {
-        if is_total(spin) { is_in_parts(name) } else { is_total(name) }
+        if is_total(spin) {
+            is_in_parts(name)
+        } else {
+            is_total(name)
+        }
     };
     let source_of = |name: &str, source: String| match spin {
         _ if is_chosen(name) => "chosen for the accuracy of the flight".to_owned(),
@@ -211,17 +235,27 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
         }
         _ => source,
     };
-    let [us, metric] = [System::Us, System::Metric].map(|system| sources(flown, findings.preset, Some(system)));
+    let [us, metric] =
+        [System::Us, System::Metric].map(|system| sources(flown, findings.preset, Some(system)));
     // the same rows, in the units of each system
-    let rows = us?.into_iter().zip(metric?).filter(|((name, ..), _)| is_used(name));
+    let rows = us?
+        .into_iter()
+        .zip(metric?)
+        .filter(|((name, ..), _)| is_used(name));
     let rows = rows.map(|((name, us, source), (_, metric, other))| {
-        ((name, us, source_of(name, source)), (name, metric, source_of(name, other)))
+        (
+            (name, us, source_of(name, source)),
+            (name, metric, source_of(name, other)),
+        )
     });
-    let either = |us: &str, metric: &str| both(|system| if system == System::Us { us } else { metric }.into());
+    let either = |us: &str, metric: &str| {
+        both(|system| if system == System::Us { us } else { metric }.into())
+    };
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "."
-            @if is_launched { " Those of swing, club, strike and impact are left out: no club strikes the ball." }
+            @if is_launched { " Those of swing, club, strike and impact are left out: no club \
+                               strikes the ball." }
         }
         (scrolled("The setup", html! { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
@@ -239,12 +273,15 @@ pub(super) fn footer(findings: &Findings<'_>) -> Markup {
     html! {
         @if let Some(found) = findings.found {
             p {
-                "The search: " (found.status()) ": " (both(|system| found.message().in_units(system))) " ("
+                "The search: " (found.status()) ": " (both(|system| found.message().in_units(system))) " \
+                    ("
                 (counted(found.solution.iterations, "iteration")) ", " (counted(found.solution.evaluations, "evaluation")) ")."
             }
         }
         p {
-            a href=(SETUP_FILE) { (SETUP_FILE) } " is the " (if findings.best.is_some() { "best drive" } else { "drive as set up" })
+            a href=(SETUP_FILE) { (SETUP_FILE) } " is the " (if findings.best.is_some() { "best \
+                drive" } else { "drive \
+                as set up" })
             ", for " code { "longdrive simulate " (SETUP_FILE) } ". "
             "Made by longdrive " (env!("CARGO_PKG_VERSION")) " on " (findings.date) " with " code { (findings.command) }
         }

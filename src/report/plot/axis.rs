@@ -17,7 +17,11 @@ pub struct Measure {
 impl Measure {
     /// A measure of this name.
     pub fn new(label: impl Into<String>, quantity: Quantity, unit: &'static str) -> Self {
-        Self { label: label.into(), quantity, unit }
+        Self {
+            label: label.into(),
+            quantity,
+            unit,
+        }
     }
 
     /// A number without unit.
@@ -35,7 +39,8 @@ impl Measure {
         Self::new(words(parameter.name), parameter.quantity, parameter.unit)
     }
 
-    /// How many SI units the unit of a system is: what SI values are divided by. Reading a unit takes much longer than dividing by it.
+    /// How many SI units the unit of a system is: what SI values are divided by. Reading a unit
+    /// takes much longer than dividing by it.
     pub fn unit_size(&self, system: System) -> f64 {
         self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
@@ -48,12 +53,17 @@ impl Measure {
     /// The same, and in the unit of the other system in parentheses: "251.1 yd (229.6 m)".
     pub fn show_both(&self, value: f64, system: System) -> String {
         let [chosen, other] = [system, system.other()].map(|system| self.show(value, system));
-        if chosen == other { chosen } else { format!("{chosen} ({other})") }
+        if chosen == other {
+            chosen
+        } else {
+            format!("{chosen} ({other})")
+        }
     }
 
     /// A difference or an uncertainty, which has one decimal more: "4.12 yd".
     pub fn show_difference(&self, value: f64, system: System) -> String {
-        self.quantity.read_off_difference(value, system.unit(self.unit))
+        self.quantity
+            .read_off_difference(value, system.unit(self.unit))
     }
 
     /// What it is called, with the unit of a system: `carry [yd]`, `club loft [°]`.
@@ -68,7 +78,11 @@ impl Measure {
 }
 
 fn with_unit(label: &str, unit: &str) -> String {
-    if unit.is_empty() { label.into() } else { format!("{label} [{unit}]") }
+    if unit.is_empty() {
+        label.into()
+    } else {
+        format!("{label} [{unit}]")
+    }
 }
 
 /// How values lie along an axis.
@@ -76,8 +90,9 @@ fn with_unit(label: &str, unit: &str) -> String {
 pub enum Scale {
     /// Evenly.
     Linear,
-    /// Evenly, distances to the right of a line (+) and to the left of it (−), as seen from above by one who looks along the horizontal axis: right
-    /// is below. They are labelled without signs, `20 R` and `20 L`.
+    /// Evenly, distances to the right of a line (+) and to the left of it (−), as seen from above
+    /// by one who looks along the horizontal axis: right is below. They are labelled without signs,
+    /// `20 R` and `20 L`.
     LeftRight,
     /// By their logarithm; what is not above zero has no place.
     Log,
@@ -101,33 +116,53 @@ pub struct Axis {
 impl Axis {
     /// An axis as wide as its data.
     pub fn linear(measure: Measure) -> Self {
-        Self { measure, scale: Scale::Linear, reach: None, is_exact: false }
+        Self {
+            measure,
+            scale: Scale::Linear,
+            reach: None,
+            is_exact: false,
+        }
     }
 
     /// A logarithmic axis as wide as its data.
     pub fn log(measure: Measure) -> Self {
-        Self { scale: Scale::Log, ..Self::linear(measure) }
+        Self {
+            scale: Scale::Log,
+            ..Self::linear(measure)
+        }
     }
 
     /// Distances to the right of a line, with right below left, as wide as the data.
     pub fn left_right(measure: Measure) -> Self {
-        Self { scale: Scale::LeftRight, ..Self::linear(measure) }
+        Self {
+            scale: Scale::LeftRight,
+            ..Self::linear(measure)
+        }
     }
 
     /// Names, one below the other.
     pub fn names(names: impl IntoIterator<Item = String>) -> Self {
-        Self { scale: Scale::Names(names.into_iter().collect()), ..Self::linear(Measure::plain("")) }
+        Self {
+            scale: Scale::Names(names.into_iter().collect()),
+            ..Self::linear(Measure::plain(""))
+        }
     }
 
     /// The same, that reaches at least from `low` to `high`, SI.
     #[must_use]
     pub fn reaching(self, low: f64, high: f64) -> Self {
-        Self { reach: Some([low, high]), ..self }
+        Self {
+            reach: Some([low, high]),
+            ..self
+        }
     }
 
     /// The same, from `low` to `high` exactly, SI.
     #[must_use]
     pub fn exactly(self, low: f64, high: f64) -> Self {
-        Self { is_exact: true, ..self.reaching(low, high) }
+        Self {
+            is_exact: true,
+            ..self.reaching(low, high)
+        }
     }
 }

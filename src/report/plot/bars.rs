@@ -1,5 +1,5 @@
-//! Bars of an axis of names: rows of one height, each with its name beside it, or above it where the picture is narrow, and with its values
-//! at the ends of the bars.
+//! Bars of an axis of names: rows of one height, each with its name beside it, or above it where
+//! the picture is narrow, and with its values at the ends of the bars.
 
 use super::axis::{Axis, Scale};
 use super::canvas::{Area, TEXT, block, font, path, stroke, words};
@@ -16,11 +16,13 @@ const NAME: f64 = TEXT - 0.5;
 const VALUE: f64 = 12.0;
 const NAME_LINE: f64 = 15.0;
 
-/// The part of a picture's width that names beside bars may take, and in how many lines; beyond they stand above.
+/// The part of a picture's width that names beside bars may take, and in how many lines; beyond
+/// they stand above.
 const BESIDE: f64 = 0.38;
 const MOST_LINES: usize = 2;
 
-/// The height of a row's bars, pixels, and half that of a bar: alone, and of two one below the other.
+/// The height of a row's bars, pixels, and half that of a bar: alone, and of two one below the
+/// other.
 const ROW: f64 = 34.0;
 const HALF: [f64; 2] = [8.0, 6.0];
 
@@ -41,15 +43,33 @@ pub(super) struct Rows {
 impl Rows {
     /// The rows of a figure, where its vertical axis has names.
     pub fn of(figure: &Figure, width: f64) -> Option<Self> {
-        let Scale::Names(names) = &figure.y.scale else { return None };
-        let lines =
-            |room: f64| -> Vec<Vec<String>> { names.iter().map(|name| in_lines(&typeset(name), room)).collect() };
+        let Scale::Names(names) = &figure.y.scale else {
+            return None;
+        };
+        let lines = |room: f64| -> Vec<Vec<String>> {
+            names
+                .iter()
+                .map(|name| in_lines(&typeset(name), room))
+                .collect()
+        };
         let beside = lines(BESIDE * width);
-        let widest = beside.iter().flatten().map(|line| text_width(line, NAME, false)).fold(0.0, f64::max);
+        let widest = beside
+            .iter()
+            .flatten()
+            .map(|line| text_width(line, NAME, false))
+            .fold(0.0, f64::max);
         if beside.iter().all(|lines| lines.len() <= MOST_LINES) {
-            return Some(Self { names: beside, is_above: false, left: widest + 14.0 });
+            return Some(Self {
+                names: beside,
+                is_above: false,
+                left: widest + 14.0,
+            });
         }
-        Some(Self { names: lines(width - 24.0), is_above: true, left: 12.0 })
+        Some(Self {
+            names: lines(width - 24.0),
+            is_above: true,
+            left: 12.0,
+        })
     }
 
     /// The height of a row, the same for all.
@@ -60,7 +80,11 @@ impl Rows {
     /// The height of the names above the bars.
     fn over(&self) -> f64 {
         let most = self.names.iter().map(Vec::len).max().unwrap_or(0);
-        if self.is_above { NAME_LINE * most as f64 } else { 0.0 }
+        if self.is_above {
+            NAME_LINE * most as f64
+        } else {
+            0.0
+        }
     }
 
     /// The height of them all.
@@ -89,7 +113,13 @@ impl Rows {
                     let up = 0.5 * ROW + NAME_LINE * (lines.len() as f64 - i as f64 - 0.5) - 2.0;
                     let y = middle - up;
                     let right = left + 8.0 + text_width(line, NAME, false);
-                    block(area, [left + 2.0, y - 0.5 * NAME_LINE], [right, y + 0.5 * NAME_LINE], palette.ground, 1.0)?;
+                    block(
+                        area,
+                        [left + 2.0, y - 0.5 * NAME_LINE],
+                        [right, y + 0.5 * NAME_LINE],
+                        palette.ground,
+                        1.0,
+                    )?;
                     ([left + 4.0, y], HPos::Left)
                 } else {
                     ([left - 8.0, middle + below], HPos::Right)
@@ -110,18 +140,42 @@ impl Rows {
         figure: &Figure,
         layer: usize,
     ) -> Result<()> {
-        let Layer::Bars { bars, hue, .. } = &figure.layers[layer] else { return Ok(()) };
+        let Layer::Bars { bars, hue, .. } = &figure.layers[layer] else {
+            return Ok(());
+        };
         bars.iter().try_for_each(|bar| {
-            let [Some(from), Some(to)] = [bar.from, bar.to].map(|x| plane.pixel_across(x)) else { return Ok(()) };
+            let [Some(from), Some(to)] = [bar.from, bar.to].map(|x| plane.pixel_across(x)) else {
+                return Ok(());
+            };
             let (lane, lanes) = lane(figure, layer, bar);
             let half = HALF[lanes - 1];
             let middle = plane.frame[1]
                 + self.middle(bar.place)
-                + if lanes == 1 { 0.0 } else { APART * (2.0 * lane as f64 - 1.0) };
-            block(area, [from.min(to), middle - half], [from.max(to), middle + half], palette.of(*hue), 0.85)?;
+                + if lanes == 1 {
+                    0.0
+                } else {
+                    APART * (2.0 * lane as f64 - 1.0)
+                };
+            block(
+                area,
+                [from.min(to), middle - half],
+                [from.max(to), middle + half],
+                palette.of(*hue),
+                0.85,
+            )?;
             let is_left = is_left(figure, layer, bar);
-            let (x, side) = if is_left { (to - GAP, HPos::Right) } else { (to + GAP, HPos::Left) };
-            words(area, &value(figure, layer, bar, system), [x, middle], side, font(VALUE, palette.ink, false))
+            let (x, side) = if is_left {
+                (to - GAP, HPos::Right)
+            } else {
+                (to + GAP, HPos::Left)
+            };
+            words(
+                area,
+                &value(figure, layer, bar, system),
+                [x, middle],
+                side,
+                font(VALUE, palette.ink, false),
+            )
         })
     }
 }
@@ -130,9 +184,17 @@ impl Rows {
 fn in_lines(name: &str, room: f64) -> Vec<String> {
     match name.split_once(" ± ") {
         Some((words, amount)) if text_width(name, NAME, false) > room => {
-            let amount = wrapped(&format!("±\u{2007}{amount}").replace(' ', "\u{2007}"), room, NAME, false);
+            let amount = wrapped(
+                &format!("±\u{2007}{amount}").replace(' ', "\u{2007}"),
+                room,
+                NAME,
+                false,
+            );
             let amount = amount.into_iter().map(|line| line.replace('\u{2007}', " "));
-            wrapped(words, room, NAME, false).into_iter().chain(amount).collect()
+            wrapped(words, room, NAME, false)
+                .into_iter()
+                .chain(amount)
+                .collect()
         }
         _ => wrapped(name, room, NAME, false),
     }
@@ -141,15 +203,25 @@ fn in_lines(name: &str, room: f64) -> Vec<String> {
 /// The bars of other layers in a row, with the number of their layer.
 fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Bar)> {
     let mut others = vec![];
-    for (i, other) in figure.layers.iter().enumerate().filter(|(i, _)| *i != layer) {
+    for (i, other) in figure
+        .layers
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| *i != layer)
+    {
         if let Layer::Bars { bars, .. } = other {
-            others.extend(bars.iter().filter(|bar| bar.place == place).map(|bar| (i, *bar)));
+            others.extend(
+                bars.iter()
+                    .filter(|bar| bar.place == place)
+                    .map(|bar| (i, *bar)),
+            );
         }
     }
     others
 }
 
-/// Which of two lanes a bar lies in, and how many its row has: two where bars would hide each other.
+/// Which of two lanes a bar lies in, and how many its row has: two where bars would hide each
+/// other.
 fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
     let ends = |bar: &Bar| [bar.from.min(bar.to), bar.from.max(bar.to)];
     let [low, high] = ends(bar);
@@ -157,20 +229,28 @@ fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
         let [from, to] = ends(other);
         from < high && low < to
     };
-    match others(figure, layer, bar.place).iter().find(|(_, other)| covers(other)) {
+    match others(figure, layer, bar.place)
+        .iter()
+        .find(|(_, other)| covers(other))
+    {
         Some((i, _)) => (usize::from(*i < layer), 2),
         None => (0, 1),
     }
 }
 
-/// Whether a bar's value stands to its left: it goes there, or it has no length and the other bar goes to the right.
+/// Whether a bar's value stands to its left: it goes there, or it has no length and the other bar
+/// goes to the right.
 fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
     let is_right = |bar: &Bar| bar.to > bar.from;
     bar.to < bar.from
-        || (bar.to <= bar.from && others(figure, layer, bar.place).iter().any(|(_, other)| is_right(other)))
+        || (bar.to <= bar.from
+            && others(figure, layer, bar.place)
+                .iter()
+                .any(|(_, other)| is_right(other)))
 }
 
-/// The value at the end of a bar: "+3.9", in the unit of the axis; with more digits where all of its row would be written as 0.
+/// The value at the end of a bar: "+3.9", in the unit of the axis; with more digits where all of
+/// its row would be written as 0.
 fn value(figure: &Figure, layer: usize, bar: &Bar, system: System) -> String {
     let measure = &figure.x.measure;
     let unit = system.unit(measure.unit);
@@ -178,29 +258,54 @@ fn value(figure: &Figure, layer: usize, bar: &Bar, system: System) -> String {
     let text = measure.quantity.read_off(amount, unit);
     let is_lost = |bar: &Bar| {
         let text = measure.quantity.read_off((bar.to - bar.from).abs(), unit);
-        leading_number(&text).bytes().all(|digit| b"0.".contains(&digit))
+        leading_number(&text)
+            .bytes()
+            .all(|digit| b"0.".contains(&digit))
     };
-    let is_row_lost = is_lost(bar) && others(figure, layer, bar.place).iter().all(|(_, other)| is_lost(other));
-    let text = if is_row_lost { measure.quantity.read_off_difference(amount, unit) } else { text };
+    let is_row_lost = is_lost(bar)
+        && others(figure, layer, bar.place)
+            .iter()
+            .all(|(_, other)| is_lost(other));
+    let text = if is_row_lost {
+        measure.quantity.read_off_difference(amount, unit)
+    } else {
+        text
+    };
     signed(amount, leading_number(&text).to_owned())
 }
 
-/// The horizontal axis with room for the values beside the bars, in a frame of this width, pixels; `None` for one too narrow for them.
+/// The horizontal axis with room for the values beside the bars, in a frame of this width, pixels;
+/// `None` for one too narrow for them.
 pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<Axis> {
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     let mut beside = [0.0_f64; 2];
     for (layer, bars) in figure.layers.iter().enumerate() {
-        let Layer::Bars { bars, .. } = bars else { continue };
-        for bar in bars.iter().filter(|bar| bar.from.is_finite() && bar.to.is_finite()) {
+        let Layer::Bars { bars, .. } = bars else {
+            continue;
+        };
+        for bar in bars
+            .iter()
+            .filter(|bar| bar.from.is_finite() && bar.to.is_finite())
+        {
             low = low.min(bar.from).min(bar.to);
             high = high.max(bar.from).max(bar.to);
             let side = usize::from(!is_left(figure, layer, bar));
-            beside[side] =
-                beside[side].max(text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false) + 2.0 * GAP);
+            beside[side] = beside[side].max(
+                text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false) + 2.0 * GAP,
+            );
         }
     }
     let room = width - beside[0] - beside[1];
-    let span = if high > low { high - low } else { return Some(figure.x.clone()) };
+    let span = if high > low {
+        high - low
+    } else {
+        return Some(figure.x.clone());
+    };
     let per_pixel = span / room;
-    (room > 0.25 * width).then(|| figure.x.clone().exactly(low - beside[0] * per_pixel, high + beside[1] * per_pixel))
+    (room > 0.25 * width).then(|| {
+        figure
+            .x
+            .clone()
+            .exactly(low - beside[0] * per_pixel, high + beside[1] * per_pixel)
+    })
 }

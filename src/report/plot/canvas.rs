@@ -11,7 +11,8 @@ use plotters::element::{PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle};
 
-/// Plotters puts things at whole numbers: a pixel is this many of them, so that curves are smooth at any size.
+/// Plotters puts things at whole numbers: a pixel is this many of them, so that curves are smooth
+/// at any size.
 pub(super) const FINE: i32 = 10;
 
 /// Size of the text, pixels.
@@ -27,7 +28,10 @@ pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// What Plotters says went wrong, as an error of ours.
 pub(super) fn failed<E: std::error::Error + Send + Sync>(error: DrawingAreaErrorKind<E>) -> Error {
-    Error::Plot { name: "SVG".into(), reason: error.to_string() }
+    Error::Plot {
+        name: "SVG".into(),
+        reason: error.to_string(),
+    }
 }
 
 /// Pixels as Plotters counts them.
@@ -42,20 +46,41 @@ pub(super) fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
 
 /// Text of a size in pixels. (Plotters' sizes are 1.24 times those of SVG.)
 pub(super) fn font(size: f64, color: RGBColor, is_bold: bool) -> TextStyle<'static> {
-    let style = if is_bold { FontStyle::Bold } else { FontStyle::Normal };
-    ("sans-serif", size * 1.24 * f64::from(FINE)).into_font().style(style).color(&color)
+    let style = if is_bold {
+        FontStyle::Bold
+    } else {
+        FontStyle::Normal
+    };
+    ("sans-serif", size * 1.24 * f64::from(FINE))
+        .into_font()
+        .style(style)
+        .color(&color)
 }
 
 /// Words at a place in pixels, their middle at its height, as pictures print them.
-pub(super) fn words(area: &Area<'_>, text: &str, at: [f64; 2], align: HPos, style: TextStyle<'static>) -> Result<()> {
+pub(super) fn words(
+    area: &Area<'_>,
+    text: &str,
+    at: [f64; 2],
+    align: HPos,
+    style: TextStyle<'static>,
+) -> Result<()> {
     let style = style.pos(Pos::new(align, VPos::Center));
-    area.draw(&Text::new(typeset(text), (fine(at[0]), fine(at[1])), style)).map_err(failed)
+    area.draw(&Text::new(typeset(text), (fine(at[0]), fine(at[1])), style))
+        .map_err(failed)
 }
 
 /// A rectangle in pixels, and how much of what is under it it hides.
-pub(super) fn block(area: &Area<'_>, low: [f64; 2], high: [f64; 2], color: RGBColor, alpha: f64) -> Result<()> {
+pub(super) fn block(
+    area: &Area<'_>,
+    low: [f64; 2],
+    high: [f64; 2],
+    color: RGBColor,
+    alpha: f64,
+) -> Result<()> {
     let corners = [low, high].map(|[x, y]| (fine(x), fine(y)));
-    area.draw(&Rectangle::new(corners, color.mix(alpha).filled())).map_err(failed)
+    area.draw(&Rectangle::new(corners, color.mix(alpha).filled()))
+        .map_err(failed)
 }
 
 /// A line in pixels.
@@ -74,22 +99,41 @@ pub(super) struct Labels<'a, 'b> {
 impl Labels<'_, '_> {
     /// The place that words would take around a point, pixels, bold or not.
     pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
-        let half = [0.5 * text_width(&typeset(text), TEXT - 0.5, true) + 3.0, 0.5 * LINE - 1.0];
-        [[middle[0] - half[0], middle[1] - half[1]], [middle[0] + half[0], middle[1] + half[1]]]
+        let half = [
+            0.5 * text_width(&typeset(text), TEXT - 0.5, true) + 3.0,
+            0.5 * LINE - 1.0,
+        ];
+        [
+            [middle[0] - half[0], middle[1] - half[1]],
+            [middle[0] + half[0], middle[1] + half[1]],
+        ]
     }
 
     /// Whether words there would hide no others.
     pub fn is_free(&self, [low, high]: [[f64; 2]; 2]) -> bool {
-        let apart =
-            |other: &[[f64; 2]; 2]| (0..2).any(|axis| high[axis] < other[0][axis] || low[axis] > other[1][axis]);
+        let apart = |other: &[[f64; 2]; 2]| {
+            (0..2).any(|axis| high[axis] < other[0][axis] || low[axis] > other[1][axis])
+        };
         self.taken.iter().all(apart)
     }
 
     /// Writes words around a point.
-    pub fn write(&mut self, text: &str, middle: [f64; 2], color: RGBColor, is_bold: bool) -> Result<()> {
+    pub fn write(
+        &mut self,
+        text: &str,
+        middle: [f64; 2],
+        color: RGBColor,
+        is_bold: bool,
+    ) -> Result<()> {
         let extent = Self::extent(text, middle);
         block(self.area, extent[0], extent[1], self.palette.ground, 0.72)?;
         self.taken.push(extent);
-        words(self.area, text, middle, HPos::Center, font(TEXT - 0.5, color, is_bold))
+        words(
+            self.area,
+            text,
+            middle,
+            HPos::Center,
+            font(TEXT - 0.5, color, is_bold),
+        )
     }
 }

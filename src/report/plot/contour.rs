@@ -1,5 +1,5 @@
-//! Lines of equal value. Plotters has none: the rings come from the `contour` crate's marching squares, chosen over
-//! coloured cells for a map that is smooth at any size and in print.
+//! Lines of equal value. Plotters has none: the rings come from the `contour` crate's marching
+//! squares, chosen over coloured cells for a map that is smooth at any size and in print.
 
 use super::figure::Field;
 use crate::units::System;
@@ -18,7 +18,8 @@ pub(super) struct Ground {
 }
 
 impl Field {
-    /// The line on which the field has a value, SI: its pieces one after the other, parted by points that are no numbers.
+    /// The line on which the field has a value, SI: its pieces one after the other, parted by
+    /// points that are no numbers.
     pub fn line_at(&self, level: f64) -> Vec<[f64; 2]> {
         if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
             return vec![];
@@ -28,7 +29,8 @@ impl Field {
         pieces.join(&[f64::NAN; 2])
     }
 
-    /// Where the field is at or above a value, SI: the outlines, in which a hole is reached along a line without width.
+    /// Where the field is at or above a value, SI: the outlines, in which a hole is reached along a
+    /// line without width.
     pub fn above(&self, level: f64) -> Vec<Vec<[f64; 2]>> {
         self.beyond(level, 1.0)
     }
@@ -43,18 +45,28 @@ impl Field {
             return vec![];
         }
         let values: Vec<f64> = continued(self).iter().map(|value| sign * value).collect();
-        outlined(self, &values, &[level]).pop().map(|ground| ground.outlines).unwrap_or_default()
+        outlined(self, &values, &[level])
+            .pop()
+            .map(|ground| ground.outlines)
+            .unwrap_or_default()
     }
 }
 
 /// The grounds of a field, the lowest first: each covers a part of the one before.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let unit = field.measure.unit_size(system);
-    let known = field.values.iter().flatten().chain(&field.beside).map(|value| value / unit);
+    let known = field
+        .values
+        .iter()
+        .flatten()
+        .chain(&field.beside)
+        .map(|value| value / unit);
     let mut known: Vec<f64> = known.filter(|value| value.is_finite()).collect();
     known.sort_by(f64::total_cmp);
     let (columns, rows) = (field.columns, field.rows());
-    let Some(&low) = known.first() else { return vec![] };
+    let Some(&low) = known.first() else {
+        return vec![];
+    };
     if columns < 2 || rows < 2 {
         return vec![];
     }
@@ -63,8 +75,15 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     // the lowest ground is everything
     let all = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         .map(|[x, y]: [f64; 2]| field.place(x * (columns - 1) as f64, y * (rows - 1) as f64));
-    let base = Ground { level: low, part: 0.0, outlines: vec![all.to_vec()], lines: vec![] };
-    std::iter::once(base).chain(outlined(field, &values, &levels)).collect()
+    let base = Ground {
+        level: low,
+        part: 0.0,
+        outlines: vec![all.to_vec()],
+        lines: vec![],
+    };
+    std::iter::once(base)
+        .chain(outlined(field, &values, &levels))
+        .collect()
 }
 
 /// The ground at and above each level of the values of a field's nodes.
@@ -72,44 +91,80 @@ fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
     let (columns, rows) = (field.columns, field.rows());
     let builder = ContourBuilder::new(columns, rows, true);
     let found = builder.contours(values, levels).unwrap_or_default();
-    let above = found.iter().zip(levels).enumerate().map(|(i, (contour, level))| {
-        let polygons = contour.geometry().0.iter();
-        // the crate puts the first node at ½ and closes rings half a cell outside
-        let node = |at: f64, count: usize| (at - 0.5).clamp(0.0, (count - 1) as f64);
-        let node = |x: f64, y: f64| [node(x, columns), node(y, rows)];
-        let part = (i + 1) as f64 / levels.len() as f64;
-        let mut ground = Ground { level: *level, part, outlines: vec![], lines: vec![] };
-        for polygon in polygons {
-            let outer: Vec<[f64; 2]> = polygon.exterior().0.iter().map(|at| node(at.x, at.y)).collect();
-            let holes = polygon.interiors().iter().map(|hole| hole.0.iter().map(|at| node(at.x, at.y)).collect());
-            let holes: Vec<Vec<[f64; 2]>> = holes.collect();
-            for one in holes.iter().chain([&outer]) {
-                ground.lines.extend(inner(one, columns, rows));
+    let above = found
+        .iter()
+        .zip(levels)
+        .enumerate()
+        .map(|(i, (contour, level))| {
+            let polygons = contour.geometry().0.iter();
+            // the crate puts the first node at ½ and closes rings half a cell outside
+            let node = |at: f64, count: usize| (at - 0.5).clamp(0.0, (count - 1) as f64);
+            let node = |x: f64, y: f64| [node(x, columns), node(y, rows)];
+            let part = (i + 1) as f64 / levels.len() as f64;
+            let mut ground = Ground {
+                level: *level,
+                part,
+                outlines: vec![],
+                lines: vec![],
+            };
+            for polygon in polygons {
+                let outer: Vec<[f64; 2]> = polygon
+                    .exterior()
+                    .0
+                    .iter()
+                    .map(|at| node(at.x, at.y))
+                    .collect();
+                let holes = polygon
+                    .interiors()
+                    .iter()
+                    .map(|hole| hole.0.iter().map(|at| node(at.x, at.y)).collect());
+                let holes: Vec<Vec<[f64; 2]>> = holes.collect();
+                for one in holes.iter().chain([&outer]) {
+                    ground.lines.extend(inner(one, columns, rows));
+                }
+                let start = outer.first().copied();
+                let joined = outer.into_iter().chain(
+                    holes
+                        .into_iter()
+                        .flat_map(|hole| hole.into_iter().chain(start)),
+                );
+                ground.outlines.push(joined.collect());
             }
-            let start = outer.first().copied();
-            let joined = outer.into_iter().chain(holes.into_iter().flat_map(|hole| hole.into_iter().chain(start)));
-            ground.outlines.push(joined.collect());
-        }
-        let place = |[column, row]: &mut [f64; 2]| [*column, *row] = field.place(*column, *row);
-        ground.outlines.iter_mut().chain(&mut ground.lines).flatten().for_each(place);
-        ground
-    });
+            let place = |[column, row]: &mut [f64; 2]| [*column, *row] = field.place(*column, *row);
+            ground
+                .outlines
+                .iter_mut()
+                .chain(&mut ground.lines)
+                .flatten()
+                .for_each(place);
+            ground
+        });
     above.collect()
 }
 
-/// Round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over the whole range, and of finer ones within a stretch of it where
-/// much of the map lies, and perhaps again within a part of that. A map is steep in one place and flat in another, and one step for all would
-/// leave the flat top without a line. Within a stretch the step is the same, so that lines tell the slope.
+/// Round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over the whole range,
+/// and of finer ones within a stretch of it where much of the map lies, and perhaps again within a
+/// part of that. A map is steep in one place and flat in another, and one step for all would leave
+/// the flat top without a line. Within a stretch the step is the same, so that lines tell the
+/// slope.
 fn levels(sorted: &[f64]) -> Vec<f64> {
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
-    let Some(mut step) = round_step((high - low) / FIRST_LINES) else { return vec![] };
+    let Some(mut step) = round_step((high - low) / FIRST_LINES) else {
+        return vec![];
+    };
     let mut levels = multiples(step, low, high);
     let mut stretch = [low, high];
     let below = |level: f64| sorted.partition_point(|value| *value < level);
     loop {
         step = finer(step);
-        let within = levels.iter().copied().filter(|level| stretch[0] < *level && *level < stretch[1]);
-        let ends: Vec<f64> = std::iter::once(stretch[0]).chain(within).chain([stretch[1]]).collect();
+        let within = levels
+            .iter()
+            .copied()
+            .filter(|level| stretch[0] < *level && *level < stretch[1]);
+        let ends: Vec<f64> = std::iter::once(stretch[0])
+            .chain(within)
+            .chain([stretch[1]])
+            .collect();
         let intervals: Vec<Interval> = ends
             .windows(2)
             .map(|ends| Interval {
@@ -119,13 +174,22 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
             })
             .collect();
         let refined = |[from, to]: [f64; 2]| -> Vec<f64> {
-            let outside = |is_kept: &dyn Fn(f64) -> bool| levels.iter().copied().filter(|at| is_kept(*at)).collect();
-            [outside(&|at| at <= from), multiples(step, from, to), outside(&|at| at >= to)].concat()
+            let outside = |is_kept: &dyn Fn(f64) -> bool| {
+                levels.iter().copied().filter(|at| is_kept(*at)).collect()
+            };
+            [
+                outside(&|at| at <= from),
+                multiples(step, from, to),
+                outside(&|at| at >= to),
+            ]
+            .concat()
         };
         let dense = LARGE.max(DENSE / (levels.len() + 1) as f64);
         let fits = |ends: [f64; 2]| refined(ends).len() <= LINES;
         match dense_stretch(&intervals, dense, fits) {
-            Some(ends) if step >= FINEST * (high - low) => (levels, stretch) = (refined(ends), ends),
+            Some(ends) if step >= FINEST * (high - low) => {
+                (levels, stretch) = (refined(ends), ends)
+            }
             _ => return levels,
         }
     }
@@ -140,9 +204,14 @@ struct Interval {
     is_last: bool,
 }
 
-/// Where the levels should be finer: the interval in which most of the map lies and its neighbours in which much does, as far as there is
-/// room for lines; nothing where no interval is dense, or where it would stand alone between coarser ones.
-fn dense_stretch(intervals: &[Interval], dense: f64, fits: impl Fn([f64; 2]) -> bool) -> Option<[f64; 2]> {
+/// Where the levels should be finer: the interval in which most of the map lies and its neighbours
+/// in which much does, as far as there is room for lines; nothing where no interval is dense, or
+/// where it would stand alone between coarser ones.
+fn dense_stretch(
+    intervals: &[Interval],
+    dense: f64,
+    fits: impl Fn([f64; 2]) -> bool,
+) -> Option<[f64; 2]> {
     let by_share = |a: &usize, b: &usize| intervals[*a].share.total_cmp(&intervals[*b].share);
     let densest = (0..intervals.len()).max_by(by_share)?;
     let ends = |from: usize, to: usize| [intervals[from].ends[0], intervals[to].ends[1]];
@@ -151,10 +220,18 @@ fn dense_stretch(intervals: &[Interval], dense: f64, fits: impl Fn([f64; 2]) -> 
     }
     let (mut from, mut to) = (densest, densest);
     loop {
-        let is_wanted = |i: &usize| from == to || intervals[*i].share > LARGE || intervals[*i].is_last;
-        let sides = [from.checked_sub(1), Some(to + 1).filter(|i| *i < intervals.len())].into_iter().flatten();
+        let is_wanted =
+            |i: &usize| from == to || intervals[*i].share > LARGE || intervals[*i].is_last;
+        let sides = [
+            from.checked_sub(1),
+            Some(to + 1).filter(|i| *i < intervals.len()),
+        ]
+        .into_iter()
+        .flatten();
         let sides = sides.filter(|i| is_wanted(i) && fits(ends(from.min(*i), to.max(*i))));
-        let Some(side) = sides.max_by(by_share) else { break };
+        let Some(side) = sides.max_by(by_share) else {
+            break;
+        };
         (from, to) = (from.min(side), to.max(side));
     }
     (from < to || intervals[from].is_last).then(|| ends(from, to))
@@ -162,7 +239,8 @@ fn dense_stretch(intervals: &[Interval], dense: f64, fits: impl Fn([f64; 2]) -> 
 
 /// A map begins with at most about so many lines …
 const FIRST_LINES: f64 = 8.0;
-/// … and gets more where more than this part of it lies between two, and so many times more than between two on average …
+/// … and gets more where more than this part of it lies between two, and so many times more than
+/// between two on average …
 const LARGE: f64 = 0.12;
 const DENSE: f64 = 1.5;
 /// … until it has so many.
@@ -171,7 +249,10 @@ const LINES: usize = 14;
 /// The multiples of a step strictly between two numbers.
 fn multiples(step: f64, low: f64, high: f64) -> Vec<f64> {
     let rounding = 1e-9;
-    let (from, to) = ((low / step + rounding).floor() as i64 + 1, (high / step - rounding).ceil() as i64 - 1);
+    let (from, to) = (
+        (low / step + rounding).floor() as i64 + 1,
+        (high / step - rounding).ceil() as i64 - 1,
+    );
     (from..=to).map(|i| i as f64 * step).collect()
 }
 
@@ -191,14 +272,17 @@ const FINEST: f64 = 1e-3;
 fn round_step(step: f64) -> Option<f64> {
     let power = 10.0_f64.powf(step.log10().floor());
     let digits = [1.0, 2.0, 2.5, 5.0, 10.0].map(|digit| digit * power);
-    digits.into_iter().find(|round| *round >= step * (1.0 - 1e-9) && round.is_finite() && *round > 0.0)
+    digits
+        .into_iter()
+        .find(|round| *round >= step * (1.0 - 1e-9) && round.is_finite() && *round > 0.0)
 }
 
 /// The pieces of a ring that do not run along the border of the map.
 fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
     let ends = [(columns - 1) as f64, (rows - 1) as f64];
-    let along =
-        |a: &[f64; 2], b: &[f64; 2]| (0..2).any(|axis| a[axis] == b[axis] && (a[axis] == 0.0 || a[axis] == ends[axis]));
+    let along = |a: &[f64; 2], b: &[f64; 2]| {
+        (0..2).any(|axis| a[axis] == b[axis] && (a[axis] == 0.0 || a[axis] == ends[axis]))
+    };
     let mut pieces: Vec<Vec<[f64; 2]>> = vec![];
     let mut is_open = false;
     for pair in ring.windows(2) {
@@ -235,14 +319,24 @@ fn continued(field: &Field) -> Vec<f64> {
         let before = values.clone();
         for i in (0..values.len()).filter(|i| before[*i].is_none()) {
             let (column, row) = (i % columns, i / columns);
-            // from each side along a straight line through the two nearest nodes, so that lines do not bend before they end
+            // from each side along a straight line through the two nearest nodes, so that lines do
+            // not bend before they end
             let reach = [column, columns - 1 - column, row, rows - 1 - row];
             let node = |side: usize, n: usize| {
-                [i.checked_sub(n), Some(i + n), i.checked_sub(n * columns), Some(i + n * columns)][side]
+                [
+                    i.checked_sub(n),
+                    Some(i + n),
+                    i.checked_sub(n * columns),
+                    Some(i + n * columns),
+                ][side]
             };
-            let known = |side: usize, n: usize| (reach[side] >= n).then(|| before[node(side, n)?]).flatten();
+            let known = |side: usize, n: usize| {
+                (reach[side] >= n).then(|| before[node(side, n)?]).flatten()
+            };
             let ahead = |side: usize| {
-                Some(known(side, 2).map_or(known(side, 1)?, |far| 2.0 * known(side, 1).unwrap_or(far) - far))
+                Some(known(side, 2).map_or(known(side, 1)?, |far| {
+                    2.0 * known(side, 1).unwrap_or(far) - far
+                }))
             };
             let known: Vec<f64> = (0..4).filter_map(ahead).collect();
             if !known.is_empty() {
@@ -277,7 +371,12 @@ mod tests {
     /// The area within an outline, by the shoelace formula.
     fn area(outline: &[[f64; 2]]) -> f64 {
         let next = outline.iter().cycle().skip(1);
-        0.5 * outline.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs()
+        0.5 * outline
+            .iter()
+            .zip(next)
+            .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
+            .sum::<f64>()
+            .abs()
     }
 
     #[test]
@@ -287,35 +386,68 @@ mod tests {
         for ground in &grounds[1..] {
             assert!(!ground.lines.is_empty());
             for [x, y] in ground.lines.iter().flatten() {
-                assert!((2.0 * x - y - ground.level).abs() < 1e-12, "({x}, {y}) is not on {}", ground.level);
+                assert!(
+                    (2.0 * x - y - ground.level).abs() < 1e-12,
+                    "({x}, {y}) is not on {}",
+                    ground.level
+                );
             }
         }
         // each covers a part of the one before, and the lowest everything
-        let areas: Vec<f64> = grounds.iter().map(|ground| ground.outlines.iter().map(|o| area(o)).sum()).collect();
-        assert!((areas[0] - 3.0).abs() < 1e-12 && areas.windows(2).all(|pair| pair[1] < pair[0]), "{areas:?}");
+        let areas: Vec<f64> = grounds
+            .iter()
+            .map(|ground| ground.outlines.iter().map(|o| area(o)).sum())
+            .collect();
+        assert!(
+            (areas[0] - 3.0).abs() < 1e-12 && areas.windows(2).all(|pair| pair[1] < pair[0]),
+            "{areas:?}"
+        );
     }
 
-    /// A level is a whole number of times 1, 2, 2.5 or 5 times a power of ten that is large beside its distance to the next one.
+    /// A level is a whole number of times 1, 2, 2.5 or 5 times a power of ten that is large beside
+    /// its distance to the next one.
     #[test]
     fn exact_levels_are_round_and_a_flat_top_has_some() {
         let carry = |x: f64, y: f64| 279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2);
         for scale in [1.0, 0.9144, 0.013, 4200.0] {
-            // as fine as maps are: what part of a map lies between two levels is not seen in fewer nodes
+            // as fine as maps are: what part of a map lies between two levels is not seen in fewer
+            // nodes
             let mut values: Vec<f64> = (0..41 * 41)
-                .map(|i| scale * carry(3.0 * f64::from(i % 41) / 40.0, 1.0 + f64::from(i / 41) / 40.0))
+                .map(|i| {
+                    scale
+                        * carry(
+                            3.0 * f64::from(i % 41) / 40.0,
+                            1.0 + f64::from(i / 41) / 40.0,
+                        )
+                })
                 .collect();
             values.sort_by(f64::total_cmp);
             let levels = levels(&values);
             assert!((6..=18).contains(&levels.len()), "{levels:?}");
             for pair in levels.windows(2) {
                 let apart = pair[1] - pair[0];
-                let digits = [pair[0], pair[1]].map(|level| level / 10.0_f64.powf(apart.log10().floor()));
-                assert!(digits.iter().all(|digit| (digit * 2.0 - (digit * 2.0).round()).abs() < 1e-6), "{levels:?}");
+                let digits =
+                    [pair[0], pair[1]].map(|level| level / 10.0_f64.powf(apart.log10().floor()));
+                assert!(
+                    digits
+                        .iter()
+                        .all(|digit| (digit * 2.0 - (digit * 2.0).round()).abs() < 1e-6),
+                    "{levels:?}"
+                );
             }
             // the step falls towards one stretch and rises beyond it
             let apart: Vec<f64> = levels.windows(2).map(|pair| pair[1] - pair[0]).collect();
-            let rises = apart.windows(2).position(|pair| pair[1] > 1.01 * pair[0]).unwrap_or(apart.len());
-            assert!(apart.iter().skip(rises).is_sorted_by(|a, b| **b > 0.99 * **a), "{levels:?}");
+            let rises = apart
+                .windows(2)
+                .position(|pair| pair[1] > 1.01 * pair[0])
+                .unwrap_or(apart.len());
+            assert!(
+                apart
+                    .iter()
+                    .skip(rises)
+                    .is_sorted_by(|a, b| **b > 0.99 * **a),
+                "{levels:?}"
+            );
             let top = levels[levels.len() - 1];
             assert!(279.2 * scale - top < 0.03 * 279.2 * scale, "{levels:?}");
         }
@@ -327,7 +459,11 @@ mod tests {
         let rim = grounds(&field(|x, y| Some(bowl(x, y))), System::Us);
         // the hole takes its area from the ground around it
         let lowest = &rim[1];
-        assert!(area(&lowest.outlines[0]) < 2.95, "{}", area(&lowest.outlines[0]));
+        assert!(
+            area(&lowest.outlines[0]) < 2.95,
+            "{}",
+            area(&lowest.outlines[0])
+        );
         let plane = |x: f64, y: f64| (x < 2.0 || y < 1.5).then_some(x);
         for ground in &grounds(&field(plane), System::Us)[1..] {
             for [x, _] in ground.lines.iter().flatten().filter(|[x, _]| *x < 1.9) {

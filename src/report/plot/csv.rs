@@ -3,24 +3,55 @@ use super::figure::{Bar, Field, Figure, Layer};
 use crate::error::{Error, Result};
 
 /// A row: kind, name, x, y, x to, y to, and a value with its head.
-type Row<'a> = (&'static str, String, [Option<f64>; 4], Option<(&'a Field, f64)>);
+type Row<'a> = (
+    &'static str,
+    String,
+    [Option<f64>; 4],
+    Option<(&'a Field, f64)>,
+);
 
-/// The data of a plot as CSV, SI and radians: a row for each point, bar, arrow or node, with what kind of thing it belongs
-/// to and its name. Each thing that contours measure has a column of its own. Columns that nothing fills are left out; what has no value is an
-/// empty cell. Views with contours have rows of their own, named by what the view is of.
+/// The data of a plot as CSV, SI and radians: a row for each point, bar, arrow or node, with what
+/// kind of thing it belongs to and its name. Each thing that contours measure has a column of its
+/// own. Columns that nothing fills are left out; what has no value is an empty cell. Views with
+/// contours have rows of their own, named by what the view is of.
 ///
 /// # Errors
 /// [`Error::Output`].
 pub fn figure_csv(figure: &Figure) -> Result<String> {
-    let has_contours = |view: &&Figure| view.layers.iter().any(|layer| matches!(layer, Layer::Contours(_)));
-    let views: Vec<&Figure> = std::iter::once(figure).chain(figure.panels.iter().filter(has_contours)).collect();
-    let of_view = |view: &&Figure| if views.len() > 1 { format!(", {}", view.subtitle) } else { String::new() };
-    let of_views = views.iter().flat_map(|view| view.layers.iter().flat_map(|layer| rows(view, layer, &of_view(view))));
+    let has_contours = |view: &&Figure| {
+        view.layers
+            .iter()
+            .any(|layer| matches!(layer, Layer::Contours(_)))
+    };
+    let views: Vec<&Figure> = std::iter::once(figure)
+        .chain(figure.panels.iter().filter(has_contours))
+        .collect();
+    let of_view = |view: &&Figure| {
+        if views.len() > 1 {
+            format!(", {}", view.subtitle)
+        } else {
+            String::new()
+        }
+    };
+    let of_views = views.iter().flat_map(|view| {
+        view.layers
+            .iter()
+            .flat_map(|layer| rows(view, layer, &of_view(view)))
+    });
     let rows: Vec<Row<'_>> = of_views.collect();
     let [x, y] = [&figure.x, &figure.y].map(|axis| axis.measure.titled_si());
-    let [x, y] = [(x, "x"), (y, "y")].map(|(title, letter)| if title.is_empty() { letter.into() } else { title });
+    let [x, y] = [(x, "x"), (y, "y")].map(|(title, letter)| {
+        if title.is_empty() {
+            letter.into()
+        } else {
+            title
+        }
+    });
     let heads = [x.clone(), y.clone(), format!("to {x}"), format!("to {y}")];
-    let is_filled = |column: &usize| rows.iter().any(|(_, _, numbers, _)| numbers[*column].is_some());
+    let is_filled = |column: &usize| {
+        rows.iter()
+            .any(|(_, _, numbers, _)| numbers[*column].is_some())
+    };
     let columns: Vec<usize> = (0..heads.len()).filter(is_filled).collect();
     let mut measured: Vec<String> = vec![];
     for (.., value) in &rows {
@@ -30,27 +61,44 @@ pub fn figure_csv(figure: &Figure) -> Result<String> {
 
     let failed = |error: csv::Error| Error::Output(error.into());
     let mut writer = csv::Writer::from_writer(vec![]);
-    let head = columns.iter().map(|column| heads[*column].as_str()).chain(measured.iter().map(String::as_str));
-    writer.write_record(["kind", "name"].into_iter().chain(head)).map_err(failed)?;
+    let head = columns
+        .iter()
+        .map(|column| heads[*column].as_str())
+        .chain(measured.iter().map(String::as_str));
+    writer
+        .write_record(["kind", "name"].into_iter().chain(head))
+        .map_err(failed)?;
     let text = |number: Option<f64>| {
-        number.filter(|number| number.is_finite()).map_or(String::new(), |number| format!("{number:?}"))
+        number
+            .filter(|number| number.is_finite())
+            .map_or(String::new(), |number| format!("{number:?}"))
     };
     for (kind, name, numbers, value) in &rows {
         let cells = columns.iter().map(|column| text(numbers[*column]));
         let is_of = |head: &String| value.filter(|(field, _)| field.measure.titled_si() == *head);
-        let values = measured.iter().map(|head| text(is_of(head).map(|(_, value)| value)));
+        let values = measured
+            .iter()
+            .map(|head| text(is_of(head).map(|(_, value)| value)));
         writer
-            .write_record([(*kind).to_owned(), name.clone()].into_iter().chain(cells).chain(values))
+            .write_record(
+                [(*kind).to_owned(), name.clone()]
+                    .into_iter()
+                    .chain(cells)
+                    .chain(values),
+            )
             .map_err(failed)?;
     }
-    let bytes = writer.into_inner().map_err(|error| Error::Output(error.into_error()))?;
+    let bytes = writer
+        .into_inner()
+        .map_err(|error| Error::Output(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// The rows of a layer; of a view among several their names end by what the view is of.
 fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>> {
     let point = |[x, y]: [f64; 2]| [Some(x), Some(y), None, None];
-    let between = |[x, y]: [f64; 2], [to_x, to_y]: [f64; 2]| [Some(x), Some(y), Some(to_x), Some(to_y)];
+    let between =
+        |[x, y]: [f64; 2], [to_x, to_y]: [f64; 2]| [Some(x), Some(y), Some(to_x), Some(to_y)];
     let row = |kind: &'static str, numbers: [Option<f64>; 4]| -> Row<'a> {
         (kind, format!("{}{of_view}", layer.named().0), numbers, None)
     };
@@ -58,29 +106,48 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>>
         Layer::Line { points, .. } => points.iter().map(|at| row("line", point(*at))).collect(),
         Layer::Dots { points, .. } => points.iter().map(|at| row("dots", point(*at))).collect(),
         Layer::Mark { at, .. } => vec![row("mark", point(*at))],
-        Layer::Band { points, .. } => {
-            points.iter().map(|[x, low, high]| row("band", [Some(*x), Some(*low), None, Some(*high)])).collect()
-        }
+        Layer::Band { points, .. } => points
+            .iter()
+            .map(|[x, low, high]| row("band", [Some(*x), Some(*low), None, Some(*high)]))
+            .collect(),
         Layer::Bars { name, bars, .. } => {
             let place = |place: usize| match &figure.y.scale {
                 Scale::Names(names) => names.get(place).map_or(name.as_str(), String::as_str),
                 _ => name,
             };
-            let one =
-                |bar: &Bar| ("bar", place(bar.place).to_owned(), [Some(bar.from), None, Some(bar.to), None], None);
+            let one = |bar: &Bar| {
+                (
+                    "bar",
+                    place(bar.place).to_owned(),
+                    [Some(bar.from), None, Some(bar.to), None],
+                    None,
+                )
+            };
             bars.iter().map(one).collect()
         }
-        Layer::Arrows { arrows, .. } => arrows.iter().map(|[from, to]| row("arrow", between(*from, *to))).collect(),
+        Layer::Arrows { arrows, .. } => arrows
+            .iter()
+            .map(|[from, to]| row("arrow", between(*from, *to)))
+            .collect(),
         Layer::Region { rings, .. } => {
             // rings are parted by rows without numbers
-            rings.join(&[f64::NAN; 2]).iter().map(|at| row("region", point(*at))).collect()
+            rings
+                .join(&[f64::NAN; 2])
+                .iter()
+                .map(|at| row("region", point(*at)))
+                .collect()
         }
         Layer::Frame { low, high, .. } => vec![row("frame", between(*low, *high))],
         Layer::Contours(field) => {
             let one = |(i, value): (usize, &Option<f64>)| {
                 let at = field.place((i % field.columns) as f64, (i / field.columns) as f64);
                 let (kind, name, numbers, _) = row("field", point(at));
-                (kind, name, numbers, Some((field, value.unwrap_or(f64::NAN))))
+                (
+                    kind,
+                    name,
+                    numbers,
+                    Some((field, value.unwrap_or(f64::NAN))),
+                )
             };
             field.values.iter().enumerate().map(one).collect()
         }

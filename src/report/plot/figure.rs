@@ -15,7 +15,8 @@ pub struct Figure {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Height over width of the frame of the axes; rows of an axis of names have a height of their own.
+    /// Height over width of the frame of the axes; rows of an axis of names have a height of their
+    /// own.
     pub aspect: f64,
     /// What is drawn, the lowest first.
     pub layers: Vec<Layer>,
@@ -56,7 +57,10 @@ impl Figure {
     /// The same with a note.
     #[must_use]
     pub fn noted(self, note: impl Into<String>) -> Self {
-        Self { note: note.into(), ..self }
+        Self {
+            note: note.into(),
+            ..self
+        }
     }
 }
 
@@ -67,7 +71,8 @@ pub enum Hue {
     Ink,
     /// What stands back.
     Faint,
-    /// A series, by number. Colours begin again after [`Hue::SERIES`], with one more bar across its lines and points each time.
+    /// A series, by number. Colours begin again after [`Hue::SERIES`], with one more bar across its
+    /// lines and points each time.
     Series(usize),
 }
 
@@ -81,7 +86,8 @@ impl Hue {
     /// How many colours there are for series.
     pub const SERIES: usize = 6;
 
-    /// How many short bars cross its lines and points, which tell it from series of the same colour.
+    /// How many short bars cross its lines and points, which tell it from series of the same
+    /// colour.
     pub fn bars(self) -> usize {
         match self {
             Self::Series(i) => i / Self::SERIES,
@@ -90,7 +96,8 @@ impl Hue {
     }
 }
 
-/// Something drawn. A name, where it is not empty, stands in the legend and in the table of the data.
+/// Something drawn. A name, where it is not empty, stands in the legend and in the table of the
+/// data.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
     /// A line through points; it breaks where a coordinate is not finite.
@@ -178,17 +185,31 @@ pub enum Layer {
 impl Layer {
     /// A line.
     pub fn line(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
-        Self::Line { name: name.into(), hue: Hue::Series(hue), is_dashed: false, points }
+        Self::Line {
+            name: name.into(),
+            hue: Hue::Series(hue),
+            is_dashed: false,
+            points,
+        }
     }
 
     /// A dashed line.
     pub fn dashed(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
-        Self::Line { name: name.into(), hue: Hue::Series(hue), is_dashed: true, points }
+        Self::Line {
+            name: name.into(),
+            hue: Hue::Series(hue),
+            is_dashed: true,
+            points,
+        }
     }
 
     /// Points.
     pub fn dots(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
-        Self::Dots { name: name.into(), hue: Hue::Series(hue), points }
+        Self::Dots {
+            name: name.into(),
+            hue: Hue::Series(hue),
+            points,
+        }
     }
 
     /// What it is called, and its colour where it has one of its own.
@@ -245,19 +266,27 @@ impl Field {
 
     /// The place of a column and a row, counted from 0; parts of them lie between.
     pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
-        let along =
-            |[low, high]: [f64; 2], part: f64, count: usize| low + (high - low) * part / (count.max(2) - 1) as f64;
-        [along(self.x, column, self.columns), along(self.y, row, self.rows())]
+        let along = |[low, high]: [f64; 2], part: f64, count: usize| {
+            low + (high - low) * part / (count.max(2) - 1) as f64
+        };
+        [
+            along(self.x, column, self.columns),
+            along(self.y, row, self.rows()),
+        ]
     }
 
-    /// The value at a place, between its four nodes; `None` off the grid, and beside a node without value.
+    /// The value at a place, between its four nodes; `None` off the grid, and beside a node without
+    /// value.
     pub fn at(&self, [x, y]: [f64; 2]) -> Option<f64> {
         let cell = |[low, high]: [f64; 2], at: f64, count: usize| {
             let along = (at - low) / (high - low) * (count.checked_sub(1)?) as f64;
             let first = along.floor().min(count.checked_sub(2)? as f64);
             (along >= 0.0 && along <= (count - 1) as f64).then_some((first as usize, along - first))
         };
-        let ((column, right), (row, above)) = (cell(self.x, x, self.columns)?, cell(self.y, y, self.rows())?);
+        let ((column, right), (row, above)) = (
+            cell(self.x, x, self.columns)?,
+            cell(self.y, y, self.rows())?,
+        );
         let node = |column: usize, row: usize| self.values[row * self.columns + column];
         let mix = |a: f64, b: f64, part: f64| a + part * (b - a);
         let low = mix(node(column, row)?, node(column + 1, row)?, right);

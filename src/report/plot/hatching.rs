@@ -1,31 +1,42 @@
 //! Hatching: the lines that fill a part of the plane.
 
-/// The parallels to the falling diagonal, so far apart, that lie within some rings (by the even-odd rule). All hatchings of a picture
-/// lie on the same lines.
+/// The parallels to the falling diagonal, so far apart, that lie within some rings (by the even-odd
+/// rule). All hatchings of a picture lie on the same lines.
 pub(super) fn hatching(rings: &[Vec<[f64; 2]>], apart: f64) -> Vec<[[f64; 2]; 2]> {
     let sums = || rings.iter().flatten().map(|[x, y]| x + y);
-    let (low, high) = (sums().fold(f64::INFINITY, f64::min), sums().fold(f64::NEG_INFINITY, f64::max));
+    let (low, high) = (
+        sums().fold(f64::INFINITY, f64::min),
+        sums().fold(f64::NEG_INFINITY, f64::max),
+    );
     // the distance of two lines x + y = c is that of their sums over √2
     let step = apart * std::f64::consts::SQRT_2;
     if !(low < high && step > 0.0) {
         return vec![];
     }
     let lines = (low / step).ceil() as i64..=(high / step).floor() as i64;
-    lines.flat_map(|line| within(rings, line as f64 * step)).collect()
+    lines
+        .flat_map(|line| within(rings, line as f64 * step))
+        .collect()
 }
 
 /// The pieces of the line x + y = sum that lie within some rings.
 fn within(rings: &[Vec<[f64; 2]>], sum: f64) -> Vec<[[f64; 2]; 2]> {
-    let edges = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+    let edges = rings
+        .iter()
+        .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
     let mut crossings: Vec<[f64; 2]> = edges
         .filter_map(|(a, b)| {
             let [from, to] = [a, b].map(|[x, y]| x + y - sum);
             let part = from / (from - to);
-            ((from < 0.0) != (to < 0.0)).then(|| [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])])
+            ((from < 0.0) != (to < 0.0))
+                .then(|| [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])])
         })
         .collect();
     crossings.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
+    crossings
+        .chunks_exact(2)
+        .map(|pair| [pair[0], pair[1]])
+        .collect()
 }
 
 #[cfg(test)]
@@ -37,12 +48,22 @@ mod tests {
     fn exact_hatching_fills_a_ring_with_a_hole_and_nothing_else() {
         let square = |from: f64, to: f64| vec![[from, from], [to, from], [to, to], [from, to]];
         let apart = 0.01;
-        for (rings, area) in [(vec![square(0.0, 10.0)], 100.0), (vec![square(0.0, 10.0), square(4.0, 6.0)], 96.0)] {
+        for (rings, area) in [
+            (vec![square(0.0, 10.0)], 100.0),
+            (vec![square(0.0, 10.0), square(4.0, 6.0)], 96.0),
+        ] {
             let lines = hatching(&rings, apart);
-            let length: f64 = lines.iter().map(|[a, b]| (b[0] - a[0]).hypot(b[1] - a[1])).sum();
+            let length: f64 = lines
+                .iter()
+                .map(|[a, b]| (b[0] - a[0]).hypot(b[1] - a[1]))
+                .sum();
             assert!((length * apart - area).abs() < 0.2, "{}", length * apart);
-            let in_hole = |[x, y]: &[f64; 2]| rings.len() > 1 && [x, y].iter().all(|at| (4.01..5.99).contains(*at));
-            let middles = lines.iter().map(|[a, b]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
+            let in_hole = |[x, y]: &[f64; 2]| {
+                rings.len() > 1 && [x, y].iter().all(|at| (4.01..5.99).contains(*at))
+            };
+            let middles = lines
+                .iter()
+                .map(|[a, b]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
             assert!(middles.filter(in_hole).count() == 0);
         }
         assert!(hatching(&[], 1.0).is_empty() && hatching(&[vec![[1.0, 1.0]]], 1.0).is_empty());

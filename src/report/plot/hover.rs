@@ -12,11 +12,22 @@ use std::fmt::Write;
 const FEW: usize = 40;
 
 /// The titles of all that has a value, as SVG; the grounds are those of each layer that is a map.
-pub(super) fn titles(figure: &Figure, plane: &Plane<'_>, system: System, grounds: &[Vec<Ground>]) -> String {
+pub(super) fn titles(
+    figure: &Figure,
+    plane: &Plane<'_>,
+    system: System,
+    grounds: &[Vec<Ground>],
+) -> String {
     let mut svg = String::new();
     let at = |name: &str, [x, y]: [f64; 2]| {
-        let values = [(&figure.x, x), (&figure.y, y)].map(|(axis, value)| on_axis(axis, value, system));
-        [name.to_owned()].into_iter().chain(values).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+        let values =
+            [(&figure.x, x), (&figure.y, y)].map(|(axis, value)| on_axis(axis, value, system));
+        [name.to_owned()]
+            .into_iter()
+            .chain(values)
+            .filter(|part| !part.is_empty())
+            .collect::<Vec<_>>()
+            .join(", ")
     };
     let mut point = |name: &str, place: [f64; 2]| {
         if let Some([x, y]) = plane.pixel(place) {
@@ -24,7 +35,8 @@ pub(super) fn titles(figure: &Figure, plane: &Plane<'_>, system: System, grounds
             // what a string takes, it takes
             let _ = writeln!(
                 svg,
-                "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" pointer-events=\"all\"><title>{title}</title></circle>",
+                "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" \
+                 pointer-events=\"all\"><title>{title}</title></circle>",
                 fine(x),
                 fine(y),
                 fine(7.0)
@@ -33,11 +45,22 @@ pub(super) fn titles(figure: &Figure, plane: &Plane<'_>, system: System, grounds
     };
     let mut lines: Vec<(String, &[[f64; 2]])> = vec![];
     for (layer, grounds) in figure.layers.iter().zip(grounds) {
-        let Layer::Contours(field) = layer else { continue };
+        let Layer::Contours(field) = layer else {
+            continue;
+        };
         let unit = system.unit(field.measure.unit);
         for ground in grounds {
-            let title = format!("{} {} {unit}", field.measure.label, significant(ground.level, 6));
-            lines.extend(ground.lines.iter().map(|piece| (title.trim_end().to_owned(), piece.as_slice())));
+            let title = format!(
+                "{} {} {unit}",
+                field.measure.label,
+                significant(ground.level, 6)
+            );
+            lines.extend(
+                ground
+                    .lines
+                    .iter()
+                    .map(|piece| (title.trim_end().to_owned(), piece.as_slice())),
+            );
         }
     }
     for layer in &figure.layers {
@@ -50,19 +73,28 @@ pub(super) fn titles(figure: &Figure, plane: &Plane<'_>, system: System, grounds
                 points.iter().for_each(|place| point(name, *place));
             }
             Layer::Mark { name, at, .. } => point(name, *at),
-            Layer::Bars { name, bars, .. } => bars.iter().for_each(|bar| point(name, [bar.to, bar.place as f64])),
+            Layer::Bars { name, bars, .. } => bars
+                .iter()
+                .for_each(|bar| point(name, [bar.to, bar.place as f64])),
             _ => {}
         }
     }
     for (title, points) in lines {
-        let places: Vec<_> = points.iter().filter_map(|place| plane.pixel(*place)).collect();
+        let places: Vec<_> = points
+            .iter()
+            .filter_map(|place| plane.pixel(*place))
+            .collect();
         if title.is_empty() || places.len() < 2 {
             continue;
         }
-        let path: Vec<String> = places.iter().map(|[x, y]| format!("{},{}", fine(*x), fine(*y))).collect();
+        let path: Vec<String> = places
+            .iter()
+            .map(|[x, y]| format!("{},{}", fine(*x), fine(*y)))
+            .collect();
         let _ = writeln!(
             svg,
-            "<path d=\"M{}\" fill=\"none\" stroke=\"none\" stroke-width=\"{}\" pointer-events=\"stroke\"><title>{}</title></path>",
+            "<path d=\"M{}\" fill=\"none\" stroke=\"none\" stroke-width=\"{}\" \
+             pointer-events=\"stroke\"><title>{}</title></path>",
             path.join("L"),
             fine(8.0),
             escaped(&title)
@@ -74,8 +106,17 @@ pub(super) fn titles(figure: &Figure, plane: &Plane<'_>, system: System, grounds
 /// "carry 279.2 yd"; the name of a row.
 fn on_axis(axis: &Axis, value: f64, system: System) -> String {
     match &axis.scale {
-        Scale::Names(names) => names.get(value.round() as usize).cloned().unwrap_or_default(),
-        _ => format!("{} {}", axis.measure.label, of(&axis.measure, value, system)).trim().to_owned(),
+        Scale::Names(names) => names
+            .get(value.round() as usize)
+            .cloned()
+            .unwrap_or_default(),
+        _ => format!(
+            "{} {}",
+            axis.measure.label,
+            of(&axis.measure, value, system)
+        )
+        .trim()
+        .to_owned(),
     }
 }
 
@@ -88,5 +129,8 @@ fn of(measure: &Measure, value: f64, system: System) -> String {
 
 /// Text as pictures print it, and as it stands in XML.
 pub(super) fn escaped(text: &str) -> String {
-    typeset(text).replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+    typeset(text)
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('"', "&quot;")
 }

@@ -11,7 +11,8 @@ use crate::units::{System, significant, with_unit};
 use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
 use plotters::style::{Color, RGBColor};
 
-/// Where the first bars of a series stand along its line, amid its sign in the legend, and how far apart the next, pixels.
+/// Where the first bars of a series stand along its line, amid its sign in the legend, and how far
+/// apart the next, pixels.
 const FIRST_BARS: f64 = 0.5 * SIGN;
 const BARS_APART: f64 = 32.0;
 
@@ -32,26 +33,39 @@ impl Plane<'_> {
         let [left, top, right, bottom] = self.frame;
         let along = |drawn: &Drawn, value: f64, from: f64, to: f64| {
             let part = (drawn.place(value)? - drawn.low) / (drawn.high - drawn.low);
-            (-1e-6..=1.0 + 1e-6).contains(&part).then_some(from + part * (to - from))
+            (-1e-6..=1.0 + 1e-6)
+                .contains(&part)
+                .then_some(from + part * (to - from))
         };
-        Some([along(self.x, x, left, right)?, along(self.y, y, bottom, top)?])
+        Some([
+            along(self.x, x, left, right)?,
+            along(self.y, y, bottom, top)?,
+        ])
     }
 
     /// Where an SI value lies along the horizontal axis, pixels; `None` off it.
     pub fn pixel_across(&self, x: f64) -> Option<f64> {
         let [left, _, right, _] = self.frame;
         let part = (self.x.place(x)? - self.x.low) / (self.x.high - self.x.low);
-        (-1e-6..=1.0 + 1e-6).contains(&part).then_some(left + part * (right - left))
+        (-1e-6..=1.0 + 1e-6)
+            .contains(&part)
+            .then_some(left + part * (right - left))
     }
 
     pub fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-        points.iter().filter_map(|point| self.pixel(*point)).collect()
+        points
+            .iter()
+            .filter_map(|point| self.pixel(*point))
+            .collect()
     }
 
     /// The pieces of a line that lie on the plane.
     pub fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
         let placed: Vec<_> = points.iter().map(|point| self.pixel(*point)).collect();
-        placed.split(Option::is_none).map(|piece| piece.iter().flatten().copied().collect()).collect()
+        placed
+            .split(Option::is_none)
+            .map(|piece| piece.iter().flatten().copied().collect())
+            .collect()
     }
 }
 
@@ -66,14 +80,25 @@ pub(super) fn draw(
     let hue = layer.named().1.unwrap_or(Hue::Ink);
     let color = palette.of(hue);
     match layer {
-        Layer::Line { is_dashed, points, .. } => {
-            plane.pieces(points).iter().try_for_each(|piece| series(area, piece, palette, hue, *is_dashed))
-        }
-        Layer::Dots { points, .. } => plane.all(points).into_iter().try_for_each(|at| point(area, at, palette, hue)),
+        Layer::Line {
+            is_dashed, points, ..
+        } => plane
+            .pieces(points)
+            .iter()
+            .try_for_each(|piece| series(area, piece, palette, hue, *is_dashed)),
+        Layer::Dots { points, .. } => plane
+            .all(points)
+            .into_iter()
+            .try_for_each(|at| point(area, at, palette, hue)),
         Layer::Band { points, .. } => {
             let low = points.iter().map(|[x, low, _]| [*x, *low]);
             let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
-            polygon(area, &plane.all(&low.chain(high).collect::<Vec<_>>()), color, 0.22)
+            polygon(
+                area,
+                &plane.all(&low.chain(high).collect::<Vec<_>>()),
+                color,
+                0.22,
+            )
         }
         // with the names of their rows
         Layer::Bars { .. } => Ok(()),
@@ -82,13 +107,19 @@ pub(super) fn draw(
         Layer::Mark { .. } => Ok(()),
         // after the words
         Layer::Arrows { name, .. } if !name.is_empty() => Ok(()),
-        Layer::Arrows { arrows, .. } => pixels(plane, arrows).try_for_each(|[from, to]| arrow(area, from, to, color)),
-        Layer::Region { is_hatched, rings, .. } => {
+        Layer::Arrows { arrows, .. } => {
+            pixels(plane, arrows).try_for_each(|[from, to]| arrow(area, from, to, color))
+        }
+        Layer::Region {
+            is_hatched, rings, ..
+        } => {
             let rings: Vec<_> = rings.iter().map(|ring| plane.all(ring)).collect();
             region(area, &rings, color, *is_hatched)
         }
         Layer::Frame { low, high, .. } => {
-            let [Some(low), Some(high)] = [plane.pixel(*low), plane.pixel(*high)] else { return Ok(()) };
+            let [Some(low), Some(high)] = [plane.pixel(*low), plane.pixel(*high)] else {
+                return Ok(());
+            };
             let corners = [low, [high[0], low[1]], high, [low[0], high[1]], low];
             line(area, &corners, color, true)
         }
@@ -96,7 +127,11 @@ pub(super) fn draw(
 }
 
 /// The arrows of a field, but for those that words and marks would hide in part.
-pub(super) fn field_arrows(labels: &Labels<'_, '_>, plane: &Plane<'_>, figure: &Figure) -> Result<()> {
+pub(super) fn field_arrows(
+    labels: &Labels<'_, '_>,
+    plane: &Plane<'_>,
+    figure: &Figure,
+) -> Result<()> {
     figure.layers.iter().try_for_each(|layer| match layer {
         Layer::Arrows { name, hue, arrows } if !name.is_empty() => pixels(plane, arrows)
             .filter(|[from, to]| {
@@ -110,7 +145,9 @@ pub(super) fn field_arrows(labels: &Labels<'_, '_>, plane: &Plane<'_>, figure: &
 
 /// Arrows with both ends in the frame.
 fn pixels(plane: &Plane<'_>, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
-    arrows.iter().filter_map(|[from, to]| Some([plane.pixel(*from)?, plane.pixel(*to)?]))
+    arrows
+        .iter()
+        .filter_map(|[from, to]| Some([plane.pixel(*from)?, plane.pixel(*to)?]))
 }
 
 /// The levels of contours, as far as there is room.
@@ -128,8 +165,12 @@ pub(super) fn label(
                 let text = with_unit(&significant(ground.level, 6), unit);
                 let mut lines: Vec<_> = ground.lines.iter().map(|line| plane.all(line)).collect();
                 lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
-                let at = lines.iter().find_map(|line| place_on(labels, plane, line, &text));
-                at.map_or(Ok(()), |at| labels.write(&text, at, labels.palette.ink, false))?;
+                let at = lines
+                    .iter()
+                    .find_map(|line| place_on(labels, plane, line, &text));
+                at.map_or(Ok(()), |at| {
+                    labels.write(&text, at, labels.palette.ink, false)
+                })?;
             }
         }
     }
@@ -144,21 +185,36 @@ pub(super) fn place_on(
     text: &str,
 ) -> Option<[f64; 2]> {
     let middle = places.len() / 2;
-    let outward =
-        (0..places.len()).map(|i| if i % 2 == 0 { middle.wrapping_add(i / 2) } else { middle.wrapping_sub(i / 2 + 1) });
+    let outward = (0..places.len()).map(|i| {
+        if i % 2 == 0 {
+            middle.wrapping_add(i / 2)
+        } else {
+            middle.wrapping_sub(i / 2 + 1)
+        }
+    });
     let [left, top, right, bottom] = plane.frame;
     let has_room = |at: &&[f64; 2]| {
         let [low, high] = Labels::extent(text, **at);
         let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
         is_inside && labels.is_free([low, high])
     };
-    outward.filter_map(|i| places.get(i)).find(has_room).copied()
+    outward
+        .filter_map(|i| places.get(i))
+        .find(has_room)
+        .copied()
 }
 
 /// A part of the plane: hatched, or tinted with an outline.
-pub(super) fn region(area: &Area<'_>, rings: &[Vec<[f64; 2]>], color: RGBColor, is_hatched: bool) -> Result<()> {
+pub(super) fn region(
+    area: &Area<'_>,
+    rings: &[Vec<[f64; 2]>],
+    color: RGBColor,
+    is_hatched: bool,
+) -> Result<()> {
     if is_hatched {
-        return hatching(rings, HATCHES_APART).iter().try_for_each(|ends| path(area, ends, stroke(color, 0.6)));
+        return hatching(rings, HATCHES_APART)
+            .iter()
+            .try_for_each(|ends| path(area, ends, stroke(color, 0.6)));
     }
     rings.iter().try_for_each(|ring| {
         polygon(area, ring, color, 0.28)?;
@@ -167,20 +223,30 @@ pub(super) fn region(area: &Area<'_>, rings: &[Vec<[f64; 2]>], color: RGBColor, 
     })
 }
 
-fn ground(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, field: &Field, grounds: &[Ground]) -> Result<()> {
+fn ground(
+    area: &Area<'_>,
+    plane: &Plane<'_>,
+    palette: &Palette,
+    field: &Field,
+    grounds: &[Ground],
+) -> Result<()> {
     let shade = |i: usize| {
         // the shade of what lies between this level and the next
         let next = grounds.get(i + 1).map_or(1.0, |next| next.part);
         palette.height(0.5 * (grounds[i].part + next))
     };
     for (i, ground) in grounds.iter().enumerate() {
-        ground.outlines.iter().try_for_each(|outline| polygon(area, &plane.all(outline), shade(i), 1.0))?;
+        ground
+            .outlines
+            .iter()
+            .try_for_each(|outline| polygon(area, &plane.all(outline), shade(i), 1.0))?;
     }
     for line in grounds.iter().flat_map(|ground| &ground.lines) {
         path(area, &plane.all(line), stroke(palette.faint, 0.7))?;
     }
     let (columns, rows) = (field.columns, field.rows());
-    // where there is nothing: whole runs of each row, a little over their neighbours, so that no seams show
+    // where there is nothing: whole runs of each row, a little over their neighbours, so that no
+    // seams show
     let corner = |column: f64, row: f64| {
         let end = |at: f64, count: usize| at.clamp(0.0, (count - 1) as f64);
         plane.pixel(field.place(end(column, columns), end(row, rows)))
@@ -190,16 +256,30 @@ fn ground(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, field: &Field, 
         for run in values.chunk_by(|a, b| a.is_none() == b.is_none()) {
             let (from, to) = (column as f64 - 0.5, (column + run.len()) as f64 - 0.5);
             column += run.len();
-            let corners = [corner(from, row as f64 - 0.52), corner(to, row as f64 + 0.52)];
+            let corners = [
+                corner(from, row as f64 - 0.52),
+                corner(to, row as f64 + 0.52),
+            ];
             if let (true, [Some(low), Some(high)]) = (run[0].is_none(), corners) {
-                block(area, [low[0], high[1]], [high[0], low[1]], palette.nothing, 1.0)?;
+                block(
+                    area,
+                    [low[0], high[1]],
+                    [high[0], low[1]],
+                    palette.nothing,
+                    1.0,
+                )?;
             }
         }
     }
     Ok(())
 }
 
-pub(super) fn line(area: &Area<'_>, points: &[[f64; 2]], color: RGBColor, is_dashed: bool) -> Result<()> {
+pub(super) fn line(
+    area: &Area<'_>,
+    points: &[[f64; 2]],
+    color: RGBColor,
+    is_dashed: bool,
+) -> Result<()> {
     if points.len() < 2 {
         return points.iter().try_for_each(|at| dot(area, *at, color));
     }
@@ -208,11 +288,18 @@ pub(super) fn line(area: &Area<'_>, points: &[[f64; 2]], color: RGBColor, is_das
         return path(area, points, style);
     }
     let points: Vec<_> = points.iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
-    area.draw(&DashedPathElement::new(points, 6 * FINE, 4 * FINE, style)).map_err(failed)
+    area.draw(&DashedPathElement::new(points, 6 * FINE, 4 * FINE, style))
+        .map_err(failed)
 }
 
 /// A line of a series, with its bars across every so often.
-pub(super) fn series(area: &Area<'_>, points: &[[f64; 2]], palette: &Palette, hue: Hue, is_dashed: bool) -> Result<()> {
+pub(super) fn series(
+    area: &Area<'_>,
+    points: &[[f64; 2]],
+    palette: &Palette,
+    hue: Hue,
+    is_dashed: bool,
+) -> Result<()> {
     let color = palette.of(hue);
     line(area, points, color, is_dashed)?;
     let (mut gone, mut next) = (0.0, FIRST_BARS);
@@ -242,7 +329,13 @@ pub(super) fn point(area: &Area<'_>, at: [f64; 2], palette: &Palette, hue: Hue) 
 }
 
 /// Short bars across a direction, beside each other around a place.
-fn bars(area: &Area<'_>, [x, y]: [f64; 2], [dx, dy]: [f64; 2], color: RGBColor, count: usize) -> Result<()> {
+fn bars(
+    area: &Area<'_>,
+    [x, y]: [f64; 2],
+    [dx, dy]: [f64; 2],
+    color: RGBColor,
+    count: usize,
+) -> Result<()> {
     (0..count).try_for_each(|i| {
         let along = 3.5 * (i as f64 - 0.5 * (count - 1) as f64);
         let end = |side: f64| [x + along * dx - side * dy, y + along * dy + side * dx];
@@ -251,19 +344,31 @@ fn bars(area: &Area<'_>, [x, y]: [f64; 2], [dx, dy]: [f64; 2], color: RGBColor, 
 }
 
 fn dot(area: &Area<'_>, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
-    area.draw(&Circle::new((fine(x), fine(y)), 3 * FINE, color.filled())).map_err(failed)
+    area.draw(&Circle::new((fine(x), fine(y)), 3 * FINE, color.filled()))
+        .map_err(failed)
 }
 
-pub(super) fn star(area: &Area<'_>, palette: &Palette, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
+pub(super) fn star(
+    area: &Area<'_>,
+    palette: &Palette,
+    [x, y]: [f64; 2],
+    color: RGBColor,
+) -> Result<()> {
     for (radius, color) in [(6.5, palette.ground), (5.0, color), (2.0, palette.ground)] {
-        area.draw(&Circle::new((fine(x), fine(y)), fine(radius), color.filled())).map_err(failed)?;
+        area.draw(&Circle::new(
+            (fine(x), fine(y)),
+            fine(radius),
+            color.filled(),
+        ))
+        .map_err(failed)?;
     }
     Ok(())
 }
 
 fn polygon(area: &Area<'_>, points: &[[f64; 2]], color: RGBColor, alpha: f64) -> Result<()> {
     let points: Vec<_> = points.iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
-    area.draw(&Polygon::new(points, color.mix(alpha).filled())).map_err(failed)
+    area.draw(&Polygon::new(points, color.mix(alpha).filled()))
+        .map_err(failed)
 }
 
 pub(super) fn arrow(area: &Area<'_>, from: [f64; 2], to: [f64; 2], color: RGBColor) -> Result<()> {
@@ -274,9 +379,19 @@ pub(super) fn arrow(area: &Area<'_>, from: [f64; 2], to: [f64; 2], color: RGBCol
     }
     let [dx, dy] = [dx / length, dy / length];
     let head = 6.0_f64.min(0.6 * length);
-    let wing = |side: f64| [to[0] - head * (dx - side * 0.5 * dy), to[1] - head * (dy + side * 0.5 * dx)];
+    let wing = |side: f64| {
+        [
+            to[0] - head * (dx - side * 0.5 * dy),
+            to[1] - head * (dy + side * 0.5 * dx),
+        ]
+    };
     path(area, &[from, to], stroke(color, 1.3))?;
-    let points: Vec<_> = [wing(1.0), to, wing(-1.0)].iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
-    area.draw(&PathElement::new(points.clone(), stroke(color, 1.3))).map_err(failed)?;
-    area.draw(&Polygon::new(points, color.filled())).map_err(failed)
+    let points: Vec<_> = [wing(1.0), to, wing(-1.0)]
+        .iter()
+        .map(|[x, y]| (fine(*x), fine(*y)))
+        .collect();
+    area.draw(&PathElement::new(points.clone(), stroke(color, 1.3)))
+        .map_err(failed)?;
+    area.draw(&Polygon::new(points, color.filled()))
+        .map_err(failed)
 }

@@ -1,5 +1,5 @@
-//! Where the parts of a picture stand: titles, legend, axes and frame. Text keeps its size, and what is too wide for its place is broken into
-//! lines, or stands elsewhere.
+//! Where the parts of a picture stand: titles, legend, axes and frame. Text keeps its size, and
+//! what is too wide for its place is broken into lines, or stands elsewhere.
 
 use super::axis::Axis;
 use super::bars::{Rows, with_room};
@@ -44,10 +44,15 @@ pub(super) struct Layout<'a> {
 
 impl<'a> Layout<'a> {
     /// # Errors
-    /// [`Error::Plot`] where nothing of the figure has a place on its axes, or the width leaves no room for them.
+    /// [`Error::Plot`] where nothing of the figure has a place on its axes, or the width leaves no
+    /// room for them.
     pub fn new(figure: &'a Figure, system: System, width: u32) -> Result<Self> {
-        let failed = |reason: String| Error::Plot { name: figure.name.clone(), reason };
-        let nothing = |axis: &str| failed(format!("it has no number that its {axis} axis can show"));
+        let failed = |reason: String| Error::Plot {
+            name: figure.name.clone(),
+            reason,
+        };
+        let nothing =
+            |axis: &str| failed(format!("it has no number that its {axis} axis can show"));
         let width = f64::from(width);
         let room = width - 2.0 * MARGIN;
         let titles = wrapped(&typeset(&figure.title), room, TITLE, true);
@@ -59,47 +64,79 @@ impl<'a> Layout<'a> {
         let mut found = None;
         // as many numbers as find room below each other
         for count in (1..=MOST).rev() {
-            let y = Drawn::new(&figure.y, ys(), system, count).ok_or_else(|| nothing("vertical"))?;
-            let left = rows.as_ref().map_or(15.0 + y.widest(NUMBER), |rows| rows.left);
-            let (x, left, right) = across(figure, system, left, width).ok_or_else(|| nothing("horizontal"))?;
-            let tall = rows.as_ref().map_or(figure.aspect * (right - left), Rows::heights);
+            let y =
+                Drawn::new(&figure.y, ys(), system, count).ok_or_else(|| nothing("vertical"))?;
+            let left = rows
+                .as_ref()
+                .map_or(15.0 + y.widest(NUMBER), |rows| rows.left);
+            let (x, left, right) =
+                across(figure, system, left, width).ok_or_else(|| nothing("horizontal"))?;
+            let tall = rows
+                .as_ref()
+                .map_or(figure.aspect * (right - left), Rows::heights);
             let is_apart = rows.is_some() || y.is_apart(tall, |_, _| LINE - 2.0);
             found = Some((x, y, left, right, tall));
             if is_apart {
                 break;
             }
         }
-        let Some((x, y, left, right, tall)) = found else { return Err(nothing("vertical")) };
+        let Some((x, y, left, right, tall)) = found else {
+            return Err(nothing("vertical"));
+        };
         if right - left < LEAST {
             let least = (width + LEAST - (right - left)).ceil();
-            return Err(failed(format!("a width of {width} pixels leaves no room for its axes; take {least} or more")));
+            return Err(failed(format!(
+                "a width of {width} pixels leaves no room for its axes; take {least} or more"
+            )));
         }
         let (x_title, y_title) = (titled(&x), titled(&y));
-        let top = (titles.len() + subtitles.len() + y_title.len()) as f64 * LINE + legend_height + 23.0;
+        let top =
+            (titles.len() + subtitles.len() + y_title.len()) as f64 * LINE + legend_height + 23.0;
         let frame = [left, top, right, top + tall];
         let height = (frame[3] + (1.0 + x_title.len() as f64) * LINE + 10.0).ceil();
-        Ok(Self { titles, subtitles, legend, x, y, x_title, y_title, rows, frame, height })
+        Ok(Self {
+            titles,
+            subtitles,
+            legend,
+            x,
+            y,
+            x_title,
+            y_title,
+            rows,
+            frame,
+            height,
+        })
     }
 }
 
-/// The horizontal axis with as many numbers as find room beside each other, and where the frame begins and ends.
+/// The horizontal axis with as many numbers as find room beside each other, and where the frame
+/// begins and ends.
 fn across(figure: &Figure, system: System, left: f64, width: f64) -> Option<(Drawn, f64, f64)> {
     let xs = || coordinates(figure).map(|point| point[0]);
-    let has_bars = figure.layers.iter().any(|layer| matches!(layer, Layer::Bars { .. }));
+    let has_bars = figure
+        .layers
+        .iter()
+        .any(|layer| matches!(layer, Layer::Bars { .. }));
     let mut last = None;
     let most = ((width - left) / APART).max(4.0) as usize;
     for count in (1..=most).rev() {
         let x = Drawn::new(&figure.x, xs(), system, count)?;
-        // the text of a number stands under it, half of it to each side, also at the ends of the axis
+        // the text of a number stands under it, half of it to each side, also at the ends of the
+        // axis
         let half = 0.5 * x.widest(NUMBER) + 4.0;
         let (left, right) = (left.max(half), width - half.max(16.0));
-        let widened: Option<Axis> = if has_bars { with_room(figure, system, right - left) } else { None };
+        let widened: Option<Axis> = if has_bars {
+            with_room(figure, system, right - left)
+        } else {
+            None
+        };
         let x = match widened {
             Some(axis) => Drawn::new(&axis, xs(), system, count)?,
             None => x,
         };
-        let is_apart =
-            x.is_apart(right - left, |a, b| 0.5 * (text_width(a, NUMBER, false) + text_width(b, NUMBER, false)) + 6.0);
+        let is_apart = x.is_apart(right - left, |a, b| {
+            0.5 * (text_width(a, NUMBER, false) + text_width(b, NUMBER, false)) + 6.0
+        });
         last = Some((x, left, right));
         if is_apart {
             break;
@@ -113,10 +150,14 @@ fn coordinates(figure: &Figure) -> impl Iterator<Item = [f64; 2]> + '_ {
     figure.layers.iter().flat_map(|layer| -> Vec<[f64; 2]> {
         match layer {
             Layer::Line { points, .. } | Layer::Dots { points, .. } => points.clone(),
-            Layer::Band { points, .. } => points.iter().flat_map(|[x, low, high]| [[*x, *low], [*x, *high]]).collect(),
-            Layer::Bars { bars, .. } => {
-                bars.iter().flat_map(|bar| [bar.from, bar.to].map(|x| [x, bar.place as f64])).collect()
-            }
+            Layer::Band { points, .. } => points
+                .iter()
+                .flat_map(|[x, low, high]| [[*x, *low], [*x, *high]])
+                .collect(),
+            Layer::Bars { bars, .. } => bars
+                .iter()
+                .flat_map(|bar| [bar.from, bar.to].map(|x| [x, bar.place as f64]))
+                .collect(),
             Layer::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
             Layer::Mark { at, .. } => vec![*at],
             Layer::Region { rings, .. } => rings.concat(),

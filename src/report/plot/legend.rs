@@ -27,18 +27,45 @@ pub(super) struct Entry<'a> {
     at: [f64; 2],
 }
 
-/// The legend, and the height of it all, pixels. One layer alone needs no legend: the title names it.
+/// The legend, and the height of it all, pixels. One layer alone needs no legend: the title names
+/// it.
 pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
-    let layers: Vec<&Layer> = figure.layers.iter().filter(|layer| is_named(figure, layer)).collect();
+    let layers: Vec<&Layer> = figure
+        .layers
+        .iter()
+        .filter(|layer| is_named(figure, layer))
+        .collect();
     if layers.is_empty() || (layers.len() == 1 && figure.layers.len() == 1) {
         return (vec![], 0.0);
     }
-    let lines = |layer: &Layer| wrapped(&typeset(layer.named().0), width - SIGN - GAPS[0], SIZE, false);
-    let named: Vec<(&Layer, Vec<String>)> = layers.into_iter().map(|layer| (layer, lines(layer))).collect();
-    let wide =
-        |lines: &[String]| SIGN + GAPS[0] + lines.iter().map(|line| text_width(line, SIZE, false)).fold(0.0, f64::max);
-    let widest = named.iter().map(|(_, lines)| wide(lines)).fold(0.0, f64::max);
-    let all = named.iter().map(|(_, lines)| wide(lines) + GAPS[1]).sum::<f64>() - GAPS[1];
+    let lines = |layer: &Layer| {
+        wrapped(
+            &typeset(layer.named().0),
+            width - SIGN - GAPS[0],
+            SIZE,
+            false,
+        )
+    };
+    let named: Vec<(&Layer, Vec<String>)> = layers
+        .into_iter()
+        .map(|layer| (layer, lines(layer)))
+        .collect();
+    let wide = |lines: &[String]| {
+        SIGN + GAPS[0]
+            + lines
+                .iter()
+                .map(|line| text_width(line, SIZE, false))
+                .fold(0.0, f64::max)
+    };
+    let widest = named
+        .iter()
+        .map(|(_, lines)| wide(lines))
+        .fold(0.0, f64::max);
+    let all = named
+        .iter()
+        .map(|(_, lines)| wide(lines) + GAPS[1])
+        .sum::<f64>()
+        - GAPS[1];
     // side by side in columns, where there are so many that one looks for a name among them
     let column = (named.len() > FEW && all > width).then_some(widest + GAPS[1]);
     let (mut at, mut tallest, mut entries) = ([0.0, 0.5 * LINE], 1, vec![]);
@@ -59,20 +86,35 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
 fn is_named(figure: &Figure, layer: &Layer) -> bool {
     let (name, hue) = layer.named();
     let is_named_where_it_is = matches!(layer, Layer::Mark { .. })
-        || (figure.names_on_lines && matches!(layer, Layer::Line { .. } | Layer::Region { is_hatched: true, .. }));
+        || (figure.names_on_lines
+            && matches!(
+                layer,
+                Layer::Line { .. }
+                    | Layer::Region {
+                        is_hatched: true,
+                        ..
+                    }
+            ));
     !name.is_empty() && hue.is_some() && !is_named_where_it_is && !is_part_of_another(figure, name)
 }
 
 /// Whether the legend has this name.
 pub(super) fn has(figure: &Figure, name: &str) -> bool {
-    figure.layers.iter().any(|layer| layer.named().0 == name && is_named(figure, layer))
+    figure
+        .layers
+        .iter()
+        .any(|layer| layer.named().0 == name && is_named(figure, layer))
 }
 
-/// Whether a layer goes with another, named as that one with a remark behind: "ferguson (extrapolated)".
+/// Whether a layer goes with another, named as that one with a remark behind: "ferguson
+/// (extrapolated)".
 fn is_part_of_another(figure: &Figure, name: &str) -> bool {
     let whole = name.rsplit_once(" (").map(|(whole, _)| whole);
     whole.is_some_and(|whole| {
-        figure.layers.iter().any(|layer| layer.named().0 == whole && !matches!(layer, Layer::Mark { .. }))
+        figure
+            .layers
+            .iter()
+            .any(|layer| layer.named().0 == whole && !matches!(layer, Layer::Mark { .. }))
     })
 }
 
@@ -86,7 +128,12 @@ impl Entry<'_> {
         match self.layer {
             Layer::Line { is_dashed, .. } => series(area, &ends, palette, hue, *is_dashed)?,
             Layer::Region { is_hatched, .. } => {
-                let corners = [[x, y - 6.0], [x + SIGN, y - 6.0], [x + SIGN, y + 6.0], [x, y + 6.0]];
+                let corners = [
+                    [x, y - 6.0],
+                    [x + SIGN, y - 6.0],
+                    [x + SIGN, y + 6.0],
+                    [x, y + 6.0],
+                ];
                 region(area, &[corners.to_vec()], color, *is_hatched)?;
             }
             Layer::Frame { .. } => line(area, &ends, color, true)?,
@@ -97,9 +144,14 @@ impl Entry<'_> {
             Layer::Contours(_) | Layer::Mark { .. } => {}
         }
         let style = || font(SIZE, palette.ink, false);
-        self.lines
-            .iter()
-            .enumerate()
-            .try_for_each(|(i, line)| words(area, line, [x + SIGN + GAPS[0], y + i as f64 * LINE], HPos::Left, style()))
+        self.lines.iter().enumerate().try_for_each(|(i, line)| {
+            words(
+                area,
+                line,
+                [x + SIGN + GAPS[0], y + i as f64 * LINE],
+                HPos::Left,
+                style(),
+            )
+        })
     }
 }

@@ -6,10 +6,20 @@ use super::layers::{Plane, place_on};
 use super::marks::write_near;
 use crate::error::Result;
 
-/// Writes the names of lines on them where the figure has them there; beside a line that has no room.
-pub(super) fn write_line_names(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, figure: &Figure) -> Result<()> {
+/// Writes the names of lines on them where the figure has them there; beside a line that has no
+/// room.
+pub(super) fn write_line_names(
+    labels: &mut Labels<'_, '_>,
+    plane: &Plane<'_>,
+    figure: &Figure,
+) -> Result<()> {
     for layer in figure.layers.iter().filter(|_| figure.names_on_lines) {
-        let Layer::Line { name, hue, points, .. } = layer else { continue };
+        let Layer::Line {
+            name, hue, points, ..
+        } = layer
+        else {
+            continue;
+        };
         let (places, color) = (plane.all(points), labels.palette.of(*hue));
         if name.is_empty() {
             continue;
@@ -17,7 +27,9 @@ pub(super) fn write_line_names(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, f
         match place_on(labels, plane, &places, name) {
             Some(middle) => labels.write(name, middle, color, true)?,
             // a line without its name would be a riddle
-            None => places.get(places.len() / 2).map_or(Ok(()), |at| write_near(labels, plane, name, *at, color))?,
+            None => places
+                .get(places.len() / 2)
+                .map_or(Ok(()), |at| write_near(labels, plane, name, *at, color))?,
         }
     }
     Ok(())

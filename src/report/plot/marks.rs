@@ -14,11 +14,17 @@ const GAP: f64 = 9.0;
 /// A word farther than this from its mark is joined to it by a line, pixels.
 const FAR: f64 = 2.0 * LINE;
 
-/// Draws the marks, then their words. Words that the legend has too are left out with their marks, all of them, where one of them has no room
-/// beside its mark.
-pub(super) fn write_marks(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, figure: &Figure) -> Result<()> {
+/// Draws the marks, then their words. Words that the legend has too are left out with their marks,
+/// all of them, where one of them has no room beside its mark.
+pub(super) fn write_marks(
+    labels: &mut Labels<'_, '_>,
+    plane: &Plane<'_>,
+    figure: &Figure,
+) -> Result<()> {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
-        Layer::Mark { name, hue, at } => Some((name.as_str(), labels.palette.of(*hue), plane.pixel(*at)?)),
+        Layer::Mark { name, hue, at } => {
+            Some((name.as_str(), labels.palette.of(*hue), plane.pixel(*at)?))
+        }
         _ => None,
     });
     let (doubled, needed): (Vec<_>, Vec<_>) =
@@ -36,7 +42,9 @@ pub(super) fn write_marks(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, figure
         }
     }
     let before = labels.taken.len();
-    labels.taken.extend(doubled.iter().map(|(.., at)| around(at)));
+    labels
+        .taken
+        .extend(doubled.iter().map(|(.., at)| around(at)));
     let mut middles = vec![];
     for (name, _, at) in &doubled {
         let Some(middle) = beside(labels, plane, name, *at, &lines) else {
@@ -96,10 +104,15 @@ fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
 fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]) -> bool {
     let [left, top, right, bottom] = plane.frame;
     let [low, high] = Labels::extent(name, *middle);
-    low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom && labels.is_free([low, high])
+    low[0] >= left
+        && high[0] <= right
+        && low[1] >= top
+        && high[1] <= bottom
+        && labels.is_free([low, high])
 }
 
-/// The middle of a word beside its mark, above or below, where there is room and least of the lines is hidden.
+/// The middle of a word beside its mark, above or below, where there is room and least of the lines
+/// is hidden.
 fn beside(
     labels: &Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -113,25 +126,39 @@ fn beside(
     let heights = [0.0, -LINE, LINE].map(|dy| at[1] + dy);
     let over = at[0].min(right - wide).max(left + wide);
     let over = [-1.0, 1.0].map(|side| [over, at[1] + side * (tall + GAP)]);
-    let all = sides.into_iter().flat_map(|x| heights.map(|y| [x, y])).chain(over);
+    let all = sides
+        .into_iter()
+        .flat_map(|x| heights.map(|y| [x, y]))
+        .chain(over);
     let hidden = |middle: &[f64; 2]| {
         let [low, high] = Labels::extent(name, *middle);
-        let is_under = |place: &&[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
+        let is_under =
+            |place: &&[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
         lines.iter().filter(is_under).count()
     };
     // the first of those that hide least
-    all.into_iter().filter(|middle| is_free(labels, plane, name, middle)).min_by_key(hidden)
+    all.into_iter()
+        .filter(|middle| is_free(labels, plane, name, middle))
+        .min_by_key(hidden)
 }
 
-/// The nearest middle of a word in the frame where there is room; in a frame that is full, over something.
+/// The nearest middle of a word in the frame where there is room; in a frame that is full, over
+/// something.
 fn nearest(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 8.0;
     let [left, top, right, bottom] = plane.frame;
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
-    let (across, up) = (((right - left) / STEP) as usize, ((bottom - top) / STEP) as usize);
-    let nodes = (0..across).flat_map(|i| (0..up).map(move |j| [left + STEP * i as f64, top + STEP * j as f64]));
+    let (across, up) = (
+        ((right - left) / STEP) as usize,
+        ((bottom - top) / STEP) as usize,
+    );
+    let nodes = (0..across)
+        .flat_map(|i| (0..up).map(move |j| [left + STEP * i as f64, top + STEP * j as f64]));
     let distance = |node: &[f64; 2]| (node[0] - at[0]).hypot(node[1] - at[1]);
     let free = nodes.filter(|node| is_free(labels, plane, name, node));
     free.min_by(|a, b| distance(a).total_cmp(&distance(b)))
-        .unwrap_or([at[0].min(right - wide).max(left + wide), at[1].min(bottom - tall).max(top + tall)])
+        .unwrap_or([
+            at[0].min(right - wide).max(left + wide),
+            at[1].min(bottom - tall).max(top + tall),
+        ])
 }

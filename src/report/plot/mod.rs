@@ -1,5 +1,5 @@
-//! Plots. A [`Figure`] is data: axes and layers, in SI. SVG, PNG and CSV are views of it, in either system of units, light
-//! or dark.
+//! Plots. A [`Figure`] is data: axes and layers, in SI. SVG, PNG and CSV are views of it, in either
+//! system of units, light or dark.
 //!
 //! ```
 //! use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, figure_csv, figure_svg};

@@ -1,8 +1,9 @@
 use super::figure::Hue;
 use plotters::style::RGBColor;
 
-/// The colours of a picture. Series are told apart by the colour-blind too (hues after Okabe & Ito, 2008, darkened or
-/// lightened until each stands out 3 : 1 from the ground, and from what maps and bands are filled with). Where there are more series than colours, bars across tell them apart.
+/// The colours of a picture. Series are told apart by the colour-blind too (hues after Okabe & Ito,
+/// 2008, darkened or lightened until each stands out 3 : 1 from the ground, and from what maps and
+/// bands are filled with). Where there are more series than colours, bars across tell them apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// The page.
@@ -35,7 +36,11 @@ pub const LIGHT: Palette = Palette {
         RGBColor(134, 104, 0),
         RGBColor(0, 123, 146),
     ],
-    heights: [RGBColor(246, 249, 237), RGBColor(202, 231, 215), RGBColor(156, 216, 210)],
+    heights: [
+        RGBColor(246, 249, 237),
+        RGBColor(202, 231, 215),
+        RGBColor(156, 216, 210),
+    ],
 };
 
 /// For a dark page.
@@ -53,7 +58,11 @@ pub const DARK: Palette = Palette {
         RGBColor(226, 200, 84),
         RGBColor(130, 225, 236),
     ],
-    heights: [RGBColor(26, 33, 42), RGBColor(28, 62, 70), RGBColor(30, 90, 92)],
+    heights: [
+        RGBColor(26, 33, 42),
+        RGBColor(28, 62, 70),
+        RGBColor(30, 90, 92),
+    ],
 };
 
 /// Steps of a field's colour.
@@ -73,7 +82,8 @@ impl Palette {
         let part = (part.clamp(0.0, 1.0) * STEPS as f64).round() / STEPS as f64 * 2.0;
         let (low, high) = if part < 1.0 { (0, 1) } else { (1, 2) };
         let (a, b, part) = (self.heights[low], self.heights[high], part - low as f64);
-        let mix = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
+        let mix =
+            |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
         RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
     }
 
@@ -96,9 +106,14 @@ mod tests {
     fn contrast(a: RGBColor, b: RGBColor) -> f64 {
         let linear = |part: u8| {
             let part = f64::from(part) / 255.0;
-            if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
+            if part <= 0.04045 {
+                part / 12.92
+            } else {
+                ((part + 0.055) / 1.055).powf(2.4)
+            }
         };
-        let luminance = |c: RGBColor| 0.2126 * linear(c.0) + 0.7152 * linear(c.1) + 0.0722 * linear(c.2);
+        let luminance =
+            |c: RGBColor| 0.2126 * linear(c.0) + 0.7152 * linear(c.1) + 0.0722 * linear(c.2);
         let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
         a.max(b) / a.min(b)
     }
@@ -107,22 +122,34 @@ mod tests {
     fn exact_contrasts_are_enough_to_read_by() {
         for palette in [LIGHT, DARK] {
             // bands hide 22 % of the ground
-            let mix = |over: u8, under: u8| (0.22 * f64::from(over) + 0.78 * f64::from(under)).round() as u8;
+            let mix = |over: u8, under: u8| {
+                (0.22 * f64::from(over) + 0.78 * f64::from(under)).round() as u8
+            };
             let band = |c: RGBColor| {
                 let ground = palette.ground;
                 RGBColor(mix(c.0, ground.0), mix(c.1, ground.1), mix(c.2, ground.2))
             };
             let heights = (0..=STEPS).map(|step| palette.height(step as f64 / STEPS as f64));
-            let fills = heights.chain(palette.series.map(band)).chain([palette.ground, palette.nothing]);
+            let fills = heights
+                .chain(palette.series.map(band))
+                .chain([palette.ground, palette.nothing]);
             for fill in fills {
                 for color in palette.series.into_iter().chain([palette.ink]) {
                     let found = contrast(color, fill);
                     assert!(found >= 3.0, "{color:?} on {fill:?}: {found}");
                 }
             }
-            assert!(contrast(palette.ink, palette.ground) >= 7.0 && contrast(palette.faint, palette.ground) >= 4.5);
+            assert!(
+                contrast(palette.ink, palette.ground) >= 7.0
+                    && contrast(palette.faint, palette.ground) >= 4.5
+            );
             // words on a map, and its lines
-            assert!(palette.heights.iter().all(|height| contrast(palette.ink, *height) >= 4.5));
+            assert!(
+                palette
+                    .heights
+                    .iter()
+                    .all(|height| contrast(palette.ink, *height) >= 4.5)
+            );
         }
     }
 

@@ -10,18 +10,28 @@ use std::fmt::Write;
 /// Views stand beside each other where each is so broad, pixels.
 const LEAST_BESIDE: u32 = 280;
 
-/// A plot as SVG, a picture that scales. It is complete in itself, and names no other file; its colours are plain
-/// attributes, which [`dark_rules`](super::dark_rules) can change on a page. Values stand in titles, which a browser shows where a pointer
-/// rests on a point or a line.
+/// A plot as SVG, a picture that scales. It is complete in itself, and names no other file; its
+/// colours are plain attributes, which [`dark_rules`](super::dark_rules) can change on a page.
+/// Values stand in titles, which a browser shows where a pointer rests on a point or a line.
 ///
 /// # Errors
 /// [`Error::Plot`](crate::Error::Plot) where nothing of it has a place on its axes.
 pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
-    let columns = figure.columns.min((look.width / LEAST_BESIDE) as usize).max(1);
-    let each = Look { width: look.width / columns as u32, ..*look };
-    let panels: Vec<Panel> =
-        std::iter::once(figure).chain(&figure.panels).map(|one| panel(one, &each)).collect::<Result<_>>()?;
-    let heights = panels.chunks(columns).map(|row| row.iter().map(|panel| panel.height).fold(0.0, f64::max));
+    let columns = figure
+        .columns
+        .min((look.width / LEAST_BESIDE) as usize)
+        .max(1);
+    let each = Look {
+        width: look.width / columns as u32,
+        ..*look
+    };
+    let panels: Vec<Panel> = std::iter::once(figure)
+        .chain(&figure.panels)
+        .map(|one| panel(one, &each))
+        .collect::<Result<_>>()?;
+    let heights = panels
+        .chunks(columns)
+        .map(|row| row.iter().map(|panel| panel.height).fold(0.0, f64::max));
     let (width, height) = (f64::from(look.width), heights.clone().sum::<f64>());
     let mut svg = format!(
         "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {} {}\" role=\"img\" \
@@ -39,7 +49,12 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
             let _ = if top == 0.0 && left == 0.0 {
                 write!(svg, "{body}")
             } else {
-                write!(svg, "<g transform=\"translate({} {})\">{body}</g>", fine(left), fine(top))
+                write!(
+                    svg,
+                    "<g transform=\"translate({} {})\">{body}</g>",
+                    fine(left),
+                    fine(top)
+                )
             };
         }
         top += height;

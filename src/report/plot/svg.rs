@@ -30,7 +30,11 @@ pub struct Look {
 impl Default for Look {
     /// US units, light, 480 pixels: read on a phone and in a column of print.
     fn default() -> Self {
-        Self { system: System::Us, shades: Shades::Light, width: 480 }
+        Self {
+            system: System::Us,
+            shades: Shades::Light,
+            width: 480,
+        }
     }
 }
 
@@ -61,7 +65,8 @@ pub(super) struct Panel {
 /// Draws a figure without its other views.
 ///
 /// # Errors
-/// [`Error::Plot`](crate::Error::Plot) where nothing of it has a place on its axes, or the width leaves no room for them.
+/// [`Error::Plot`](crate::Error::Plot) where nothing of it has a place on its axes, or the width
+/// leaves no room for them.
 pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
     let palette = look.shades.palette();
     let layout = Layout::new(figure, look.system, look.width)?;
@@ -72,38 +77,85 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
         let size = (fine(width) as u32, fine(layout.height) as u32);
         let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
         area.fill(&palette.ground).map_err(failed)?;
-        let lines = |lines: &[String], first: [f64; 2], side: HPos, style: &dyn Fn() -> TextStyle<'static>| {
+        let lines = |lines: &[String],
+                     first: [f64; 2],
+                     side: HPos,
+                     style: &dyn Fn() -> TextStyle<'static>| {
             let mut lines = lines.iter().enumerate();
-            lines.try_for_each(|(i, line)| words(&area, line, [first[0], first[1] + i as f64 * LINE], side, style()))
+            lines.try_for_each(|(i, line)| {
+                words(
+                    &area,
+                    line,
+                    [first[0], first[1] + i as f64 * LINE],
+                    side,
+                    style(),
+                )
+            })
         };
         let faint = || font(TEXT, palette.faint, false);
-        lines(&layout.titles, [MARGIN, 0.5 * LINE + 3.0], HPos::Left, &|| font(TITLE, palette.ink, true))?;
+        lines(
+            &layout.titles,
+            [MARGIN, 0.5 * LINE + 3.0],
+            HPos::Left,
+            &|| font(TITLE, palette.ink, true),
+        )?;
         let below = layout.titles.len() as f64 * LINE;
-        lines(&layout.subtitles, [MARGIN, below + 0.5 * LINE + 3.0], HPos::Left, &faint)?;
+        lines(
+            &layout.subtitles,
+            [MARGIN, below + 0.5 * LINE + 3.0],
+            HPos::Left,
+            &faint,
+        )?;
         let legend_top = below + layout.subtitles.len() as f64 * LINE + 5.0;
-        layout.legend.iter().try_for_each(|entry| entry.draw(&area, palette, [MARGIN, legend_top]))?;
+        layout
+            .legend
+            .iter()
+            .try_for_each(|entry| entry.draw(&area, palette, [MARGIN, legend_top]))?;
         let above = frame[1] - (layout.y_title.len() as f64 - 0.5) * LINE - 8.0;
         lines(&layout.y_title, [MARGIN, above], HPos::Left, &faint)?;
-        lines(&layout.x_title, [frame[2], frame[3] + 1.6 * LINE + 1.0], HPos::Right, &faint)?;
+        lines(
+            &layout.x_title,
+            [frame[2], frame[3] + 1.6 * LINE + 1.0],
+            HPos::Right,
+            &faint,
+        )?;
 
-        let plane = Plane { x: &layout.x, y: &layout.y, frame };
-        let is_map = figure.layers.iter().any(|layer| matches!(layer, Layer::Contours(_)));
+        let plane = Plane {
+            x: &layout.x,
+            y: &layout.y,
+            frame,
+        };
+        let is_map = figure
+            .layers
+            .iter()
+            .any(|layer| matches!(layer, Layer::Contours(_)));
         axes(&area, &plane, palette, is_map)?;
         // found once for what is drawn, written and told of them
         let grounds: Vec<_> = figure
             .layers
             .iter()
-            .map(|layer| if let Layer::Contours(field) = layer { grounds(field, look.system) } else { vec![] })
+            .map(|layer| {
+                if let Layer::Contours(field) = layer {
+                    grounds(field, look.system)
+                } else {
+                    vec![]
+                }
+            })
             .collect();
         for (layer, grounds) in figure.layers.iter().zip(&grounds) {
             draw(&area, &plane, palette, layer, grounds)?;
         }
         if let Some(rows) = &layout.rows {
             rows.draw(&area, &plane, palette)?;
-            (0..figure.layers.len())
-                .try_for_each(|layer| rows.bars(&area, &plane, palette, look.system, figure, layer))?;
+            (0..figure.layers.len()).try_for_each(|layer| {
+                rows.bars(&area, &plane, palette, look.system, figure, layer)
+            })?;
         }
-        let mut labels = Labels { area: &area, palette, taken: vec![] };
+        let mut labels = Labels {
+            area: &area,
+            palette,
+            taken: vec![],
+        };
         write_marks(&mut labels, &plane, figure)?;
         write_line_names(&mut labels, &plane, figure)?;
         label(&mut labels, &plane, look.system, figure, &grounds)?;
@@ -112,8 +164,15 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
         area.present().map_err(failed)?;
     }
     // the elements alone: the picture around them may hold several panels
-    let body = svg.split_once('>').map_or("", |(_, body)| body).trim_end().trim_end_matches("</svg>");
-    Ok(Panel { body: format!("{body}{hover}"), height: layout.height })
+    let body = svg
+        .split_once('>')
+        .map_or("", |(_, body)| body)
+        .trim_end()
+        .trim_end_matches("</svg>");
+    Ok(Panel {
+        body: format!("{body}{hover}"),
+        height: layout.height,
+    })
 }
 
 /// The axes and the mesh, by the library.
@@ -154,8 +213,11 @@ pub fn dark_rules(inside: &str) -> String {
         };
         let (light, dark) = (hex(light), hex(dark));
         // what a string takes, it takes
-        let _ =
-            writeln!(rules, "{inside} [fill=\"{light}\"]{{fill:{dark}}}{inside} [stroke=\"{light}\"]{{stroke:{dark}}}");
+        let _ = writeln!(
+            rules,
+            "{inside} [fill=\"{light}\"]{{fill:{dark}}}{inside} \
+             [stroke=\"{light}\"]{{stroke:{dark}}}"
+        );
     }
     rules
 }

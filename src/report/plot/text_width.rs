@@ -1,5 +1,5 @@
-//! How wide words are. A picture cannot know its reader's font: these are the widths of DejaVu Sans, the widest usual one, so that words
-//! in any other take less room.
+//! How wide words are. A picture cannot know its reader's font: these are the widths of DejaVu
+//! Sans, the widest usual one, so that words in any other take less room.
 
 /// The widths of the characters from space to tilde, thousandths of the size of the text.
 #[rustfmt::skip]
@@ -19,22 +19,37 @@ const BOLD: [u16; 95] = [
     343, 1042, 712, 687, 716, 716, 493, 595, 478, 712, 652, 924, 645, 652, 582, 712, 365, 712, 838,
 ];
 
-/// The width of any other character: that of "−" and "±", than which the degree sign and exponents are narrower.
+/// The width of any other character: that of "−" and "±", than which the degree sign and exponents
+/// are narrower.
 const OTHER: [u16; 2] = [838, 870];
 
 /// The width of words of a size, pixels.
 pub(super) fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
-    let (known, other) = if is_bold { (&BOLD, OTHER[1]) } else { (&REGULAR, OTHER[0]) };
-    let of = |c: char| (c as usize).checked_sub(32).and_then(|i| known.get(i)).copied().unwrap_or(other);
+    let (known, other) = if is_bold {
+        (&BOLD, OTHER[1])
+    } else {
+        (&REGULAR, OTHER[0])
+    };
+    let of = |c: char| {
+        (c as usize)
+            .checked_sub(32)
+            .and_then(|i| known.get(i))
+            .copied()
+            .unwrap_or(other)
+    };
     text.chars().map(|c| f64::from(of(c))).sum::<f64>() * size / 1000.0
 }
 
-/// Words in lines no wider than `room`, pixels. A word that is too wide is broken, behind a mark where it has one.
+/// Words in lines no wider than `room`, pixels. A word that is too wide is broken, behind a mark
+/// where it has one.
 pub(super) fn wrapped(text: &str, room: f64, size: f64, is_bold: bool) -> Vec<String> {
     let fits = |text: &str| text_width(text, size, is_bold) <= room;
     let mut lines: Vec<String> = vec![];
     for word in text.split_whitespace() {
-        let joined = lines.last().map(|line| format!("{line} {word}")).filter(|line| fits(line));
+        let joined = lines
+            .last()
+            .map(|line| format!("{line} {word}"))
+            .filter(|line| fits(line));
         match (joined, lines.last_mut()) {
             (Some(joined), Some(last)) => *last = joined,
             _ => lines.extend(broken(word, &fits)),
@@ -49,9 +64,15 @@ fn broken(word: &str, fits: &dyn Fn(&str) -> bool) -> Vec<String> {
     while !fits(rest) {
         let ends = rest.char_indices().map(|(at, c)| at + c.len_utf8());
         // one character at least, however little room there is
-        let longest = ends.enumerate().take_while(|(i, end)| *i == 0 || fits(&rest[..*end])).map(|(_, end)| end).last();
+        let longest = ends
+            .enumerate()
+            .take_while(|(i, end)| *i == 0 || fits(&rest[..*end]))
+            .map(|(_, end)| end)
+            .last();
         let longest = longest.unwrap_or(rest.len());
-        let at = rest[..longest].rfind(['.', '_', '/', '-']).map_or(longest, |at| at + 1);
+        let at = rest[..longest]
+            .rfind(['.', '_', '/', '-'])
+            .map_or(longest, |at| at + 1);
         if at == rest.len() {
             break;
         }
@@ -68,13 +89,22 @@ mod tests {
 
     #[test]
     fn no_line_is_wider_than_its_room_and_no_letter_is_lost() {
-        let text = "d carry/d swing.attack_angle of macdonald-hanzely over Llanfairpwllgwyngyllgogerychwyrndrobwll";
+        let text = "d carry/d swing.attack_angle of macdonald-hanzely over \
+                    Llanfairpwllgwyngyllgogerychwyrndrobwll";
         for room in [40.0, 90.0, 150.0, 400.0] {
             let lines = wrapped(text, room, 13.0, false);
-            assert!(lines.iter().all(|line| text_width(line, 13.0, false) <= room), "{lines:?}");
+            assert!(
+                lines
+                    .iter()
+                    .all(|line| text_width(line, 13.0, false) <= room),
+                "{lines:?}"
+            );
             assert_eq!(lines.concat().replace(' ', ""), text.replace(' ', ""));
         }
-        assert_eq!(wrapped("swing.attack_angle", 70.0, 13.0, false), ["swing.", "attack_", "angle"]);
+        assert_eq!(
+            wrapped("swing.attack_angle", 70.0, 13.0, false),
+            ["swing.", "attack_", "angle"]
+        );
         assert!(wrapped("", 70.0, 13.0, false).is_empty());
     }
 }

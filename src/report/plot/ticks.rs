@@ -6,7 +6,8 @@ use crate::units::{System, significant};
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use std::ops::Range;
 
-/// An axis as drawn: its ends and ticks, in the unit of a system, of the logarithm where it is logarithmic.
+/// An axis as drawn: its ends and ticks, in the unit of a system, of the logarithm where it is
+/// logarithmic.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Drawn {
     axis: Axis,
@@ -21,23 +22,49 @@ pub(super) struct Drawn {
 }
 
 impl Drawn {
-    /// An axis around these SI values, with about `count` ticks. `None` where nothing of them has a place on it.
-    pub fn new(axis: &Axis, values: impl Iterator<Item = f64>, system: System, count: usize) -> Option<Self> {
+    /// An axis around these SI values, with about `count` ticks. `None` where nothing of them has a
+    /// place on it.
+    pub fn new(
+        axis: &Axis,
+        values: impl Iterator<Item = f64>,
+        system: System,
+        count: usize,
+    ) -> Option<Self> {
         let unit = axis.measure.unit_size(system);
-        let mut drawn = Self { axis: axis.clone(), system, unit, low: 0.0, high: 1.0, ticks: vec![], decimals: 0 };
+        let mut drawn = Self {
+            axis: axis.clone(),
+            system,
+            unit,
+            low: 0.0,
+            high: 1.0,
+            ticks: vec![],
+            decimals: 0,
+        };
         if let Scale::Names(names) = &axis.scale {
             // the first on top; the names are written with the bars
             (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
             return (!names.is_empty()).then_some(drawn);
         }
         let reach = axis.reach.into_iter().flatten();
-        let values: Vec<f64> = if axis.is_exact { reach.collect() } else { values.chain(reach).collect() };
+        let values: Vec<f64> = if axis.is_exact {
+            reach.collect()
+        } else {
+            values.chain(reach).collect()
+        };
         let mut places = values.into_iter().filter_map(|value| drawn.place(value));
         let first = places.next()?;
-        let (low, high) = places.fold((first, first), |(low, high), place| (low.min(place), high.max(place)));
+        let (low, high) = places.fold((first, first), |(low, high), place| {
+            (low.min(place), high.max(place))
+        });
         // a single value still needs a width
-        let (low, high) =
-            if high > low { (low, high) } else { (low - 0.5 * low.abs().max(1.0), high + 0.5 * high.abs().max(1.0)) };
+        let (low, high) = if high > low {
+            (low, high)
+        } else {
+            (
+                low - 0.5 * low.abs().max(1.0),
+                high + 0.5 * high.abs().max(1.0),
+            )
+        };
         (drawn.low, drawn.high) = (low, high);
         match axis.scale {
             Scale::Log => drawn.decades(count),
@@ -68,9 +95,15 @@ impl Drawn {
         if !self.axis.is_exact {
             (self.low, self.high) = (self.low.floor(), self.high.ceil());
         }
-        let (from, to) = ((self.low - 1e-9).ceil() as i64, (self.high + 1e-9).floor() as i64);
+        let (from, to) = (
+            (self.low - 1e-9).ceil() as i64,
+            (self.high + 1e-9).floor() as i64,
+        );
         let every = ((to - from) as usize).div_ceil(count.max(1)).max(1);
-        self.ticks = (from..=to).step_by(every).map(|decade| decade as f64).collect();
+        self.ticks = (from..=to)
+            .step_by(every)
+            .map(|decade| decade as f64)
+            .collect();
     }
 
     /// Where an SI value lies; `None` where it has no place.
@@ -86,7 +119,10 @@ impl Drawn {
     /// What stands at a tick.
     pub fn text(&self, tick: f64) -> String {
         match &self.axis.scale {
-            Scale::Names(names) => names.get(tick.round() as usize).cloned().unwrap_or_default(),
+            Scale::Names(names) => names
+                .get(tick.round() as usize)
+                .cloned()
+                .unwrap_or_default(),
             // a tick near zero is zero: no "-0"
             Scale::Linear => format!("{:.*}", self.decimals, tick + 0.0).replace('-', "\u{2212}"),
             Scale::LeftRight => {
@@ -107,20 +143,29 @@ impl Drawn {
     /// What the axis is called.
     pub fn title(&self) -> String {
         let titled = self.axis.measure.titled(self.system);
-        if self.axis.scale == Scale::LeftRight { format!("L, R: left and {titled}") } else { titled }
+        if self.axis.scale == Scale::LeftRight {
+            format!("L, R: left and {titled}")
+        } else {
+            titled
+        }
     }
 
     /// The width of the widest text at a tick, pixels.
     pub fn widest(&self, size: f64) -> f64 {
-        self.ticks.iter().map(|tick| text_width(&self.text(*tick), size, false)).fold(0.0, f64::max)
+        self.ticks
+            .iter()
+            .map(|tick| text_width(&self.text(*tick), size, false))
+            .fold(0.0, f64::max)
     }
 
-    /// Whether texts at ticks have the distance that `least` says they need, on an axis so many pixels long.
+    /// Whether texts at ticks have the distance that `least` says they need, on an axis so many
+    /// pixels long.
     pub fn is_apart(&self, length: f64, least: impl Fn(&str, &str) -> f64) -> bool {
         let place = |tick: f64| length * (tick - self.low) / (self.high - self.low);
-        self.ticks
-            .windows(2)
-            .all(|pair| (place(pair[1]) - place(pair[0])).abs() >= least(&self.text(pair[0]), &self.text(pair[1])))
+        self.ticks.windows(2).all(|pair| {
+            (place(pair[1]) - place(pair[0])).abs()
+                >= least(&self.text(pair[0]), &self.text(pair[1]))
+        })
     }
 }
 
@@ -140,7 +185,11 @@ impl Ranged for Drawn {
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
         // all its ticks are of the heavy kind
-        if hint.weight().allow_light_points() { vec![] } else { self.ticks.clone() }
+        if hint.weight().allow_light_points() {
+            vec![]
+        } else {
+            self.ticks.clone()
+        }
     }
 }
 
@@ -160,7 +209,14 @@ mod tests {
 
     #[test]
     fn steps_are_one_two_or_five() {
-        for (step, nice) in [(0.9, 1.0), (1.1, 2.0), (3.0, 5.0), (7.0, 10.0), (0.03, 0.05), (20.0, 20.0)] {
+        for (step, nice) in [
+            (0.9, 1.0),
+            (1.1, 2.0),
+            (3.0, 5.0),
+            (7.0, 10.0),
+            (0.03, 0.05),
+            (20.0, 20.0),
+        ] {
             assert!((nice_step(step) - nice).abs() < 1e-12 * nice, "{step}");
         }
     }

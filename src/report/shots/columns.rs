@@ -37,21 +37,40 @@ const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
 
 /// The line of heads.
 pub(super) fn head(added: &Added) -> Vec<u8> {
-    let own = LAUNCH.iter().chain(&CLUB).chain(&MEASURED).map(|(head, of)| ((*head).to_owned(), added.unit(*of)));
+    let own = LAUNCH
+        .iter()
+        .chain(&CLUB)
+        .chain(&MEASURED)
+        .map(|(head, of)| ((*head).to_owned(), added.unit(*of)));
     let own = own.chain(TEXTS.map(|head| (head.to_owned(), "")));
     let heads = own.chain(added.heads());
-    let heads = heads.map(|(head, unit)| if unit.is_empty() { head } else { format!("{head} [{unit}]") });
+    let heads = heads.map(|(head, unit)| {
+        if unit.is_empty() {
+            head
+        } else {
+            format!("{head} [{unit}]")
+        }
+    });
     (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
 }
 
-/// The launch of a shot, SI: of one that is flown with its spin and axis, else what is stated. What is assumed is left out: read again, it
-/// would be a measured 0.
+/// The launch of a shot, SI: of one that is flown with its spin and axis, else what is stated. What
+/// is assumed is left out: read again, it would be a measured 0.
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {
             let [is_straight, is_level] = assumed(shot);
-            let (direction, axis) = ((!is_straight).then_some(direction), (!is_level).then_some(side.atan2(back)));
-            [Some(speed), Some(angle), direction, Some(back.hypot(side)), axis]
+            let (direction, axis) = (
+                (!is_straight).then_some(direction),
+                (!is_level).then_some(side.atan2(back)),
+            );
+            [
+                Some(speed),
+                Some(angle),
+                direction,
+                Some(back.hypot(side)),
+                axis,
+            ]
         }
         _ => LAUNCH.map(|(_, of)| shot.value(of).map(|value| value.value)),
     }
@@ -60,20 +79,30 @@ pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
 /// Whether the launch direction is assumed to be 0, and whether the spin axis is.
 pub(super) fn assumed(shot: &Shot) -> [bool; 2] {
     let lacks = |of| shot.value(of).is_none();
-    [lacks(Outcome::LaunchDirection), lacks(Outcome::SpinAxis) && lacks(Outcome::Sidespin)]
+    [
+        lacks(Outcome::LaunchDirection),
+        lacks(Outcome::SpinAxis) && lacks(Outcome::Sidespin),
+    ]
 }
 
 /// Appends the cells of a row.
 pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let shot = &flown.shots()[row];
-    let club = [shot.club.speed, shot.club.attack_angle, shot.club.path, shot.club.face_angle];
+    let club = [
+        shot.club.speed,
+        shot.club.attack_angle,
+        shot.club.path,
+        shot.club.face_angle,
+    ];
     let measured = MEASURED.map(|(_, of)| shot.value(of).map(|value| value.value));
     let values = launch(shot).into_iter().chain(club).chain(measured);
     for ((_, of), value) in LAUNCH.iter().chain(&CLUB).chain(&MEASURED).zip(values) {
         added.push(bytes, value, added.unit(*of), *of);
         bytes.push(added.separator);
     }
-    let spin = shot.value(Outcome::Spin).or_else(|| shot.value(Outcome::Backspin));
+    let spin = shot
+        .value(Outcome::Spin)
+        .or_else(|| shot.value(Outcome::Backspin));
     let name = match spin.and_then(|spin| spin.origin) {
         Some(origin) => origin.name(),
         None => "",

@@ -9,7 +9,8 @@ use std::sync::Arc;
 /// Digits of a number in a table: four decimals, 0.1 mm of a length.
 const DECIMALS: f64 = 1e4;
 
-/// The columns that are added: the line, how the flight ended, why it did not, notes; what is predicted, and the residuals.
+/// The columns that are added: the line, how the flight ended, why it did not, notes; what is
+/// predicted, and the residuals.
 #[derive(Clone, Debug)]
 pub(super) struct Added {
     pub of: Vec<Outcome>,
@@ -20,7 +21,12 @@ pub(super) struct Added {
 
 impl Added {
     pub fn new(of: &[Outcome], system: System, separator: u8, has_decimal_comma: bool) -> Self {
-        Self { of: of.to_vec(), system, separator, has_decimal_comma }
+        Self {
+            of: of.to_vec(),
+            system,
+            separator,
+            has_decimal_comma,
+        }
     }
 
     /// The unit of an outcome.
@@ -31,22 +37,35 @@ impl Added {
     /// The heads, each with its unit.
     pub fn heads(&self) -> Vec<(String, &'static str)> {
         let words = ["Line", "Flight", "Reason", "Notes"].map(|word| (word.to_owned(), ""));
-        let of =
-            |before: &'static str| self.of.iter().map(move |of| (format!("{before} {}", of.name()), self.unit(*of)));
-        words.into_iter().chain(of("Predicted")).chain(of("Residual")).collect()
+        let of = |before: &'static str| {
+            self.of
+                .iter()
+                .map(move |of| (format!("{before} {}", of.name()), self.unit(*of)))
+        };
+        words
+            .into_iter()
+            .chain(of("Predicted"))
+            .chain(of("Residual"))
+            .collect()
     }
 
     /// Appends a number in a unit; nothing where there is none.
     pub fn push(&self, bytes: &mut Vec<u8>, value: Option<f64>, unit: &'static str, of: Outcome) {
         let Some(value) = value else { return };
-        self.push_number(bytes, (value / size(of.quantity(), unit) * DECIMALS).round() / DECIMALS);
+        self.push_number(
+            bytes,
+            (value / size(of.quantity(), unit) * DECIMALS).round() / DECIMALS,
+        );
     }
 
     fn push_number(&self, bytes: &mut Vec<u8>, number: f64) {
         let from = bytes.len();
         super::super::sweep::push_number(bytes, number);
         if self.has_decimal_comma {
-            bytes[from..].iter_mut().filter(|byte| **byte == b'.').for_each(|byte| *byte = b',');
+            bytes[from..]
+                .iter_mut()
+                .filter(|byte| **byte == b'.')
+                .for_each(|byte| *byte = b',');
         }
     }
 
@@ -87,7 +106,10 @@ pub(super) struct Copied {
 
 impl Copied {
     pub fn new(export: &Arc<Export>, of: &[Outcome], system: System) -> Self {
-        Self { export: export.clone(), added: Added::new(of, system, export.separator(), export.has_decimal_comma()) }
+        Self {
+            export: export.clone(),
+            added: Added::new(of, system, export.separator(), export.has_decimal_comma()),
+        }
     }
 
     /// The same for a section with another head.
@@ -95,11 +117,15 @@ impl Copied {
         Self::new(export, &self.added.of, self.added.system)
     }
 
-    /// What an earlier flight has not added of the cells of a line, one for each column; a row of units may be shorter.
+    /// What an earlier flight has not added of the cells of a line, one for each column; a row of
+    /// units may be shorter.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
         let (columns, added) = (self.export.heads().len(), self.export.added());
         let cells = (0..columns).map(|at| cells.get(at).map_or("", AsRef::as_ref));
-        cells.enumerate().filter(move |(at, _)| !added.contains(at)).map(|(_, cell)| cell)
+        cells
+            .enumerate()
+            .filter(move |(at, _)| !added.contains(at))
+            .map(|(_, cell)| cell)
     }
 
     pub fn head(&self) -> Vec<u8> {
@@ -110,15 +136,27 @@ impl Copied {
             cells.collect::<Vec<_>>().join(&separator) + "\n"
         };
         let heads = self.added.heads();
-        let in_brackets = |unit: &str| if unit.is_empty() { String::new() } else { format!("[{unit}]") };
+        let in_brackets = |unit: &str| {
+            if unit.is_empty() {
+                String::new()
+            } else {
+                format!("[{unit}]")
+            }
+        };
         let text = match self.export.units() {
             Some(units) => {
-                let (names, below) = heads.into_iter().map(|(name, unit)| (name, in_brackets(unit))).unzip();
+                let (names, below) = heads
+                    .into_iter()
+                    .map(|(name, unit)| (name, in_brackets(unit)))
+                    .unzip();
                 line(self.export.heads(), names) + &line(units, below)
             }
             None => {
-                let names =
-                    heads.into_iter().map(|(name, unit)| format!("{name} {}", in_brackets(unit)).trim_end().to_owned());
+                let names = heads.into_iter().map(|(name, unit)| {
+                    format!("{name} {}", in_brackets(unit))
+                        .trim_end()
+                        .to_owned()
+                });
                 line(self.export.heads(), names.collect())
             }
         };
@@ -128,14 +166,21 @@ impl Copied {
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
         let shot = &flown.shots()[row];
         let separator = self.added.separator;
-        if shot.refusal().is_some_and(|refusal| refusal.is_unreadable()) {
+        if shot
+            .refusal()
+            .is_some_and(|refusal| refusal.is_unreadable())
+        {
             // as one cell, so that nothing is read under a wrong head
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
-            bytes.extend(std::iter::repeat_n(separator, self.own(self.export.heads()).count() - 1));
+            bytes.extend(std::iter::repeat_n(
+                separator,
+                self.own(self.export.heads()).count() - 1,
+            ));
         } else if shot.has_cells_of_head && self.export.added().is_empty() {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
-            // without what an earlier flight added, and without empty cells beyond those of the head
+            // without what an earlier flight added, and without empty cells beyond those of the
+            // head
             for (at, cell) in self.own(&self.export.cells(&shot.text)).enumerate() {
                 if at > 0 {
                     bytes.push(separator);

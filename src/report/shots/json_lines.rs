@@ -6,7 +6,13 @@ use crate::shots::{Club, Export, Flown, Section, Shots};
 use std::sync::Arc;
 
 /// The names of the launch, in the order of [`crate::shots::Shot::launch`].
-const LAUNCH: [&str; 5] = ["ball_speed", "launch_angle", "launch_direction", "backspin", "sidespin"];
+const LAUNCH: [&str; 5] = [
+    "ball_speed",
+    "launch_angle",
+    "launch_direction",
+    "backspin",
+    "sidespin",
+];
 
 /// The keys of a line.
 #[derive(Clone, Debug)]
@@ -46,7 +52,11 @@ fn numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f6
 
 impl Keys {
     pub fn new(shots: &Shots, of: &[Outcome]) -> Self {
-        Self { of: of.to_vec(), further: shots.further().iter().map(|row| row.name).collect(), cells: None }
+        Self {
+            of: of.to_vec(),
+            further: shots.further().iter().map(|row| row.name).collect(),
+            cells: None,
+        }
     }
 
     /// The keys of rows in a section of a table.
@@ -56,18 +66,31 @@ impl Keys {
             // heads that are alike get a number
             let key = |(at, head): (usize, &String)| {
                 let before = heads[..at].iter().filter(|other| *other == head).count();
-                let name = if before == 0 { head.clone() } else { format!("{head} ({})", before + 1) };
+                let name = if before == 0 {
+                    head.clone()
+                } else {
+                    format!("{head} ({})", before + 1)
+                };
                 serde_json::Value::from(name).to_string() + ":"
             };
             (export.clone(), heads.iter().enumerate().map(key).collect())
         });
-        Self { of: self.of.clone(), further: self.further.clone(), cells }
+        Self {
+            of: self.of.clone(),
+            further: self.further.clone(),
+            cells,
+        }
     }
 
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
         let shot = &flown.shots()[row];
         bytes.extend_from_slice(
-            format!("{{\"line\":{},\"flight\":\"{}\",\"reason\":", shot.line, flown.flight(row)).as_bytes(),
+            format!(
+                "{{\"line\":{},\"flight\":\"{}\",\"reason\":",
+                shot.line,
+                flown.flight(row)
+            )
+            .as_bytes(),
         );
         match flown.reason(row) {
             Some(reason) => text(bytes, reason),
@@ -75,16 +98,34 @@ impl Keys {
         }
         bytes.extend_from_slice(b",\"notes\":");
         let _ = serde_json::to_writer(&mut *bytes, &shot.notes);
-        let normalized = if shot.is_normalized == Some(true) { "true" } else { "null" };
+        let normalized = if shot.is_normalized == Some(true) {
+            "true"
+        } else {
+            "null"
+        };
         bytes.extend_from_slice(format!(",\"normalized\":{normalized},\"launch\":").as_bytes());
         match shot.launch() {
-            Some(launch) => numbers(bytes, LAUNCH.into_iter().zip(launch.iter().map(|value| Some(*value)))),
+            Some(launch) => numbers(
+                bytes,
+                LAUNCH
+                    .into_iter()
+                    .zip(launch.iter().map(|value| Some(*value))),
+            ),
             None => bytes.extend_from_slice(b"null"),
         }
         bytes.extend_from_slice(b",\"parameters\":");
-        numbers(bytes, self.further.iter().copied().zip(shot.further().iter().map(|value| Some(*value))));
+        numbers(
+            bytes,
+            self.further
+                .iter()
+                .copied()
+                .zip(shot.further().iter().map(|value| Some(*value))),
+        );
         bytes.extend_from_slice(b",\"club\":");
-        let club = Club::NAMES.into_iter().zip(shot.club.values()).filter(|(_, value)| value.is_some());
+        let club = Club::NAMES
+            .into_iter()
+            .zip(shot.club.values())
+            .filter(|(_, value)| value.is_some());
         numbers(bytes, club);
         bytes.extend_from_slice(b",\"condition\":");
         match &shot.condition {
@@ -92,18 +133,45 @@ impl Keys {
             None => bytes.extend_from_slice(b"null"),
         }
         bytes.extend_from_slice(b",\"stated\":");
-        numbers(bytes, shot.values.iter().map(|value| (value.of.name(), Some(value.value))));
+        numbers(
+            bytes,
+            shot.values
+                .iter()
+                .map(|value| (value.of.name(), Some(value.value))),
+        );
         bytes.extend_from_slice(b",\"origins\":{");
-        let origins = shot.values.iter().filter_map(|value| Some((value.of.name(), value.origin?.name())));
+        let origins = shot
+            .values
+            .iter()
+            .filter_map(|value| Some((value.of.name(), value.origin?.name())));
         for (at, (name, origin)) in origins.enumerate() {
-            bytes.extend_from_slice(format!("{}\"{name}\":\"{origin}\"", if at > 0 { "," } else { "" }).as_bytes());
+            bytes.extend_from_slice(
+                format!("{}\"{name}\":\"{origin}\"", if at > 0 { "," } else { "" }).as_bytes(),
+            );
         }
         bytes.extend_from_slice(b"},\"predicted\":");
-        numbers(bytes, self.of.iter().enumerate().map(|(at, of)| (of.name(), flown.predicted(row, at))));
+        numbers(
+            bytes,
+            self.of
+                .iter()
+                .enumerate()
+                .map(|(at, of)| (of.name(), flown.predicted(row, at))),
+        );
         bytes.extend_from_slice(b",\"residual\":");
-        numbers(bytes, self.of.iter().enumerate().map(|(at, of)| (of.name(), flown.residual(row, at))));
+        numbers(
+            bytes,
+            self.of
+                .iter()
+                .enumerate()
+                .map(|(at, of)| (of.name(), flown.residual(row, at))),
+        );
         bytes.extend_from_slice(b",\"row\":");
-        self.own(shot.text.as_str(), shot.refusal().is_some_and(|refusal| refusal.is_unreadable()), bytes);
+        self.own(
+            shot.text.as_str(),
+            shot.refusal()
+                .is_some_and(|refusal| refusal.is_unreadable()),
+            bytes,
+        );
         bytes.push(b'}');
     }
 
@@ -112,7 +180,13 @@ impl Keys {
         match &self.cells {
             _ if is_unreadable => text(bytes, row),
             // a text in JSON has no line break
-            None => bytes.extend(row.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte })),
+            None => bytes.extend(row.bytes().map(|byte| {
+                if matches!(byte, b'\n' | b'\r') {
+                    b' '
+                } else {
+                    byte
+                }
+            })),
             Some((export, keys)) => {
                 bytes.push(b'{');
                 for (at, (key, cell)) in keys.iter().zip(export.cells(row)).enumerate() {

@@ -1,5 +1,6 @@
-//! Flown shots as bytes: the rows of an export with what is predicted of them, the same in the columns of a launch monitor, JSON lines, and
-//! messages of GSPro Open Connect; and what was found of all of them, as text and as JSON.
+//! Flown shots as bytes: the rows of an export with what is predicted of them, the same in the
+//! columns of a launch monitor, JSON lines, and messages of GSPro Open Connect; and what was found
+//! of all of them, as text and as JSON.
 
 mod columns;
 mod csv;
@@ -22,10 +23,11 @@ use csv::{Added, Copied};
 /// How flown shots are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShotFormat {
-    /// The rows of the export as they are, with what is predicted in further columns; messages in the columns of
-    /// [`LaunchMonitor`](Self::LaunchMonitor).
+    /// The rows of the export as they are, with what is predicted in further columns; messages in
+    /// the columns of [`LaunchMonitor`](Self::LaunchMonitor).
     Csv,
-    /// The columns of a launch monitor, whatever the rows were read from, with what is predicted in further columns.
+    /// The columns of a launch monitor, whatever the rows were read from, with what is predicted in
+    /// further columns.
     LaunchMonitor,
     /// A JSON object per row, in SI.
     JsonLines,
@@ -51,8 +53,12 @@ impl ShotWriter {
     /// The rows of these shots in a format; CSV in the units of a system.
     pub fn new(format: ShotFormat, shots: &Shots, of: &[Outcome], system: System) -> Self {
         let table = match (format, shots.layout()) {
-            (ShotFormat::Csv, Layout::Export(export)) => Table::Copied(Copied::new(export, of, system)),
-            (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => Table::Columns(Added::new(of, system, b',', false)),
+            (ShotFormat::Csv, Layout::Export(export)) => {
+                Table::Copied(Copied::new(export, of, system))
+            }
+            (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => {
+                Table::Columns(Added::new(of, system, b',', false))
+            }
             (ShotFormat::JsonLines, _) => Table::JsonLines(json_lines::Keys::new(shots, of)),
             (ShotFormat::OpenConnect, _) => Table::OpenConnect,
         };
@@ -85,9 +91,13 @@ impl ShotWriter {
         };
         for row in 0..flown.rows() {
             match &self.table {
-                Table::Copied(first) => copied.as_ref().unwrap_or(first).row(flown, row, &mut bytes),
+                Table::Copied(first) => {
+                    copied.as_ref().unwrap_or(first).row(flown, row, &mut bytes)
+                }
                 Table::Columns(added) => columns::row(added, flown, row, &mut bytes),
-                Table::JsonLines(first) => keys.as_ref().unwrap_or(first).row(flown, row, &mut bytes),
+                Table::JsonLines(first) => {
+                    keys.as_ref().unwrap_or(first).row(flown, row, &mut bytes)
+                }
                 Table::OpenConnect => open_connect::row(flown, row, &mut bytes),
             }
             bytes.push(b'\n');

@@ -13,14 +13,21 @@ fn number(value: Option<f64>, of: Outcome, unit: &str) -> Option<Value> {
 
 /// The members that have a value.
 fn object(members: impl IntoIterator<Item = (&'static str, Option<Value>)>) -> Value {
-    members.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?))).collect::<Map<_, _>>().into()
+    members
+        .into_iter()
+        .filter_map(|(key, value)| Some((key.to_owned(), value?)))
+        .collect::<Map<_, _>>()
+        .into()
 }
 
 fn ball(shot: &Shot) -> Value {
     let [speed, angle, direction, spin, axis] = launch(shot);
     let of_launch = |at: usize| shot.launch().map(|launch| launch[at]);
     // a simulator needs what is assumed too; `Origins` says that it is
-    let (direction, axis) = (direction.or(of_launch(2)), axis.or(shot.launch().map(|_| 0.0)));
+    let (direction, axis) = (
+        direction.or(of_launch(2)),
+        axis.or(shot.launch().map(|_| 0.0)),
+    );
     object([
         ("Speed", number(speed, Outcome::BallSpeed, "mph")),
         ("SpinAxis", number(axis, Outcome::SpinAxis, "deg")),
@@ -31,7 +38,11 @@ fn ball(shot: &Shot) -> Value {
         ("VLA", number(angle, Outcome::LaunchAngle, "deg")),
         (
             "CarryDistance",
-            number(shot.value(Outcome::CarryDistance).map(|value| value.value), Outcome::CarryDistance, "yd"),
+            number(
+                shot.value(Outcome::CarryDistance).map(|value| value.value),
+                Outcome::CarryDistance,
+                "yd",
+            ),
         ),
     ])
 }
@@ -46,18 +57,28 @@ fn club(shot: &Shot) -> Value {
     ])
 }
 
-/// What is predicted of a row, SI, with how its flight ended; for the line of a file also where the row is.
+/// What is predicted of a row, SI, with how its flight ended; for the line of a file also where the
+/// row is.
 fn flight(flown: &Flown, row: usize) -> Value {
     let mut flight = Map::new();
     flight.insert("Status".into(), flown.flight(row).into());
     flight.insert("Reason".into(), flown.reason(row).into());
     flight.insert("Notes".into(), flown.shots()[row].notes.clone().into());
     let shot = &flown.shots()[row];
-    let stated = shot.values.iter().filter_map(|value| Some((value.of, value.origin?.name())));
-    let assumed = [Outcome::LaunchDirection, Outcome::SpinAxis].into_iter().zip(assumed(shot));
-    let assumed = assumed.filter(|(_, is)| *is && shot.launch().is_some()).map(|(of, _)| (of, ASSUMED));
-    let origins: Map<String, Value> =
-        stated.chain(assumed).map(|(of, origin)| (of.name().into(), origin.into())).collect();
+    let stated = shot
+        .values
+        .iter()
+        .filter_map(|value| Some((value.of, value.origin?.name())));
+    let assumed = [Outcome::LaunchDirection, Outcome::SpinAxis]
+        .into_iter()
+        .zip(assumed(shot));
+    let assumed = assumed
+        .filter(|(_, is)| *is && shot.launch().is_some())
+        .map(|(of, _)| (of, ASSUMED));
+    let origins: Map<String, Value> = stated
+        .chain(assumed)
+        .map(|(of, origin)| (of.name().into(), origin.into()))
+        .collect();
     if !origins.is_empty() {
         flight.insert("Origins".into(), origins.into());
     }
@@ -67,7 +88,8 @@ fn flight(flown: &Flown, row: usize) -> Value {
     flight.into()
 }
 
-/// Appends the message of a row. What cannot be flown says that it has no ball data, so that no simulator plays it.
+/// Appends the message of a row. What cannot be flown says that it has no ball data, so that no
+/// simulator plays it.
 pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let shot = &flown.shots()[row];
     let club = club(shot);
@@ -90,15 +112,22 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let _ = serde_json::to_writer(bytes, &message);
 }
 
-/// The answer to a message: 200 for a shot, with what is predicted of its flight in SI; 201 for a message that is no shot, with the
-/// player; 501 for one that cannot be read, with the reason. It ends with a line break.
+/// The answer to a message: 200 for a shot, with what is predicted of its flight in SI; 201 for a
+/// message that is no shot, with the player; 501 for one that cannot be read, with the reason. It
+/// ends with a line break.
 pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
-    let is_no_shot = flown.shots().first().and_then(Shot::refusal).is_some_and(|refusal| refusal.is_no_shot());
+    let is_no_shot = flown
+        .shots()
+        .first()
+        .and_then(Shot::refusal)
+        .is_some_and(|refusal| refusal.is_no_shot());
     let answer = match flown.status(0) {
         Some(Status::Landed) => {
             json!({"Code": 200, "Message": "Shot received successfully", "Flight": flight(flown, 0)})
         }
-        Some(_) => json!({"Code": 200, "Message": "Shot received; the ball does not land", "Flight": flight(flown, 0)}),
+        Some(_) => {
+            json!({"Code": 200, "Message": "Shot received; the ball does not land", "Flight": flight(flown, 0)})
+        }
         None if is_no_shot => {
             json!({"Code": 201, "Message": "GSPro Player Information", "Player": {"Handed": "RH", "Club": "DR"}})
         }

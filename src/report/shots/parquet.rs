@@ -1,4 +1,5 @@
-//! Flown shots as Parquet, in SI: a row for each shot, with what it states, what is predicted, and the row as it was read.
+//! Flown shots as Parquet, in SI: a row for each shot, with what it states, what is predicted, and
+//! the row as it was read.
 
 use super::columns::launch;
 use crate::batch::CHUNK;
@@ -12,7 +13,13 @@ use parquet::data_type::ByteArray;
 const ROWS: usize = 32 * CHUNK;
 
 /// The launch, in the order of [`launch`].
-const LAUNCH: [&str; 5] = ["ball_speed", "launch_angle", "launch_direction", "spin", "spin_axis"];
+const LAUNCH: [&str; 5] = [
+    "ball_speed",
+    "launch_angle",
+    "launch_direction",
+    "spin",
+    "spin_axis",
+];
 
 /// What was measured of the flight.
 const MEASURED: [Outcome; 8] = [
@@ -67,20 +74,45 @@ impl ShotParquet {
             ("notes".into(), Kind::SomeText, Of::Notes),
         ];
         let mut number = |name: String, of: Of| columns.push((name, Kind::SomeNumber, of));
-        LAUNCH.iter().enumerate().for_each(|(at, name)| number((*name).into(), Of::Launch(at)));
-        Club::NAMES.iter().enumerate().for_each(|(at, name)| number((*name).into(), Of::Club(at)));
-        shots.further().iter().enumerate().for_each(|(at, row)| number(row.name.into(), Of::Further(at)));
-        MEASURED.iter().for_each(|of| number(format!("measured_{}", of.name()), Of::Measured(*of)));
-        of.iter().enumerate().for_each(|(at, of)| number(format!("predicted_{}", of.name()), Of::Predicted(at)));
-        of.iter().enumerate().for_each(|(at, of)| number(format!("residual_{}", of.name()), Of::Residual(at)));
+        LAUNCH
+            .iter()
+            .enumerate()
+            .for_each(|(at, name)| number((*name).into(), Of::Launch(at)));
+        Club::NAMES
+            .iter()
+            .enumerate()
+            .for_each(|(at, name)| number((*name).into(), Of::Club(at)));
+        shots
+            .further()
+            .iter()
+            .enumerate()
+            .for_each(|(at, row)| number(row.name.into(), Of::Further(at)));
+        MEASURED
+            .iter()
+            .for_each(|of| number(format!("measured_{}", of.name()), Of::Measured(*of)));
+        of.iter()
+            .enumerate()
+            .for_each(|(at, of)| number(format!("predicted_{}", of.name()), Of::Predicted(at)));
+        of.iter()
+            .enumerate()
+            .for_each(|(at, of)| number(format!("residual_{}", of.name()), Of::Residual(at)));
         columns.push(("spin_origin".into(), Kind::SomeText, Of::SpinOrigin));
         columns.push(("condition".into(), Kind::SomeText, Of::Condition));
         columns.push(("row".into(), Kind::Text, Of::Row));
-        let kinds: Vec<(String, Kind)> = columns.iter().map(|(name, kind, _)| (name.clone(), *kind)).collect();
+        let kinds: Vec<(String, Kind)> = columns
+            .iter()
+            .map(|(name, kind, _)| (name.clone(), *kind))
+            .collect();
         let columns = columns.into_iter().map(|(.., of)| of).collect();
         let table = ParquetTable::new("shots", &kinds, "fly")?;
         let at = table.head().len() as u64;
-        Ok(Self { table, columns, waiting: vec![], placed: vec![], at })
+        Ok(Self {
+            table,
+            columns,
+            waiting: vec![],
+            placed: vec![],
+            at,
+        })
     }
 
     /// The first bytes of a file.
@@ -105,32 +137,58 @@ impl ShotParquet {
     /// # Errors
     /// As [`take`](Self::take).
     pub fn finish(&mut self) -> Result<Vec<u8>> {
-        let mut bytes = if self.waiting.is_empty() { vec![] } else { self.group()? };
+        let mut bytes = if self.waiting.is_empty() {
+            vec![]
+        } else {
+            self.group()?
+        };
         bytes.extend(self.table.foot(&self.placed, &[])?);
         Ok(bytes)
     }
 
     fn group(&mut self) -> Result<Vec<u8>> {
-        let group = self.table.group(|number| self.cells(self.columns[number]))?;
-        self.placed.push(self.table.place(&group.metadata, self.at, self.placed.len())?);
+        let group = self
+            .table
+            .group(|number| self.cells(self.columns[number]))?;
+        self.placed.push(
+            self.table
+                .place(&group.metadata, self.at, self.placed.len())?,
+        );
         self.at += group.bytes.len() as u64;
         self.waiting.clear();
         Ok(group.bytes)
     }
 
     fn cells(&self, of: Of) -> Cells {
-        let rows = || self.waiting.iter().flat_map(|flown| (0..flown.rows()).map(move |row| (flown, row)));
+        let rows = || {
+            self.waiting
+                .iter()
+                .flat_map(|flown| (0..flown.rows()).map(move |row| (flown, row)))
+        };
         let numbers = |value: &dyn Fn(&Flown, usize) -> Option<f64>| {
             Cells::SomeNumbers(rows().map(|(flown, row)| value(flown, row)).collect())
         };
         let texts = |text: &dyn Fn(&Flown, usize) -> Option<String>| {
-            let text = |(flown, row)| text(flown, row).map(|text| ByteArray::from(text.into_bytes()));
+            let text =
+                |(flown, row)| text(flown, row).map(|text| ByteArray::from(text.into_bytes()));
             Cells::SomeTexts(rows().map(text).collect())
         };
         match of {
-            Of::Line => Cells::Numbers(rows().map(|(flown, row)| flown.shots()[row].line as f64).collect()),
-            Of::Flight => Cells::Texts(rows().map(|(flown, row)| ByteArray::from(flown.flight(row))).collect()),
-            Of::Row => Cells::Texts(rows().map(|(flown, row)| flown.shots()[row].text.as_str().into()).collect()),
+            Of::Line => Cells::Numbers(
+                rows()
+                    .map(|(flown, row)| flown.shots()[row].line as f64)
+                    .collect(),
+            ),
+            Of::Flight => Cells::Texts(
+                rows()
+                    .map(|(flown, row)| ByteArray::from(flown.flight(row)))
+                    .collect(),
+            ),
+            Of::Row => Cells::Texts(
+                rows()
+                    .map(|(flown, row)| flown.shots()[row].text.as_str().into())
+                    .collect(),
+            ),
             Of::Reason => texts(&|flown, row| flown.reason(row).map(str::to_owned)),
             Of::Notes => texts(&|flown, row| {
                 let notes = &flown.shots()[row].notes;
@@ -138,7 +196,9 @@ impl ShotParquet {
             }),
             Of::SpinOrigin => texts(&|flown, row| {
                 let shot = &flown.shots()[row];
-                let spin = shot.value(Outcome::Spin).or_else(|| shot.value(Outcome::Backspin));
+                let spin = shot
+                    .value(Outcome::Spin)
+                    .or_else(|| shot.value(Outcome::Backspin));
                 Some(spin?.origin?.name().to_owned())
             }),
             Of::Condition => texts(&|flown, row| flown.shots()[row].condition.clone()),

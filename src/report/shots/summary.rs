@@ -71,8 +71,14 @@ struct BandReport {
 
 impl SumsReport {
     fn new(sums: &Sums) -> Self {
-        let (bias, mean_absolute, deviation) = (sums.bias(), sums.mean_absolute(), sums.deviation());
-        Self { rows: sums.count, bias, mean_absolute, deviation }
+        let (bias, mean_absolute, deviation) =
+            (sums.bias(), sums.mean_absolute(), sums.deviation());
+        Self {
+            rows: sums.count,
+            bias,
+            mean_absolute,
+            deviation,
+        }
     }
 }
 
@@ -84,7 +90,12 @@ fn floor(of: Outcome) -> Option<f64> {
 
 impl ShotsReport {
     /// The report of a tally.
-    pub fn new(tally: &Tally, source: Option<&'static str>, file: Option<String>, remarks: &[Message]) -> Self {
+    pub fn new(
+        tally: &Tally,
+        source: Option<&'static str>,
+        file: Option<String>,
+        remarks: &[Message],
+    ) -> Self {
         let refused = tally.refused.iter().map(|(kind, refused)| RefusedReport {
             kind,
             rows: refused.count,
@@ -99,7 +110,11 @@ impl ShotsReport {
                 .bands
                 .iter()
                 .filter(|band| band.sums[at].count > 0)
-                .map(|band| BandReport { from: band.from, to: band.to, sums: SumsReport::new(&band.sums[at]) })
+                .map(|band| BandReport {
+                    from: band.from,
+                    to: band.to,
+                    sums: SumsReport::new(&band.sums[at]),
+                })
                 .collect(),
         };
         Self {
@@ -122,7 +137,12 @@ fn speeds(band: &Band, system: System) -> String {
     let of = Outcome::BallSpeed;
     let unit = system.unit(of.unit());
     let decimals = usize::from(unit != of.unit());
-    let shown = |speed: f64| format!("{:.decimals$}", speed / of.quantity().size_of(unit).unwrap_or(1.0));
+    let shown = |speed: f64| {
+        format!(
+            "{:.decimals$}",
+            speed / of.quantity().size_of(unit).unwrap_or(1.0)
+        )
+    };
     match (band.from, band.to) {
         (None, Some(to)) => format!("below {} {unit}", shown(to)),
         (Some(from), Some(to)) => format!("{} to {} {unit}", shown(from), shown(to)),
@@ -135,8 +155,11 @@ fn speeds(band: &Band, system: System) -> String {
 pub fn shots_text(tally: &Tally, source: Option<&'static str>, system: System) -> String {
     let from = source.map_or(String::new(), |source| format!(" ({source})"));
     let refused: u64 = tally.refused.values().map(|refused| refused.count).sum();
-    let mut text =
-        paragraph(&format!("{}{from}: {} flown, {refused} not flown", counted(tally.rows, "row"), tally.flown));
+    let mut text = paragraph(&format!(
+        "{}{from}: {} flown, {refused} not flown",
+        counted(tally.rows, "row"),
+        tally.flown
+    ));
     for (kind, refused) in &tally.refused {
         text += &item(&format!(
             "{kind}: {}, the first in line {}: {}",
@@ -146,9 +169,18 @@ pub fn shots_text(tally: &Tally, source: Option<&'static str>, system: System) -
         ));
     }
     for (count, what) in [
-        (tally.noted, "with values that are assumed or not compared (see their notes)"),
-        (tally.spin_not_measured, "whose spin is estimated or modelled, as the export says"),
-        (tally.normalized, "whose values are normalized to other conditions, as the export says"),
+        (
+            tally.noted,
+            "with values that are assumed or not compared (see their notes)",
+        ),
+        (
+            tally.spin_not_measured,
+            "whose spin is estimated or modelled, as the export says",
+        ),
+        (
+            tally.normalized,
+            "whose values are normalized to other conditions, as the export says",
+        ),
     ] {
         if count > 0 {
             text += &item(&format!("{} {what}", counted(count, "row")));
@@ -159,10 +191,15 @@ pub fn shots_text(tally: &Tally, source: Option<&'static str>, system: System) -
         let unit = system.unit(of.unit());
         let size = of.quantity().size_of(unit).unwrap_or(1.0);
         let decimals = if unit == "s" { 2 } else { 1 };
-        let shown = |value: Option<f64>| value.map_or("–".into(), |value| format!("{:.decimals$}", value / size));
+        let shown = |value: Option<f64>| {
+            value.map_or("–".into(), |value| format!("{:.decimals$}", value / size))
+        };
         let line = |which: String, sums: &Sums, instruments: Option<f64>| {
-            let bias = sums.bias().map_or("–".into(), |bias| signed(bias, fixed(bias / size, decimals)));
-            let [mean, deviation, instruments] = [sums.mean_absolute(), sums.deviation(), instruments].map(shown);
+            let bias = sums.bias().map_or("–".into(), |bias| {
+                signed(bias, fixed(bias / size, decimals))
+            });
+            let [mean, deviation, instruments] =
+                [sums.mean_absolute(), sums.deviation(), instruments].map(shown);
             vec![
                 format!("{} [{}]", of.name(), printed(unit)),
                 which,
@@ -185,10 +222,19 @@ pub fn shots_text(tally: &Tally, source: Option<&'static str>, system: System) -
     }
     text += "\n";
     text += &paragraph("predicted − measured:");
-    let head = ["outcome", "ball speed", "rows", "bias", "MAE", "sd", "sd of instruments"];
+    let head = [
+        "outcome",
+        "ball speed",
+        "rows",
+        "bias",
+        "MAE",
+        "sd",
+        "sd of instruments",
+    ];
     text += &table(&head, &[2, 3, 4, 5, 6], rows);
     text += &paragraph(
-        "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss & Langdown 2026); their spins differ \
+        "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
+         & Langdown 2026); their spins differ \
          by 513 rpm",
     );
     text

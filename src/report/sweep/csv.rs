@@ -12,9 +12,18 @@ pub struct SweepCsv {
 impl SweepCsv {
     /// The table of a batch.
     pub fn new(batch: &Batch) -> Self {
-        let parameters = batch.parameters().iter().map(|parameter| parameter.quantity.head(parameter.name));
-        let outcomes = batch.outcomes().iter().map(|of| of.quantity().head(of.name()));
-        let derivatives = batch.outcomes().iter().flat_map(|of| batch.wrt().iter().map(move |by| (of, by)));
+        let parameters = batch
+            .parameters()
+            .iter()
+            .map(|parameter| parameter.quantity.head(parameter.name));
+        let outcomes = batch
+            .outcomes()
+            .iter()
+            .map(|of| of.quantity().head(of.name()));
+        let derivatives = batch
+            .outcomes()
+            .iter()
+            .flat_map(|of| batch.wrt().iter().map(move |by| (of, by)));
         let derivatives = derivatives.map(|(of, by)| {
             let name = format!("d_{}/d_{}", of.name(), by.name);
             match ratio(of.quantity().si, by.quantity.si) {
@@ -22,8 +31,15 @@ impl SweepCsv {
                 unit => format!("{name} [{unit}]"),
             }
         });
-        let names = parameters.chain([STATUS.to_owned()]).chain(outcomes).chain(derivatives).collect();
-        Self { names, columns: Columns::of(batch) }
+        let names = parameters
+            .chain([STATUS.to_owned()])
+            .chain(outcomes)
+            .chain(derivatives)
+            .collect();
+        Self {
+            names,
+            columns: Columns::of(batch),
+        }
     }
 
     /// The first line, with the names of the columns and their SI units: none of them needs quotes.

@@ -17,7 +17,11 @@ impl SweepJsonLines {
         let key = |name: &str| format!("\"{name}\":");
         Self {
             parameters: parameter_names(batch).into_iter().map(key).collect(),
-            results: batch.columns().iter().map(|name| format!(",{}", key(name))).collect(),
+            results: batch
+                .columns()
+                .iter()
+                .map(|name| format!(",{}", key(name)))
+                .collect(),
             columns: Columns::of(batch),
         }
     }
@@ -44,7 +48,11 @@ impl SweepJsonLines {
                 bytes.push(b',');
             }
             bytes.extend_from_slice(format!("\"{STATUS}\":\"{}\"", block.status(row)).as_bytes());
-            for (key, value) in self.results.iter().zip(block.outcomes(row).chain(block.derivatives(row))) {
+            for (key, value) in self
+                .results
+                .iter()
+                .zip(block.outcomes(row).chain(block.derivatives(row)))
+            {
                 bytes.extend_from_slice(key.as_bytes());
                 match value {
                     Some(value) => push_number(&mut bytes, value),

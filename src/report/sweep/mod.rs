@@ -1,6 +1,7 @@
-//! Rows of a batch as bytes: CSV, JSON lines and Parquet. The columns are the swept parameters, `status`, the outcomes,
-//! and `d_OUTCOME/d_PARAMETER`, all in SI; the heads of CSV name the units, `carry [m]`. Numbers are written so that they read back equal; what does not exist is an
-//! empty cell, or null.
+//! Rows of a batch as bytes: CSV, JSON lines and Parquet. The columns are the swept parameters,
+//! `status`, the outcomes, and `d_OUTCOME/d_PARAMETER`, all in SI; the heads of CSV name the units,
+//! `carry [m]`. Numbers are written so that they read back equal; what does not exist is an empty
+//! cell, or null.
 
 mod csv;
 mod json_lines;
@@ -36,14 +37,19 @@ impl Columns {
         let (here, there) = (self.0, block.columns());
         assert!(
             here == there,
-            "the table is of {here:?} parameters, outcomes and derivatives, and the block of {there:?}: it is of another batch"
+            "the table is of {here:?} parameters, outcomes and derivatives, and the block of \
+             {there:?}: it is of another batch"
         );
     }
 }
 
 /// The names of the swept parameters.
 fn parameter_names(batch: &Batch) -> Vec<&'static str> {
-    batch.parameters().iter().map(|parameter| parameter.name).collect()
+    batch
+        .parameters()
+        .iter()
+        .map(|parameter| parameter.name)
+        .collect()
 }
 
 /// Appends a number in the shortest form that reads back equal.

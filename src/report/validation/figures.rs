@@ -38,9 +38,11 @@ const OPTIMA: &str = "chart-optima-impact";
 
 /// The band, and what the plots say of it.
 const INSTRUMENTS: &str = "two launch monitors";
-const BAND: &str = "The band is what two launch monitors differ by on a single drive, one standard deviation (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft of apex, 3.9° of \
+const BAND: &str = "The band is what two launch monitors differ by on a single drive, one standard \
+                    deviation (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft of apex, 3.9° of \
                     descent, 513 rpm.";
-const OPTIMUM: &str = "Computed at the loft of the longest carry, less the spin that TrackMan's chart has there.";
+const OPTIMUM: &str =
+    "Computed at the loft of the longest carry, less the spin that TrackMan's chart has there.";
 
 /// Carry as predicted and as measured, and what is left of carry, apex, descent and spin.
 pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
@@ -51,7 +53,13 @@ pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     for of in [Compared::Carry, Compared::Apex, Compared::Descent] {
         figures.push(residuals(&measured, &laws, of, Over::Ball, "all clubs"));
     }
-    figures.push(residuals(&optima, &laws, Compared::Spin, Over::Club, "best loft"));
+    figures.push(residuals(
+        &optima,
+        &laws,
+        Compared::Spin,
+        Over::Club,
+        "best loft",
+    ));
     figures
 }
 
@@ -59,7 +67,11 @@ pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
 fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
     let mut laws = vec![Law::default().name(), ALTERNATIVE];
     for set in sets {
-        laws.extend(best(set).map(|(_, law)| law).filter(|law| !laws.contains(law)));
+        laws.extend(
+            best(set)
+                .map(|(_, law)| law)
+                .filter(|law| !laws.contains(law)),
+        );
     }
     laws
 }
@@ -70,9 +82,13 @@ fn carry(sets: &[&SetScores]) -> Figure {
     let measure = |words: &str| Measure::new(format!("{words} carry"), Quantity::LENGTH, "yd");
     let points = |set: &&SetScores| -> Vec<[f64; 2]> {
         let law = set.laws.iter().find(|law| law.law == default);
-        of_law(law, Compared::Carry).iter().map(|one| [one.published, one.predicted]).collect()
+        of_law(law, Compared::Carry)
+            .iter()
+            .map(|one| [one.published, one.predicted])
+            .collect()
     };
-    let all: Vec<(&str, Vec<[f64; 2]>)> = sets.iter().map(|set| (set.set.name, points(set))).collect();
+    let all: Vec<(&str, Vec<[f64; 2]>)> =
+        sets.iter().map(|set| (set.set.name, points(set))).collect();
     let ends = ends(all.iter().flat_map(|(_, points)| points).map(|at| at[0]));
     let mut figure = Figure::new(
         "validation-carry",
@@ -82,7 +98,11 @@ fn carry(sets: &[&SetScores]) -> Figure {
     );
     if let Some(by) = floor(Compared::Carry) {
         let points = ends.map(|at| [at, at - by, at + by]).to_vec();
-        figure = figure.with(Layer::Band { name: INSTRUMENTS.into(), hue: Hue::Faint, points });
+        figure = figure.with(Layer::Band {
+            name: INSTRUMENTS.into(),
+            hue: Hue::Faint,
+            points,
+        });
     }
     figure = figure.with(Layer::Line {
         name: "as measured".into(),
@@ -97,7 +117,13 @@ fn carry(sets: &[&SetScores]) -> Figure {
 }
 
 /// What is left of a quantity over a speed, a series for each law.
-fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared, over: Over, drives: &str) -> Figure {
+fn residuals(
+    sets: &[&SetScores],
+    laws: &[&'static str],
+    of: Compared,
+    over: Over,
+    drives: &str,
+) -> Figure {
     let (quantity, unit) = of.unit();
     let words = of.words();
     let series = |law: &&'static str| -> Vec<[f64; 2]> {
@@ -119,7 +145,11 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared, over: Ove
     let mut figure = Figure::new(name, title, Axis::linear(over.measure()), Axis::linear(y));
     if let Some(by) = floor(of) {
         let points = ends.map(|at| [at, -by, by]).to_vec();
-        figure = figure.with(Layer::Band { name: INSTRUMENTS.into(), hue: Hue::Faint, points });
+        figure = figure.with(Layer::Band {
+            name: INSTRUMENTS.into(),
+            hue: Hue::Faint,
+            points,
+        });
     }
     figure = figure.with(Layer::Line {
         name: String::new(),
@@ -130,7 +160,11 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared, over: Ove
     for (i, (law, points)) in laws.iter().zip(all).enumerate() {
         figure = figure.with(Layer::dots(*law, i, points));
     }
-    figure.noted(if of == Compared::Spin { format!("{OPTIMUM} {BAND}") } else { BAND.into() })
+    figure.noted(if of == Compared::Spin {
+        format!("{OPTIMUM} {BAND}")
+    } else {
+        BAND.into()
+    })
 }
 
 fn of_law(law: Option<&LawScores>, of: Compared) -> &[crate::study::validation::Residual] {
@@ -161,7 +195,8 @@ fn floor(of: Compared) -> Option<f64> {
 }
 
 impl crate::study::validation::Set {
-    /// Whether its drives were measured and are flown from their launch: not output of models, and neither gains nor optima.
+    /// Whether its drives were measured and are flown from their launch: not output of models, and
+    /// neither gains nor optima.
     fn is_measured(&self) -> bool {
         self.way == Way::Launch && !["chart-launches", "simulations"].contains(&self.name)
     }

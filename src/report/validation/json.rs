@@ -10,7 +10,9 @@ pub fn validation_reply(found: &[SetScores]) -> Reply<Value> {
 
 fn set(of: &SetScores) -> Value {
     let published = |case: &crate::study::validation::Case| {
-        let known = Compared::ALL.iter().filter_map(|of| Some((of.name(), Some(case.published(*of)?))));
+        let known = Compared::ALL
+            .iter()
+            .filter_map(|of| Some((of.name(), Some(case.published(*of)?))));
         json!({ "name": case.name, "source": case.source, "published": json::named(known) })
     };
     let laws = of.laws.iter().map(|law| {

@@ -7,7 +7,11 @@ pub fn winfield_tan_reply(found: &WinfieldTan) -> Reply<Value> {
     let side = |of: fn(&Best) -> Point, shot: &SingleShot, average: (f64, f64)| {
         let optimum = of(&found.optimum);
         let row = |best: &Best| {
-            let Point { loft, attack_angle, carry } = of(best);
+            let Point {
+                loft,
+                attack_angle,
+                carry,
+            } = of(best);
             json!({ "club.loft": loft, "swing.attack_angle": attack_angle, "carry": carry })
         };
         json!({
@@ -23,8 +27,16 @@ pub fn winfield_tan_reply(found: &WinfieldTan) -> Reply<Value> {
             "average": { "club.loft": average.0, "carry": average.1 },
         })
     };
-    let mut answer = side(|best| best.computed, &found.shot.computed, found.average.best);
-    answer["printed"] = side(|best| best.printed, &found.shot.printed, found.average.printed);
+    let mut answer = side(
+        |best| best.computed,
+        &found.shot.computed,
+        found.average.best,
+    );
+    answer["printed"] = side(
+        |best| best.printed,
+        &found.shot.printed,
+        found.average.printed,
+    );
     let (rate, error) = found.fitted.decay;
     answer["aero.spin_decay"] = json!({ "value": rate, "standard_uncertainty": error });
     answer["study"] = "winfield-tan".into();

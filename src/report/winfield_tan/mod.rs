@@ -12,15 +12,21 @@ use super::published::Published;
 use crate::reproduce::WinfieldTan;
 use crate::units::System;
 
-/// The paper, reproduced, as a document: computed numbers in the units of `system`, printed ones as the paper prints them, with those
-/// units beside.
+/// The paper, reproduced, as a document: computed numbers in the units of `system`, printed ones as
+/// the paper prints them, with those units beside.
 pub fn winfield_tan_document(found: &WinfieldTan, system: System) -> Document {
-    let shown = Published { paper: WinfieldTan::UNITS, system };
+    let shown = Published {
+        paper: WinfieldTan::UNITS,
+        system,
+    };
     let mut document = Document::new("Winfield & Tan (1994), reproduced");
     document.paragraph(
-        "\"Optimization of clubhead loft and swing elevation angles for maximum distance of a golf drive\" finds the loft and the \
-         attack angle of the longest drive. Here every drive of which the paper prints a number is computed with the preset winfield-tan. The paper does \
-         not print its curves of drag and lift: the law of the preset is calibrated to its tables, so distances agree by design, and the test is \
+        "\"Optimization of clubhead loft and swing elevation angles for maximum distance of a golf \
+         drive\" finds the loft and the \
+         attack angle of the longest drive. Here every drive of which the paper prints a number is \
+         computed with the preset winfield-tan. The paper does \
+         not print its curves of drag and lift: the law of the preset is calibrated to its tables, \
+         so distances agree by design, and the test is \
          how closely one smooth law can meet all of them. The impact has no fitted parameter.",
     );
     tables::shot(&mut document, found, shown);

@@ -9,5 +9,8 @@ pub(super) fn degrees(radians: f64) -> String {
 pub(super) fn spread(numbers: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let n = numbers.clone().count() as f64;
     let square: f64 = numbers.clone().map(|number| number * number).sum();
-    ((square / n).sqrt(), numbers.map(f64::abs).fold(0.0, f64::max))
+    (
+        (square / n).sqrt(),
+        numbers.map(f64::abs).fold(0.0, f64::max),
+    )
 }

@@ -19,7 +19,8 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
     };
     document.heading("The single shot");
     let speed = (Quantity::SPEED, "mph");
-    let at = Measure::new("club speed", speed.0, speed.1).show_both(found.shot.club_speed, shown.paper);
+    let at =
+        Measure::new("club speed", speed.0, speed.1).show_both(found.shot.club_speed, shown.paper);
     document.paragraph(format!("Loft 10°, attack angle 0°, {at}."));
     let (length, time) = ((Quantity::LENGTH, "yd"), (Quantity::TIME, "s"));
     document.table(
@@ -27,9 +28,24 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
         [
             row("ball upwards", speed, ours.up, theirs.up),
             row("ball downrange", speed, ours.downrange, theirs.downrange),
-            row("backspin", (Quantity::ANGULAR_VELOCITY, "rev/s"), ours.backspin, theirs.backspin),
-            row("club downrange after impact", speed, ours.club_after, theirs.club_after),
-            row("launch angle", (Quantity::ANGLE, "deg"), ours.launch_angle, theirs.launch_angle),
+            row(
+                "backspin",
+                (Quantity::ANGULAR_VELOCITY, "rev/s"),
+                ours.backspin,
+                theirs.backspin,
+            ),
+            row(
+                "club downrange after impact",
+                speed,
+                ours.club_after,
+                theirs.club_after,
+            ),
+            row(
+                "launch angle",
+                (Quantity::ANGLE, "deg"),
+                ours.launch_angle,
+                theirs.launch_angle,
+            ),
             row("carry", length, ours.carry, theirs.carry),
             row("flight time", time, ours.flight_time, theirs.flight_time),
             row("apex", length, ours.apex_height, theirs.apex_height),
@@ -37,7 +53,8 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
         ],
     );
     document.paragraph(format!(
-        "The printed launch angle is a misprint: the printed components of the ball's velocity give {}. The robot Iron Byron, with the same \
+        "The printed launch angle is a misprint: the printed components of the ball's velocity \
+         give {}. The robot Iron Byron, with the same \
          delivery, hit {} ± {}: the computed carry lies {:.2} standard deviations from its mean.",
         degrees(theirs.up.atan2(theirs.downrange)),
         shown.printed_length(found.shot.robot.0),
@@ -47,8 +64,18 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
 }
 
 pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Published) {
-    let Best { computed, printed, at_printed } = &found.optimum;
-    let less = |by: f64| format!("{} {}", fixed(shown.length_number(by), 3), shown.length_unit());
+    let Best {
+        computed,
+        printed,
+        at_printed,
+    } = &found.optimum;
+    let less = |by: f64| {
+        format!(
+            "{} {}",
+            fixed(shown.length_number(by), 3),
+            shown.length_unit()
+        )
+    };
     document.heading("The optimum");
     document.table(
         &["loft", "attack angle", "carry", ""],
@@ -65,19 +92,31 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
                 shown.length(*at_printed),
                 "printed delivery, computed".into(),
             ],
-            vec![degrees(computed.loft), degrees(computed.attack_angle), shown.length(computed.carry), "exact".into()],
+            vec![
+                degrees(computed.loft),
+                degrees(computed.attack_angle),
+                shown.length(computed.carry),
+                "exact".into(),
+            ],
         ],
     );
     document.paragraph(format!(
-        "The optimum lies on a ridge: as the attack angle rises, the best loft falls, and carry hardly changes. The printed delivery \
-         carries only {} less than the exact best, so the place on the ridge where a search ends has little meaning. Along the ridge:",
+        "The optimum lies on a ridge: as the attack angle rises, the best loft falls, and carry \
+         hardly changes. The printed delivery \
+         carries only {} less than the exact best, so the place on the ridge where a search ends \
+         has little meaning. Along the ridge:",
         less(computed.carry - at_printed)
     ));
     document.table(
         &["attack angle", "best loft", "carry", "loss"],
         found.ridge.iter().map(|point| {
             let loss = less((computed.carry - point.carry).max(0.0));
-            vec![degrees(point.attack_angle), degrees(point.loft), shown.length(point.carry), loss]
+            vec![
+                degrees(point.attack_angle),
+                degrees(point.loft),
+                shown.length(point.carry),
+                loss,
+            ]
         }),
     );
 }
@@ -85,28 +124,55 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
 pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Published) {
     document.heading("Its tables");
     let all = || found.table1.iter().chain(&found.table2);
-    let (carry_rms, carry_worst) = spread(all().map(|row| shown.length_number(row.computed.carry - row.printed.carry)));
-    let angles = found.table1.iter().map(|row| row.computed.attack_angle - row.printed.attack_angle);
-    let angles = angles.chain(found.table2.iter().map(|row| row.computed.loft - row.printed.loft)).map(f64::to_degrees);
+    let (carry_rms, carry_worst) =
+        spread(all().map(|row| shown.length_number(row.computed.carry - row.printed.carry)));
+    let angles = found
+        .table1
+        .iter()
+        .map(|row| row.computed.attack_angle - row.printed.attack_angle);
+    let angles = angles
+        .chain(
+            found
+                .table2
+                .iter()
+                .map(|row| row.computed.loft - row.printed.loft),
+        )
+        .map(f64::to_degrees);
     let (angle_rms, angle_worst) = spread(angles);
     document.paragraph(format!(
-        "Over all {} rows distances differ by {carry_rms:.3} {} rms (at most {carry_worst:.2}), optimum angles by {angle_rms:.3}° rms (at \
+        "Over all {} rows distances differ by {carry_rms:.3} {} rms (at most {carry_worst:.2}), \
+         optimum angles by {angle_rms:.3}° rms (at \
          most {angle_worst:.2}°).",
         all().count(),
         shown.length_unit(),
     ));
     document.paragraph("Table 1: the best attack angle at each loft.");
     document.table(
-        &["loft", "attack printed", "attack", "carry printed", "carry", "difference"],
+        &[
+            "loft",
+            "attack printed",
+            "attack",
+            "carry printed",
+            "carry",
+            "difference",
+        ],
         found.table1.iter().map(|row| line(row, true, shown)),
     );
     document.paragraph("Table 2: the best loft at each attack angle.");
     document.table(
-        &["attack angle", "loft printed", "loft", "carry printed", "carry", "difference"],
+        &[
+            "attack angle",
+            "loft printed",
+            "loft",
+            "carry printed",
+            "carry",
+            "difference",
+        ],
         found.table2.iter().map(|row| line(row, false, shown)),
     );
-    let slips = MISPRINTS
-        .map(|(table, row, scanned, taken)| format!("Table {table} at {row}° prints {scanned}, and {taken} is taken"));
+    let slips = MISPRINTS.map(|(table, row, scanned, taken)| {
+        format!("Table {table} at {row}° prints {scanned}, and {taken} is taken")
+    });
     document.paragraph(format!(
         "Three numbers of the scanned paper do not fit columns that are smooth otherwise: {}.",
         slips.join("; ")
@@ -116,7 +182,9 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
 }
 
 fn line(row: &Best, is_by_loft: bool, shown: Published) -> Vec<String> {
-    let Best { computed, printed, .. } = row;
+    let Best {
+        computed, printed, ..
+    } = row;
     let (given, theirs, ours) = match is_by_loft {
         true => (printed.loft, printed.attack_angle, computed.attack_angle),
         false => (printed.attack_angle, printed.loft, computed.loft),
@@ -137,8 +205,16 @@ fn angle(label: &str) -> Axis {
 
 fn ridges(found: &WinfieldTan) -> Figure {
     let points = |rows: &[Best], is_printed: bool| {
-        let of = |row: &Best| if is_printed { row.printed } else { row.computed };
-        rows.iter().map(|row| [of(row).attack_angle, of(row).loft]).collect::<Vec<_>>()
+        let of = |row: &Best| {
+            if is_printed {
+                row.printed
+            } else {
+                row.computed
+            }
+        };
+        rows.iter()
+            .map(|row| [of(row).attack_angle, of(row).loft])
+            .collect::<Vec<_>>()
     };
     Figure::new(
         "optima",
@@ -146,20 +222,39 @@ fn ridges(found: &WinfieldTan) -> Figure {
         angle("attack angle"),
         angle("loft"),
     )
-    .with(Layer::line("best attack angle", 0, points(&found.table1, false)))
+    .with(Layer::line(
+        "best attack angle",
+        0,
+        points(&found.table1, false),
+    ))
     .with(Layer::line("best loft", 1, points(&found.table2, false)))
-    .with(Layer::dots("Table 1, printed", 0, points(&found.table1, true)))
-    .with(Layer::dots("Table 2, printed", 1, points(&found.table2, true)))
+    .with(Layer::dots(
+        "Table 1, printed",
+        0,
+        points(&found.table1, true),
+    ))
+    .with(Layer::dots(
+        "Table 2, printed",
+        1,
+        points(&found.table2, true),
+    ))
 }
 
 fn left_over(found: &WinfieldTan) -> Figure {
     let points = |rows: &[Best]| {
-        rows.iter().map(|row| [row.printed.carry, row.computed.carry - row.printed.carry]).collect::<Vec<_>>()
+        rows.iter()
+            .map(|row| [row.printed.carry, row.computed.carry - row.printed.carry])
+            .collect::<Vec<_>>()
     };
     let carry = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
-    Figure::new("tables-left-over", "Residuals of the tables", carry("carry printed"), carry("computed − printed"))
-        .with(Layer::dots("Table 1", 0, points(&found.table1)))
-        .with(Layer::dots("Table 2", 1, points(&found.table2)))
+    Figure::new(
+        "tables-left-over",
+        "Residuals of the tables",
+        carry("carry printed"),
+        carry("computed − printed"),
+    )
+    .with(Layer::dots("Table 1", 0, points(&found.table1)))
+    .with(Layer::dots("Table 2", 1, points(&found.table2)))
 }
 
 pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Published) {
@@ -168,7 +263,9 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
     document.table(
         &["loft", "average carry"],
-        mean.rows.iter().map(|(loft, carry)| vec![format!("{:.0}°", loft.to_degrees()), shown.length(*carry)]),
+        mean.rows
+            .iter()
+            .map(|(loft, carry)| vec![format!("{:.0}°", loft.to_degrees()), shown.length(*carry)]),
     );
     let row = |loft: f64, carry: String, what: &str| vec![degrees(loft), carry, what.to_owned()];
     let computed = |(loft, carry): (f64, f64), what: &str| row(loft, shown.length(carry), what);
@@ -180,19 +277,39 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
                 shown.printed_length(mean.printed.1),
                 "printed: maximum of a polynomial of fifth order",
             ),
-            computed(mean.by_polynomial, "maximum of the polynomial of fifth order through these rows"),
+            computed(
+                mean.by_polynomial,
+                "maximum of the polynomial of fifth order through these rows",
+            ),
             computed(mean.best, "exact optimum of the average, no polynomial"),
         ],
     );
     let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));
     let points = |rows: &[(f64, f64)]| rows.iter().map(|(loft, carry)| [*loft, *carry]).collect();
     let (best_loft, best_carry) = mean.by_polynomial;
-    let best = Layer::Mark { name: degrees(best_loft), hue: Hue::Series(0), at: [best_loft, best_carry] };
+    let best = Layer::Mark {
+        name: degrees(best_loft),
+        hue: Hue::Series(0),
+        at: [best_loft, best_carry],
+    };
     document.figure(
-        Figure::new("average", "Average carry over attack angles of 0–10°", angle("loft"), carry)
-            .with(Layer::line("polynomial of fifth order", 0, points(&mean.polynomial)))
-            .with(Layer::dots("computed", 0, points(&mean.rows)))
-            .with(Layer::dots("printed optimum", 1, vec![[mean.printed.0, mean.printed.1]]))
-            .with(best),
+        Figure::new(
+            "average",
+            "Average carry over attack angles of 0–10°",
+            angle("loft"),
+            carry,
+        )
+        .with(Layer::line(
+            "polynomial of fifth order",
+            0,
+            points(&mean.polynomial),
+        ))
+        .with(Layer::dots("computed", 0, points(&mean.rows)))
+        .with(Layer::dots(
+            "printed optimum",
+            1,
+            vec![[mean.printed.0, mean.printed.1]],
+        ))
+        .with(best),
     );
 }

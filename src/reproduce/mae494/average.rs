@@ -24,7 +24,11 @@ impl Average {
     }
 
     /// The same at these lofts, deg, beside this printed best one.
-    pub(in crate::reproduce) fn at(setup: &Setup<f64>, lofts: &[f64], printed_loft: f64) -> Result<Self> {
+    pub(in crate::reproduce) fn at(
+        setup: &Setup<f64>,
+        lofts: &[f64],
+        printed_loft: f64,
+    ) -> Result<Self> {
         let loft = setup.variable(LOFT)?;
         let evaluators = printed::AVERAGED.map(|degrees| {
             let mut at = *setup;
@@ -33,7 +37,11 @@ impl Average {
         });
         let evaluators = evaluators.into_iter().collect::<Result<Vec<_>>>()?;
         let average = |x: &[f64]| -> Result<Taylor> {
-            let mut mean = Taylor { value: 0.0, gradient: vec![0.0], hessian: vec![vec![0.0]] };
+            let mut mean = Taylor {
+                value: 0.0,
+                gradient: vec![0.0],
+                hessian: vec![vec![0.0]],
+            };
             for evaluator in &evaluators {
                 let carry = &evaluator.at(x)?[0];
                 let part = 1.0 / evaluators.len() as f64;
@@ -51,14 +59,29 @@ impl Average {
 
         let problem = |x: &[f64]| {
             let objective = average(x).map_err(|error| error.to_string())?.negated();
-            Ok(Evaluation { objective, constraints: vec![] })
+            Ok(Evaluation {
+                objective,
+                constraints: vec![],
+            })
         };
         let [low, high] = printed::LOFT.map(f64::to_radians);
         let printed = printed_loft.to_radians();
-        let found = minimize(&problem, &Domain::new(vec![low], vec![high])?, &[printed], &Options::default())?;
+        let found = minimize(
+            &problem,
+            &Domain::new(vec![low], vec![high])?,
+            &[printed],
+            &Options::default(),
+        )?;
         match found.value {
-            Some(value) if found.status == Status::Converged => Ok(Self { printed, rows, best: (found.x[0], -value) }),
-            _ => Err(Error::NotConverged { status: found.status.name(), message: found.message.into() }),
+            Some(value) if found.status == Status::Converged => Ok(Self {
+                printed,
+                rows,
+                best: (found.x[0], -value),
+            }),
+            _ => Err(Error::NotConverged {
+                status: found.status.name(),
+                message: found.message.into(),
+            }),
         }
     }
 }

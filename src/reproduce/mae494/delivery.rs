@@ -17,7 +17,11 @@ pub struct Delivery {
 
 impl Delivery {
     pub(super) fn in_degrees(loft: f64, attack_angle: f64, carry: f64) -> Self {
-        Self { loft: loft.to_radians(), attack_angle: attack_angle.to_radians(), carry }
+        Self {
+            loft: loft.to_radians(),
+            attack_angle: attack_angle.to_radians(),
+            carry,
+        }
     }
 
     /// A setup struck like this.

@@ -4,7 +4,9 @@ use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
-use crate::optimize::{Domain, Evaluation, Follow, Options, Problem, Status, minimize_from, starts};
+use crate::optimize::{
+    Domain, Evaluation, Follow, Options, Problem, Status, minimize_from, starts,
+};
 use crate::parameters::Setup;
 use std::f64::consts::FRAC_PI_2;
 
@@ -21,7 +23,8 @@ pub struct Launched {
     pub carry: f64,
 }
 
-/// Why the report's distances cannot come from its model: how fast a ball can leave, and how far it then can fly.
+/// Why the report's distances cannot come from its model: how fast a ball can leave, and how far it
+/// then can fly.
 #[derive(Clone, Copy, Debug)]
 pub struct Energy {
     /// The most a ball can leave at, (1 + e)/(1 + m/M) V, m/s.
@@ -40,18 +43,22 @@ pub struct Energy {
     pub ball_needed: f64,
 }
 
-/// Whether the best launch for the flight is one that the impact can give: the report's "subsystem optimum".
+/// Whether the best launch for the flight is one that the impact can give: the report's "subsystem
+/// optimum".
 #[derive(Clone, Debug)]
 pub struct Subsystems {
     /// What the impact gives at the optimum of the whole.
     pub whole: Launched,
     /// The launch that the flight alone would have at that ball speed.
     pub flight: Launched,
-    /// What the impact alone would have, the fastest ball, at the attack angle of the optimum of the whole: it carries so far.
+    /// What the impact alone would have, the fastest ball, at the attack angle of the optimum of
+    /// the whole: it carries so far.
     pub impact: Delivery,
-    /// Carry's slopes by ball speed, launch angle and backspin at the optimum of the whole: m per m/s, per rad, per rad/s.
+    /// Carry's slopes by ball speed, launch angle and backspin at the optimum of the whole: m per
+    /// m/s, per rad, per rad/s.
     pub slopes: [f64; 3],
-    /// What a radian of loft changes of carry through ball speed, launch angle and backspin, m/rad: in sum nothing at the optimum.
+    /// What a radian of loft changes of carry through ball speed, launch angle and backspin, m/rad:
+    /// in sum nothing at the optimum.
     pub by_loft: [f64; 3],
     /// The same for the attack angle: in sum the price of its bound.
     pub by_attack_angle: [f64; 3],
@@ -96,15 +103,34 @@ impl Subsystems {
         let impact = derivative::jacobian(setup, &quantities, &wrt)?;
         let launch: Vec<f64> = impact.iter().map(|quantity| quantity.value).collect();
         let alone = FlightAlone::new(setup, Wanted::Farthest)?;
-        let failed = |message| Error::Undefined { what: "the carry of the launch".into(), reason: message };
-        let flight: Taylor = alone.evaluate(&launch).map(|all: Evaluation| all.objective).map_err(failed)?.negated();
+        let failed = |message| Error::Undefined {
+            what: "the carry of the launch".into(),
+            reason: message,
+        };
+        let flight: Taylor = alone
+            .evaluate(&launch)
+            .map(|all: Evaluation| all.objective)
+            .map_err(failed)?
+            .negated();
         let slopes = [0, 1, 2].map(|quantity| flight.gradient[quantity]);
-        let through = |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
+        let through =
+            |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
-        let square = Delivery { loft: 0.0, ..optimum.exact() };
-        let square = Delivery { carry: tables::carried(&square.set(setup))?, ..square };
+        let square = Delivery {
+            loft: 0.0,
+            ..optimum.exact()
+        };
+        let square = Delivery {
+            carry: tables::carried(&square.set(setup))?,
+            ..square
+        };
         Ok(Self {
-            whole: Launched { speed: launch[0], angle: launch[1], spin: launch[2], carry: flight.value },
+            whole: Launched {
+                speed: launch[0],
+                angle: launch[1],
+                spin: launch[2],
+                carry: flight.value,
+            },
             flight: own_choice,
             impact: square,
             slopes,
@@ -114,7 +140,8 @@ impl Subsystems {
     }
 }
 
-/// A flight by its launch alone, x = (ball speed, launch angle, backspin), with nothing asked of a club.
+/// A flight by its launch alone, x = (ball speed, launch angle, backspin), with nothing asked of a
+/// club.
 struct FlightAlone {
     carry: Evaluator,
     wanted: Wanted,
@@ -131,41 +158,90 @@ impl FlightAlone {
     fn new(setup: &Setup<f64>, wanted: Wanted) -> Result<Self> {
         let mut setup = *setup;
         let given = &mut setup.launch;
-        (given.ball_speed, given.launch_angle, given.backspin) = (Some(MOST_SPEED), Some(ANGLES[0]), Some(0.0));
-        let conditions = ["launch.ball_speed", "launch.launch_angle", "launch.backspin"];
+        (given.ball_speed, given.launch_angle, given.backspin) =
+            (Some(MOST_SPEED), Some(ANGLES[0]), Some(0.0));
+        let conditions = [
+            "launch.ball_speed",
+            "launch.launch_angle",
+            "launch.backspin",
+        ];
         let wrt = conditions.map(|name| setup.variable(name));
         let wrt = wrt.into_iter().collect::<Result<Vec<_>>>()?;
-        Ok(Self { carry: Evaluator::new(&setup, &[Outcome::Carry], &wrt, Order::Second)?, wanted })
+        Ok(Self {
+            carry: Evaluator::new(&setup, &[Outcome::Carry], &wrt, Order::Second)?,
+            wanted,
+        })
     }
 
     /// The best launch with a ball speed in this range, and the prices of the upper bounds.
     fn best(&self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
-        let domain = Domain::new(vec![speeds[0], ANGLES[0], 0.0], vec![speeds[1], ANGLES[1], MOST_SPIN])?;
+        let domain = Domain::new(
+            vec![speeds[0], ANGLES[0], 0.0],
+            vec![speeds[1], ANGLES[1], MOST_SPIN],
+        )?;
         let domain = match self.wanted {
             Wanted::Farthest => domain,
-            Wanted::SlowestBeyond(distance) => domain.subject_to(vec![distance], vec![f64::INFINITY])?,
+            Wanted::SlowestBeyond(distance) => {
+                domain.subject_to(vec![distance], vec![f64::INFINITY])?
+            }
         };
-        let middle: Vec<f64> = (0..3).map(|i| 0.5 * (domain.variables.low[i] + domain.variables.high[i])).collect();
+        let middle: Vec<f64> = (0..3)
+            .map(|i| 0.5 * (domain.variables.low[i] + domain.variables.high[i]))
+            .collect();
         let starts = starts(&domain, &middle, 16)?;
-        let found = minimize_from(self, &domain, &starts, &Options::default(), &Follow::default())?;
-        let best = found.into_iter().map(|local| local.solution).find(|best| best.status == Status::Converged);
-        let best = best.ok_or(Error::Nothing { doing: "find", what: "best launch" })?;
+        let found = minimize_from(
+            self,
+            &domain,
+            &starts,
+            &Options::default(),
+            &Follow::default(),
+        )?;
+        let best = found
+            .into_iter()
+            .map(|local| local.solution)
+            .find(|best| best.status == Status::Converged);
+        let best = best.ok_or(Error::Nothing {
+            doing: "find",
+            what: "best launch",
+        })?;
         let carry = match self.wanted {
             Wanted::Farthest => -best.value.unwrap_or_default(),
             Wanted::SlowestBeyond(_) => best.constraints[0].value,
         };
-        Ok((Launched { speed: best.x[0], angle: best.x[1], spin: best.x[2], carry }, best.upper_multipliers))
+        Ok((
+            Launched {
+                speed: best.x[0],
+                angle: best.x[1],
+                spin: best.x[2],
+                carry,
+            },
+            best.upper_multipliers,
+        ))
     }
 }
 
 impl Problem for FlightAlone {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
-        let carry = self.carry.at(x).map_err(|error| error.to_string())?.swap_remove(0);
+        let carry = self
+            .carry
+            .at(x)
+            .map_err(|error| error.to_string())?
+            .swap_remove(0);
         Ok(match self.wanted {
-            Wanted::Farthest => Evaluation { objective: carry.negated(), constraints: vec![] },
+            Wanted::Farthest => Evaluation {
+                objective: carry.negated(),
+                constraints: vec![],
+            },
             Wanted::SlowestBeyond(_) => {
-                let speed = Taylor { value: x[0], gradient: vec![1.0, 0.0, 0.0], hessian: vec![vec![0.0; 3]; 3] };
-                Evaluation { objective: speed, constraints: vec![carry] }
+                let speed = Taylor {
+                    value: x[0],
+                    gradient: vec![1.0, 0.0, 0.0],
+                    hessian: vec![vec![0.0; 3]; 3],
+                };
+                Evaluation {
+                    objective: speed,
+                    constraints: vec![carry],
+                }
             }
         })
     }

@@ -10,20 +10,32 @@ const MEMORY: usize = 7;
 /// Most iterations.
 const ITERATIONS: u64 = 200;
 
-/// Searches by argmin's L-BFGS from `start`: the best point seen, and how the method says that it ended.
+/// Searches by argmin's L-BFGS from `start`: the best point seen, and how the method says that it
+/// ended.
 ///
-/// argmin's solvers know no bounds; x = middle + half the width · sin u has none in u. Nor do they know of places without
-/// a value, and give up where they come to one: there they are told a carry of nothing.
+/// argmin's solvers know no bounds; x = middle + half the width · sin u has none in u. Nor do they
+/// know of places without a value, and give up where they come to one: there they are told a carry
+/// of nothing.
 pub(super) fn search_by_lbfgs(sought: &Sought, start: &[f64]) -> (Vec<f64>, String) {
     let bounds = &sought.domain.variables;
     let half = |i: usize| 0.5 * (bounds.high[i] - bounds.low[i]);
-    let begin = (0..start.len()).map(|i| ((start[i] - bounds.low[i]) / half(i) - 1.0).clamp(-1.0, 1.0).asin());
+    let begin = (0..start.len()).map(|i| {
+        ((start[i] - bounds.low[i]) / half(i) - 1.0)
+            .clamp(-1.0, 1.0)
+            .asin()
+    });
     let best = RefCell::new((f64::INFINITY, start.to_vec()));
     let solver = LBFGS::new(MoreThuenteLineSearch::new(), MEMORY);
-    let ended = Executor::new(Unbounded { sought, best: &best }, solver)
-        .configure(|state| state.param(begin.collect()).max_iters(ITERATIONS))
-        .timer(false)
-        .run();
+    let ended = Executor::new(
+        Unbounded {
+            sought,
+            best: &best,
+        },
+        solver,
+    )
+    .configure(|state| state.param(begin.collect()).max_iters(ITERATIONS))
+    .timer(false)
+    .run();
     let message = match ended {
         Ok(ended) => ended.state.termination_status.to_string(),
         Err(error) => format!("gave up: {error}"),
@@ -78,7 +90,14 @@ impl Gradient for Unbounded<'_, '_> {
 
     fn gradient(&self, u: &Vec<f64>) -> Result<Vec<f64>, Error> {
         let bounds = &self.sought.domain.variables;
-        let by_x = flown(self.sought.taylor(&self.bounded(u)).map(|taylor| taylor.gradient), vec![0.0; u.len()])?;
-        Ok((0..u.len()).map(|i| by_x[i] * 0.5 * (bounds.high[i] - bounds.low[i]) * u[i].cos()).collect())
+        let by_x = flown(
+            self.sought
+                .taylor(&self.bounded(u))
+                .map(|taylor| taylor.gradient),
+            vec![0.0; u.len()],
+        )?;
+        Ok((0..u.len())
+            .map(|i| by_x[i] * 0.5 * (bounds.high[i] - bounds.low[i]) * u[i].cos())
+            .collect())
     }
 }

@@ -1,7 +1,8 @@
 //! The MAE 494 student report "Optimization of a Golf Driver", which redid Winfield & Tan (1994).
 //!
-//! Its flight loop overshoots the ground, its optimizer got lost in the teeth that makes, and a regression took its place. Here its
-//! constants stand in Winfield & Tan's equations (the preset `mae494`), and every optimum it prints is held against the exact one.
+//! Its flight loop overshoots the ground, its optimizer got lost in the teeth that makes, and a
+//! regression took its place. Here its constants stand in Winfield & Tan's equations (the preset
+//! `mae494`), and every optimum it prints is held against the exact one.
 
 mod average;
 mod delivery;
@@ -71,9 +72,15 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let setup = Setup::preset("mae494")?;
     progress("the regression");
     let regression = Regression::new()?;
-    let slipped =
-        Delivery { loft: regression.slipped.loft, attack_angle: printed::REGRESSION_ATTACK.to_radians(), carry: 0.0 };
-    let slipped = Delivery { carry: tables::carried(&slipped.set(&setup))?, ..slipped };
+    let slipped = Delivery {
+        loft: regression.slipped.loft,
+        attack_angle: printed::REGRESSION_ATTACK.to_radians(),
+        carry: 0.0,
+    };
+    let slipped = Delivery {
+        carry: tables::carried(&slipped.set(&setup))?,
+        ..slipped
+    };
     progress("the tables");
     let optimum = tables::optimum(&setup)?;
     let (table1, table2) = (tables::table1(&setup)?, tables::table2(&setup)?);

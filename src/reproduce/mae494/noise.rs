@@ -6,7 +6,8 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
 
-/// The "noise" of the report's flight loop, seen near: carry with teeth, and slopes that are those of a tooth.
+/// The "noise" of the report's flight loop, seen near: carry with teeth, and slopes that are those
+/// of a tooth.
 #[derive(Clone, Debug)]
 pub struct Noise {
     /// The loop's time step, s.
@@ -21,7 +22,8 @@ pub struct Noise {
     pub slopes: Vec<Slopes>,
     /// Slopes at loft 10°, attack angle 0° with shorter time steps, s: the difference of the loop.
     pub shorter_steps: Vec<(f64, f64)>,
-    /// Slopes at loft 10°, attack angle 0° by longer differences, rad: of the loop, interpolated, smooth.
+    /// Slopes at loft 10°, attack angle 0° by longer differences, rad: of the loop, interpolated,
+    /// smooth.
     pub longer_differences: Vec<(f64, [f64; 3])>,
 }
 
@@ -78,25 +80,49 @@ impl Noise {
 
         let zoom = (0..=ZOOM).map(|k| {
             let loft = (10.0 + REACH * (2.0 * f64::from(k) / f64::from(ZOOM) - 1.0)).to_radians();
-            let Stop { overshot, interpolated } = loop_at(loft, step)?;
-            Ok(Landings { loft, overshot, interpolated, smooth: smooth_at(loft)? })
+            let Stop {
+                overshot,
+                interpolated,
+            } = loop_at(loft, step)?;
+            Ok(Landings {
+                loft,
+                overshot,
+                interpolated,
+                smooth: smooth_at(loft)?,
+            })
         });
         let zoom: Vec<Landings> = zoom.collect::<Result<_>>()?;
         let forward = |loft: f64, by: f64, step: f64| {
             let (here, there) = (loop_at(loft, step)?, loop_at(loft + by, step)?);
-            Ok([(there.overshot - here.overshot) / by, (there.interpolated - here.interpolated) / by])
+            Ok([
+                (there.overshot - here.overshot) / by,
+                (there.interpolated - here.interpolated) / by,
+            ])
         };
         let slopes = (6..=20).map(|degrees| {
             let loft = f64::from(degrees).to_radians();
             let [overshot, interpolated] = forward(loft, difference, step)?;
             let (exact, at_fixed_time) = exact_slopes(&level(setup, loft))?;
-            Ok(Slopes { loft, exact, at_fixed_time, overshot, interpolated })
+            Ok(Slopes {
+                loft,
+                exact,
+                at_fixed_time,
+                overshot,
+                interpolated,
+            })
         });
         let shorter = [step, 0.1 * step, 0.01 * step, 0.001 * step];
         let shorter = shorter.map(|shorter| Ok((shorter, forward(ten, difference, shorter)?[0])));
         let longer = [difference, 1e-6, 1e-4, 1e-3, 1e-2, 1e-1].map(|longer| {
             let [overshot, interpolated] = forward(ten, longer, step)?;
-            Ok((longer, [overshot, interpolated, (smooth_at(ten + longer)? - smooth_at(ten)?) / longer]))
+            Ok((
+                longer,
+                [
+                    overshot,
+                    interpolated,
+                    (smooth_at(ten + longer)? - smooth_at(ten)?) / longer,
+                ],
+            ))
         });
         Ok(Self {
             step,
@@ -111,34 +137,56 @@ impl Noise {
 
     /// At how many of the lofts looked at the loop's slope has the wrong sign.
     pub fn wrong_signs(&self) -> usize {
-        self.slopes.iter().filter(|slopes| slopes.overshot * slopes.exact < 0.0).count()
+        self.slopes
+            .iter()
+            .filter(|slopes| slopes.overshot * slopes.exact < 0.0)
+            .count()
     }
 }
 
 impl Teeth {
-    /// The steps of the zoom in which the loop's carry jumps by more than the smooth one changes over all of it in ten.
+    /// The steps of the zoom in which the loop's carry jumps by more than the smooth one changes
+    /// over all of it in ten.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;
             (pair[1].overshot - pair[0].overshot - smooth, smooth)
         };
-        let jumps = zoom.windows(2).map(jump).filter(|(jump, smooth)| jump.abs() > 3.0 * smooth.abs());
+        let jumps = zoom
+            .windows(2)
+            .map(jump)
+            .filter(|(jump, smooth)| jump.abs() > 3.0 * smooth.abs());
         let heights: Vec<f64> = jumps.map(|(jump, _)| jump.abs()).collect();
         let count = heights.len();
-        let reach = zoom.last().map_or(0.0, |last| last.loft) - zoom.first().map_or(0.0, |first| first.loft);
+        let reach = zoom.last().map_or(0.0, |last| last.loft)
+            - zoom.first().map_or(0.0, |first| first.loft);
         let per = count.max(1) as f64;
-        Self { count, width: reach / per, height: heights.iter().sum::<f64>() / per }
+        Self {
+            count,
+            width: reach / per,
+            height: heights.iter().sum::<f64>() / per,
+        }
     }
 }
 
 /// A setup at attack angle 0° with this loft.
 fn level(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
-    Delivery { loft, attack_angle: 0.0, carry: 0.0 }.set(setup)
+    Delivery {
+        loft,
+        attack_angle: 0.0,
+        carry: 0.0,
+    }
+    .set(setup)
 }
 
 /// d carry/d loft, and the same at fixed time: d z/dλ = d carry/dλ − ż d t/dλ.
 fn exact_slopes(setup: &Setup<f64>) -> Result<(f64, f64)> {
-    let of = [Outcome::Carry, Outcome::FlightTime, Outcome::LandingSpeed, Outcome::DescentAngle];
+    let of = [
+        Outcome::Carry,
+        Outcome::FlightTime,
+        Outcome::LandingSpeed,
+        Outcome::DescentAngle,
+    ];
     let at = derivative::jacobian(setup, &of, &[setup.variable(LOFT)?])?;
     let (carry, time) = (at[0].gradient[0], at[1].gradient[0]);
     let downrange_speed = at[2].value * at[3].value.cos();

@@ -2,10 +2,12 @@ use super::Row;
 use crate::error::Result;
 use crate::study::{Change, Changed, Sensitivity, change, sensitivity};
 
-/// The report's parametric study, which it calls for and does not make: what its constants do to the optimum.
+/// The report's parametric study, which it calls for and does not make: what its constants do to
+/// the optimum.
 #[derive(Clone, Debug)]
 pub struct Parametric {
-    /// Exact sensitivities of the optimum, the constant that matters most (per per cent of itself) first.
+    /// Exact sensitivities of the optimum, the constant that matters most (per per cent of itself)
+    /// first.
     pub sensitivities: Vec<Constant>,
     /// The changes it asks about, predicted and searched anew.
     pub changes: Vec<Changed>,
@@ -54,8 +56,12 @@ const CONSTANTS: [&str; 17] = [
 ];
 
 /// What it asks about, by so large a part of each.
-const CHANGES: [(&str, f64); 4] =
-    [("ball.mass", -0.1), ("ball.mass", 0.1), ("club.inertia.yy", -0.1), ("club.inertia.yy", 0.1)];
+const CHANGES: [(&str, f64); 4] = [
+    ("ball.mass", -0.1),
+    ("ball.mass", 0.1),
+    ("club.inertia.yy", -0.1),
+    ("club.inertia.yy", 0.1),
+];
 
 impl Parametric {
     /// The study around the optimum.
@@ -64,15 +70,25 @@ impl Parametric {
         let constant = |name: &&str| {
             let parameter = best.setup.variable(name)?;
             let value = best.setup.value(parameter).unwrap_or_default();
-            Ok(Constant { value, sensitivity: sensitivity(best, parameter)? })
+            Ok(Constant {
+                value,
+                sensitivity: sensitivity(best, parameter)?,
+            })
         };
         let mut sensitivities = CONSTANTS.iter().map(constant).collect::<Result<Vec<_>>>()?;
-        sensitivities.sort_by(|a, b| b.carry_per_cent().abs().total_cmp(&a.carry_per_cent().abs()));
+        sensitivities.sort_by(|a, b| {
+            b.carry_per_cent()
+                .abs()
+                .total_cmp(&a.carry_per_cent().abs())
+        });
         let changed = |(name, part): &(&str, f64)| {
             let parameter = best.setup.variable(name)?;
             let delta = part * best.setup.value(parameter).unwrap_or_default();
             change(best, Change { parameter, delta }, &Ok)
         };
-        Ok(Self { sensitivities, changes: CHANGES.iter().map(changed).collect::<Result<_>>()? })
+        Ok(Self {
+            sensitivities,
+            changes: CHANGES.iter().map(changed).collect::<Result<_>>()?,
+        })
     }
 }

@@ -30,7 +30,8 @@ pub const TABLE_2: [[f64; 3]; 9] = [
     [15.0, 7.2053, 243.43],
 ];
 
-/// The optimum it recommends: loft and swing elevation, deg, from either table, and the longest distance of Table 1, m.
+/// The optimum it recommends: loft and swing elevation, deg, from either table, and the longest
+/// distance of Table 1, m.
 pub const OPTIMUM: [f64; 3] = [17.68, 7.3, 248.48];
 
 /// The ranges it searches: loft, deg.
@@ -40,14 +41,22 @@ pub const LOFT: [f64; 2] = [0.0, 20.0];
 pub const ATTACK: [f64; 2] = [-10.0, 10.0];
 
 /// The data of the regression in its listing, at swing elevation 10°: lofts, deg, and distances, m.
-pub const REGRESSION: [[f64; 2]; 5] = [[0.0, 9.7], [5.0, 191.2], [10.0, 222.5], [15.0, 249.0], [20.0, 98.3]];
+pub const REGRESSION: [[f64; 2]; 5] = [
+    [0.0, 9.7],
+    [5.0, 191.2],
+    [10.0, 222.5],
+    [15.0, 249.0],
+    [20.0, 98.3],
+];
 
 /// The swing elevation of these data, deg.
 pub const REGRESSION_ATTACK: f64 = 10.0;
 
 /// The attack angles that its third study averages over, deg, and the lofts it does so at.
 pub const AVERAGED: [f64; 11] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0];
-pub const AVERAGED_LOFTS: [f64; 11] = [8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0];
+pub const AVERAGED_LOFTS: [f64; 11] = [
+    8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0,
+];
 
 /// The loft with the longest average, deg.
 pub const AVERAGE_LOFT: f64 = 16.0;

@@ -1,15 +1,19 @@
 use super::printed;
 use crate::error::{Error, Result};
 use crate::number::{Number, Numbers};
-use crate::optimize::{Domain, Exact, Follow, Functions, Options, Status, Values, minimize_from, starts};
+use crate::optimize::{
+    Domain, Exact, Follow, Functions, Options, Status, Values, minimize_from, starts,
+};
 use nalgebra::{SMatrix, SVector};
 
-/// The report's regression: distance as a polynomial in loft through five points at one swing elevation.
+/// The report's regression: distance as a polynomial in loft through five points at one swing
+/// elevation.
 ///
 /// Its listing fits 1, λ², λ³, λ⁴, λ⁵ and then evaluates the coefficients against 1, λ, λ², λ³, λ⁴.
 #[derive(Clone, Copy, Debug)]
 pub struct Regression {
-    /// The peak of the coefficients evaluated against other powers than they were fitted to, as the listing does.
+    /// The peak of the coefficients evaluated against other powers than they were fitted to, as the
+    /// listing does.
     pub slipped: Peak,
     /// The peak of the same coefficients evaluated as they were fitted.
     pub as_fitted: Peak,
@@ -33,10 +37,23 @@ impl Regression {
     /// [`Error::Optimizer`], [`Error::NotConverged`].
     pub fn new() -> Result<Self> {
         let (fitted, evaluated) = ([0, 2, 3, 4, 5], [0, 1, 2, 3, 4]);
-        let slipped = Polynomial { coefficients: through_the_data(fitted)?, powers: evaluated };
-        let as_fitted = Polynomial { powers: fitted, ..slipped };
-        let ordinary = Polynomial { coefficients: through_the_data(evaluated)?, powers: evaluated };
-        Ok(Self { slipped: slipped.peak()?, as_fitted: as_fitted.peak()?, ordinary: ordinary.peak()? })
+        let slipped = Polynomial {
+            coefficients: through_the_data(fitted)?,
+            powers: evaluated,
+        };
+        let as_fitted = Polynomial {
+            powers: fitted,
+            ..slipped
+        };
+        let ordinary = Polynomial {
+            coefficients: through_the_data(evaluated)?,
+            powers: evaluated,
+        };
+        Ok(Self {
+            slipped: slipped.peak()?,
+            as_fitted: as_fitted.peak()?,
+            ordinary: ordinary.peak()?,
+        })
     }
 }
 
@@ -47,12 +64,18 @@ struct Polynomial {
     powers: [u32; 5],
 }
 
-/// The coefficients with which these powers of loft pass through the five points: least squares without a residual.
+/// The coefficients with which these powers of loft pass through the five points: least squares
+/// without a residual.
 fn through_the_data(powers: [u32; 5]) -> Result<SVector<f64, 5>> {
     let loft = |row: usize| printed::REGRESSION[row][0].to_radians();
-    let basis = SMatrix::<f64, 5, 5>::from_fn(|row, column| <f64 as Numbers>::powi(loft(row), powers[column]));
+    let basis = SMatrix::<f64, 5, 5>::from_fn(|row, column| {
+        <f64 as Numbers>::powi(loft(row), powers[column])
+    });
     let distances = SVector::<f64, 5>::from_fn(|row, _| printed::REGRESSION[row][1]);
-    basis.lu().solve(&distances).ok_or_else(|| Error::Optimizer("the regression's matrix is singular".into()))
+    basis
+        .lu()
+        .solve(&distances)
+        .ok_or_else(|| Error::Optimizer("the regression's matrix is singular".into()))
 }
 
 impl Polynomial {
@@ -61,14 +84,24 @@ impl Polynomial {
         let domain = Domain::new(vec![low], vec![high])?;
         // the report's own start, 10°, and others: a polynomial of fifth degree may have two peaks
         let starts = starts(&domain, &[10.0_f64.to_radians()], 8)?;
-        let found = minimize_from(&Exact(self), &domain, &starts, &Options::default(), &Follow::default())?;
+        let found = minimize_from(
+            &Exact(self),
+            &domain,
+            &starts,
+            &Options::default(),
+            &Follow::default(),
+        )?;
         match found.first().map(|local| &local.solution) {
-            Some(best) if best.status == Status::Converged => {
-                Ok(Peak { loft: best.x[0], distance: -best.value.unwrap_or_default() })
-            }
+            Some(best) if best.status == Status::Converged => Ok(Peak {
+                loft: best.x[0],
+                distance: -best.value.unwrap_or_default(),
+            }),
             best => {
                 let message = best.map(|best| best.message.clone()).unwrap_or_default();
-                Err(Error::NotConverged { status: "no peak", message: message.into() })
+                Err(Error::NotConverged {
+                    status: "no peak",
+                    message: message.into(),
+                })
             }
         }
     }
@@ -76,7 +109,14 @@ impl Polynomial {
 
 impl Functions for Polynomial {
     fn evaluate<T: Number>(&self, x: &[T]) -> std::result::Result<Values<T>, String> {
-        let terms = self.coefficients.iter().zip(self.powers).map(|(beta, power)| x[0].powi(power) * *beta);
-        Ok(Values { objective: -terms.fold(T::zero(), |sum, term| sum + term), constraints: vec![] })
+        let terms = self
+            .coefficients
+            .iter()
+            .zip(self.powers)
+            .map(|(beta, power)| x[0].powi(power) * *beta);
+        Ok(Values {
+            objective: -terms.fold(T::zero(), |sum, term| sum + term),
+            constraints: vec![],
+        })
     }
 }

@@ -48,16 +48,30 @@ const KINDS: [(Landing, Method); 7] = [
 pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
     let domain = domain()?;
     let mut begun = vec![];
-    for x in starts(&domain, &[setup.club.loft, setup.swing.attack_angle], 8 * STARTS)? {
-        let start = Delivery { loft: x[0], attack_angle: x[1], carry: 0.0 };
+    for x in starts(
+        &domain,
+        &[setup.club.loft, setup.swing.attack_angle],
+        8 * STARTS,
+    )? {
+        let start = Delivery {
+            loft: x[0],
+            attack_angle: x[1],
+            carry: 0.0,
+        };
         if let Some(carry) = carried_if_flown(&start.set(setup))? {
             begun.push(Delivery { carry, ..start });
         }
     }
     begun.truncate(STARTS);
     let one = |(landing, method): (Landing, Method)| {
-        let ends = begun.iter().map(|start| search(&Sought::new(setup, landing, method)?, *start));
-        Ok(Searches { landing, method, ends: ends.collect::<Result<_>>()? })
+        let ends = begun
+            .iter()
+            .map(|start| search(&Sought::new(setup, landing, method)?, *start));
+        Ok(Searches {
+            landing,
+            method,
+            ends: ends.collect::<Result<_>>()?,
+        })
     };
     KINDS.into_iter().map(one).collect()
 }
@@ -70,21 +84,39 @@ fn search(sought: &Sought<'_>, start: Delivery) -> Result<End> {
         Method::QuasiNewton | Method::Exact => {
             let problem = |x: &[f64]| {
                 let objective = sought.taylor(x).map_err(|error| error.to_string())?;
-                Ok(Evaluation { objective, constraints: vec![] })
+                Ok(Evaluation {
+                    objective,
+                    constraints: vec![],
+                })
             };
             let found = minimize(&problem, &sought.domain, &x, &Options::default())?;
             (found.x, format!("{}: {}", found.status, found.message))
         }
     };
-    let at = Delivery { loft: x[0], attack_angle: x[1], carry: 0.0 };
-    let at = Delivery { carry: carried_if_flown(&at.set(sought.setup))?.unwrap_or_default(), ..at };
-    Ok(End { start, at, flights: sought.flights.get(), message })
+    let at = Delivery {
+        loft: x[0],
+        attack_angle: x[1],
+        carry: 0.0,
+    };
+    let at = Delivery {
+        carry: carried_if_flown(&at.set(sought.setup))?.unwrap_or_default(),
+        ..at
+    };
+    Ok(End {
+        start,
+        at,
+        flights: sought.flights.get(),
+        message,
+    })
 }
 
 impl Searches {
     /// How many ended within so many metres of the best carry.
     pub fn within(&self, distance: f64, best: f64) -> usize {
-        self.ends.iter().filter(|end| best - end.at.carry <= distance).count()
+        self.ends
+            .iter()
+            .filter(|end| best - end.at.carry <= distance)
+            .count()
     }
 
     /// What the ends miss of the best carry, m, least first.

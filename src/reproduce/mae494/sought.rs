@@ -40,7 +40,8 @@ pub enum Method {
     LimitedMemory,
     /// The same with exact gradients.
     LimitedMemoryExact,
-    /// This library's optimizer with a Hessian of its own making (BFGS); gradients by forward differences.
+    /// This library's optimizer with a Hessian of its own making (BFGS); gradients by forward
+    /// differences.
     QuasiNewton,
     /// This library's optimizer with exact gradients and Hessians.
     Exact,
@@ -77,15 +78,31 @@ pub(super) struct Sought<'a> {
 impl<'a> Sought<'a> {
     pub fn new(setup: &'a Setup<f64>, landing: Landing, method: Method) -> Result<Self> {
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
-        let order = if method == Method::Exact { Order::Second } else { Order::First };
+        let order = if method == Method::Exact {
+            Order::Second
+        } else {
+            Order::First
+        };
         let exact = Evaluator::new(setup, &[Outcome::Carry], &wrt, order)?;
-        Ok(Self { setup, landing, method, domain: domain()?, exact, flights: Cell::new(0) })
+        Ok(Self {
+            setup,
+            landing,
+            method,
+            domain: domain()?,
+            exact,
+            flights: Cell::new(0),
+        })
     }
 
     /// −carry.
     pub fn value(&self, x: &[f64]) -> Result<f64> {
         self.flights.set(self.flights.get() + 1);
-        let at = Delivery { loft: x[0], attack_angle: x[1], carry: 0.0 }.set(self.setup);
+        let at = Delivery {
+            loft: x[0],
+            attack_angle: x[1],
+            carry: 0.0,
+        }
+        .set(self.setup);
         Ok(-match self.landing {
             Landing::Overshot => fly_past_the_ground(&at, at.flight.step)?.overshot,
             Landing::Interpolated => fly_past_the_ground(&at, at.flight.step)?.interpolated,
@@ -104,11 +121,19 @@ impl<'a> Sought<'a> {
         let slope = |i: usize| {
             // forward as fmincon's, backward where that would leave the range
             let step = f64::EPSILON.sqrt();
-            let step = if x[i] + step <= self.domain.variables.high[i] { step } else { -step };
+            let step = if x[i] + step <= self.domain.variables.high[i] {
+                step
+            } else {
+                -step
+            };
             let mut moved = x.to_vec();
             moved[i] += step;
             Ok((self.value(&moved)? - value) / step)
         };
-        Ok(Taylor { value, gradient: (0..x.len()).map(slope).collect::<Result<_>>()?, hessian: vec![] })
+        Ok(Taylor {
+            value,
+            gradient: (0..x.len()).map(slope).collect::<Result<_>>()?,
+            hessian: vec![],
+        })
     }
 }

@@ -38,35 +38,61 @@ impl Row {
 
 /// Table 1: the best loft at each attack angle.
 pub(super) fn table1(setup: &Setup<f64>) -> Result<Vec<Row>> {
-    let rows = printed::TABLE_1.map(|[attack, loft, distance]| Delivery::in_degrees(loft, attack, distance));
-    rows.into_iter().map(|printed| row(setup, printed, &[LOFT])).collect()
+    let rows = printed::TABLE_1
+        .map(|[attack, loft, distance]| Delivery::in_degrees(loft, attack, distance));
+    rows.into_iter()
+        .map(|printed| row(setup, printed, &[LOFT]))
+        .collect()
 }
 
 /// Table 2: the best attack angle at each loft.
 pub(super) fn table2(setup: &Setup<f64>) -> Result<Vec<Row>> {
-    let rows = printed::TABLE_2.map(|[loft, attack, distance]| Delivery::in_degrees(loft, attack, distance));
-    rows.into_iter().map(|printed| row(setup, printed, &[ATTACK_ANGLE])).collect()
+    let rows = printed::TABLE_2
+        .map(|[loft, attack, distance]| Delivery::in_degrees(loft, attack, distance));
+    rows.into_iter()
+        .map(|printed| row(setup, printed, &[ATTACK_ANGLE]))
+        .collect()
 }
 
 /// The exact optimum over loft and attack angle.
 pub(super) fn optimum(setup: &Setup<f64>) -> Result<Row> {
     let [loft, attack, distance] = printed::OPTIMUM;
-    row(setup, Delivery::in_degrees(loft, attack, distance), &[LOFT, ATTACK_ANGLE])
+    row(
+        setup,
+        Delivery::in_degrees(loft, attack, distance),
+        &[LOFT, ATTACK_ANGLE],
+    )
 }
 
-/// The exact optimum over these parameters within the report's ranges; what is not varied is as printed.
+/// The exact optimum over these parameters within the report's ranges; what is not varied is as
+/// printed.
 fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
     let at = printed.set(setup);
-    let vary = names.iter().map(|name| range(setup, name)).collect::<Result<_>>()?;
-    let search = Search { vary, ..Search::largest(Outcome::Carry) };
+    let vary = names
+        .iter()
+        .map(|name| range(setup, name))
+        .collect::<Result<_>>()?;
+    let search = Search {
+        vary,
+        ..Search::largest(Outcome::Carry)
+    };
     // some printed optima do not fly, and carry may have more than one peak
     let best = optima(&at, &search, 8, &Follow::default())?.best()?.clone();
-    Ok(Row { printed, active: best.active(), best, at_printed: carried_if_flown(&at)? })
+    Ok(Row {
+        printed,
+        active: best.active(),
+        best,
+        at_printed: carried_if_flown(&at)?,
+    })
 }
 
 /// The range in which the report searches a parameter.
 pub(super) fn range(setup: &Setup<f64>, name: &str) -> Result<Vary> {
-    let ends = if name == LOFT { printed::LOFT } else { printed::ATTACK };
+    let ends = if name == LOFT {
+        printed::LOFT
+    } else {
+        printed::ATTACK
+    };
     let [low, high] = ends.map(f64::to_radians);
     Vary::new(setup.variable(name)?, low, high)
 }

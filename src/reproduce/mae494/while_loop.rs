@@ -1,5 +1,5 @@
-//! THE COUNTER-EXAMPLE: the flight loop of the report's listing. It is here to be shown failing; no answer of this library
-//! comes from it.
+//! THE COUNTER-EXAMPLE: the flight loop of the report's listing. It is here to be shown failing; no
+//! answer of this library comes from it.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::atmosphere::AirState;
@@ -14,12 +14,14 @@ use std::f64::consts::PI;
 pub(in super::super) struct Stop {
     /// Downrange where the loop stops, the first step below the ground, m: the report's distance.
     pub overshot: f64,
-    /// Downrange where the straight line between the last two steps meets the ground, m: the cheap cure.
+    /// Downrange where the straight line between the last two steps meets the ground, m: the cheap
+    /// cure.
     pub interpolated: f64,
 }
 
-/// Flies in steps of `step` s until the height is below zero, as the listing does: the forces of a step are those at its
-/// beginning (its `ode45` integrates a constant), and the position follows with the velocity at its end.
+/// Flies in steps of `step` s until the height is below zero, as the listing does: the forces of a
+/// step are those at its beginning (its `ode45` integrates a constant), and the position follows
+/// with the velocity at its end.
 ///
 /// # Errors
 /// As [`strike`]; [`Error::NoFlight`] where the ball is still in the air at the time limit.
@@ -28,17 +30,26 @@ pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Re
     let air = AirState::of(&setup.air);
     let area = PI * setup.ball.radius * setup.ball.radius;
     let (spin_at_launch, mut velocity) = (launch.total_spin(), launch.velocity);
-    let axis = if spin_at_launch > 0.0 { launch.spin * (1.0 / spin_at_launch) } else { launch.spin };
+    let axis = if spin_at_launch > 0.0 {
+        launch.spin * (1.0 / spin_at_launch)
+    } else {
+        launch.spin
+    };
     let (mut before, mut here, mut steps) = (Vector::zero(), Vector::zero(), 0_u32);
     while here.x >= 0.0 {
         let time = step * f64::from(steps);
         if time > setup.flight.time_limit {
-            return Err(Error::NoFlight { reason: format!("no landing: the loop still runs after {time} s").into() });
+            return Err(Error::NoFlight {
+                reason: format!("no landing: the loop still runs after {time} s").into(),
+            });
         }
         let spin = spin_at_launch * (-setup.aero.spin_decay * time).exp();
         let speed = velocity.norm();
         let per_speed = 2.0 * air.density * setup.ball.radius / air.viscosity;
-        let coefficients = setup.law.coefficients(Stream::new(spin, speed, setup.ball.radius, per_speed));
+        let coefficients =
+            setup
+                .law
+                .coefficients(Stream::new(spin, speed, setup.ball.radius, per_speed));
         let pressure = 0.5 * air.density * area * speed / setup.ball.mass;
         let pull = axis.cross(velocity) * coefficients.lift - velocity * coefficients.drag;
         let weight = Vector::new(setup.flight.gravity, 0.0, 0.0);
@@ -48,5 +59,8 @@ pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Re
         steps += 1;
     }
     let part = before.x / (before.x - here.x);
-    Ok(Stop { overshot: here.z, interpolated: before.z + part * (here.z - before.z) })
+    Ok(Stop {
+        overshot: here.z,
+        interpolated: before.z + part * (here.z - before.z),
+    })
 }

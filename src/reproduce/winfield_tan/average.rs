@@ -10,7 +10,8 @@ use nalgebra::{DMatrix, DVector};
 pub struct Mean {
     /// The lofts 7, 8 … 12°, rad, with the average carry, m.
     pub rows: Vec<(f64, f64)>,
-    /// The top of the polynomial of fifth order through them, as the paper takes it: loft, rad, and average carry, m.
+    /// The top of the polynomial of fifth order through them, as the paper takes it: loft, rad, and
+    /// average carry, m.
     pub by_polynomial: (f64, f64),
     /// That polynomial from the first loft to the last, as `rows`.
     pub polynomial: Vec<(f64, f64)>,
@@ -24,20 +25,34 @@ impl Mean {
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let [loft, carry] = printed::AVERAGE;
         let average = Average::at(setup, &printed::AVERAGED_LOFTS, loft)?;
-        let printed = (loft.to_radians(), carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN));
+        let printed = (
+            loft.to_radians(),
+            carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN),
+        );
         let through = Polynomial::through(&average.rows).ok_or_else(refused)?;
         let by_polynomial = through.top(average.best.0)?;
-        let [from, to] = [average.rows.first(), average.rows.last()].map(|row| row.map_or(0.0, |(loft, _)| *loft));
+        let [from, to] = [average.rows.first(), average.rows.last()]
+            .map(|row| row.map_or(0.0, |(loft, _)| *loft));
         let along = |i: usize| from + (to - from) * i as f64 / (CURVE - 1) as f64;
-        let polynomial = (0..CURVE).map(along).map(|loft| (loft, through.at(loft)[0])).collect();
-        Ok(Self { rows: average.rows, by_polynomial, polynomial, best: average.best, printed })
+        let polynomial = (0..CURVE)
+            .map(along)
+            .map(|loft| (loft, through.at(loft)[0]))
+            .collect();
+        Ok(Self {
+            rows: average.rows,
+            by_polynomial,
+            polynomial,
+            best: average.best,
+            printed,
+        })
     }
 }
 
 /// Points of the polynomial's curve.
 const CURVE: usize = 101;
 
-/// The polynomial through points, in loft from their middle, in degrees, so that the powers stay of one size.
+/// The polynomial through points, in loft from their middle, in degrees, so that the powers stay of
+/// one size.
 struct Polynomial {
     middle: f64,
     coefficients: DVector<f64>,
@@ -47,16 +62,25 @@ impl Polynomial {
     fn through(rows: &[(f64, f64)]) -> Option<Self> {
         let n = rows.len();
         let middle = rows.iter().map(|(loft, _)| loft).sum::<f64>() / n as f64;
-        let powers = DMatrix::from_fn(n, n, |row, power| (rows[row].0 - middle).to_degrees().powi(power as i32));
+        let powers = DMatrix::from_fn(n, n, |row, power| {
+            (rows[row].0 - middle).to_degrees().powi(power as i32)
+        });
         let values = DVector::from_iterator(n, rows.iter().map(|(_, carry)| *carry));
-        Some(Self { middle, coefficients: powers.lu().solve(&values)? })
+        Some(Self {
+            middle,
+            coefficients: powers.lu().solve(&values)?,
+        })
     }
 
     /// Value, slope and curvature at a loft, the latter two by degrees, by Horner's scheme.
     fn at(&self, loft: f64) -> [f64; 3] {
         let x = (loft - self.middle).to_degrees();
         let further = |[v, d, dd]: [f64; 3], c: &f64| [v * x + c, d * x + v, dd * x + 2.0 * d];
-        self.coefficients.as_slice().iter().rev().fold([0.0; 3], further)
+        self.coefficients
+            .as_slice()
+            .iter()
+            .rev()
+            .fold([0.0; 3], further)
     }
 
     /// Its top near a loft.
@@ -70,7 +94,11 @@ impl Polynomial {
             loft -= (slope / curvature).to_radians();
         }
         let [value, slope, _] = self.at(loft);
-        if slope.abs() < 1e-9 { Ok((loft, value)) } else { Err(refused()) }
+        if slope.abs() < 1e-9 {
+            Ok((loft, value))
+        } else {
+            Err(refused())
+        }
     }
 }
 

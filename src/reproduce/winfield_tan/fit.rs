@@ -9,7 +9,8 @@ use crate::study::calibrate::{Calibration, Plan, ShotTable, calibrate};
 const PRINTED: &str = include_str!("printed.csv");
 /// Decay rates at which the rest is fitted anew, 1/s.
 const PROFILE: [f64; 6] = [0.0, 0.045, 0.1, 0.2, 0.3, 0.65];
-/// The method of the fits, whose carries are within 4e-9 m of those of the preset's own, with a sixth of the evaluations.
+/// The method of the fits, whose carries are within 4e-9 m of those of the preset's own, with a
+/// sixth of the evaluations.
 const METHOD: Method = Method::DormandPrince8;
 /// Its time step, s.
 const STEP: f64 = 0.2;
@@ -43,8 +44,11 @@ impl Fitted {
         (setup.method, setup.flight.step) = (METHOD, STEP);
         let setup = &setup;
         let table = ShotTable::read(setup, "printed.csv", PRINTED.as_bytes())?;
-        let coefficients: Vec<&'static Parameter> =
-            setup.parameters().into_iter().filter(|row| row.law.is_some()).collect();
+        let coefficients: Vec<&'static Parameter> = setup
+            .parameters()
+            .into_iter()
+            .filter(|row| row.law.is_some())
+            .collect();
         let names: Vec<String> = coefficients.iter().map(|row| row.name.to_owned()).collect();
         let fit = |from: &Setup<f64>, names: &[String]| {
             calibrate(from, &table, &Plan::read(from, names)?, &Follow::default())
@@ -53,16 +57,29 @@ impl Fitted {
         let all: Vec<String> = names.iter().cloned().chain([DECAY.to_owned()]).collect();
         let with_decay = fit(setup, &all)?;
         let last = with_decay.estimates[all.len() - 1];
-        let left = with_decay.statistics.chi_square / with_decay.statistics.degrees_of_freedom as f64;
-        let decay = (last.value, last.standard_error.map_or(f64::INFINITY, |error| error * left.sqrt()));
+        let left =
+            with_decay.statistics.chi_square / with_decay.statistics.degrees_of_freedom as f64;
+        let decay = (
+            last.value,
+            last.standard_error
+                .map_or(f64::INFINITY, |error| error * left.sqrt()),
+        );
         let mut from = *setup;
         let mut profile = vec![];
         for rate in PROFILE {
             from.aero.spin_decay = rate;
             let found = fit(&from, &names)?;
-            profile.push(Decay { rate, sum: 2.0 * found.fit.cost });
+            profile.push(Decay {
+                rate,
+                sum: 2.0 * found.fit.cost,
+            });
             from = found.setup;
         }
-        Ok(Self { law, with_decay, decay, profile })
+        Ok(Self {
+            law,
+            with_decay,
+            decay,
+            profile,
+        })
     }
 }

@@ -1,8 +1,9 @@
-//! Winfield & Tan (1994), "Optimization of clubhead loft and swing elevation angles for maximum distance of a golf drive",
-//! Computers & Structures 53(1), 19–25.
+//! Winfield & Tan (1994), "Optimization of clubhead loft and swing elevation angles for maximum
+//! distance of a golf drive", Computers & Structures 53(1), 19–25.
 //!
-//! Their drag and lift curves are not printed. The law `winfield-tan` is what their tables say of them: its coefficients come from
-//! calibrating it to what the paper prints, and stand in the preset. Everything here flies that preset.
+//! Their drag and lift curves are not printed. The law `winfield-tan` is what their tables say of
+//! them: its coefficients come from calibrating it to what the paper prints, and stand in the
+//! preset. Everything here flies that preset.
 
 mod average;
 mod fit;
@@ -63,5 +64,14 @@ pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
     let average = Mean::new(&setup)?;
     progress("the law, calibrated again to the paper");
     let fitted = Fitted::new(&setup)?;
-    Ok(WinfieldTan { setup, shot, optimum, ridge, table1, table2, average, fitted })
+    Ok(WinfieldTan {
+        setup,
+        shot,
+        optimum,
+        ridge,
+        table1,
+        table2,
+        average,
+        fitted,
+    })
 }

@@ -1,8 +1,10 @@
-//! What Winfield & Tan (1994) print, in their units, with the misprints corrected. Nothing else of a reproduction is stored.
+//! What Winfield & Tan (1994) print, in their units, with the misprints corrected. Nothing else of
+//! a reproduction is stored.
 
 /// The single shot: carry, yd; flight time, s; apex, yd; time of the apex, s.
 pub const SHOT: [f64; 4] = [197.31, 4.75, 14.18, 2.48];
-/// Its impact: the ball upwards and downrange, mph; backspin, rev/s; the club downrange after it, mph; launch angle, deg.
+/// Its impact: the ball upwards and downrange, mph; backspin, rev/s; the club downrange after it,
+/// mph; launch angle, deg.
 pub const IMPACT: [f64; 5] = [19.84, 139.16, 38.57, 71.39, 8.29];
 /// Speed of the single shot, mph; its loft, deg; its attack angle, deg.
 pub const SHOT_DELIVERY: [f64; 3] = [103.0, 10.0, 0.0];
@@ -40,9 +42,13 @@ pub const TABLE_2: [[f64; 3]; 13] = [
 pub const AVERAGE: [f64; 2] = [10.68, 228.01];
 /// The lofts that it is taken at, deg.
 pub const AVERAGED_LOFTS: [f64; 6] = [7.0, 8.0, 9.0, 10.0, 11.0, 12.0];
-/// The robot "Iron Byron" with the single shot's delivery: mean of twenty distances and their standard deviation, yd.
+/// The robot "Iron Byron" with the single shot's delivery: mean of twenty distances and their
+/// standard deviation, yd.
 pub const ROBOT: [f64; 2] = [200.3, 3.61];
-/// Where the print, as scanned, breaks a smooth column: table, its row (by its first number), the number scanned and the number
-/// taken instead.
-pub const MISPRINTS: [(u8, f64, f64, f64); 3] =
-    [(1, 8.0, 242.14, 242.74), (1, 13.0, 224.15, 224.75), (2, -3.0, 13.65, 13.55)];
+/// Where the print, as scanned, breaks a smooth column: table, its row (by its first number), the
+/// number scanned and the number taken instead.
+pub const MISPRINTS: [(u8, f64, f64, f64); 3] = [
+    (1, 8.0, 242.14, 242.74),
+    (1, 13.0, 224.15, 224.75),
+    (2, -3.0, 13.65, 13.55),
+];

@@ -63,8 +63,10 @@ impl Struck {
             apex_height: of(Outcome::ApexHeight)?,
             apex_time: of(Outcome::ApexTime)?,
         };
-        let ([up, downrange, revolutions, club_after, angle], [carry, flight_time, apex, apex_time]) =
-            (printed::IMPACT, printed::SHOT);
+        let (
+            [up, downrange, revolutions, club_after, angle],
+            [carry, flight_time, apex, apex_time],
+        ) = (printed::IMPACT, printed::SHOT);
         let printed = SingleShot {
             up: up * mph,
             downrange: downrange * mph,
@@ -77,6 +79,11 @@ impl Struck {
             apex_time,
         };
         let [mean, deviation] = printed::ROBOT;
-        Ok(Self { club_speed: at.swing.speed, computed, printed, robot: (mean * yard, deviation * yard) })
+        Ok(Self {
+            club_speed: at.swing.speed,
+            computed,
+            printed,
+            robot: (mean * yard, deviation * yard),
+        })
     }
 }

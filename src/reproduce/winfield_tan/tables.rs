@@ -41,7 +41,11 @@ fn yards(carry: f64) -> f64 {
 }
 
 fn point(loft: f64, attack_angle: f64, carry: f64) -> Point {
-    Point { loft: loft.to_radians(), attack_angle: attack_angle.to_radians(), carry: yards(carry) }
+    Point {
+        loft: loft.to_radians(),
+        attack_angle: attack_angle.to_radians(),
+        carry: yards(carry),
+    }
 }
 
 pub(super) fn optimum(setup: &Setup<f64>) -> Result<Best> {
@@ -57,7 +61,10 @@ pub(super) fn table1(setup: &Setup<f64>) -> Result<Vec<Best>> {
 }
 
 pub(super) fn table2(setup: &Setup<f64>) -> Result<Vec<Best>> {
-    printed::TABLE_2.iter().map(|[attack, loft, carry]| best(setup, point(*loft, *attack, *carry), &[LOFT])).collect()
+    printed::TABLE_2
+        .iter()
+        .map(|[attack, loft, carry]| best(setup, point(*loft, *attack, *carry), &[LOFT]))
+        .collect()
 }
 
 /// The best loft at attack angles from 6° below the optimum's to 6° above.
@@ -75,7 +82,11 @@ pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Point>> {
 
 fn best(setup: &Setup<f64>, printed: Point, names: &[&str]) -> Result<Best> {
     let at_printed = Drive::new(&at(setup, printed))?.landed()?.carry;
-    Ok(Best { computed: searched(setup, printed, names)?, printed, at_printed })
+    Ok(Best {
+        computed: searched(setup, printed, names)?,
+        printed,
+        at_printed,
+    })
 }
 
 fn at(setup: &Setup<f64>, point: Point) -> Setup<f64> {
@@ -91,13 +102,23 @@ fn searched(setup: &Setup<f64>, from: Point, names: &[&str]) -> Result<Point> {
         Vary::new(setup.variable(name)?, low.to_radians(), high.to_radians())
     };
     let vary = names.iter().map(range).collect::<Result<Vec<_>>>()?;
-    let asked = Search { vary, ..Search::largest(Outcome::Carry) };
+    let asked = Search {
+        vary,
+        ..Search::largest(Outcome::Carry)
+    };
     let found = search(&at(setup, from), asked, Observer::default())?;
     match found.value() {
         Some(carry) if found.solution.status == Status::Converged => {
             let (loft, attack_angle) = (found.setup.club.loft, found.setup.swing.attack_angle);
-            Ok(Point { loft, attack_angle, carry })
+            Ok(Point {
+                loft,
+                attack_angle,
+                carry,
+            })
         }
-        _ => Err(Error::NotConverged { status: found.status(), message: found.message() }),
+        _ => Err(Error::NotConverged {
+            status: found.status(),
+            message: found.message(),
+        }),
     }
 }

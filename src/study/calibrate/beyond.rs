@@ -8,17 +8,29 @@ use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// Warnings about shots, flown with a setup: how many of them are outside of what the model is made for; those that do not land are not counted. Once `stop` is
-/// true, that they were not looked at.
+/// Warnings about shots, flown with a setup: how many of them are outside of what the model is made
+/// for; those that do not land are not counted. Once `stop` is true, that they were not looked at.
 pub fn beyond(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Vec<Message> {
     let looked_at = |shot: &Shot| {
         let setup = at_shot(setup, shot).ok()?;
         let drive = Drive::new(&setup).ok()?;
-        let of: Vec<_> = shot.measured.iter().map(|measurement| measurement.outcome).collect();
-        drive.landed().is_ok().then(|| drive.beyond(&setup, Looked::AtFlight, &of))
+        let of: Vec<_> = shot
+            .measured
+            .iter()
+            .map(|measurement| measurement.outcome)
+            .collect();
+        drive
+            .landed()
+            .is_ok()
+            .then(|| drive.beyond(&setup, Looked::AtFlight, &of))
     };
     let mut count = BeyondCount::default();
-    let Some(drives) = each_until(shots, stop, looked_at) else { return vec![NOT_LOOKED_AT.into()] };
-    drives.into_iter().flatten().for_each(|drive| count.add(drive));
+    let Some(drives) = each_until(shots, stop, looked_at) else {
+        return vec![NOT_LOOKED_AT.into()];
+    };
+    drives
+        .into_iter()
+        .flatten()
+        .for_each(|drive| count.add(drive));
     count.warnings(&setup.law, ["shot", "shots"], Looked::AtFlight)
 }

@@ -31,7 +31,8 @@ pub struct Remainder {
     pub stationary: Option<&'static Parameter>,
     /// What was measured, SI; `None` for a parameter that is stationary.
     pub measured: Option<f64>,
-    /// Computed − measured, SI. For a stationary parameter how far its optimum lies from where the row has it, to first order.
+    /// Computed − measured, SI. For a stationary parameter how far its optimum lies from where the
+    /// row has it, to first order.
     pub difference: f64,
     /// The same in units of its standard uncertainty.
     pub residual: f64,
@@ -46,7 +47,8 @@ pub struct Calibration {
     pub fit: Fit,
     /// Searches made, and how many of them ended at this sum (within 1e-6 of it).
     pub starts: (usize, usize),
-    /// How the others ended, with how many of them; nothing where curvatures of optima were renewed more than once, and the best search alone went on.
+    /// How the others ended, with how many of them; nothing where curvatures of optima were renewed
+    /// more than once, and the best search alone went on.
     pub elsewhere: Vec<(Status, usize)>,
     /// Searches that were stopped from outside before their end.
     pub stopped: usize,

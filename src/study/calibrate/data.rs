@@ -21,8 +21,8 @@ impl ShotTable {
         Self::opened(setup, path, ClubColumns::Ignored)
     }
 
-    /// Reads a table in a CSV file whose rows may be launches alone, of which nothing more is measured. What it states of the club beside
-    /// them is read too.
+    /// Reads a table in a CSV file whose rows may be launches alone, of which nothing more is
+    /// measured. What it states of the club beside them is read too.
     ///
     /// # Errors
     /// As [`read`](Self::read).
@@ -43,22 +43,33 @@ impl ShotTable {
     /// Reads a table in CSV.
     ///
     /// # Errors
-    /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong unit, a cell that is no number or whose
-    /// decimal mark is uncertain, a sigma that is not positive, a value outside its range, and a table without rows. Rows that lack a value that
-    /// every shot needs, or a measurement, are left out and named in the remarks. Of a
-    /// launch monitor's export so are rows that sum up others or have a value that cannot be used, and measured values that no drive has, which are not compared. Messages of GSPro Open Connect, and exports with title lines before their head, are read too.
+    /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong
+    /// unit, a cell that is no number or whose decimal mark is uncertain, a sigma that is not
+    /// positive, a value outside its range, and a table without rows. Rows that lack a value that
+    /// every shot needs, or a measurement, are left out and named in the remarks. Of a launch
+    /// monitor's export so are rows that sum up others or have a value that cannot be used, and
+    /// measured values that no drive has, which are not compared. Messages of GSPro Open Connect,
+    /// and exports with title lines before their head, are read too.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
         Self::read_rows(setup, file, source, ClubColumns::Ignored)
     }
 
-    /// The same; where the club beside a measured launch is read too, a row needs no measurement beside its launch.
-    fn read_rows(setup: &Setup<f64>, file: &str, mut source: impl Read, club: ClubColumns) -> Result<Self> {
+    /// The same; where the club beside a measured launch is read too, a row needs no measurement
+    /// beside its launch.
+    fn read_rows(
+        setup: &Setup<f64>,
+        file: &str,
+        mut source: impl Read,
+        club: ClubColumns,
+    ) -> Result<Self> {
         let mut bytes = vec![];
-        source.read_to_end(&mut bytes).map_err(|error| Error::Table {
-            file: file.into(),
-            place: String::new(),
-            reason: of_io(&error),
-        })?;
+        source
+            .read_to_end(&mut bytes)
+            .map_err(|error| Error::Table {
+                file: file.into(),
+                place: String::new(),
+                reason: of_io(&error),
+            })?;
         let text = Text::open(file, Cursor::new(bytes))?;
         if is_json(&text.beginning) {
             return Self::of_messages(setup, Shots::of_text(setup, text)?, file, club);
@@ -83,8 +94,11 @@ impl ShotTable {
                     (heads, units) = (head.heads.clone(), head.units.clone());
                     reading = Reading::of_head(setup, &table, head, club)?;
                     if reading.is_launched != first.is_launched {
-                        let reason = "its rows are launches where those before are not, or the other way; give each a file of its own";
-                        return Err(table.name.refused(format!(", line {}", record.line), reason));
+                        let reason = "its rows are launches where those before are not, or the \
+                                      other way; give each a file of its own";
+                        return Err(table
+                            .name
+                            .refused(format!(", line {}", record.line), reason));
                     }
                     rows.begin(record.line, &reading);
                 }
@@ -94,7 +108,12 @@ impl ShotTable {
     }
 
     /// The shots of messages of GSPro Open Connect, and of lines that `fly` wrote.
-    fn of_messages(setup: &Setup<f64>, shots: Shots, file: &str, club: ClubColumns) -> Result<Self> {
+    fn of_messages(
+        setup: &Setup<f64>,
+        shots: Shots,
+        file: &str,
+        club: ClubColumns,
+    ) -> Result<Self> {
         let further = shots.further().to_vec();
         let shots = shots.all()?;
         let reading = Reading::of_shots(setup, &shots, &further, club);

@@ -1,4 +1,5 @@
-//! How well launch monitors measure: the standard uncertainty that stands for a column's own where a table states none.
+//! How well launch monitors measure: the standard uncertainty that stands for a column's own where
+//! a table states none.
 
 use crate::drive::Outcome;
 use crate::units::{Digits, Message, Quantity};
@@ -10,7 +11,8 @@ pub struct Instrument {
     pub outcome: Outcome,
     /// Its standard uncertainty as people state it: `0.3 deg`.
     pub sigma: &'static str,
-    /// Where that comes from; "assumed", with the reasoning, where no source could be read. Lengths and speeds in it stand in braces.
+    /// Where that comes from; "assumed", with the reasoning, where no source could be read. Lengths
+    /// and speeds in it stand in braces.
     source: &'static str,
 }
 
@@ -18,11 +20,13 @@ impl Instrument {
     /// Where the uncertainty comes from, or how it is reasoned.
     pub fn source(&self) -> Message {
         let parts = self.source.split(['{', '}']).enumerate();
-        parts.fold(Message::default(), |message, (i, part)| match quantity(part) {
-            Some((quantity, unit, value)) if i % 2 == 1 => {
-                message.quantity(quantity, unit, value, Digits::Significant(2))
+        parts.fold(Message::default(), |message, (i, part)| {
+            match quantity(part) {
+                Some((quantity, unit, value)) if i % 2 == 1 => {
+                    message.quantity(quantity, unit, value, Digits::Significant(2))
+                }
+                _ => message.words(part),
             }
-            _ => message.words(part),
         })
     }
 }
@@ -30,33 +34,63 @@ impl Instrument {
 /// A length or a speed.
 fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
     let kinds = [(Quantity::LENGTH, "yd"), (Quantity::SPEED, "mph")];
-    kinds.into_iter().find_map(|(quantity, unit)| Some((quantity, unit, quantity.read(text).ok()?)))
+    kinds
+        .into_iter()
+        .find_map(|(quantity, unit)| Some((quantity, unit, quantity.read(text).ok()?)))
 }
 
-/// Ball speed: two units of one kind beside each other agree to about ±0.5 % of it (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read
-/// in a stored copy; it names no test), which is 0.8 mph of 165 mph. No maker's data sheet, and not the numbers of Leach, Forrester, Mears &
-/// Roberts (Measurement 112, 2017, 125–136), could be read.
-const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names no test): {0.8 mph} of {165 mph}, rounded up";
+/// Ball speed: two units of one kind beside each other agree to about ±0.5 % of it
+/// (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read in a stored copy; it names no
+/// test), which is 0.8 mph of 165 mph. No maker's data sheet, and not the numbers of Leach,
+/// Forrester, Mears & Roberts (Measurement 112, 2017, 125–136), could be read.
+const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
+                     no test): {0.8 mph} of {165 mph}, rounded up";
 /// Angles of the launch: no source could be read.
 const TENTHS: &str = "assumed: three of the tenths of a degree that exports print";
 /// Spin: no source could be read.
 const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Distances: how far monitors are apart from each other on the same launches.
-const APART: &str = "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
+const APART: &str =
+    "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
 /// Totals: of two monitors on the same shots (Bliss & Langdown 2026), whose grounds differ.
-const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard deviation): {8 yd} each, docs/sources.md";
+const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
+                    deviation): {8 yd} each, docs/sources.md";
 /// Chart rounding: published averages are whole yards and degrees.
-const ROUNDED: &str =
-    "assumed: tables print whole units of length and whole degrees, and indoors these are computed from the launch";
+const ROUNDED: &str = "assumed: tables print whole units of length and whole degrees, and indoors \
+                       these are computed from the launch";
 
 /// All that is known or assumed.
 const INSTRUMENTS: &[Instrument] = &[
-    Instrument { outcome: Outcome::BallSpeed, sigma: "1 mph", source: AGREE },
-    Instrument { outcome: Outcome::LaunchAngle, sigma: "0.3 deg", source: TENTHS },
-    Instrument { outcome: Outcome::LaunchDirection, sigma: "0.3 deg", source: TENTHS },
-    Instrument { outcome: Outcome::Spin, sigma: "100 rpm", source: OF_SPIN },
-    Instrument { outcome: Outcome::Backspin, sigma: "100 rpm", source: OF_SPIN },
-    Instrument { outcome: Outcome::Sidespin, sigma: "100 rpm", source: "assumed: as for spin" },
+    Instrument {
+        outcome: Outcome::BallSpeed,
+        sigma: "1 mph",
+        source: AGREE,
+    },
+    Instrument {
+        outcome: Outcome::LaunchAngle,
+        sigma: "0.3 deg",
+        source: TENTHS,
+    },
+    Instrument {
+        outcome: Outcome::LaunchDirection,
+        sigma: "0.3 deg",
+        source: TENTHS,
+    },
+    Instrument {
+        outcome: Outcome::Spin,
+        sigma: "100 rpm",
+        source: OF_SPIN,
+    },
+    Instrument {
+        outcome: Outcome::Backspin,
+        sigma: "100 rpm",
+        source: OF_SPIN,
+    },
+    Instrument {
+        outcome: Outcome::Sidespin,
+        sigma: "100 rpm",
+        source: "assumed: as for spin",
+    },
     Instrument {
         outcome: Outcome::SpinAxis,
         sigma: "2 deg",
@@ -67,25 +101,71 @@ const INSTRUMENTS: &[Instrument] = &[
         sigma: "0.02",
         source: "assumed: {1 mph} of the ball and {1.5 mph} of the club, of a ratio of 1.48",
     },
-    Instrument { outcome: Outcome::Carry, sigma: "3 yd", source: APART },
-    Instrument { outcome: Outcome::CarryDistance, sigma: "3 yd", source: APART },
-    Instrument { outcome: Outcome::Lateral, sigma: "3 yd", source: "assumed: 0.7 deg of direction at {250 yd}" },
-    Instrument { outcome: Outcome::ApexHeight, sigma: "1 yd", source: ROUNDED },
-    Instrument { outcome: Outcome::ApexDownrange, sigma: "3 yd", source: "assumed: as for carry" },
-    Instrument { outcome: Outcome::ApexTime, sigma: "0.1 s", source: "assumed: as for flight_time" },
+    Instrument {
+        outcome: Outcome::Carry,
+        sigma: "3 yd",
+        source: APART,
+    },
+    Instrument {
+        outcome: Outcome::CarryDistance,
+        sigma: "3 yd",
+        source: APART,
+    },
+    Instrument {
+        outcome: Outcome::Lateral,
+        sigma: "3 yd",
+        source: "assumed: 0.7 deg of direction at {250 yd}",
+    },
+    Instrument {
+        outcome: Outcome::ApexHeight,
+        sigma: "1 yd",
+        source: ROUNDED,
+    },
+    Instrument {
+        outcome: Outcome::ApexDownrange,
+        sigma: "3 yd",
+        source: "assumed: as for carry",
+    },
+    Instrument {
+        outcome: Outcome::ApexTime,
+        sigma: "0.1 s",
+        source: "assumed: as for flight_time",
+    },
     Instrument {
         outcome: Outcome::FlightTime,
         sigma: "0.1 s",
-        source: "assumed: tables print tenths of a second, and indoors these are computed from the launch",
+        source: "assumed: tables print tenths of a second, and indoors these are computed from the \
+                 launch",
     },
-    Instrument { outcome: Outcome::DescentAngle, sigma: "1 deg", source: ROUNDED },
-    Instrument { outcome: Outcome::LandingSpeed, sigma: "1 mph", source: "assumed: as for ball_speed" },
-    Instrument { outcome: Outcome::Total, sigma: "8 yd", source: RUNS },
-    Instrument { outcome: Outcome::Run, sigma: "8 yd", source: RUNS },
-    Instrument { outcome: Outcome::LateralTotal, sigma: "8 yd", source: "assumed: as for total" },
+    Instrument {
+        outcome: Outcome::DescentAngle,
+        sigma: "1 deg",
+        source: ROUNDED,
+    },
+    Instrument {
+        outcome: Outcome::LandingSpeed,
+        sigma: "1 mph",
+        source: "assumed: as for ball_speed",
+    },
+    Instrument {
+        outcome: Outcome::Total,
+        sigma: "8 yd",
+        source: RUNS,
+    },
+    Instrument {
+        outcome: Outcome::Run,
+        sigma: "8 yd",
+        source: RUNS,
+    },
+    Instrument {
+        outcome: Outcome::LateralTotal,
+        sigma: "8 yd",
+        source: "assumed: as for total",
+    },
 ];
 
-/// How well an outcome is measured, and its standard uncertainty in SI; `None` where nothing is known.
+/// How well an outcome is measured, and its standard uncertainty in SI; `None` where nothing is
+/// known.
 ///
 /// ```
 /// use longdrive::Outcome;
@@ -94,7 +174,9 @@ const INSTRUMENTS: &[Instrument] = &[
 /// assert_eq!((angle.sigma, sigma), ("0.3 deg", 0.3_f64.to_radians()));
 /// ```
 pub fn instrument(outcome: Outcome) -> Option<(&'static Instrument, f64)> {
-    let found = INSTRUMENTS.iter().find(|instrument| instrument.outcome == outcome)?;
+    let found = INSTRUMENTS
+        .iter()
+        .find(|instrument| instrument.outcome == outcome)?;
     let quantity: Quantity = outcome.quantity();
     Some((found, quantity.read(found.sigma).ok()?))
 }
@@ -108,13 +190,21 @@ mod tests {
     #[test]
     fn every_outcome_has_one_uncertainty_above_0_with_a_source() {
         for outcome in Outcome::ALL {
-            let (found, sigma) = instrument(*outcome).unwrap_or_else(|| panic!("{} has none", outcome.name()));
+            let (found, sigma) =
+                instrument(*outcome).unwrap_or_else(|| panic!("{} has none", outcome.name()));
             let source = found.source().to_string();
-            assert!(sigma > 0.0 && sigma.is_finite() && !source.is_empty(), "{}", outcome.name());
+            assert!(
+                sigma > 0.0 && sigma.is_finite() && !source.is_empty(),
+                "{}",
+                outcome.name()
+            );
             // what stands in braces is read, and shown in the units of either system
             assert!(!source.contains(['{', '}']), "{source}");
             let metric = found.source().in_units(System::Metric);
-            assert!(!metric.contains(" yd") && !metric.contains(" mph"), "{metric}");
+            assert!(
+                !metric.contains(" yd") && !metric.contains(" mph"),
+                "{metric}"
+            );
         }
         assert_eq!(INSTRUMENTS.len(), Outcome::ALL.len());
     }

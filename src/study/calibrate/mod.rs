@@ -1,5 +1,5 @@
-//! Calibration: parameters of a setup fitted to measured shots by least squares with exact Jacobians, with what the data say of
-//! them and what they do not.
+//! Calibration: parameters of a setup fitted to measured shots by least squares with exact
+//! Jacobians, with what the data say of them and what they do not.
 
 mod beyond;
 mod calibration;

@@ -8,11 +8,17 @@ use crate::units::{Digits, Message};
 const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
 
 impl ShotTable {
-    /// A note where no row has a launch or an input of swing, club, strike or impact: which swing of the setup they are all
-    /// compared with. Of the parameters that are fitted no value is shown.
+    /// A note where no row has a launch or an input of swing, club, strike or impact: which swing
+    /// of the setup they are all compared with. Of the parameters that are fitted no value is
+    /// shown.
     pub fn one_drive(&self, setup: &Setup<f64>, fitted: &[Vary]) -> Option<Message> {
         let has_own = |(parameter, _): &(&Parameter, f64)| parameter.is_of_strike();
-        if self.is_launched || self.shots.iter().any(|shot| shot.inputs.iter().any(has_own)) {
+        if self.is_launched
+            || self
+                .shots
+                .iter()
+                .any(|shot| shot.inputs.iter().any(has_own))
+        {
             return None;
         }
         let rows = match self.shots.len() {
@@ -26,14 +32,24 @@ impl ShotTable {
             }
             let value = setup.value(parameter)?;
             let named = Message::from(format!("{name} "));
-            Some(named.quantity(parameter.quantity, parameter.unit, value, Digits::Significant(4)))
+            Some(named.quantity(
+                parameter.quantity,
+                parameter.unit,
+                value,
+                Digits::Significant(4),
+            ))
         });
         let before = format!(
-            "{} has neither a whole launch (ball_speed, launch_angle, and spin or backspin) nor a column of swing, club, strike or impact: {rows} \
+            "{} has neither a whole launch (ball_speed, launch_angle, and spin or backspin) nor a \
+             column of swing, club, strike or impact: {rows} \
              compared with one drive, that of the setup: ",
             self.file
         );
         let after = "; if the rows are of different drives, add the columns that tell them apart";
-        Some(Message::from(before).message(Message::joined(shown, ", ")).words(after))
+        Some(
+            Message::from(before)
+                .message(Message::joined(shown, ", "))
+                .words(after),
+        )
     }
 }

@@ -8,9 +8,9 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
-    CONDITIONS, ClubColumns, Column, Fault, Head, Holds, Stated as Launch, TextTable, conditions, contradiction,
-    given_air, implausible, implausible_club, implausible_launch, impossible, in_degrees, is_sideways,
-    is_straight_by_assumption, near_known, outside,
+    CONDITIONS, ClubColumns, Column, Fault, Head, Holds, Stated as Launch, TextTable, conditions,
+    contradiction, given_air, implausible, implausible_club, implausible_launch, impossible,
+    in_degrees, is_sideways, is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -42,7 +42,8 @@ pub(super) struct Row {
     pub implausible: Vec<String>,
     /// Reason for using the air of the setup.
     pub no_air: Option<String>,
-    /// The columns of the club that state nothing usable: what is known before the shot stands for them.
+    /// The columns of the club that state nothing usable: what is known before the shot stands for
+    /// them.
     pub not_stated: Vec<String>,
 }
 
@@ -101,14 +102,22 @@ pub(super) struct Wrong {
 
 impl Wrong {
     fn incomplete(column: Option<String>, why: impl Into<String>) -> Self {
-        Self { column, why: why.into(), is_incomplete: true }
+        Self {
+            column,
+            why: why.into(),
+            is_incomplete: true,
+        }
     }
 }
 
 /// Something wrong in a column.
 impl<T: Into<String>> From<(Option<String>, T)> for Wrong {
     fn from((column, why): (Option<String>, T)) -> Self {
-        Self { column, why: why.into(), is_incomplete: false }
+        Self {
+            column,
+            why: why.into(),
+            is_incomplete: false,
+        }
     }
 }
 
@@ -116,23 +125,45 @@ impl Reading {
     /// Columns of a section and their use.
     ///
     /// # Errors
-    /// [`Error::Table`] for a column that is given twice or in a wrong unit, or whose value is missing that it is the uncertainty of; for an export
-    /// whose rows are neither launches nor strikes.
-    pub fn of_head(setup: &Setup<f64>, table: &TextTable, mut head: Head, club: ClubColumns) -> Read<Self> {
+    /// [`Error::Table`] for a column that is given twice or in a wrong unit, or whose value is
+    /// missing that it is the uncertainty of; for an export whose rows are neither launches nor
+    /// strikes.
+    pub fn of_head(
+        setup: &Setup<f64>,
+        table: &TextTable,
+        mut head: Head,
+        club: ClubColumns,
+    ) -> Read<Self> {
         let refused = |place: String, reason: String| table.name.refused(place, reason);
-        let Interpretation { without_unit, turned, .. } =
-            Interpretation::of((club == ClubColumns::Ignored).then_some(setup), &mut head, table);
+        let Interpretation {
+            without_unit,
+            turned,
+            ..
+        } = Interpretation::of(
+            (club == ClubColumns::Ignored).then_some(setup),
+            &mut head,
+            table,
+        );
         let is_export = head.format.is_export;
         let mut remarks: Vec<Message> = head.encoding.map(Message::from).into_iter().collect();
         remarks.append(&mut head.remarks);
-        remarks.extend(in_degrees(&head.columns).into_iter().chain(without_unit).chain(turned).map(Message::from));
+        remarks.extend(
+            in_degrees(&head.columns)
+                .into_iter()
+                .chain(without_unit)
+                .chain(turned)
+                .map(Message::from),
+        );
         remarks.extend(given_air(&head.columns).map(Message::from));
         if is_export {
             remarks.extend(without_totals(&mut head));
         }
-        check_columns(&head).map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
+        check_columns(&head)
+            .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
         let written = head.named(|column| column.holds == Holds::Written);
-        remarks.extend(written.told("columns that a sweep writes beside what is measured are not read"));
+        remarks.extend(
+            written.told("columns that a sweep writes beside what is measured are not read"),
+        );
         // where a delivery is sought, the launch is what was measured, and not given
         let is_launched = head.is_launched() && club == ClubColumns::Ignored;
         let inputs = head.columns.iter().filter_map(|column| match column.holds {
@@ -142,12 +173,20 @@ impl Reading {
         setup
             .refuse_replaced(&inputs.collect::<Vec<_>>())
             .map_err(|error| refused(String::new(), error.to_string()))?;
-        let reading = Self { setup: *setup, is_launched, is_export, club, columns: head.columns, remarks };
+        let reading = Self {
+            setup: *setup,
+            is_launched,
+            is_export,
+            club,
+            columns: head.columns,
+            remarks,
+        };
         let has_club = || reading.columns.iter().any(Column::is_of_the_strike);
         if is_export && club == ClubColumns::Ignored && !is_launched && !has_club() {
             let near = near_known(&reading.columns);
             let reason = format!(
-                "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club speed{near}; add \
+                "it has neither a whole launch (ball speed, launch angle and spin) nor a column of \
+                 the club, such as club speed{near}; add \
                  the missing columns"
             );
             return Err(refused(String::new(), reason));
@@ -156,22 +195,51 @@ impl Reading {
     }
 
     /// Columns of messages and of lines written by `fly`: values that any of them has.
-    pub fn of_shots(setup: &Setup<f64>, shots: &[Stated], further: &[&'static Parameter], club: ClubColumns) -> Self {
-        let is_stated = |of: Outcome| shots.iter().any(|shot| shot.refusal().is_none() && shot.value(of).is_some());
+    pub fn of_shots(
+        setup: &Setup<f64>,
+        shots: &[Stated],
+        further: &[&'static Parameter],
+        club: ClubColumns,
+    ) -> Self {
+        let is_stated = |of: Outcome| {
+            shots
+                .iter()
+                .any(|shot| shot.refusal().is_none() && shot.value(of).is_some())
+        };
         let outcomes = OF_MESSAGES.into_iter().filter(|(of, _)| is_stated(*of));
-        let mut columns: Vec<Column> = outcomes.map(|(of, head)| Column::of(Holds::Outcome(of), head)).collect();
+        let mut columns: Vec<Column> = outcomes
+            .map(|(of, head)| Column::of(Holds::Outcome(of), head))
+            .collect();
         if club == ClubColumns::Read {
-            let of_club = ClubOfShot::NAMES.iter().filter_map(|name| setup.variable(name).ok());
+            let of_club = ClubOfShot::NAMES
+                .iter()
+                .filter_map(|name| setup.variable(name).ok());
             let is_given = |parameter: &&Parameter| {
-                let at = ClubOfShot::NAMES.iter().position(|name| *name == parameter.name);
+                let at = ClubOfShot::NAMES
+                    .iter()
+                    .position(|name| *name == parameter.name);
                 at.is_some_and(|at| shots.iter().any(|shot| shot.club.values()[at].is_some()))
             };
-            columns
-                .extend(of_club.filter(is_given).map(|parameter| Column::of(Holds::Input(parameter), parameter.name)));
+            columns.extend(
+                of_club
+                    .filter(is_given)
+                    .map(|parameter| Column::of(Holds::Input(parameter), parameter.name)),
+            );
         }
-        columns.extend(further.iter().map(|parameter| Column::of(Holds::Input(parameter), parameter.name)));
+        columns.extend(
+            further
+                .iter()
+                .map(|parameter| Column::of(Holds::Input(parameter), parameter.name)),
+        );
         let is_launched = club == ClubColumns::Ignored;
-        Self { setup: *setup, is_launched, is_export: true, club, columns, remarks: vec![] }
+        Self {
+            setup: *setup,
+            is_launched,
+            is_export: true,
+            club,
+            columns,
+            remarks: vec![],
+        }
     }
 
     /// Values of a message.
@@ -179,9 +247,14 @@ impl Reading {
         let of = |column: &Column| match column.holds {
             Holds::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
             Holds::Input(parameter) => {
-                let of_club = ClubOfShot::NAMES.iter().position(|name| *name == parameter.name);
+                let of_club = ClubOfShot::NAMES
+                    .iter()
+                    .position(|name| *name == parameter.name);
                 let at = || further.iter().position(|own| *own == parameter);
-                of_club.map_or_else(|| shot.further().get(at()?).copied(), |at| shot.club.values()[at])
+                of_club.map_or_else(
+                    || shot.further().get(at()?).copied(),
+                    |at| shot.club.values()[at],
+                )
             }
             _ => None,
         };
@@ -189,9 +262,13 @@ impl Reading {
     }
 
     fn cell(&self, record: Values<'_>, holds: Holds) -> Result<Option<f64>, Wrong> {
-        let Some(at) = self.columns.iter().position(|column| column.holds == holds) else { return Ok(None) };
+        let Some(at) = self.columns.iter().position(|column| column.holds == holds) else {
+            return Ok(None);
+        };
         let column = &self.columns[at];
-        record.value(at, column).map_err(|why| (Some(column.head.clone()), why).into())
+        record
+            .value(at, column)
+            .map_err(|why| (Some(column.head.clone()), why).into())
     }
 
     fn sigma(&self, record: Values<'_>, holds: Holds, one: f64) -> Result<f64, Wrong> {
@@ -201,13 +278,23 @@ impl Reading {
             Some(sigma) if sigma > 0.0 => Ok(sigma),
             None if !has_column => Ok(one),
             _ => {
-                let head = self.columns.iter().find(|column| column.holds == holds).map(|column| column.head.clone());
-                Err((head, "a standard uncertainty must be a number above 0 wherever there is a measurement").into())
+                let head = self
+                    .columns
+                    .iter()
+                    .find(|column| column.holds == holds)
+                    .map(|column| column.head.clone());
+                Err((
+                    head,
+                    "a standard uncertainty must be a number above 0 wherever there is a \
+                            measurement",
+                )
+                    .into())
             }
         }
     }
 
-    /// Measured outcomes for the fit: no launch conditions of flown launches; for deliveries only the launch.
+    /// Measured outcomes for the fit: no launch conditions of flown launches; for deliveries only
+    /// the launch.
     fn is_used(&self, outcome: Outcome) -> bool {
         match self.club {
             ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
@@ -217,7 +304,8 @@ impl Reading {
 
     /// The shot of a row.
     pub fn shot(&self, row: usize, record: Values<'_>) -> Result<Row, Wrong> {
-        let (mut inputs, mut measured, mut not_compared, mut contradicts) = (vec![], vec![], None, None);
+        let (mut inputs, mut measured, mut not_compared, mut contradicts) =
+            (vec![], vec![], None, None);
         let (mut beyond, mut no_air, mut not_stated) = (vec![], None, vec![]);
         let stated = self.stated(record)?;
         if let Some(wrong) = self.refused(&stated) {
@@ -230,10 +318,12 @@ impl Reading {
         for (at, column) in self.columns.iter().enumerate() {
             let here = || Some(column.head.clone());
             match column.holds {
-                Holds::Input(parameter) if column.is_stated_air() => match column.stated_air(record.text(at)) {
-                    Ok(density) => inputs.push((parameter, density)),
-                    Err(why) => no_air = Some(why),
-                },
+                Holds::Input(parameter) if column.is_stated_air() => {
+                    match column.stated_air(record.text(at)) {
+                        Ok(density) => inputs.push((parameter, density)),
+                        Err(why) => no_air = Some(why),
+                    }
+                }
                 Holds::Input(parameter) => {
                     let stated = self.cell(record, column.holds);
                     if self.is_of_the_club(column) {
@@ -267,16 +357,22 @@ impl Reading {
                             return Err((here(), "rows of launch conditions have no club").into());
                         }
                         let name = || column.head.clone();
-                        if let Some(why) = implausible(outcome, value, name).filter(|_| self.is_export) {
+                        if let Some(why) =
+                            implausible(outcome, value, name).filter(|_| self.is_export)
+                        {
                             beyond.push(why);
                             continue;
                         }
-                        if let Some(why) = impossible(outcome, value).or_else(|| self.outside(outcome, value)) {
+                        if let Some(why) =
+                            impossible(outcome, value).or_else(|| self.outside(outcome, value))
+                        {
                             return Err((here(), why).into());
                         }
                         if value.abs() > MOST {
                             let (shown, most) = (outcome.show(value), outcome.show(MOST));
-                            let why = format!("{shown} is outside its range −{most} .. {most}; correct the cell");
+                            let why = format!(
+                                "{shown} is outside its range −{most} .. {most}; correct the cell"
+                            );
                             return Err((here(), why).into());
                         }
                         if is_straight && is_sideways(outcome) {
@@ -285,7 +381,11 @@ impl Reading {
                         }
                         let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
                         let sigma = self.sigma(record, Holds::Sigma(outcome), assumed)?;
-                        measured.push(Measurement { outcome, value, sigma });
+                        measured.push(Measurement {
+                            outcome,
+                            value,
+                            sigma,
+                        });
                     }
                 }
                 _ => {}
@@ -310,14 +410,27 @@ impl Reading {
             let why = match &not_compared {
                 None => "nothing is measured in it; give an outcome, or take the row out".into(),
                 Some(head) => format!(
-                    "nothing but {head} is measured in it, which is not compared without launch direction and spin axis (or sidespin); \
+                    "nothing but {head} is measured in it, which is not compared without launch \
+                     direction and spin axis (or sidespin); \
                      give them, or take the row out"
                 ),
             };
             return Err(Wrong::incomplete(None, why));
         }
-        let shot = Shot { row, inputs, measured, stationary };
-        Ok(Row { shot, not_compared, contradiction: contradicts, implausible: beyond, no_air, not_stated })
+        let shot = Shot {
+            row,
+            inputs,
+            measured,
+            stationary,
+        };
+        Ok(Row {
+            shot,
+            not_compared,
+            contradiction: contradicts,
+            implausible: beyond,
+            no_air,
+            not_stated,
+        })
     }
 
     /// Club column of a delivery, where rows may lack a value.
@@ -327,14 +440,19 @@ impl Reading {
 
     /// True for a club with zeros only, which was not measured.
     fn is_still(&self, record: Values<'_>) -> bool {
-        let of_club = self.columns.iter().enumerate().filter_map(|(at, column)| match column.holds {
-            Holds::Input(parameter) if ClubOfShot::NAMES.contains(&parameter.name) => {
-                Some((parameter.name, record.value(at, column).ok().flatten()?))
-            }
-            _ => None,
-        });
+        let of_club =
+            self.columns
+                .iter()
+                .enumerate()
+                .filter_map(|(at, column)| match column.holds {
+                    Holds::Input(parameter) if ClubOfShot::NAMES.contains(&parameter.name) => {
+                        Some((parameter.name, record.value(at, column).ok().flatten()?))
+                    }
+                    _ => None,
+                });
         let stated: Vec<(&str, f64)> = of_club.collect();
-        stated.iter().any(|(name, _)| *name == "swing.speed") && stated.iter().all(|(_, value)| *value == 0.0)
+        stated.iter().any(|(name, _)| *name == "swing.speed")
+            && stated.iter().all(|(_, value)| *value == 0.0)
     }
 
     /// The value that a row states of the club.
@@ -354,12 +472,16 @@ impl Reading {
             return Err(why);
         }
         let mut changed = self.setup;
-        changed.set_value(parameter, Some(value)).map_err(|error| format!("{head}: {error}"))?;
+        changed
+            .set_value(parameter, Some(value))
+            .map_err(|error| format!("{head}: {error}"))?;
         Ok(value)
     }
 
     fn has(&self, outcome: Outcome) -> bool {
-        self.columns.iter().any(|column| column.holds == Holds::Outcome(outcome))
+        self.columns
+            .iter()
+            .any(|column| column.holds == Holds::Outcome(outcome))
     }
 
     /// True with all columns of a launch.
@@ -371,18 +493,28 @@ impl Reading {
     /// The heads of a whole launch and of the columns of the club beside it, where both are there.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
         let heads = |is: &dyn Fn(&Column) -> bool| {
-            let heads = self.columns.iter().filter(|column| is(column)).map(|column| column.head.as_str());
+            let heads = self
+                .columns
+                .iter()
+                .filter(|column| is(column))
+                .map(|column| column.head.as_str());
             heads.collect::<Vec<_>>().join(", ")
         };
-        let launch = heads(&|column| matches!(column.holds, Holds::Outcome(of) if CONDITIONS.contains(&of)));
+        let launch =
+            heads(&|column| matches!(column.holds, Holds::Outcome(of) if CONDITIONS.contains(&of)));
         let club = heads(&Column::is_of_the_strike);
         (self.has_whole_launch() && !club.is_empty()).then_some([launch, club])
     }
 
     /// The head of an outcome's column, for messages.
     fn head(&self, of: Outcome) -> String {
-        let column = self.columns.iter().find(|column| column.holds == Holds::Outcome(of));
-        column.map_or(of.name(), |column| column.head.as_str()).to_owned()
+        let column = self
+            .columns
+            .iter()
+            .find(|column| column.holds == Holds::Outcome(of));
+        column
+            .map_or(of.name(), |column| column.head.as_str())
+            .to_owned()
     }
 
     /// The launch conditions that a row states.
@@ -408,12 +540,18 @@ impl Reading {
         }
         // a delivery is looked for behind a whole launch, where the table has one
         let is_whole = self.club == ClubColumns::Read && self.has_whole_launch();
-        self.launch(*stated).err().filter(|wrong| !wrong.is_incomplete || is_whole)
+        self.launch(*stated)
+            .err()
+            .filter(|wrong| !wrong.is_incomplete || is_whole)
     }
 
     /// Message for an implausible measured value.
     fn outside(&self, of: Outcome, value: f64) -> Option<String> {
-        if self.may_be_none(of, value) { None } else { outside(of, value) }
+        if self.may_be_none(of, value) {
+            None
+        } else {
+            outside(of, value)
+        }
     }
 
     /// Zero spin is a value except in exports, where it means unmeasured.
@@ -423,29 +561,56 @@ impl Reading {
 
     /// The launch that they make, by the parameters that it is.
     fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], Wrong> {
-        conditions(stated, |of| self.has(of)).map_err(|Fault { of, why, is_missing }| Wrong {
-            column: Some(self.head(of)),
-            why: why.into(),
-            is_incomplete: is_missing,
-        })
+        conditions(stated, |of| self.has(of)).map_err(
+            |Fault {
+                 of,
+                 why,
+                 is_missing,
+             }| Wrong {
+                column: Some(self.head(of)),
+                why: why.into(),
+                is_incomplete: is_missing,
+            },
+        )
     }
 
-    fn stationary(&self, record: Values<'_>, at_shot: &Setup<f64>) -> Result<Vec<Stationary>, Wrong> {
-        let Some(at) = self.columns.iter().position(|column| column.holds == Holds::Stationary) else {
+    fn stationary(
+        &self,
+        record: Values<'_>,
+        at_shot: &Setup<f64>,
+    ) -> Result<Vec<Stationary>, Wrong> {
+        let Some(at) = self
+            .columns
+            .iter()
+            .position(|column| column.holds == Holds::Stationary)
+        else {
             return Ok(vec![]);
         };
         let here = || Some("stationary".to_owned());
         let mut all = vec![];
         for name in record.text(at).split_whitespace() {
             if self.is_launched {
-                return Err((here(), "rows of launch conditions have no parameter to be best in").into());
+                return Err((
+                    here(),
+                    "rows of launch conditions have no parameter to be best in",
+                )
+                    .into());
             }
-            let parameter = at_shot.variable(name).map_err(|error| Wrong::from((here(), error.to_string())))?;
+            let parameter = at_shot
+                .variable(name)
+                .map_err(|error| Wrong::from((here(), error.to_string())))?;
             let one = Quantity::ANGLE.size_of("deg").unwrap_or(1.0);
             if parameter.quantity != Quantity::ANGLE {
-                return Err((here(), format!("{name} is no angle; optima are read in angles")).into());
+                return Err((
+                    here(),
+                    format!("{name} is no angle; optima are read in angles"),
+                )
+                    .into());
             }
-            all.push(Stationary { parameter, sigma: self.sigma(record, Holds::SigmaStationary, one)? });
+            all.push(Stationary {
+                parameter,
+                sigma: self.sigma(record, Holds::SigmaStationary, one)?,
+            });
         }
         Ok(all)
     }
@@ -462,11 +627,18 @@ impl Reading {
                 Holds::Outcome(outcome) if !self.is_used(outcome) => {}
                 // in no row compared
                 Holds::Outcome(outcome) if !is_measured(outcome) => {}
-                Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome) {
+                Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome)
+                {
                     Some((instrument, sigma)) => {
-                        let without = format!("{} has no column 'sigma {}': ", column.head, outcome.name());
+                        let without =
+                            format!("{} has no column 'sigma {}': ", column.head, outcome.name());
                         let remark = Message::from(without)
-                            .quantity(outcome.quantity(), outcome.unit(), sigma, Digits::Significant(3))
+                            .quantity(
+                                outcome.quantity(),
+                                outcome.unit(),
+                                sigma,
+                                Digits::Significant(3),
+                            )
                             .words(" is taken for each (")
                             .message(instrument.source())
                             .words(")");
@@ -478,7 +650,8 @@ impl Reading {
                     None => {
                         remarks.push(
                             format!(
-                                "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
+                                "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a \
+                                 weight",
                                 outcome.name(),
                                 column.unit()
                             )
@@ -489,7 +662,9 @@ impl Reading {
                 },
                 Holds::Stationary if !has(Holds::SigmaStationary) => {
                     remarks.push(
-                        "stationary has no column 'sigma stationary': 1 deg is taken for each, as a weight".into(),
+                        "stationary has no column 'sigma stationary': 1 deg is taken for each, as \
+                         a weight"
+                            .into(),
                     );
                     worth = Uncertainties::Weights;
                 }
@@ -500,10 +675,14 @@ impl Reading {
     }
 }
 
-/// Takes the columns of where the ball comes to rest out of an export, since its ground is not known; and says so.
+/// Takes the columns of where the ball comes to rest out of an export, since its ground is not
+/// known; and says so.
 fn without_totals(head: &mut Head) -> Option<Message> {
-    let is_total = |column: &Column| matches!(column.holds, Holds::Outcome(of) if of.is_of_the_run());
-    let told = head.named(is_total).told("where the ball comes to rest is not compared, since the ground is not known");
+    let is_total =
+        |column: &Column| matches!(column.holds, Holds::Outcome(of) if of.is_of_the_run());
+    let told = head
+        .named(is_total)
+        .told("where the ball comes to rest is not compared, since the ground is not known");
     for column in head.columns.iter_mut().filter(|column| is_total(column)) {
         column.holds = Holds::Note;
     }
@@ -513,9 +692,15 @@ fn without_totals(head: &mut Head) -> Option<Message> {
 /// First faulty column with its position.
 fn check_columns(head: &Head) -> Result<(), (usize, String)> {
     for (at, column) in head.columns.iter().enumerate() {
-        column.check_unit().map_err(|error| (at, error.to_string()))?;
+        column
+            .check_unit()
+            .map_err(|error| (at, error.to_string()))?;
         let is_read = !matches!(column.holds, Holds::Note | Holds::Written);
-        if is_read && head.columns[..at].iter().any(|other| other.holds == column.holds) {
+        if is_read
+            && head.columns[..at]
+                .iter()
+                .any(|other| other.holds == column.holds)
+        {
             return Err((at, format!("'{}' has two columns; keep one", column.head)));
         }
         let of = match column.holds {

@@ -13,16 +13,23 @@ struct Group {
     is_of_the_setup: bool,
 }
 
-/// The error for the rows that failed, each with its number and its own error: bad input where one of them is, else no answer. `what` says
-/// where they failed.
+/// The error for the rows that failed, each with its number and its own error: bad input where one
+/// of them is, else no answer. `what` says where they failed.
 pub(super) fn no_answer(what: &str, failed: &[(usize, Error)]) -> Error {
     let reason = format!("{what}: {}", refusal(failed));
-    let Some((_, first)) = failed.first() else { return Error::Calibration { reason } };
+    let Some((_, first)) = failed.first() else {
+        return Error::Calibration { reason };
+    };
     if failed.iter().any(|(_, error)| !error.is_an_outcome()) {
         return Error::Calibration { reason };
     }
-    let is_same = failed.iter().all(|(_, error)| error.status() == first.status());
-    Error::NoFit { status: if is_same { first.status() } else { "no-answer" }, reason }
+    let is_same = failed
+        .iter()
+        .all(|(_, error)| error.status() == first.status());
+    Error::NoFit {
+        status: if is_same { first.status() } else { "no-answer" },
+        reason,
+    }
 }
 
 /// One sentence for the rows, and what to do.
@@ -30,35 +37,56 @@ fn refusal(failed: &[(usize, Error)]) -> String {
     let mut groups: Vec<Group> = vec![];
     for (row, error) in failed {
         let reason = reason(error);
-        match groups.iter_mut().find(|group| kind(&group.reason) == kind(&reason)) {
+        match groups
+            .iter_mut()
+            .find(|group| kind(&group.reason) == kind(&reason))
+        {
             Some(group) => {
                 group.rows.push(*row);
                 group.is_same &= group.reason == reason;
             }
             None => {
                 let is_of_the_setup = matches!(error, Error::Diverged { .. });
-                groups.push(Group { rows: vec![*row], reason, is_same: true, is_of_the_setup });
+                groups.push(Group {
+                    rows: vec![*row],
+                    reason,
+                    is_same: true,
+                    is_of_the_setup,
+                });
             }
         }
     }
     let said: Vec<String> = groups.iter().map(Group::said).collect();
     let advice = match groups.iter().all(|group| group.is_of_the_setup) {
         true => "",
-        false => "; correct these rows or take them out, or start the fit elsewhere (--set, or --fit NAME=LOW..HIGH)",
+        false => {
+            "; correct these rows or take them out, or start the fit elsewhere (--set, or --fit \
+             NAME=LOW..HIGH)"
+        }
     };
     said.join("; ") + advice
 }
 
 impl Group {
     fn said(&self) -> String {
-        let Self { rows, reason, is_same, .. } = self;
+        let Self {
+            rows,
+            reason,
+            is_same,
+            ..
+        } = self;
         let first = rows.first().copied().unwrap_or_default();
         let rows = numbered(rows);
-        if *is_same { format!("{rows}: {reason}") } else { format!("{rows}, for example row {first}: {reason}") }
+        if *is_same {
+            format!("{rows}: {reason}")
+        } else {
+            format!("{rows}, for example row {first}: {reason}")
+        }
     }
 }
 
-/// Why a row has no residuals, without saying again that it is of a calibration, and without the moment of a flight's end.
+/// Why a row has no residuals, without saying again that it is of a calibration, and without the
+/// moment of a flight's end.
 fn reason(error: &Error) -> String {
     match error {
         Error::Calibration { reason } => reason.clone(),
@@ -69,7 +97,10 @@ fn reason(error: &Error) -> String {
 
 /// A reason without its numbers.
 fn kind(reason: &str) -> String {
-    reason.chars().filter(|c| !(c.is_ascii_digit() || ['-', '.', '\u{2212}'].contains(c))).collect()
+    reason
+        .chars()
+        .filter(|c| !(c.is_ascii_digit() || ['-', '.', '\u{2212}'].contains(c)))
+        .collect()
 }
 
 /// "row 3", "rows 1 to 4, 7".
@@ -87,7 +118,11 @@ fn numbered(rows: &[usize]) -> String {
         _ => format!("{first} to {last}"),
     };
     let all: Vec<String> = runs.iter().map(run).collect();
-    format!("{} {}", if rows.len() == 1 { "row" } else { "rows" }, all.join(", "))
+    format!(
+        "{} {}",
+        if rows.len() == 1 { "row" } else { "rows" },
+        all.join(", ")
+    )
 }
 
 #[cfg(test)]
@@ -103,14 +138,31 @@ mod tests {
 
     #[test]
     fn rows_with_the_same_reason_are_told_once_and_advice_fits_the_reason() {
-        let diverged = |time| Error::Diverged { time, step: 2.0, advice: "reduce flight.step".into() };
+        let diverged = |time| Error::Diverged {
+            time,
+            step: 2.0,
+            advice: "reduce flight.step".into(),
+        };
         let told = refusal(&[(1, diverged(2.0)), (2, diverged(4.0)), (3, diverged(2.0))]);
-        assert!(told.ends_with("rows 1 to 3: the flight diverges; reduce flight.step"), "{told}");
-        let no_flight =
-            |angle: &str| Error::NoFlight { reason: format!("no flight: the ball leaves at {angle}").as_str().into() };
-        let told = refusal(&[(2, no_flight("-3.5 deg")), (5, no_flight("-1 deg")), (6, diverged(1.0))]);
         assert!(
-            told.contains("rows 2, 5, for example row 2: no flight: the ball leaves at -3.5 deg; row 6: the flight"),
+            told.ends_with("rows 1 to 3: the flight diverges; reduce flight.step"),
+            "{told}"
+        );
+        let no_flight = |angle: &str| Error::NoFlight {
+            reason: format!("no flight: the ball leaves at {angle}")
+                .as_str()
+                .into(),
+        };
+        let told = refusal(&[
+            (2, no_flight("-3.5 deg")),
+            (5, no_flight("-1 deg")),
+            (6, diverged(1.0)),
+        ]);
+        assert!(
+            told.contains(
+                "rows 2, 5, for example row 2: no flight: the ball leaves at -3.5 deg; \
+                           row 6: the flight"
+            ),
             "{told}"
         );
         assert!(told.contains("take them out"), "{told}");
@@ -118,9 +170,17 @@ mod tests {
 
     #[test]
     fn rows_that_do_not_fly_are_no_answer_and_bad_input_is_an_error() {
-        let diverged = || Error::Diverged { time: 1.0, step: 2.0, advice: "reduce flight.step".into() };
-        let no_flight = || Error::NoFlight { reason: "the ball leaves downwards".into() };
-        let wrong = || Error::Calibration { reason: "row 3 is not a number".into() };
+        let diverged = || Error::Diverged {
+            time: 1.0,
+            step: 2.0,
+            advice: "reduce flight.step".into(),
+        };
+        let no_flight = || Error::NoFlight {
+            reason: "the ball leaves downwards".into(),
+        };
+        let wrong = || Error::Calibration {
+            reason: "row 3 is not a number".into(),
+        };
         for (errors, status) in [
             (vec![diverged(), diverged()], "diverged"),
             (vec![no_flight()], "no-flight"),
@@ -128,7 +188,11 @@ mod tests {
             (vec![diverged(), wrong()], "error"),
         ] {
             let failed: Vec<_> = errors.into_iter().enumerate().collect();
-            assert_eq!(no_answer("nothing flies", &failed).status(), status, "{failed:?}");
+            assert_eq!(
+                no_answer("nothing flies", &failed).status(),
+                status,
+                "{failed:?}"
+            );
         }
     }
 }

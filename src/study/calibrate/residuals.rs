@@ -1,4 +1,5 @@
-//! Measured shots as residuals: (computed − measured)/σ, with exact Jacobians by the parameters that are fitted.
+//! Measured shots as residuals: (computed − measured)/σ, with exact Jacobians by the parameters
+//! that are fitted.
 
 use super::shot::{Measurement, Shot, Stationary};
 use crate::derivative::{self, Evaluator, Order};
@@ -20,7 +21,8 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     let outcome = measurement.outcome;
     Error::Calibration {
         reason: format!(
-            "{} was measured as {} and is computed as {}, which is too many of its standard uncertainty of {} to sum their \
+            "{} was measured as {} and is computed as {}, which is too many of its standard \
+             uncertainty of {} to sum their \
              squares; correct the value or its sigma",
             outcome.name(),
             outcome.show(measurement.value),
@@ -30,13 +32,15 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     }
 }
 
-/// Why a row has no residuals at values that were tried, without saying again that it is of a calibration.
+/// Why a row has no residuals at values that were tried, without saying again that it is of a
+/// calibration.
 fn why(error: Error) -> String {
     match error {
         Error::Calibration { reason } => reason,
         // the step is chosen for values that a ball may have, and no shorter one would help
         Error::Diverged { time, .. } => format!(
-            "with these values of what is fitted the flight diverges at t = {} s: drag or lift is far too large",
+            "with these values of what is fitted the flight diverges at t = {} s: drag or lift is \
+             far too large",
             significant(time, 3)
         ),
         error => error.to_string(),
@@ -75,9 +79,16 @@ impl ShotResiduals<'_> {
         let of = |shot: &Shot| {
             let setup = at_shot(&moved, shot)?;
             let one = |stationary: &Stationary| {
-                Ok(derivative::hessian(&setup, Outcome::Carry, &[stationary.parameter])?.hessian[0][0].abs())
+                Ok(
+                    derivative::hessian(&setup, Outcome::Carry, &[stationary.parameter])?.hessian
+                        [0][0]
+                        .abs(),
+                )
             };
-            shot.stationary.iter().map(one).collect::<Result<Vec<f64>>>()
+            shot.stationary
+                .iter()
+                .map(one)
+                .collect::<Result<Vec<f64>>>()
         };
         let all = each_until(self.shots, self.stop, of).ok_or_else(|| stopped(FLOWN))?;
         all.into_iter().collect()
@@ -88,9 +99,21 @@ impl ShotResiduals<'_> {
         let setup = at_shot(moved, shot)?;
         let mut rows = vec![];
         if !shot.measured.is_empty() {
-            let of: Vec<_> = shot.measured.iter().map(|measurement| measurement.outcome).collect();
-            let values: Vec<_> = self.fitted.iter().filter_map(|parameter| setup.value(parameter)).collect();
-            let order = if self.fitted.is_empty() { Order::Value } else { Order::First };
+            let of: Vec<_> = shot
+                .measured
+                .iter()
+                .map(|measurement| measurement.outcome)
+                .collect();
+            let values: Vec<_> = self
+                .fitted
+                .iter()
+                .filter_map(|parameter| setup.value(parameter))
+                .collect();
+            let order = if self.fitted.is_empty() {
+                Order::Value
+            } else {
+                Order::First
+            };
             let asked = Evaluator::new(&setup, &of, &self.fitted, order)?;
             for (taylor, measurement) in asked.at(&values)?.into_iter().zip(&shot.measured) {
                 let computed = measurement.outcome.beside(taylor.value, measurement.value);
@@ -98,15 +121,34 @@ impl ShotResiduals<'_> {
                 if residual.abs() > TOO_FAR {
                     return Err(too_far(measurement, computed));
                 }
-                rows.push((residual, taylor.gradient.iter().map(|d| d / measurement.sigma).collect()));
+                rows.push((
+                    residual,
+                    taylor
+                        .gradient
+                        .iter()
+                        .map(|d| d / measurement.sigma)
+                        .collect(),
+                ));
             }
         }
-        for (stationary, curvature) in shot.stationary.iter().zip(curvatures.iter().chain(std::iter::repeat(&1.0))) {
-            let wrt: Vec<_> = self.fitted.iter().copied().chain([stationary.parameter]).collect();
+        for (stationary, curvature) in shot
+            .stationary
+            .iter()
+            .zip(curvatures.iter().chain(std::iter::repeat(&1.0)))
+        {
+            let wrt: Vec<_> = self
+                .fitted
+                .iter()
+                .copied()
+                .chain([stationary.parameter])
+                .collect();
             let last = self.fitted.len();
             let carry = derivative::towards_last(&setup, &[Outcome::Carry], &wrt)?.swap_remove(0);
             let per = 1.0 / (curvature.max(f64::MIN_POSITIVE) * stationary.sigma);
-            let row = carry.hessian[last][..last].iter().map(|d| d * per).collect();
+            let row = carry.hessian[last][..last]
+                .iter()
+                .map(|d| d * per)
+                .collect();
             rows.push((carry.gradient[last] * per, row));
         }
         Ok(rows)
@@ -116,24 +158,41 @@ impl ShotResiduals<'_> {
     fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<OfShot>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
         // where no curvatures are known yet, it is asked only whether there is an answer
-        let of =
-            |&(at, shot): &(usize, &Shot)| self.of(moved, shot, self.curvatures.get(at).map_or(&[], Vec::as_slice));
+        let of = |&(at, shot): &(usize, &Shot)| {
+            self.of(
+                moved,
+                shot,
+                self.curvatures.get(at).map_or(&[], Vec::as_slice),
+            )
+        };
         each_until(&all, self.stop, of).ok_or_else(|| stopped(FLOWN))
     }
 
     fn all(&self, x: &[f64]) -> std::result::Result<Rows, String> {
         let moved = self.moved(x).map_err(|error| error.to_string())?;
-        let rows = self.by_shot(&moved).map_err(|error| error.to_string())?.into_iter().zip(self.shots);
-        let named =
-            |(rows, shot): (Result<_>, &Shot)| rows.map_err(|error| format!("row {}: {}", shot.row, why(error)));
-        let shots = rows.map(named).collect::<std::result::Result<Vec<_>, _>>()?;
+        let rows = self
+            .by_shot(&moved)
+            .map_err(|error| error.to_string())?
+            .into_iter()
+            .zip(self.shots);
+        let named = |(rows, shot): (Result<_>, &Shot)| {
+            rows.map_err(|error| format!("row {}: {}", shot.row, why(error)))
+        };
+        let shots = rows
+            .map(named)
+            .collect::<std::result::Result<Vec<_>, _>>()?;
         let (residuals, jacobian) = shots.into_iter().flatten().unzip();
-        Ok(Rows { residuals, jacobian })
+        Ok(Rows {
+            residuals,
+            jacobian,
+        })
     }
 
     /// Takes the curvatures from `x` where every row has an answer there; says whether it has.
     pub fn begin(&mut self, x: &[f64]) -> bool {
-        let Ok(curvatures) = self.curvatures_at(x) else { return false };
+        let Ok(curvatures) = self.curvatures_at(x) else {
+            return false;
+        };
         self.curvatures = curvatures;
         self.evaluate(x).is_ok()
     }
@@ -141,7 +200,8 @@ impl ShotResiduals<'_> {
     /// The residuals of each shot by itself at `x`, or why it has none.
     pub fn each(&self, x: &[f64]) -> Result<Vec<Result<Vec<f64>>>> {
         let moved = self.moved(x)?;
-        let of = |rows: Result<OfShot>| Ok(rows?.into_iter().map(|(residual, _)| residual).collect());
+        let of =
+            |rows: Result<OfShot>| Ok(rows?.into_iter().map(|(residual, _)| residual).collect());
         Ok(self.by_shot(&moved)?.into_iter().map(of).collect())
     }
 }

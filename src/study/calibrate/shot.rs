@@ -6,7 +6,8 @@ use crate::parameters::Parameter;
 pub struct Shot {
     /// The row of the table it stands in, from 1.
     pub row: usize,
-    /// Parameters of this shot, SI, of its launch where the row gives that and no club; all others are the setup's.
+    /// Parameters of this shot, SI, of its launch where the row gives that and no club; all others
+    /// are the setup's.
     pub inputs: Vec<(&'static Parameter, f64)>,
     /// What was measured.
     pub measured: Vec<Measurement>,

@@ -5,8 +5,8 @@ use crate::optimize::least_squares::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal, StudentsT};
 
-/// Singular values below this part of the largest, of the Jacobian with columns of length 1, are none: what the data then say
-/// of that direction is rounding.
+/// Singular values below this part of the largest, of the Jacobian with columns of length 1, are
+/// none: what the data then say of that direction is rounding.
 const SINGULAR: f64 = 1e-8;
 /// Parts of a direction below this, of its length 1, are rounding.
 const PART: f64 = 1e-3;
@@ -16,7 +16,8 @@ const PART: f64 = 1e-3;
 pub enum Uncertainties {
     /// All are stated in the table.
     Stated,
-    /// Some are not: the instruments' known ones stand for them ([`instrument`](super::instrument())).
+    /// Some are not: the instruments' known ones stand for them
+    /// ([`instrument`](super::instrument())).
     Instruments,
     /// Some are not known at all: one unit of the column stands for each, as a weight.
     Weights,
@@ -27,14 +28,16 @@ pub enum Uncertainties {
 pub struct Fitted {
     /// Whether it lies inside its range; else a bound holds it.
     pub is_free: bool,
-    /// How far it can go at all, SI: a standard error larger than that says that the data do not determine it.
+    /// How far it can go at all, SI: a standard error larger than that says that the data do not
+    /// determine it.
     pub width: f64,
 }
 
 /// What the data say of the parameters, all in SI and in their order.
 #[derive(Clone, Debug)]
 pub struct Statistics {
-    /// Covariance; `None` where a parameter is not determined or is held by a bound, and everywhere without a scale.
+    /// Covariance; `None` where a parameter is not determined or is held by a bound, and everywhere
+    /// without a scale.
     pub covariance: Vec<Vec<Option<f64>>>,
     /// Directions that the data do not determine.
     pub undetermined: Vec<Undetermined>,
@@ -42,13 +45,14 @@ pub struct Statistics {
     pub chi_square: f64,
     /// Residuals less parameters that were free and determined.
     pub degrees_of_freedom: usize,
-    /// How likely a sum this large or larger is if the standard uncertainties are right; `None` where they are not stated, or
-    /// no value is left over to tell it by.
+    /// How likely a sum this large or larger is if the standard uncertainties are right; `None`
+    /// where they are not stated, or no value is left over to tell it by.
     pub probability: Option<f64>,
     /// Whether nothing is left over but rounding.
     pub is_exact: bool,
-    /// What standard errors were multiplied by: √(χ²/ν) where not every uncertainty is stated and something is left over to tell
-    /// it by; else 1. `None` where no uncertainty is known and nothing is left over.
+    /// What standard errors were multiplied by: √(χ²/ν) where not every uncertainty is stated and
+    /// something is left over to tell it by; else 1. `None` where no uncertainty is known and
+    /// nothing is left over.
     pub scale: Option<f64>,
     /// Whether the scale is √(χ²/ν).
     pub is_scaled: bool,
@@ -56,12 +60,14 @@ pub struct Statistics {
     pub reach: f64,
 }
 
-/// A combination of parameters that can change without the data noticing, or by more than the parameters' ranges before they do.
+/// A combination of parameters that can change without the data noticing, or by more than the
+/// parameters' ranges before they do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undetermined {
     /// Places of the parameters, and how much each changes, SI.
     pub parts: Vec<(usize, f64)>,
-    /// How many times these changes make one standard error; `None` where the data do not notice them at all.
+    /// How many times these changes make one standard error; `None` where the data do not notice
+    /// them at all.
     pub standard_error: Option<f64>,
 }
 
@@ -76,15 +82,39 @@ struct Columns {
 impl Columns {
     fn new(jacobian: &DMatrix<f64>, at: Vec<usize>) -> Result<Self> {
         let (m, n) = (jacobian.nrows(), at.len());
-        let length = |i: &usize| Some(jacobian.column(*i).norm()).filter(|length| *length > 0.0).unwrap_or(1.0);
+        let length = |i: &usize| {
+            Some(jacobian.column(*i).norm())
+                .filter(|length| *length > 0.0)
+                .unwrap_or(1.0)
+        };
         let lengths: Vec<f64> = at.iter().map(length).collect();
         if n == 0 {
-            return Ok(Self { at, lengths, values: DVector::zeros(0), directions: DMatrix::zeros(0, 0) });
+            return Ok(Self {
+                at,
+                lengths,
+                values: DVector::zeros(0),
+                directions: DMatrix::zeros(0, 0),
+            });
         }
-        let scaled = DMatrix::from_fn(m.max(n), n, |i, k| if i < m { jacobian[(i, at[k])] / lengths[k] } else { 0.0 });
-        let broken = || Error::Calibration { reason: "the Jacobian's singular values cannot be computed".into() };
-        let svd = scaled.try_svd(false, true, f64::EPSILON, 10_000).ok_or_else(broken)?;
-        Ok(Self { at, lengths, values: svd.singular_values, directions: svd.v_t.ok_or_else(broken)? })
+        let scaled = DMatrix::from_fn(m.max(n), n, |i, k| {
+            if i < m {
+                jacobian[(i, at[k])] / lengths[k]
+            } else {
+                0.0
+            }
+        });
+        let broken = || Error::Calibration {
+            reason: "the Jacobian's singular values cannot be computed".into(),
+        };
+        let svd = scaled
+            .try_svd(false, true, f64::EPSILON, 10_000)
+            .ok_or_else(broken)?;
+        Ok(Self {
+            at,
+            lengths,
+            values: svd.singular_values,
+            directions: svd.v_t.ok_or_else(broken)?,
+        })
     }
 
     fn is_singular(&self, k: usize) -> bool {
@@ -99,49 +129,72 @@ impl Columns {
     fn parts(&self, k: usize) -> Vec<(usize, f64)> {
         let is_part = |i: &usize| self.directions[(k, *i)].abs() > PART;
         let parts = (0..self.at.len()).filter(is_part);
-        parts.map(|i| (self.at[i], self.directions[(k, i)] / self.lengths[i])).collect()
+        parts
+            .map(|i| (self.at[i], self.directions[(k, i)] / self.lengths[i]))
+            .collect()
     }
 
-    /// A direction, where the data do not determine it: they do not notice it at all, or one standard error along it is more than a
-    /// parameter's whole range, or it has the largest part in a standard error that is.
-    fn undetermined(&self, k: usize, scale: Option<f64>, fitted: &[Fitted]) -> Option<Undetermined> {
+    /// A direction, where the data do not determine it: they do not notice it at all, or one
+    /// standard error along it is more than a parameter's whole range, or it has the largest part
+    /// in a standard error that is.
+    fn undetermined(
+        &self,
+        k: usize,
+        scale: Option<f64>,
+        fitted: &[Fitted],
+    ) -> Option<Undetermined> {
         let parts = self.parts(k);
         if self.is_singular(k) {
-            return Some(Undetermined { parts, standard_error: None });
+            return Some(Undetermined {
+                parts,
+                standard_error: None,
+            });
         }
         let scale = scale?;
         let error = scale / self.values[k];
         let is_beyond = |i: usize| {
             let width = fitted[self.at[i]].width;
             let along = |k: usize| (self.directions[(k, i)] / self.values[k]).abs();
-            let is_largest = (0..self.at.len()).all(|other| self.is_singular(other) || along(other) <= along(k));
+            let is_largest =
+                (0..self.at.len()).all(|other| self.is_singular(other) || along(other) <= along(k));
             let along = scale * along(k) / self.lengths[i];
             along > width || is_largest && scale * self.covariance(i, i).sqrt() > width
         };
         let is_part = |i: usize| parts.iter().any(|(at, _)| *at == self.at[i]);
         (0..self.at.len())
             .any(|i| is_part(i) && is_beyond(i))
-            .then_some(Undetermined { parts, standard_error: Some(error) })
+            .then_some(Undetermined {
+                parts,
+                standard_error: Some(error),
+            })
     }
 
     /// The covariance of two parameters, by their places here, of residuals with unit uncertainty.
     fn covariance(&self, a: usize, b: usize) -> f64 {
-        let part = |k: usize| self.directions[(k, a)] * self.directions[(k, b)] / self.values[k].powi(2);
-        let sum: f64 = (0..self.at.len()).filter(|&k| !self.is_singular(k)).map(part).sum();
+        let part =
+            |k: usize| self.directions[(k, a)] * self.directions[(k, b)] / self.values[k].powi(2);
+        let sum: f64 = (0..self.at.len())
+            .filter(|&k| !self.is_singular(k))
+            .map(part)
+            .sum();
         sum / (self.lengths[a] * self.lengths[b])
     }
 }
 
 impl Statistics {
-    /// The root mean square of the residuals in units of their standard uncertainties, over the degrees of freedom; `None` without any.
+    /// The root mean square of the residuals in units of their standard uncertainties, over the
+    /// degrees of freedom; `None` without any.
     pub fn misfit(&self) -> Option<f64> {
-        (self.degrees_of_freedom > 0).then(|| (self.chi_square / self.degrees_of_freedom as f64).sqrt())
+        (self.degrees_of_freedom > 0)
+            .then(|| (self.chi_square / self.degrees_of_freedom as f64).sqrt())
     }
 
-    /// Of residuals and their Jacobian at the end of a fit. Residuals no larger than `rounding` are rounding.
+    /// Of residuals and their Jacobian at the end of a fit. Residuals no larger than `rounding` are
+    /// rounding.
     ///
     /// # Errors
-    /// [`Error::Calibration`] for a residual or derivative that is not finite, and where the singular values do not come out.
+    /// [`Error::Calibration`] for a residual or derivative that is not finite, and where the
+    /// singular values do not come out.
     ///
     /// # Panics
     /// Where the Jacobian has not a row for each residual and a column for each parameter.
@@ -156,35 +209,65 @@ impl Statistics {
         let columns: Vec<usize> = rows.jacobian.iter().map(Vec::len).collect();
         assert!(
             columns.len() == m && columns.iter().all(|length| *length == n),
-            "{m} residuals of {n} parameters need a Jacobian of {m} rows of {n}; its rows have {columns:?}"
+            "{m} residuals of {n} parameters need a Jacobian of {m} rows of {n}; its rows have \
+             {columns:?}"
         );
-        if let Some(number) = rows.residuals.iter().chain(rows.jacobian.iter().flatten()).find(|d| !d.is_finite()) {
-            let reason = format!("a residual or one of its derivatives is {number}; all must be finite");
+        if let Some(number) = rows
+            .residuals
+            .iter()
+            .chain(rows.jacobian.iter().flatten())
+            .find(|d| !d.is_finite())
+        {
+            let reason =
+                format!("a residual or one of its derivatives is {number}; all must be finite");
             return Err(Error::Calibration { reason });
         }
         let weights: Vec<f64> = rows.residuals.iter().map(|r| loss.weight(*r)).collect();
         let jacobian = DMatrix::from_fn(m, n, |i, k| weights[i].sqrt() * rows.jacobian[i][k]);
-        let chi_square: f64 = rows.residuals.iter().zip(&weights).map(|(r, w)| w * r * r).sum::<f64>() + 0.0;
+        let chi_square: f64 = rows
+            .residuals
+            .iter()
+            .zip(&weights)
+            .map(|(r, w)| w * r * r)
+            .sum::<f64>()
+            + 0.0;
         let is_exact = rows.residuals.iter().all(|r| r.abs() <= rounding);
         let free = Columns::new(&jacobian, (0..n).filter(|&i| fitted[i].is_free).collect())?;
         let degrees_of_freedom = m.saturating_sub(free.rank());
-        let is_scaled = uncertainties != Uncertainties::Stated && degrees_of_freedom > 0 && !is_exact;
+        let is_scaled =
+            uncertainties != Uncertainties::Stated && degrees_of_freedom > 0 && !is_exact;
         let scale = match uncertainties {
             _ if is_scaled => Some((chi_square / degrees_of_freedom as f64).sqrt()),
             Uncertainties::Weights => None,
             _ => Some(1.0),
         };
-        // a bound holds a parameter only if the data press it there: one that they say nothing of has merely run to its end
-        let slope =
-            |i: usize| -> f64 { (0..m).map(|row| weights[row] * rows.residuals[row] * rows.jacobian[row][i]).sum() };
+        // a bound holds a parameter only if the data press it there: one that they say nothing of
+        // has merely run to its end
+        let slope = |i: usize| -> f64 {
+            (0..m)
+                .map(|row| weights[row] * rows.residuals[row] * rows.jacobian[row][i])
+                .sum()
+        };
         let is_pressed = |i: usize| slope(i).abs() * fitted[i].width > 1.0;
-        let loose = Columns::new(&jacobian, (0..n).filter(|&i| fitted[i].is_free || !is_pressed(i)).collect())?;
-        let undetermined: Vec<_> = (0..loose.at.len()).filter_map(|k| loose.undetermined(k, scale, fitted)).collect();
-        let is_determined = |at: usize| !undetermined.iter().any(|u| u.parts.iter().any(|(part, _)| *part == at));
+        let loose = Columns::new(
+            &jacobian,
+            (0..n)
+                .filter(|&i| fitted[i].is_free || !is_pressed(i))
+                .collect(),
+        )?;
+        let undetermined: Vec<_> = (0..loose.at.len())
+            .filter_map(|k| loose.undetermined(k, scale, fitted))
+            .collect();
+        let is_determined = |at: usize| {
+            !undetermined
+                .iter()
+                .any(|u| u.parts.iter().any(|(part, _)| *part == at))
+        };
         let mut covariance = vec![vec![None; n]; n];
         for a in (0..free.at.len()).filter(|&a| is_determined(free.at[a])) {
             for b in (0..free.at.len()).filter(|&b| is_determined(free.at[b])) {
-                covariance[free.at[a]][free.at[b]] = scale.map(|scale| scale * scale * free.covariance(a, b));
+                covariance[free.at[a]][free.at[b]] =
+                    scale.map(|scale| scale * scale * free.covariance(a, b));
             }
         }
         let is_stated = uncertainties == Uncertainties::Stated;
@@ -193,7 +276,11 @@ impl Statistics {
             undetermined,
             chi_square,
             degrees_of_freedom,
-            probability: if is_stated { upper_tail(chi_square, degrees_of_freedom) } else { None },
+            probability: if is_stated {
+                upper_tail(chi_square, degrees_of_freedom)
+            } else {
+                None
+            },
             is_exact,
             scale,
             is_scaled,
@@ -203,7 +290,10 @@ impl Statistics {
 
     /// Whether a parameter is part of no direction that the data do not determine.
     pub fn determines(&self, at: usize) -> bool {
-        !self.undetermined.iter().any(|undetermined| undetermined.parts.iter().any(|(part, _)| *part == at))
+        !self
+            .undetermined
+            .iter()
+            .any(|undetermined| undetermined.parts.iter().any(|(part, _)| *part == at))
     }
 
     /// Standard error of the parameter at a place.
@@ -224,16 +314,20 @@ impl Statistics {
 }
 
 fn upper_tail(chi_square: f64, degrees_of_freedom: usize) -> Option<f64> {
-    ChiSquared::new(degrees_of_freedom as f64).ok().map(|distribution| distribution.sf(chi_square))
+    ChiSquared::new(degrees_of_freedom as f64)
+        .ok()
+        .map(|distribution| distribution.sf(chi_square))
 }
 
-/// The 97.5 % point of the normal distribution, or of Student's where the scale is itself estimated.
+/// The 97.5 % point of the normal distribution, or of Student's where the scale is itself
+/// estimated.
 fn reach(degrees_of_freedom: usize, is_scaled: bool) -> f64 {
     let normal = Normal::standard().inverse_cdf(0.975);
     if !is_scaled {
         return normal;
     }
-    StudentsT::new(0.0, 1.0, degrees_of_freedom as f64).map_or(normal, |student| student.inverse_cdf(0.975))
+    StudentsT::new(0.0, 1.0, degrees_of_freedom as f64)
+        .map_or(normal, |student| student.inverse_cdf(0.975))
 }
 
 #[cfg(test)]
@@ -246,15 +340,22 @@ mod tests {
     }
 
     fn free(width: f64) -> Fitted {
-        Fitted { is_free: true, width }
+        Fitted {
+            is_free: true,
+            width,
+        }
     }
 
-    /// A line through 0, 1, 2 with unit uncertainties: (JᵀJ)⁻¹ of the normal equations, by hand; a third column that repeats
-    /// the second cannot be told from it, and spoils neither the first nor the sum.
+    /// A line through 0, 1, 2 with unit uncertainties: (JᵀJ)⁻¹ of the normal equations, by hand; a
+    /// third column that repeats the second cannot be told from it, and spoils neither the first
+    /// nor the sum.
     #[test]
     fn exact_covariance_of_a_line_and_confounded_columns_named() {
         let jacobian: Vec<Vec<f64>> = [0.0, 1.0, 2.0].iter().map(|t| vec![1.0, *t]).collect();
-        let rows = Rows { residuals: vec![0.5, -1.0, 0.5], jacobian };
+        let rows = Rows {
+            residuals: vec![0.5, -1.0, 0.5],
+            jacobian,
+        };
         let line = of(&rows, &[free(1e9); 2], Uncertainties::Stated);
         let expected = [(0, 0, 5.0 / 6.0), (0, 1, -0.5), (1, 0, -0.5), (1, 1, 0.5)];
         for (a, b, exact) in expected {
@@ -267,65 +368,126 @@ mod tests {
         assert!((scaled.covariance[1][1].unwrap() - 0.75).abs() < 1e-12);
         assert!((scaled.reach - 12.706_204_736).abs() < 1e-6); // Student's t, one degree of freedom
 
-        let doubled = rows.jacobian.iter().map(|row| vec![row[0], row[1], 3.0 * row[1]]).collect();
-        let rows = Rows { jacobian: doubled, ..rows };
+        let doubled = rows
+            .jacobian
+            .iter()
+            .map(|row| vec![row[0], row[1], 3.0 * row[1]])
+            .collect();
+        let rows = Rows {
+            jacobian: doubled,
+            ..rows
+        };
         let both = of(&rows, &[free(1e9); 3], Uncertainties::Stated);
         assert_eq!(both.undetermined.len(), 1);
-        let places: Vec<usize> = both.undetermined[0].parts.iter().map(|(at, _)| *at).collect();
+        let places: Vec<usize> = both.undetermined[0]
+            .parts
+            .iter()
+            .map(|(at, _)| *at)
+            .collect();
         assert_eq!(places, [1, 2]);
-        assert!((both.undetermined[0].parts[0].1 / both.undetermined[0].parts[1].1 + 3.0).abs() < 1e-9);
+        assert!(
+            (both.undetermined[0].parts[0].1 / both.undetermined[0].parts[1].1 + 3.0).abs() < 1e-9
+        );
         assert!((both.standard_error(0).unwrap() - (5.0_f64 / 6.0).sqrt()).abs() < 1e-9);
         assert_eq!((both.standard_error(1), both.degrees_of_freedom), (None, 1));
     }
-    /// Two points and a line: nothing is left over, which is another thing than a direction that the data do not determine.
+    /// Two points and a line: nothing is left over, which is another thing than a direction that
+    /// the data do not determine.
     #[test]
     fn exact_answers_without_a_value_left_over_are_determined() {
-        let rows = Rows { residuals: vec![0.0, 1e-15], jacobian: vec![vec![1.0, 0.0], vec![1.0, 1.0]] };
+        let rows = Rows {
+            residuals: vec![0.0, 1e-15],
+            jacobian: vec![vec![1.0, 0.0], vec![1.0, 1.0]],
+        };
         for (uncertainties, scale) in [
             (Uncertainties::Stated, Some(1.0)),
             (Uncertainties::Instruments, Some(1.0)),
             (Uncertainties::Weights, None),
         ] {
             let line = of(&rows, &[free(1e9); 2], uncertainties);
-            assert!(line.undetermined.is_empty() && line.is_exact && !line.is_scaled, "{line:?}");
-            assert_eq!((line.scale, line.degrees_of_freedom, line.probability), (scale, 0, None));
+            assert!(
+                line.undetermined.is_empty() && line.is_exact && !line.is_scaled,
+                "{line:?}"
+            );
+            assert_eq!(
+                (line.scale, line.degrees_of_freedom, line.probability),
+                (scale, 0, None)
+            );
             // the slope's variance is that of the difference of two values
-            assert_eq!(line.covariance[1][1].map(|variance| (variance - 2.0).abs() < 1e-12), scale.map(|_| true));
+            assert_eq!(
+                line.covariance[1][1].map(|variance| (variance - 2.0).abs() < 1e-12),
+                scale.map(|_| true)
+            );
             assert!(line.determines(0) && line.determines(1));
         }
     }
 
-    /// Columns that differ by 1e-4: a standard error of 1e4, which only a range wider than that can hold. And a parameter that no
-    /// residual depends on is not determined on a bound of its range either.
+    /// Columns that differ by 1e-4: a standard error of 1e4, which only a range wider than that can
+    /// hold. And a parameter that no residual depends on is not determined on a bound of its range
+    /// either.
     #[test]
     fn exact_standard_errors_beyond_the_range_are_no_answers() {
         let rows = Rows {
             residuals: vec![0.3, -0.3, 0.3, -0.3],
-            jacobian: vec![vec![1.0, 1.0001], vec![1.0, 0.9999], vec![1.0, 1.0], vec![1.0, 1.0]],
+            jacobian: vec![
+                vec![1.0, 1.0001],
+                vec![1.0, 0.9999],
+                vec![1.0, 1.0],
+                vec![1.0, 1.0],
+            ],
         };
         let wide = of(&rows, &[free(1e6); 2], Uncertainties::Stated);
         assert!(
-            wide.undetermined.is_empty() && (wide.standard_error(1).unwrap() / 7071.0 - 1.0).abs() < 1e-3,
+            wide.undetermined.is_empty()
+                && (wide.standard_error(1).unwrap() / 7071.0 - 1.0).abs() < 1e-3,
             "{wide:?}"
         );
         let narrow = of(&rows, &[free(3.0); 2], Uncertainties::Stated);
         assert_eq!(narrow.undetermined.len(), 1);
-        assert!(narrow.undetermined[0].standard_error.unwrap() > 1e3, "{narrow:?}");
-        assert_eq!((narrow.standard_error(0), narrow.standard_error(1)), (None, None));
+        assert!(
+            narrow.undetermined[0].standard_error.unwrap() > 1e3,
+            "{narrow:?}"
+        );
+        assert_eq!(
+            (narrow.standard_error(0), narrow.standard_error(1)),
+            (None, None)
+        );
 
         // correlated by 0.6: 1.12 and 0.56 along the two directions make a standard error of 1.25
-        let rows = Rows { residuals: vec![0.3, -0.3], jacobian: vec![vec![1.0, 0.6], vec![0.0, 0.8]] };
+        let rows = Rows {
+            residuals: vec![0.3, -0.3],
+            jacobian: vec![vec![1.0, 0.6], vec![0.0, 0.8]],
+        };
         let wide = of(&rows, &[free(1.3), free(100.0)], Uncertainties::Stated);
-        assert!(wide.determines(0) && (wide.standard_error(0).unwrap() - 1.25).abs() < 1e-12, "{wide:?}");
+        assert!(
+            wide.determines(0) && (wide.standard_error(0).unwrap() - 1.25).abs() < 1e-12,
+            "{wide:?}"
+        );
         let narrow = of(&rows, &[free(1.2), free(100.0)], Uncertainties::Stated);
-        assert!(!narrow.determines(0) && narrow.undetermined.len() == 1, "{narrow:?}");
+        assert!(
+            !narrow.determines(0) && narrow.undetermined.len() == 1,
+            "{narrow:?}"
+        );
 
-        let held = Fitted { is_free: false, width: 1.0 };
-        let blind = Rows { residuals: vec![0.5, -0.5], jacobian: vec![vec![1.0, 0.0], vec![1.0, 0.0]] };
+        let held = Fitted {
+            is_free: false,
+            width: 1.0,
+        };
+        let blind = Rows {
+            residuals: vec![0.5, -0.5],
+            jacobian: vec![vec![1.0, 0.0], vec![1.0, 0.0]],
+        };
         let found = of(&blind, &[free(1e9), held], Uncertainties::Stated);
         assert!(found.determines(0) && !found.determines(1), "{found:?}");
         // pressed against its bound it is held there
-        let pressed = Rows { residuals: vec![0.5, -0.5], jacobian: vec![vec![1.0, 40.0], vec![1.0, -40.0]] };
-        assert!(of(&pressed, &[free(1e9), held], Uncertainties::Stated).undetermined.is_empty());
+        let pressed = Rows {
+            residuals: vec![0.5, -0.5],
+            jacobian: vec![vec![1.0, 40.0], vec![1.0, -40.0]],
+        };
+        assert!(
+            of(&pressed, &[free(1e9), held], Uncertainties::Stated)
+                .undetermined
+                .is_empty()
+        );
     }
 }

@@ -1,36 +1,58 @@
-//! What a fit's end is called once the data have been looked at: a search that has converged may still have no answer.
+//! What a fit's end is called once the data have been looked at: a search that has converged may
+//! still have no answer.
 
 use super::calibration::{Calibration, Remainder};
 use super::statistics::{Uncertainties, Undetermined};
 use crate::optimize::least_squares::{Fit, Loss, Status};
 use crate::units::{counted, significant};
 
-/// The verdict of the best of several searches, by what became of all of them: `is_settled` tells whether the curvatures of optima
-/// stayed where they were. How many searches were stopped before their end is returned, and whether the best of all had ended at a minimum.
-pub(super) fn of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bool) -> (usize, bool) {
-    let (all, stopped) = (fits.len(), fits.iter().filter(|fit| fit.status == Status::Interrupted).count());
-    let Some(best) = fits.first_mut() else { return (stopped, false) };
+/// The verdict of the best of several searches, by what became of all of them: `is_settled` tells
+/// whether the curvatures of optima stayed where they were. How many searches were stopped before
+/// their end is returned, and whether the best of all had ended at a minimum.
+pub(super) fn of_searches(
+    fits: &mut [Fit],
+    is_settled: bool,
+    is_interrupted: bool,
+) -> (usize, bool) {
+    let (all, stopped) = (
+        fits.len(),
+        fits.iter()
+            .filter(|fit| fit.status == Status::Interrupted)
+            .count(),
+    );
+    let Some(best) = fits.first_mut() else {
+        return (stopped, false);
+    };
     let (ended, is_minimum) = (best.status, best.status == Status::Converged && is_settled);
     if stopped > 0 && ended != Status::Interrupted {
         best.status = Status::Interrupted;
         best.message = format!(
-            "{} of {all} searches ended, and {stopped} were stopped before their end; the best of those that ended is {ended}: {}",
+            "{} of {all} searches ended, and {stopped} were stopped before their end; the best of \
+             those that ended is {ended}: {}",
             all - stopped,
             best.message
         );
     }
     if !is_settled && ended == Status::Converged {
-        best.status = if is_interrupted { Status::Interrupted } else { Status::Stalled };
-        best.message =
-            format!("{}; but the curvatures of the optima, computed again there, still change", best.message);
+        best.status = if is_interrupted {
+            Status::Interrupted
+        } else {
+            Status::Stalled
+        };
+        best.message = format!(
+            "{}; but the curvatures of the optima, computed again there, still change",
+            best.message
+        );
     }
     (stopped, is_minimum)
 }
 
-/// A fit that its values miss by so many of their standard uncertainties (root mean square) is none.
+/// A fit that its values miss by so many of their standard uncertainties (root mean square) is
+/// none.
 const MISFIT: f64 = 6.0;
 
-/// The verdict where the data do not determine the parameters, where one row leaves the others no say, or where the model does not describe them.
+/// The verdict where the data do not determine the parameters, where one row leaves the others no
+/// say, or where the model does not describe them.
 pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncertainties) {
     // a search also stalls where the data say too little for a step to show in the sum
     if !matches!(found.fit.status, Status::Converged | Status::Stalled) {
@@ -39,7 +61,8 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
     if let Some(row) = outweighing(&found.remainders, loss) {
         found.fit.status = Status::Outweighed;
         found.fit.message = format!(
-            "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. Compared with that, all other rows are less than a \
+            "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. Compared \
+             with that, all other rows are less than a \
              millionth of the sum; correct the row or its sigma, or take it out",
             row.row,
             row.outcome.name(),
@@ -49,10 +72,14 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
     }
     let undetermined = &found.statistics.undetermined;
     if !undetermined.is_empty() {
-        let all: Vec<String> = undetermined.iter().map(|direction| names(found, direction)).collect();
+        let all: Vec<String> = undetermined
+            .iter()
+            .map(|direction| names(found, direction))
+            .collect();
         found.fit.status = Status::Undetermined;
         found.fit.message = format!(
-            "the data do not determine {}: many other values of these fit as well as those shown. Fit fewer parameters, give narrower \
+            "the data do not determine {}: many other values of these fit as well as those shown. \
+             Fit fewer parameters, give narrower \
              ranges, or measure what depends on them ({})",
             all.join(", nor "),
             found.fit.message
@@ -61,27 +88,38 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
     }
     // Huber's loss is for data with rows that the model does not describe
     let is_judged = loss == Loss::Squares && uncertainties != Uncertainties::Weights;
-    if let Some(off) = found.statistics.misfit().filter(|off| is_judged && *off > MISFIT) {
+    if let Some(off) = found
+        .statistics
+        .misfit()
+        .filter(|off| is_judged && *off > MISFIT)
+    {
         found.fit.status = Status::Misfit;
         found.fit.message = format!(
-            "the values miss the fit by {} of their standard uncertainties (root mean square, with {} of freedom), where noise makes 1: the \
-             fitted model does not describe them, or their uncertainties are too small; look at the largest residuals",
+            "the values miss the fit by {} of their standard uncertainties (root mean square, with \
+             {} of freedom), where noise makes 1: the \
+             fitted model does not describe them, or their uncertainties are too small; look at \
+             the largest residuals",
             significant(off, 3),
             counted(found.statistics.degrees_of_freedom as u64, "degree")
         );
     }
 }
 
-/// The row that pulls so hard that all others together have less than a millionth of its square. Its residual is then more than 1000
-/// standard uncertainties, which is no noise. With Huber's loss no row pulls harder than its limit.
+/// The row that pulls so hard that all others together have less than a millionth of its square.
+/// Its residual is then more than 1000 standard uncertainties, which is no noise. With Huber's loss
+/// no row pulls harder than its limit.
 fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
     /// The part of the sum that the others have at most.
     const PART: f64 = 1e-6;
     /// Part of a sum that its rounding hides, whatever the loss.
     const ROUNDING: f64 = 1e-15;
-    let most = remainders.iter().max_by(|a, b| a.residual.abs().total_cmp(&b.residual.abs()))?;
+    let most = remainders
+        .iter()
+        .max_by(|a, b| a.residual.abs().total_cmp(&b.residual.abs()))?;
     let outweighs = |part: f64, of: &dyn Fn(f64) -> f64| {
-        let others = remainders.iter().filter(|other| !std::ptr::eq(*other, most));
+        let others = remainders
+            .iter()
+            .filter(|other| !std::ptr::eq(*other, most));
         let rest: f64 = others.map(|other| of(other.residual)).sum();
         of(most.residual) * part > rest.max(1.0)
     };
@@ -90,7 +128,11 @@ fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
 }
 
 fn names(found: &Calibration, direction: &Undetermined) -> String {
-    let names: Vec<&str> = direction.parts.iter().map(|(at, _)| found.estimates[*at].parameter.name).collect();
+    let names: Vec<&str> = direction
+        .parts
+        .iter()
+        .map(|(at, _)| found.estimates[*at].parameter.name)
+        .collect();
     match &names[..] {
         [only] => (*only).to_owned(),
         [rest @ .., last] => format!("{} and {last} separately", rest.join(", ")),

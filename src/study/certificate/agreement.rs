@@ -1,5 +1,5 @@
-//! First derivatives computed again over `num_dual::Dual64`, in one flight per parameter. It shares no rule of differentiation with the jets,
-//! nor their lanes, nor the chain rule across the launch.
+//! First derivatives computed again over `num_dual::Dual64`, in one flight per parameter. It shares
+//! no rule of differentiation with the jets, nor their lanes, nor the chain rule across the launch.
 
 use crate::derivative::check::Ladder;
 use crate::drive::{Drive, Outcome};
@@ -10,7 +10,8 @@ use num_dual::Dual64;
 /// Allowed difference, relative to the derivative.
 const RELATIVE: f64 = 1e-9;
 
-/// Allowed difference, in units of rounding of the numbers that the outcome is computed from over the parameter's scale.
+/// Allowed difference, in units of rounding of the numbers that the outcome is computed from over
+/// the parameter's scale.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A first derivative over the jets beside the same over num-dual.
@@ -29,7 +30,11 @@ impl Agreement {
     pub(super) fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
         let size = num_dual.abs().max(ladder.next_to_nothing());
         let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;
-        Self { num_dual, difference: (jet - num_dual).abs(), tolerance }
+        Self {
+            num_dual,
+            difference: (jet - num_dual).abs(),
+            tolerance,
+        }
     }
 
     /// Whether the two agree; a derivative that is not a number agrees with none.
@@ -42,7 +47,11 @@ impl Agreement {
 ///
 /// # Errors
 /// As [`Drive::new`] and [`Outcome::of`].
-pub(super) fn by_num_dual(setup: &Setup<f64>, of: &[Outcome], parameter: &'static Parameter) -> Result<Vec<f64>> {
+pub(super) fn by_num_dual(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    parameter: &'static Parameter,
+) -> Result<Vec<f64>> {
     let variable = Dual64::from_re(setup.value(parameter).unwrap_or_default()).derivative();
     let mut lifted = setup.constant::<Dual64>();
     lifted.put(&[parameter], |_| variable);

@@ -14,18 +14,20 @@ const DOUBLED: i32 = 9;
 /// Values of the parameter to each side of a change over which outcomes scatter by rounding …
 const NEIGHBOURS: usize = 8;
 
-/// … and how far apart they are, in parts of the parameter's scale. Adjacent floating-point numbers may be the same to all that follows: a decay over
-/// a step, e^(−δ h), is rounded to 1e-16, and outcomes are stairs in δ. What the outcome itself goes by over so little is taken off.
+/// … and how far apart they are, in parts of the parameter's scale. Adjacent floating-point numbers
+/// may be the same to all that follows: a decay over a step, e^(−δ h), is rounded to 1e-16, and
+/// outcomes are stairs in δ. What the outcome itself goes by over so little is taken off.
 const SPACING: f64 = 1e-12;
 
 /// The jump that may be left, in scatters to either side.
 const BAR: f64 = 4.0;
 
-/// The relative jumps of value, gradient and Hessian that are promised not to be exceeded: rounding that the scatter over a few
-/// neighbours may miss.
+/// The relative jumps of value, gradient and Hessian that are promised not to be exceeded: rounding
+/// that the scatter over a few neighbours may miss.
 const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
-/// An outcome where the number of time steps of the flight changes: on adjacent floating-point values of a parameter.
+/// An outcome where the number of time steps of the flight changes: on adjacent floating-point
+/// values of a parameter.
 #[derive(Clone, Debug)]
 pub struct Continuity {
     /// The outcome.
@@ -36,21 +38,26 @@ pub struct Continuity {
     pub at: f64,
     /// The numbers of steps before and after.
     pub steps: [usize; 2],
-    /// The jumps of the value, the gradient and the Hessian by parameters in units of their scales, relative to the largest entry or the
-    /// numbers that the value is made of.
+    /// The jumps of the value, the gradient and the Hessian by parameters in units of their scales,
+    /// relative to the largest entry or the numbers that the value is made of.
     pub jumps: [f64; 3],
-    /// The jumps that may be: those promised, or what rounding makes by the scatter beside the change.
+    /// The jumps that may be: those promised, or what rounding makes by the scatter beside the
+    /// change.
     pub bars: [f64; 3],
 }
 
 impl Continuity {
     /// Whether no jump is more than rounding.
     pub fn passed(&self) -> bool {
-        self.jumps.iter().zip(self.bars).all(|(jump, bar)| *jump <= bar)
+        self.jumps
+            .iter()
+            .zip(self.bars)
+            .all(|(jump, bar)| *jump <= bar)
     }
 }
 
-/// The nearest change of the number of steps along `wrt[0]`, if there is one near by; derivatives are by all of `wrt`. Nothing once `goes_on` says so.
+/// The nearest change of the number of steps along `wrt[0]`, if there is one near by; derivatives
+/// are by all of `wrt`. Nothing once `goes_on` says so.
 ///
 /// # Errors
 /// As [`evaluate`].
@@ -60,8 +67,12 @@ pub(super) fn continuity(
     wrt: &[&'static Parameter],
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Vec<Continuity>> {
-    let Some(&parameter) = wrt.first() else { return Ok(vec![]) };
-    let Some([low, high]) = change(setup, parameter, goes_on) else { return Ok(vec![]) };
+    let Some(&parameter) = wrt.first() else {
+        return Ok(vec![]);
+    };
+    let Some([low, high]) = change(setup, parameter, goes_on) else {
+        return Ok(vec![]);
+    };
     let spacing = SPACING * scale(setup, parameter);
     let neighbours = |from: f64, sign: f64| {
         let offsets = (0..NEIGHBOURS).map(|k| sign * spacing * k as f64);
@@ -72,7 +83,10 @@ pub(super) fn continuity(
             .map(|offset| {
                 let value = from + offset;
                 let taylors = evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second)?;
-                Ok(taylors.iter().map(|taylor| brought_back(taylor, value - from)).collect())
+                Ok(taylors
+                    .iter()
+                    .map(|taylor| brought_back(taylor, value - from))
+                    .collect())
             })
             .collect::<Result<Vec<Vec<Taylor>>>>()
     };
@@ -81,13 +95,18 @@ pub(super) fn continuity(
         return Ok(vec![]);
     }
     let steps = [low, high].map(|value| steps(setup, parameter, value).unwrap_or_default());
-    let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
+    let scales: Vec<f64> = wrt
+        .iter()
+        .map(|parameter| scale(setup, parameter))
+        .collect();
     let drive = Drive::new(setup)?;
     let continuity = |(i, of): (usize, &Outcome)| {
         let size = size(*of, setup, &drive);
         let pairs = [0, 1, 2].map(|order| {
             let entries = |side: &[Vec<Taylor>]| {
-                side.iter().map(|taylors| entries(&taylors[i], &scales, order)).collect::<Vec<_>>()
+                side.iter()
+                    .map(|taylors| entries(&taylors[i], &scales, order))
+                    .collect::<Vec<_>>()
             };
             jump(&entries(&before), &entries(&after), size, PROMISED[order])
         });
@@ -103,42 +122,67 @@ pub(super) fn continuity(
     Ok(of.iter().enumerate().map(continuity).collect())
 }
 
-/// Value and gradient as they would be at an offset less of the first parameter, by the next derivative.
+/// Value and gradient as they would be at an offset less of the first parameter, by the next
+/// derivative.
 fn brought_back(taylor: &Taylor, offset: f64) -> Taylor {
     let slope = taylor.gradient.first().copied().unwrap_or_default();
-    let gradient = taylor.gradient.iter().zip(&taylor.hessian).map(|(d, row)| d - row[0] * offset);
-    Taylor { value: taylor.value - slope * offset, gradient: gradient.collect(), hessian: taylor.hessian.clone() }
+    let gradient = taylor
+        .gradient
+        .iter()
+        .zip(&taylor.hessian)
+        .map(|(d, row)| d - row[0] * offset);
+    Taylor {
+        value: taylor.value - slope * offset,
+        gradient: gradient.collect(),
+        hessian: taylor.hessian.clone(),
+    }
 }
 
 /// The value, the gradient or the Hessian, of parameters in units of their scales.
 fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     match order {
         0 => vec![taylor.value],
-        1 => taylor.gradient.iter().zip(scales).map(|(d, scale)| d * scale).collect(),
+        1 => taylor
+            .gradient
+            .iter()
+            .zip(scales)
+            .map(|(d, scale)| d * scale)
+            .collect(),
         _ => {
             let row = |(row, scale): (&Vec<f64>, &f64)| -> Vec<f64> {
-                row.iter().zip(scales).map(|(d, other)| d * scale * other).collect()
+                row.iter()
+                    .zip(scales)
+                    .map(|(d, other)| d * scale * other)
+                    .collect()
             };
             taylor.hessian.iter().zip(scales).flat_map(row).collect()
         }
     }
 }
 
-/// How far the means of two sides are apart, of the largest entry or the size of the numbers that the outcome is made of, which rounding is a
-/// part of, and how far they may be by the scatter of each side.
+/// How far the means of two sides are apart, of the largest entry or the size of the numbers that
+/// the outcome is made of, which rounding is a part of, and how far they may be by the scatter of
+/// each side.
 fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, promised: f64) -> (f64, f64) {
     let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, size);
     for entry in 0..before[0].len() {
         let [a, b] = [before, after].map(|side| {
             let values = side.iter().map(|one| one[entry]);
             let mean = values.clone().sum::<f64>() / side.len() as f64;
-            (mean, values.fold(0.0_f64, |most, value| most.max((value - mean).abs())))
+            (
+                mean,
+                values.fold(0.0_f64, |most, value| most.max((value - mean).abs())),
+            )
         });
         jump = jump.max((a.0 - b.0).abs());
         scatter = scatter.max(a.1).max(b.1);
         size = size.max(a.0.abs());
     }
-    if size == 0.0 { (jump, 0.0) } else { (jump / size, promised.max(BAR * scatter / size)) }
+    if size == 0.0 {
+        (jump, 0.0)
+    } else {
+        (jump / size, promised.max(BAR * scatter / size))
+    }
 }
 
 fn moved(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Result<Setup<f64>> {
@@ -148,14 +192,22 @@ fn moved(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Resul
 }
 
 fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Option<usize> {
-    match Drive::new(&moved(setup, parameter, value).ok()?).ok()?.flight {
+    match Drive::new(&moved(setup, parameter, value).ok()?)
+        .ok()?
+        .flight
+    {
         Flight::Landed(landed) => Some(landed.steps),
         Flight::None(_) => None,
     }
 }
 
-/// Adjacent values of the parameter, the lower first, that differ in the number of steps; none is looked for once `goes_on` is false.
-fn change(setup: &Setup<f64>, parameter: &'static Parameter, goes_on: &dyn Fn() -> bool) -> Option<[f64; 2]> {
+/// Adjacent values of the parameter, the lower first, that differ in the number of steps; none is
+/// looked for once `goes_on` is false.
+fn change(
+    setup: &Setup<f64>,
+    parameter: &'static Parameter,
+    goes_on: &dyn Fn() -> bool,
+) -> Option<[f64; 2]> {
     let at = setup.value(parameter)?;
     let here = steps(setup, parameter, at)?;
     let between = |mut same: f64, mut other: f64| loop {
@@ -163,7 +215,11 @@ fn change(setup: &Setup<f64>, parameter: &'static Parameter, goes_on: &dyn Fn() 
         if middle == same || middle == other {
             return Some([same, other]);
         }
-        if steps(setup, parameter, middle)? == here { same = middle } else { other = middle }
+        if steps(setup, parameter, middle)? == here {
+            same = middle
+        } else {
+            other = middle
+        }
     };
     let mut distance = FARTHEST * scale(setup, parameter) / 2.0_f64.powi(DOUBLED);
     let mut to_each_side = [at; 2];
@@ -177,7 +233,9 @@ fn change(setup: &Setup<f64>, parameter: &'static Parameter, goes_on: &dyn Fn() 
                 None => {}
             }
         }
-        let nearest = found.into_iter().min_by(|a, b| (a[0] - at).abs().total_cmp(&(b[0] - at).abs()));
+        let nearest = found
+            .into_iter()
+            .min_by(|a, b| (a[0] - at).abs().total_cmp(&(b[0] - at).abs()));
         if let Some([same, other]) = nearest {
             return Some([same.min(other), same.max(other)]);
         }

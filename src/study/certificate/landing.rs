@@ -1,5 +1,6 @@
-//! The landing as an implicit function, without its being looked for: the state at the fixed time T of the landing, moved to the
-//! ground along the velocity there, has the derivatives that the landing has.
+//! The landing as an implicit function, without its being looked for: the state at the fixed time T
+//! of the landing, moved to the ground along the velocity there, has the derivatives that the
+//! landing has.
 //!
 //! ```text
 //!   height(T + dt, p + dp) = ground   ⇒   dt = −(∂height/∂p − ∂ground/∂p) dp / ẋ,   d carry = ∂z/∂p dp + ż dt
@@ -36,8 +37,9 @@ pub struct AtLanding {
     pub landing_term: f64,
 }
 
-/// The derivatives of a landing by each of some parameters. In a logarithmic wind, which counts its height from the ground, there
-/// are none of them: the ground cannot be taken away from under the ball.
+/// The derivatives of a landing by each of some parameters. In a logarithmic wind, which counts its
+/// height from the ground, there are none of them: the ground cannot be taken away from under the
+/// ball.
 ///
 /// # Errors
 /// As [`jacobian`].
@@ -49,7 +51,11 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
     let time = landed.flight_time;
     let exact = jacobian(&setup, &AT_LANDING, wrt)?;
     let drive = Drive::new(&setup)?;
-    let judged = if drive.corners(&setup).is_empty() { Ladder::judge } else { Ladder::judge_on_a_corner };
+    let judged = if drive.corners(&setup).is_empty() {
+        Ladder::judge
+    } else {
+        Ladder::judge_on_a_corner
+    };
     let sizes = AT_LANDING.map(|of| size(of, &setup, &drive));
     let mut all = vec![];
     for (k, parameter) in wrt.iter().enumerate() {
@@ -66,27 +72,46 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
                 None => strike(&moved).ok()?.launch,
             };
             let path = trajectory(&moved, &launch).ok()?;
-            Some(to_ground(path.points.last()?.position, landed.velocity, ground, time))
+            Some(to_ground(
+                path.points.last()?.position,
+                landed.velocity,
+                ground,
+                time,
+            ))
         };
         let sample = |steps| {
             Ladder::sample(at, scale(&setup, parameter), steps, &mut |value| {
                 moved(value).map_or(vec![f64::NAN; 3], |outcomes| outcomes.to_vec())
             })
         };
-        let judge =
-            |(i, ladder): (usize, Ladder)| judged(&ladder.rounded_as(sizes[i]), exact[i].gradient[k], demand(&setup));
+        let judge = |(i, ladder): (usize, Ladder)| {
+            judged(
+                &ladder.rounded_as(sizes[i]),
+                exact[i].gradient[k],
+                demand(&setup),
+            )
+        };
         let per_time = [landed.velocity.z, landed.velocity.y, 1.0];
-        for (i, check) in in_few_steps(sample, judge, Check::failed).into_iter().enumerate() {
+        for (i, check) in in_few_steps(sample, judge, Check::failed)
+            .into_iter()
+            .enumerate()
+        {
             let landing_term = per_time[i] * exact[2].gradient[k];
-            all.push(AtLanding { of: AT_LANDING[i], parameter, check, landing_term });
+            all.push(AtLanding {
+                of: AT_LANDING[i],
+                parameter,
+                check,
+                landing_term,
+            });
         }
     }
     Ok(all)
 }
 
-/// The setup with a step of which one ends at the landing, and that landing. Another step moves the landing by its own error of truncation: the
-/// step is made anew until it does so by no more than rounding, for away from the ground the differences are those of another place. The way
-/// there is short, since the landing changes by a part of h^p only.
+/// The setup with a step of which one ends at the landing, and that landing. Another step moves the
+/// landing by its own error of truncation: the step is made anew until it does so by no more than
+/// rounding, for away from the ground the differences are those of another place. The way there is
+/// short, since the landing changes by a part of h^p only.
 fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
     /// Steps that are tried.
     const TRIALS: usize = 16;
@@ -104,8 +129,13 @@ fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
     Ok((setup, landed))
 }
 
-/// Carry, lateral and flight time of a ball that is here at a time, by the straight way to the ground.
+/// Carry, lateral and flight time of a ball that is here at a time, by the straight way to the
+/// ground.
 fn to_ground(position: Vector<f64>, velocity: Vector<f64>, ground: f64, time: f64) -> [f64; 3] {
     let more = -(position.x - ground) / velocity.x;
-    [position.z + velocity.z * more, position.y + velocity.y * more, time + more]
+    [
+        position.z + velocity.z * more,
+        position.y + velocity.y * more,
+        time + more,
+    ]
 }

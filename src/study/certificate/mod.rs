@@ -1,5 +1,6 @@
-//! A certificate of a drive's derivatives: each beside differences and beside num-dual's, the landing as an implicit function, smoothness where the number
-//! of steps changes, convergence with the step, and errors planted to see that they are caught.
+//! A certificate of a drive's derivatives: each beside differences and beside num-dual's, the
+//! landing as an implicit function, smoothness where the number of steps changes, convergence with
+//! the step, and errors planted to see that they are caught.
 
 mod agreement;
 mod continuity;
@@ -49,13 +50,15 @@ pub struct NotExamined {
 pub struct Certificate {
     /// Each outcome by each parameter, the worst first.
     pub rows: Vec<Row>,
-    /// Derivatives at the landing beside differences at a fixed time; empty where there is no landing that can be held so.
+    /// Derivatives at the landing beside differences at a fixed time; empty where there is no
+    /// landing that can be held so.
     pub landing: Vec<AtLanding>,
     /// Each outcome of the flight where the number of steps changes.
     pub continuity: Vec<Continuity>,
     /// How each outcome of the flight converges with the step.
     pub convergence: Vec<Convergence>,
-    /// What the time step leaves of an error in each outcome of the flight and its derivatives: measured, and not judged.
+    /// What the time step leaves of an error in each outcome of the flight and its derivatives:
+    /// measured, and not judged.
     pub step: Vec<StepError>,
     /// The checks that were not made of this drive, and why.
     pub not_examined: Vec<NotExamined>,
@@ -70,27 +73,45 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// Whether there was something to certify, it was looked at to the end, nothing failed, and every planted error was caught.
+    /// Whether there was something to certify, it was looked at to the end, nothing failed, and
+    /// every planted error was caught.
     pub fn passed(&self) -> bool {
         !self.rows.is_empty() && self.stopped.is_none() && self.failures().is_empty()
     }
 
-    /// The parts that failed, in words: "convergence with the time step (landing_speed)"; empty where none did.
+    /// The parts that failed, in words: "convergence with the time step (landing_speed)"; empty
+    /// where none did.
     pub fn failures(&self) -> Vec<String> {
         fn part(name: &str, failed: impl Iterator<Item = String>) -> Option<String> {
             let all: Vec<String> = failed.collect();
             let shown = all[..all.len().min(NAMED)].join(", ");
             let others = all.len().saturating_sub(NAMED);
-            let others = if others > 0 { format!(" and {others} more") } else { String::new() };
+            let others = if others > 0 {
+                format!(" and {others} more")
+            } else {
+                String::new()
+            };
             (!all.is_empty()).then(|| format!("{name} ({shown}{others})"))
         }
         let of = |of: Outcome| of.name().to_owned();
         let second = |row: &&Row| row.first.verdict == Verdict::Pass && row.second_fails();
         let by = |row: &Row| format!("{} by {}", row.of.name(), row.parameter.name);
         let parts = [
-            part("first derivatives", self.rows.iter().filter(|row| row.first.verdict == Verdict::Fail).map(by)),
-            part("first derivatives by num-dual", self.rows.iter().filter(|row| row.num_dual_fails()).map(by)),
-            part("second derivatives", self.rows.iter().filter(second).map(by)),
+            part(
+                "first derivatives",
+                self.rows
+                    .iter()
+                    .filter(|row| row.first.verdict == Verdict::Fail)
+                    .map(by),
+            ),
+            part(
+                "first derivatives by num-dual",
+                self.rows.iter().filter(|row| row.num_dual_fails()).map(by),
+            ),
+            part(
+                "second derivatives",
+                self.rows.iter().filter(second).map(by),
+            ),
             part(
                 "the landing as an implicit function",
                 self.landing
@@ -100,15 +121,24 @@ impl Certificate {
             ),
             part(
                 "smoothness where the number of time steps changes",
-                self.continuity.iter().filter(|found| !found.passed()).map(|found| of(found.of)),
+                self.continuity
+                    .iter()
+                    .filter(|found| !found.passed())
+                    .map(|found| of(found.of)),
             ),
             part(
                 "convergence with the time step",
-                self.convergence.iter().filter(|found| !found.passed()).map(|found| of(found.of)),
+                self.convergence
+                    .iter()
+                    .filter(|found| !found.passed())
+                    .map(|found| of(found.of)),
             ),
             part(
                 "planted errors that were not found",
-                self.planted.iter().filter(|it| !it.is_caught()).map(|it| format!("\"{}\"", it.plant.name())),
+                self.planted
+                    .iter()
+                    .filter(|it| !it.is_caught())
+                    .map(|it| format!("\"{}\"", it.plant.name())),
             ),
         ];
         parts.into_iter().flatten().collect()
@@ -120,11 +150,13 @@ impl Certificate {
     }
 }
 
-/// Certifies the derivatives of some outcomes by some parameters, telling `progress`, again and again, how many parameters of how many are done. It
-/// ends with what there is once `progress` says that it is not to go on: between any two drives.
+/// Certifies the derivatives of some outcomes by some parameters, telling `progress`, again and
+/// again, how many parameters of how many are done. It ends with what there is once `progress` says
+/// that it is not to go on: between any two drives.
 ///
 /// # Errors
-/// What [`evaluate`] refuses. Outcomes that the drive does not have are listed as missing; where it has none of them, the first says why.
+/// What [`evaluate`] refuses. Outcomes that the drive does not have are listed as missing; where it
+/// has none of them, the first says why.
 pub fn certify(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -132,7 +164,10 @@ pub fn certify(
     progress: &(dyn Fn(usize, usize) -> bool + Sync),
 ) -> Result<Certificate> {
     if of.is_empty() {
-        return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
+        return Err(Error::Nothing {
+            doing: "evaluate",
+            what: "outcome",
+        });
     }
     let (of, missing) = present(setup, of, wrt)?;
     let drive = Drive::new(setup)?;
@@ -151,7 +186,8 @@ pub fn certify(
             return Ok(vec![]);
         }
         let is_stopped_now = || is_stopped(done.load(Ordering::Relaxed));
-        let Some(rows) = rows::rows(setup, &drive, &of, parameter, &slopes, &is_stopped_now)? else {
+        let Some(rows) = rows::rows(setup, &drive, &of, parameter, &slopes, &is_stopped_now)?
+        else {
             return Ok(vec![]);
         };
         is_stopped(done.fetch_add(1, Ordering::Relaxed) + 1);
@@ -159,25 +195,54 @@ pub fn certify(
     });
     let mut rows = by_parameter.collect::<Result<Vec<_>>>()?.concat();
     let planted = planted::planted(setup, &rows, LandingTerms::new(setup, wrt).as_ref());
-    rows.sort_by(|a, b| a.verdict().cmp(&b.verdict()).then(b.severity().total_cmp(&a.severity())));
+    rows.sort_by(|a, b| {
+        a.verdict()
+            .cmp(&b.verdict())
+            .then(b.severity().total_cmp(&a.severity()))
+    });
 
     let has_corner = rows.iter().any(|row| row.verdict() == Verdict::Corner);
-    let flown: Vec<Outcome> = of.iter().copied().filter(|of| of.part() == Part::Flight).collect();
-    // at a corner of the model nothing is smooth, and what is said of each parameter is said in its row
+    let flown: Vec<Outcome> = of
+        .iter()
+        .copied()
+        .filter(|of| of.part() == Part::Flight)
+        .collect();
+    // at a corner of the model nothing is smooth, and what is said of each parameter is said in its
+    // row
     let is_smooth = !flown.is_empty() && !has_corner;
     let done = done.into_inner();
     let goes_on = || is_smooth && !is_stopped(done);
     let pair = &wrt[..wrt.len().min(2)];
-    let landing = if goes_on() { landing::at_landing(setup, wrt)? } else { vec![] };
-    let continuity = if goes_on() { continuity::continuity(setup, &flown, pair, &goes_on)? } else { vec![] };
-    let convergence = if goes_on() { convergence::convergence(setup, &flown, pair, &goes_on)? } else { vec![] };
-    let step = if flown.is_empty() || is_stopped(done) { vec![] } else { step::step_errors(setup, &flown, wrt)? };
-    let (is_interrupted, has_log_wind) = (stopped.load(Ordering::Relaxed), setup.wind.roughness.is_some());
+    let landing = if goes_on() {
+        landing::at_landing(setup, wrt)?
+    } else {
+        vec![]
+    };
+    let continuity = if goes_on() {
+        continuity::continuity(setup, &flown, pair, &goes_on)?
+    } else {
+        vec![]
+    };
+    let convergence = if goes_on() {
+        convergence::convergence(setup, &flown, pair, &goes_on)?
+    } else {
+        vec![]
+    };
+    let step = if flown.is_empty() || is_stopped(done) {
+        vec![]
+    } else {
+        step::step_errors(setup, &flown, wrt)?
+    };
+    let (is_interrupted, has_log_wind) = (
+        stopped.load(Ordering::Relaxed),
+        setup.wind.roughness.is_some(),
+    );
     let why = |otherwise: &'static str| match (is_interrupted, has_corner, has_log_wind) {
         (true, ..) => "it was interrupted before",
         (_, true, _) => "an outcome has a corner here",
         (_, _, true) => {
-            "the logarithmic wind changes over half a metre of height above the ground, which most of the time steps compared cross at once"
+            "the logarithmic wind changes over half a metre of height above the ground, which most \
+             of the time steps compared cross at once"
         }
         _ => otherwise,
     };
@@ -187,14 +252,29 @@ pub fn certify(
             not_examined.push(NotExamined { check, reason });
         }
     };
-    skipped(landing.is_empty(), "the landing as an implicit function".into(), why("the ground is too far down"));
+    skipped(
+        landing.is_empty(),
+        "the landing as an implicit function".into(),
+        why("the ground is too far down"),
+    );
     let unchanged = "the number does not change within a tenth of the first parameter's size";
-    let reason = if has_corner || is_interrupted { why("") } else { unchanged };
-    skipped(continuity.is_empty(), "smoothness where the number of time steps changes".into(), reason);
+    let reason = if has_corner || is_interrupted {
+        why("")
+    } else {
+        unchanged
+    };
+    skipped(
+        continuity.is_empty(),
+        "smoothness where the number of time steps changes".into(),
+        reason,
+    );
     skipped(
         convergence.is_empty(),
         "convergence with the time step".into(),
-        why("the flight cannot be followed, or the spin fades, within the steps that an order shows at"),
+        why(
+            "the flight cannot be followed, or the spin fades, within the steps that an order \
+             shows at",
+        ),
     );
     Ok(Certificate {
         stopped: is_interrupted.then_some([done, wrt.len()]),
@@ -211,7 +291,11 @@ pub fn certify(
 }
 
 /// The outcomes that the drive has derivatives of, at least one, and those that it has not.
-fn present(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<(Vec<Outcome>, Vec<Missing>)> {
+fn present(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+) -> Result<(Vec<Outcome>, Vec<Missing>)> {
     let (mut present, mut missing, mut first) = (vec![], vec![], None);
     for &one in of {
         match evaluate(setup, &[one], wrt, Order::First) {

@@ -36,7 +36,8 @@ impl Plant {
 pub struct Planted {
     /// The error.
     pub plant: Plant,
-    /// The rows it was planted in: derivatives that passed and are more than next to nothing, and that it changes.
+    /// The rows it was planted in: derivatives that passed and are more than next to nothing, and
+    /// that it changes.
     pub rows: usize,
     /// In how many of them differences caught it.
     pub caught: usize,
@@ -63,23 +64,42 @@ impl LandingTerms {
         let velocity = Drive::new(setup).ok()?.landed().ok()?.velocity;
         let time = gradient(setup, Outcome::FlightTime, wrt).ok()?;
         let times = wrt.iter().copied().zip(time.gradient).collect();
-        Some(Self { per_time: [velocity.z, velocity.y, 1.0], times })
+        Some(Self {
+            per_time: [velocity.z, velocity.y, 1.0],
+            times,
+        })
     }
 
     /// What of a derivative is the landing's.
     fn of(&self, row: &Row) -> Option<f64> {
         let place = AT_LANDING.iter().position(|of| *of == row.of)?;
-        let (_, time) = self.times.iter().find(|(parameter, _)| *parameter == row.parameter)?;
+        let (_, time) = self
+            .times
+            .iter()
+            .find(|(parameter, _)| *parameter == row.parameter)?;
         Some(self.per_time[place] * time)
     }
 }
 
 /// Plants each error in every row that passed, and judges again.
-pub(super) fn planted(setup: &Setup<f64>, rows: &[Row], landing: Option<&LandingTerms>) -> [Planted; 3] {
+pub(super) fn planted(
+    setup: &Setup<f64>,
+    rows: &[Row],
+    landing: Option<&LandingTerms>,
+) -> [Planted; 3] {
     Plant::ALL.map(|plant| {
-        let mut planted = Planted { plant, rows: 0, caught: 0, caught_by_num_dual: 0 };
-        for row in rows.iter().filter(|row| row.first.verdict == Verdict::Pass && row.num_dual.holds()) {
-            let Some(wrong) = wrong(plant, row, landing).filter(|wrong| *wrong != row.first.exact) else {
+        let mut planted = Planted {
+            plant,
+            rows: 0,
+            caught: 0,
+            caught_by_num_dual: 0,
+        };
+        for row in rows
+            .iter()
+            .filter(|row| row.first.verdict == Verdict::Pass && row.num_dual.holds())
+        {
+            let Some(wrong) = wrong(plant, row, landing).filter(|wrong| *wrong != row.first.exact)
+            else {
                 continue;
             };
             planted.rows += 1;

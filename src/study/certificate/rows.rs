@@ -27,15 +27,21 @@ pub struct Row {
 }
 
 impl Row {
-    /// The verdict on both derivatives. A second derivative that jumps (a corner of the first) is no corner of the outcome.
+    /// The verdict on both derivatives. A second derivative that jumps (a corner of the first) is
+    /// no corner of the outcome.
     pub fn verdict(&self) -> Verdict {
         if self.num_dual_fails() {
             return Verdict::Fail;
         }
-        if self.first.verdict == Verdict::Pass && self.second_fails() { Verdict::Fail } else { self.first.verdict }
+        if self.first.verdict == Verdict::Pass && self.second_fails() {
+            Verdict::Fail
+        } else {
+            self.first.verdict
+        }
     }
 
-    /// Whether the derivative over num-dual shows the jet's to be wrong. At a corner each may be the slope to either side.
+    /// Whether the derivative over num-dual shows the jet's to be wrong. At a corner each may be
+    /// the slope to either side.
     pub fn num_dual_fails(&self) -> bool {
         self.first.verdict != Verdict::Corner && !self.num_dual.holds()
     }
@@ -50,23 +56,34 @@ impl Row {
         let bars = |error: f64, bar: f64| if error == 0.0 { 0.0 } else { error / bar };
         let of = |check: &Check| bars(check.error, check.bar);
         let of_second = self.second.as_ref().map_or(0.0, of);
-        of(&self.first).max(of_second).max(bars(self.num_dual.difference, self.num_dual.tolerance))
+        of(&self.first)
+            .max(of_second)
+            .max(bars(self.num_dual.difference, self.num_dual.tolerance))
     }
 }
 
-/// Accuracy asked of differences of outcomes. Where third derivatives jump as stages of the steps cross joins of the law, or change fast as the last steps
-/// end elsewhere in a logarithmic wind, extrapolation does not cancel all that differences over many such places leave: they are trusted to a tenth of the
-/// error that must be seen.
+/// Accuracy asked of differences of outcomes. Where third derivatives jump as stages of the steps
+/// cross joins of the law, or change fast as the last steps end elsewhere in a logarithmic wind,
+/// extrapolation does not cancel all that differences over many such places leave: they are trusted
+/// to a tenth of the error that must be seen.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     let is_rough = setup.wind.roughness.is_some() || setup.law.continuous_derivatives().is_some();
-    if is_rough { Demand { least_bar: 1e-7, ..Demand::FIRST } } else { Demand::FIRST }
+    if is_rough {
+        Demand {
+            least_bar: 1e-7,
+            ..Demand::FIRST
+        }
+    } else {
+        Demand::FIRST
+    }
 }
 
-/// The rows of some outcomes of a drive by one parameter; `None` once `is_stopped` says so. `exact` are the outcomes' derivatives by it, as they
-/// come of the question that is certified.
+/// The rows of some outcomes of a drive by one parameter; `None` once `is_stopped` says so. `exact`
+/// are the outcomes' derivatives by it, as they come of the question that is certified.
 ///
 /// # Errors
-/// What [`Evaluator::new`] refuses. Where a drive around the setup has no outcome there is no sample.
+/// What [`Evaluator::new`] refuses. Where a drive around the setup has no outcome there is no
+/// sample.
 pub(super) fn rows(
     setup: &Setup<f64>,
     drive: &Drive<f64>,
@@ -75,35 +92,61 @@ pub(super) fn rows(
     exact: &[f64],
     is_stopped: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<Row>>> {
-    let (has_corners, is_without_spin) = (!drive.corners(setup).is_empty(), drive.is_without_spin());
+    let (has_corners, is_without_spin) =
+        (!drive.corners(setup).is_empty(), drive.is_without_spin());
     let judge = |of: Outcome, ladder: &Ladder, exact: f64| {
         let is_on_a_corner = has_corners || of == Outcome::Spin && is_without_spin;
-        let judge = if is_on_a_corner { Ladder::judge_on_a_corner } else { Ladder::judge };
+        let judge = if is_on_a_corner {
+            Ladder::judge_on_a_corner
+        } else {
+            Ladder::judge
+        };
         judge(ladder, exact, demand(setup))
     };
-    let (at, scale) = (setup.value(parameter).unwrap_or_default(), scale(setup, parameter));
+    let (at, scale) = (
+        setup.value(parameter).unwrap_or_default(),
+        scale(setup, parameter),
+    );
     let evaluator = |order| Evaluator::new(setup, of, &[parameter], order);
     let (values, gradients) = (evaluator(Order::Value)?, evaluator(Order::First)?);
     let curvatures = evaluate(setup, of, &[parameter], Order::Second).ok();
-    let own: Vec<f64> = of.iter().map(|of| of.value(drive).unwrap_or_default()).collect();
+    let own: Vec<f64> = of
+        .iter()
+        .map(|of| of.value(drive).unwrap_or_default())
+        .collect();
     let told = |evaluator: &Evaluator, x: f64, f: &dyn Fn(usize, &Taylor) -> f64| {
         if is_stopped() {
             return vec![];
         }
-        evaluator
-            .at(&[x])
-            .map_or(vec![f64::NAN; of.len()], |all| all.iter().enumerate().map(|(i, taylor)| f(i, taylor)).collect())
+        evaluator.at(&[x]).map_or(vec![f64::NAN; of.len()], |all| {
+            all.iter()
+                .enumerate()
+                .map(|(i, taylor)| f(i, taylor))
+                .collect()
+        })
     };
     let beside = |i: usize, taylor: &Taylor| of[i].beside(taylor.value, own[i]);
     let of_values = Ladder::sample(at, scale, STEPS, &mut |x| told(&values, x, &beside));
-    let of_values: Vec<Ladder> =
-        of_values.into_iter().zip(of).map(|(ladder, of)| ladder.rounded_as(size(*of, setup, drive))).collect();
+    let of_values: Vec<Ladder> = of_values
+        .into_iter()
+        .zip(of)
+        .map(|(ladder, of)| ladder.rounded_as(size(*of, setup, drive)))
+        .collect();
     let curvature = |i: usize| curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
     let seconds = in_few_steps(
-        |steps| Ladder::sample(at, scale, steps, &mut |x| told(&gradients, x, &|_, taylor| taylor.gradient[0])),
+        |steps| {
+            Ladder::sample(at, scale, steps, &mut |x| {
+                told(&gradients, x, &|_, taylor| taylor.gradient[0])
+            })
+        },
         |(i, gradients)| {
             let (size, rounded) = (of_values[i].size / scale, of_values[i].rounded / scale);
-            curvature(i).map(|d| gradients.made_of(size).rounded_as(rounded).judge(d, Demand::SECOND))
+            curvature(i).map(|d| {
+                gradients
+                    .made_of(size)
+                    .rounded_as(rounded)
+                    .judge(d, Demand::SECOND)
+            })
         },
         |second| second.as_ref().is_some_and(Check::failed),
     );
@@ -120,16 +163,35 @@ pub(super) fn rows(
         slopes: taylor_slopes(&ladder, exact[i], curvature(i).unwrap_or_default()),
         ladder,
     };
-    Ok(Some(of_values.iter().cloned().zip(seconds).enumerate().map(row).collect()))
+    Ok(Some(
+        of_values
+            .iter()
+            .cloned()
+            .zip(seconds)
+            .enumerate()
+            .map(row)
+            .collect(),
+    ))
 }
 
-/// What is judged by the few steps that mostly suffice; where any of it fails by these, by all steps: an outcome may turn within the least of the few.
+/// What is judged by the few steps that mostly suffice; where any of it fails by these, by all
+/// steps: an outcome may turn within the least of the few.
 pub(super) fn in_few_steps<T>(
     sample: impl Fn(Vec<i32>) -> Vec<Ladder>,
     judge: impl Fn((usize, Ladder)) -> T,
     fails: impl Fn(&T) -> bool,
 ) -> Vec<T> {
-    let by = |steps: Vec<i32>| sample(steps).into_iter().enumerate().map(&judge).collect::<Vec<T>>();
+    let by = |steps: Vec<i32>| {
+        sample(steps)
+            .into_iter()
+            .enumerate()
+            .map(&judge)
+            .collect::<Vec<T>>()
+    };
     let few = by(FEW_STEPS.to_vec());
-    if few.iter().any(fails) { by(STEPS.collect()) } else { few }
+    if few.iter().any(fails) {
+        by(STEPS.collect())
+    } else {
+        few
+    }
 }

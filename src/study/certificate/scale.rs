@@ -3,14 +3,26 @@ use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 use crate::units::Quantity;
 
-/// The size of a parameter, of which the steps of differences are parts: its value, or for one that may be 0 or of either sign what is
-/// usual of it, whichever is larger.
+/// The size of a parameter, of which the steps of differences are parts: its value, or for one that
+/// may be 0 or of either sign what is usual of it, whichever is larger.
 pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     let value = setup.value(parameter).unwrap_or_default().abs();
-    let default = parameter.default_value().filter(|default| default.is_finite()).unwrap_or_default().abs();
-    let usual = if default > 0.0 { default } else { usual(parameter) };
+    let default = parameter
+        .default_value()
+        .filter(|default| default.is_finite())
+        .unwrap_or_default()
+        .abs();
+    let usual = if default > 0.0 {
+        default
+    } else {
+        usual(parameter)
+    };
     let has_a_sign = parameter.range.low < 0.0;
-    if value == 0.0 || has_a_sign { value.max(usual) } else { value }
+    if value == 0.0 || has_a_sign {
+        value.max(usual)
+    } else {
+        value
+    }
 }
 
 /// What is usual of parameters that are 0 by default, SI.
@@ -28,9 +40,10 @@ fn usual(parameter: &Parameter) -> f64 {
     units * parameter.quantity.size_of(parameter.unit).unwrap_or(1.0)
 }
 
-/// The size of the numbers that an outcome of a drive is made of, SI: its rounding is a part of them, not of what they leave. The lateral distance
-/// is made of numbers as large as the carry; an angle of directions, of size 1; the spin that an impact leaves, where contributions cancel, of what
-/// an impulse that gives the ball its speed turns it by at the length of its radius.
+/// The size of the numbers that an outcome of a drive is made of, SI: its rounding is a part of
+/// them, not of what they leave. The lateral distance is made of numbers as large as the carry; an
+/// angle of directions, of size 1; the spin that an impact leaves, where contributions cancel, of
+/// what an impulse that gives the ball its speed turns it by at the length of its radius.
 pub(super) fn size(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {
@@ -39,8 +52,14 @@ pub(super) fn size(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
         (_, Quantity::SPEED) => launch.ball_speed(),
         (_, Quantity::ANGULAR_VELOCITY) => {
             let ball = &setup.ball;
-            let per_speed = ball.inertia.map_or(2.5 / ball.radius, |inertia| ball.mass * ball.radius / inertia);
-            let turned = if drive.impact.is_some() { launch.ball_speed() * per_speed } else { 0.0 };
+            let per_speed = ball.inertia.map_or(2.5 / ball.radius, |inertia| {
+                ball.mass * ball.radius / inertia
+            });
+            let turned = if drive.impact.is_some() {
+                launch.ball_speed() * per_speed
+            } else {
+                0.0
+            };
             launch.total_spin().max(turned)
         }
         (_, Quantity::ANGLE | Quantity::NUMBER) => 1.0,

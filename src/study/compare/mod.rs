@@ -46,8 +46,8 @@ pub struct Difference {
     pub values: [f64; 2],
     /// Split into the parameters that differ.
     pub by_parameter: Shares,
-    /// An outcome of the flight split into the launch conditions and what else the flight depends on; `None` where both launches are given,
-    /// so that these are the parameters that differ.
+    /// An outcome of the flight split into the launch conditions and what else the flight depends
+    /// on; `None` where both launches are given, so that these are the parameters that differ.
     pub by_launch: Option<Shares>,
 }
 
@@ -56,16 +56,20 @@ pub struct Difference {
 pub struct Shares {
     /// The setups between which it is split.
     pub setups: [Setup<f64>; 2],
-    /// Each cause with its share, in the order of the table of parameters; what is changed at once stands last.
+    /// Each cause with its share, in the order of the table of parameters; what is changed at once
+    /// stands last.
     pub shares: Vec<Share>,
-    /// What the shares are short of the difference, SI: no more than `error`, unless there is a corner on the way.
+    /// What the shares are short of the difference, SI: no more than `error`, unless there is a
+    /// corner on the way.
     pub remainder: f64,
-    /// How far a share may be off, SI, estimated: rounding, 1e-11 of the outcome, for a smooth law of drag and lift, and up to 1e-8 for one of pieces.
+    /// How far a share may be off, SI, estimated: rounding, 1e-11 of the outcome, for a smooth law
+    /// of drag and lift, and up to 1e-8 for one of pieces.
     pub error: f64,
 }
 
 impl Difference {
-    /// What the outcome of b has more than that of a, SI; a direction is turned by less than half a turn.
+    /// What the outcome of b has more than that of a, SI; a direction is turned by less than half a
+    /// turn.
     pub fn amount(&self) -> f64 {
         let [a, b] = self.values;
         self.of.beside(b, a) - a
@@ -73,7 +77,8 @@ impl Difference {
 }
 
 impl Comparison {
-    /// Two drives side by side. Both are integrated by the method of the higher order of the two, in the shorter step of the two.
+    /// Two drives side by side. Both are integrated by the method of the higher order of the two,
+    /// in the shorter step of the two.
     ///
     /// ```
     /// use longdrive::{Outcome, Setup, study::Comparison};
@@ -89,7 +94,9 @@ impl Comparison {
     pub fn new(a: &Setup<f64>, b: &Setup<f64>) -> Result<Self> {
         let setups = integrated_alike([*a, *b]);
         let drive = |side: usize| {
-            let flown = setups[side].validate().and_then(|()| Drive::new(&setups[side]));
+            let flown = setups[side]
+                .validate()
+                .and_then(|()| Drive::new(&setups[side]));
             flown.map_err(|error| error.of_drive(NAMES[side]))
         };
         let drives = [drive(0)?, drive(1)?];
@@ -102,7 +109,13 @@ impl Comparison {
             (true, false) => (Way::new(as_launched(launches)), None),
             (false, _) => (Way::new(setups), Some(Way::new(as_launched(launches)))),
         };
-        Ok(Self { setups, drives, is_refined: setups != [*a, *b], way, launches })
+        Ok(Self {
+            setups,
+            drives,
+            is_refined: setups != [*a, *b],
+            way,
+            launches,
+        })
     }
 
     /// Whether the two drives differ in anything.
@@ -110,16 +123,19 @@ impl Comparison {
         self.way.is_any()
     }
 
-    /// The difference of an outcome, and the share of each cause. The share of a number p is ∫ ∂f/∂p dp on the straight way from a to b,
-    /// by exact derivatives, so that the shares add up to the difference. What has no values between a and b is changed at once, halfway.
+    /// The difference of an outcome, and the share of each cause. The share of a number p is ∫
+    /// ∂f/∂p dp on the straight way from a to b, by exact derivatives, so that the shares add up to
+    /// the difference. What has no values between a and b is changed at once, halfway.
     ///
     /// # Errors
-    /// [`OfDrive`](crate::Error::OfDrive) where one of the drives, or one between them, has no such outcome.
+    /// [`OfDrive`](crate::Error::OfDrive) where one of the drives, or one between them, has no such
+    /// outcome.
     pub fn of(&self, of: Outcome) -> Result<Difference> {
         self.difference(of, &mut self.splits(&[of]))
     }
 
-    /// The same of several outcomes, in their order: a drive between a and b is flown once for all of them.
+    /// The same of several outcomes, in their order: a drive between a and b is flown once for all
+    /// of them.
     ///
     /// ```
     /// use longdrive::{Outcome, Setup, study::Comparison};
@@ -134,15 +150,26 @@ impl Comparison {
     /// Those of [`of`](Self::of), for each outcome.
     pub fn of_each(&self, of: &[Outcome]) -> Vec<Result<Difference>> {
         let mut splits = self.splits(of);
-        of.iter().map(|of| self.difference(*of, &mut splits)).collect()
+        of.iter()
+            .map(|of| self.difference(*of, &mut splits))
+            .collect()
     }
 
-    /// The shares by the parameters, and those by the launch where that is another way, of the outcomes that both drives have.
+    /// The shares by the parameters, and those by the launch where that is another way, of the
+    /// outcomes that both drives have.
     fn splits(&self, of: &[Outcome]) -> (Split<'_>, Option<Split<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();
-        let of_flight = || of.iter().copied().filter(|of| of.part() == Part::Flight).collect();
-        let by_launch = self.launches.as_ref().map(|way| Split::new(way, of_flight()));
+        let of_flight = || {
+            of.iter()
+                .copied()
+                .filter(|of| of.part() == Part::Flight)
+                .collect()
+        };
+        let by_launch = self
+            .launches
+            .as_ref()
+            .map(|way| Split::new(way, of_flight()));
         (Split::new(&self.way, of), by_launch)
     }
 
@@ -151,21 +178,37 @@ impl Comparison {
         of: Outcome,
         (by_parameter, by_launch): &mut (Split<'_>, Option<Split<'_>>),
     ) -> Result<Difference> {
-        let at = |side: usize| value(&self.setups[side], of).map_err(|error| error.of_drive(NAMES[side]));
+        let at = |side: usize| {
+            value(&self.setups[side], of).map_err(|error| error.of_drive(NAMES[side]))
+        };
         let values = [at(0)?, at(1)?];
         let unit = of.quantity().size_of(of.unit()).unwrap_or(1.0);
-        let size = values.iter().fold(unit, |most, value| most.max(value.abs()));
+        let size = values
+            .iter()
+            .fold(unit, |most, value| most.max(value.abs()));
         let amount = of.beside(values[1], values[0]) - values[0];
         let shares = |split: &mut Split<'_>, way: &Way| -> Result<Shares> {
-            let Found { shares, error } = split.shares(of, size).map_err(|error| error.of_drive(BETWEEN))?;
+            let Found { shares, error } = split
+                .shares(of, size)
+                .map_err(|error| error.of_drive(BETWEEN))?;
             let remainder = amount - shares.iter().map(|share| share.amount).sum::<f64>();
-            Ok(Shares { setups: way.ends, shares, remainder, error: error + OF_SHARES * size })
+            Ok(Shares {
+                setups: way.ends,
+                shares,
+                remainder,
+                error: error + OF_SHARES * size,
+            })
         };
         let by_launch = match (by_launch, &self.launches) {
             (Some(split), Some(way)) if of.part() == Part::Flight => Some(shares(split, way)?),
             _ => None,
         };
-        Ok(Difference { of, values, by_parameter: shares(by_parameter, &self.way)?, by_launch })
+        Ok(Difference {
+            of,
+            values,
+            by_parameter: shares(by_parameter, &self.way)?,
+            by_launch,
+        })
     }
 }
 
@@ -174,10 +217,15 @@ pub fn causes(a: &Setup<f64>, b: &Setup<f64>) -> Vec<Cause> {
     Way::new([*a, *b]).causes()
 }
 
-/// The setups with the method of the higher order, in the shorter step, and with the longer time limit.
+/// The setups with the method of the higher order, in the shorter step, and with the longer time
+/// limit.
 fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
     let [a, b] = setups;
-    let method = if a.method.order() < b.method.order() { b.method } else { a.method };
+    let method = if a.method.order() < b.method.order() {
+        b.method
+    } else {
+        a.method
+    };
     for setup in &mut setups {
         setup.method = method;
         setup.flight.step = a.flight.step.min(b.flight.step);
@@ -186,15 +234,25 @@ fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
     setups
 }
 
-/// The same balls, given by their launch: spin and its axis or, where that is turned by more than a right angle or there is no spin,
-/// backspin and sidespin, which go straight from one to the other there too.
+/// The same balls, given by their launch: spin and its axis or, where that is turned by more than a
+/// right angle or there is no spin, backspin and sidespin, which go straight from one to the other
+/// there too.
 fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
     let [from, to] = drives.map(|(_, drive)| drive.launch.spin_axis());
     let has_axis = (from - to).abs() < FRAC_PI_2;
     let [a, mut b] = drives.map(|(_, Drive { launch, .. })| {
-        let spin =
-            if has_axis { [launch.total_spin(), launch.spin_axis()] } else { [launch.backspin(), launch.sidespin()] };
-        [launch.ball_speed(), launch.launch_angle(), launch.launch_direction(), spin[0], spin[1]]
+        let spin = if has_axis {
+            [launch.total_spin(), launch.spin_axis()]
+        } else {
+            [launch.backspin(), launch.sidespin()]
+        };
+        [
+            launch.ball_speed(),
+            launch.launch_angle(),
+            launch.launch_direction(),
+            spin[0],
+            spin[1],
+        ]
     });
     // conditions that rounding alone tells apart are the same
     for (b, a) in b.iter_mut().zip(a) {
@@ -202,17 +260,23 @@ fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
             *b = a;
         }
     }
-    [(drives[0].0, a), (drives[1].0, b)].map(|(setup, [ball_speed, launch_angle, launch_direction, spin, side])| {
-        let (in_one, in_two) = if has_axis { (Some((spin, side)), None) } else { (None, Some((spin, side))) };
-        let launch = LaunchConditions {
-            ball_speed: Some(ball_speed),
-            launch_angle: Some(launch_angle),
-            launch_direction: Some(launch_direction),
-            backspin: in_two.map(|(back, _)| back),
-            sidespin: in_two.map(|(_, side)| side),
-            spin: in_one.map(|(total, _)| total),
-            spin_axis: in_one.map(|(_, axis)| axis),
-        };
-        Setup { launch, ..*setup }
-    })
+    [(drives[0].0, a), (drives[1].0, b)].map(
+        |(setup, [ball_speed, launch_angle, launch_direction, spin, side])| {
+            let (in_one, in_two) = if has_axis {
+                (Some((spin, side)), None)
+            } else {
+                (None, Some((spin, side)))
+            };
+            let launch = LaunchConditions {
+                ball_speed: Some(ball_speed),
+                launch_angle: Some(launch_angle),
+                launch_direction: Some(launch_direction),
+                backspin: in_two.map(|(back, _)| back),
+                sidespin: in_two.map(|(_, side)| side),
+                spin: in_one.map(|(total, _)| total),
+                spin_axis: in_one.map(|(_, axis)| axis),
+            };
+            Setup { launch, ..*setup }
+        },
+    )
 }

@@ -1,7 +1,7 @@
 use crate::error::Result;
 
-/// The positive nodes of Gauss and Legendre's rule with 8 nodes on [−1, 1], with their weights: exact for polynomials of degree 15
-/// (Abramowitz & Stegun 1964, table 25.4).
+/// The positive nodes of Gauss and Legendre's rule with 8 nodes on [−1, 1], with their weights:
+/// exact for polynomials of degree 15 (Abramowitz & Stegun 1964, table 25.4).
 const RULE: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_3),
@@ -15,8 +15,9 @@ const ROUNDING: f64 = 1e-12;
 /// … which so many halvings reach: of a smooth function, and of one with a corner.
 const USUAL: usize = 100;
 
-/// Functions with a corner in each of hundreds of places are integrated to this part of the size: a law of drag and lift that is C² in pieces
-/// gives its derivatives one wherever a stage of a time step comes to the end of a piece.
+/// Functions with a corner in each of hundreds of places are integrated to this part of the size: a
+/// law of drag and lift that is C² in pieces gives its derivatives one wherever a stage of a time
+/// step comes to the end of a piece.
 const ENOUGH: f64 = 1e-8;
 
 /// Parts that are halved at most.
@@ -26,7 +27,8 @@ const MOST: usize = 1000;
 pub(super) struct Integrals {
     /// Their values.
     pub values: Vec<f64>,
-    /// How far off they may be: what the last halving of each part changes the integral by that it changes most.
+    /// How far off they may be: what the last halving of each part changes the integral by that it
+    /// changes most.
     pub error: f64,
 }
 
@@ -37,22 +39,38 @@ struct Part {
     whole: Vec<f64>,
     /// The same over each half of it; `None` as long as it is not halved.
     halves: Option<[Vec<f64>; 2]>,
-    /// How far `whole` is from `halves` or, as long as there are none, half of that error of the part that this is a half of.
+    /// How far `whole` is from `halves` or, as long as there are none, half of that error of the
+    /// part that this is a half of.
     error: f64,
 }
 
-/// The integrals of some functions over a range; `f` is the value of each. The part with the largest error is halved, until the sum of all errors
-/// is rounding, or for functions with very many corners no more than [`ENOUGH`]: of `size` or the largest of the integrals.
-pub(super) fn integrals(range: [f64; 2], size: f64, mut f: impl FnMut(f64) -> Result<Vec<f64>>) -> Result<Integrals> {
+/// The integrals of some functions over a range; `f` is the value of each. The part with the
+/// largest error is halved, until the sum of all errors is rounding, or for functions with very
+/// many corners no more than [`ENOUGH`]: of `size` or the largest of the integrals.
+pub(super) fn integrals(
+    range: [f64; 2],
+    size: f64,
+    mut f: impl FnMut(f64) -> Result<Vec<f64>>,
+) -> Result<Integrals> {
     let whole = by_rule(range, &mut f)?;
-    let mut parts = vec![Part { range, whole, halves: None, error: f64::INFINITY }];
+    let mut parts = vec![Part {
+        range,
+        whole,
+        halves: None,
+        error: f64::INFINITY,
+    }];
     let mut halved = 0;
     loop {
         let found = sum(&parts);
-        let size = found.values.iter().fold(size, |most, value| most.max(value.abs()));
+        let size = found
+            .values
+            .iter()
+            .fold(size, |most, value| most.max(value.abs()));
         let is_enough = |part: f64| found.error <= part * size;
         let worst = (0..parts.len()).max_by(|a, b| parts[*a].error.total_cmp(&parts[*b].error));
-        let (Some(worst), true) = (worst, halved < MOST) else { return Ok(found) };
+        let (Some(worst), true) = (worst, halved < MOST) else {
+            return Ok(found);
+        };
         if is_enough(ROUNDING) || halved >= USUAL && is_enough(ENOUGH) {
             return Ok(found);
         }
@@ -62,15 +80,28 @@ pub(super) fn integrals(range: [f64; 2], size: f64, mut f: impl FnMut(f64) -> Re
         let ranges = [[low, middle], [middle, high]];
         if let Some(halves) = part.halves {
             let error = 0.5 * part.error;
-            let half = |(range, whole)| Part { range, whole, halves: None, error };
+            let half = |(range, whole)| Part {
+                range,
+                whole,
+                halves: None,
+                error,
+            };
             parts.extend(ranges.into_iter().zip(halves).map(half));
         } else {
             halved += 1;
             let halves = [by_rule(ranges[0], &mut f)?, by_rule(ranges[1], &mut f)?];
-            let changes =
-                part.whole.iter().zip(&halves[0]).zip(&halves[1]).map(|((whole, a), b)| (whole - a - b).abs());
+            let changes = part
+                .whole
+                .iter()
+                .zip(&halves[0])
+                .zip(&halves[1])
+                .map(|((whole, a), b)| (whole - a - b).abs());
             let error = changes.fold(0.0, f64::max);
-            parts.push(Part { halves: Some(halves), error, ..part });
+            parts.push(Part {
+                halves: Some(halves),
+                error,
+                ..part
+            });
         }
     }
 }
@@ -79,10 +110,16 @@ pub(super) fn integrals(range: [f64; 2], size: f64, mut f: impl FnMut(f64) -> Re
 fn sum(parts: &[Part]) -> Integrals {
     let mut values = vec![];
     for part in parts {
-        let of_part = part.halves.as_ref().map_or(std::slice::from_ref(&part.whole), |halves| &halves[..]);
+        let of_part = part
+            .halves
+            .as_ref()
+            .map_or(std::slice::from_ref(&part.whole), |halves| &halves[..]);
         of_part.iter().for_each(|more| add(&mut values, more, 1.0));
     }
-    Integrals { values, error: parts.iter().map(|part| part.error).sum() }
+    Integrals {
+        values,
+        error: parts.iter().map(|part| part.error).sum(),
+    }
 }
 
 fn by_rule([low, high]: [f64; 2], f: &mut impl FnMut(f64) -> Result<Vec<f64>>) -> Result<Vec<f64>> {
@@ -99,7 +136,9 @@ fn by_rule([low, high]: [f64; 2], f: &mut impl FnMut(f64) -> Result<Vec<f64>>) -
 /// Adds values, times a weight, to sums; to none yet, as to zeros.
 fn add(sums: &mut Vec<f64>, values: &[f64], weight: f64) {
     sums.resize(values.len(), 0.0);
-    sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+    sums.iter_mut()
+        .zip(values)
+        .for_each(|(sum, value)| *sum += weight * value);
 }
 
 #[cfg(test)]
@@ -111,14 +150,19 @@ mod tests {
     fn exact_for_polynomials_of_degree_15_and_no_further() {
         let power = |n: i32| by_rule([0.0, 1.0], &mut |x: f64| Ok(vec![x.powi(n)])).unwrap()[0];
         for n in 0..=15 {
-            assert!((power(n) - 1.0 / f64::from(n + 1)).abs() < 1e-15, "{n}: {}", power(n));
+            assert!(
+                (power(n) - 1.0 / f64::from(n + 1)).abs() < 1e-15,
+                "{n}: {}",
+                power(n)
+            );
         }
         assert!((power(16) - 1.0 / 17.0).abs() > 1e-12);
     }
 
     #[test]
     fn exact_beside_a_corner_too() {
-        let found = integrals([0.0, 1.0], 1.0, |x| Ok(vec![(x - 0.3).abs(), x.exp(), 1.0])).unwrap();
+        let found =
+            integrals([0.0, 1.0], 1.0, |x| Ok(vec![(x - 0.3).abs(), x.exp(), 1.0])).unwrap();
         for (found, exact) in found.values.iter().zip([0.29, 1_f64.exp() - 1.0, 1.0]) {
             assert!((found - exact).abs() < 1e-12, "{found} {exact}");
         }
@@ -128,12 +172,24 @@ mod tests {
     /// |x − c|³ at hundreds of places c: each second derivative has a corner, as the derivatives of a drive have.
     #[test]
     fn exact_beside_hundreds_of_corners_and_the_error_is_no_more_than_told() {
-        let places: Vec<f64> = (0..300).map(|k| (f64::from(k) * 0.618_033_988_749_895).fract()).collect();
-        let f = |x: f64| places.iter().map(|c| 4.0 * (x - c).abs().powi(3)).sum::<f64>();
+        let places: Vec<f64> = (0..300)
+            .map(|k| (f64::from(k) * 0.618_033_988_749_895).fract())
+            .collect();
+        let f = |x: f64| {
+            places
+                .iter()
+                .map(|c| 4.0 * (x - c).abs().powi(3))
+                .sum::<f64>()
+        };
         let exact: f64 = places.iter().map(|c| c.powi(4) + (1.0 - c).powi(4)).sum();
         let found = integrals([0.0, 1.0], 0.0, |x| Ok(vec![f(x)])).unwrap();
         let error = (found.values[0] - exact).abs();
-        assert!(error <= found.error && found.error <= 1e-8 * exact, "{error} of {}, told {}", exact, found.error);
+        assert!(
+            error <= found.error && found.error <= 1e-8 * exact,
+            "{error} of {}, told {}",
+            exact,
+            found.error
+        );
     }
 
     #[test]

@@ -16,9 +16,11 @@ pub enum Cause {
     Golfer,
     /// The point of the head whose motion the swing states, changed at once.
     SpeedOf,
-    /// Whether a club strikes the ball or its launch is given, with all of the strike and of the launch, changed at once.
+    /// Whether a club strikes the ball or its launch is given, with all of the strike and of the
+    /// launch, changed at once.
     Launch,
-    /// The air or the wind, which the two give by different parameters: all of these, changed at once.
+    /// The air or the wind, which the two give by different parameters: all of these, changed at
+    /// once.
     Ways(&'static Ways),
 }
 
@@ -50,8 +52,9 @@ pub struct Share {
     pub amount: f64,
 }
 
-/// The way from one drive to another: the numbers that differ go straight from the one to the other. Halfway, with the numbers in the
-/// middle, what has no values between the two is changed at once.
+/// The way from one drive to another: the numbers that differ go straight from the one to the
+/// other. Halfway, with the numbers in the middle, what has no values between the two is changed at
+/// once.
 #[derive(Clone, Debug)]
 pub(super) struct Way {
     pub ends: [Setup<f64>; 2],
@@ -91,7 +94,10 @@ impl Way {
             if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
                 continue;
             }
-            match ends.each_ref().map(|setup| setup.value(parameter).or(parameter.unset)) {
+            match ends
+                .each_ref()
+                .map(|setup| setup.value(parameter).or(parameter.unset))
+            {
                 [from, to] if from == to => {}
                 [Some(from), Some(to)] if from.is_finite() && to.is_finite() => {
                     ends[0].put(&[parameter], |_| from);
@@ -101,7 +107,11 @@ impl Way {
                 _ => at_once.push(Cause::AtOnce(parameter)),
             }
         }
-        Self { ends, numbers, at_once }
+        Self {
+            ends,
+            numbers,
+            at_once,
+        }
     }
 
     /// Whether anything differs.
@@ -111,7 +121,11 @@ impl Way {
 
     /// Each thing that differs.
     pub fn causes(&self) -> Vec<Cause> {
-        self.numbers.iter().map(|parameter| Cause::Number(parameter)).chain(self.at_once.iter().copied()).collect()
+        self.numbers
+            .iter()
+            .map(|parameter| Cause::Number(parameter))
+            .chain(self.at_once.iter().copied())
+            .collect()
     }
 
     /// Whether anything is changed at once.
@@ -119,11 +133,19 @@ impl Way {
         !self.at_once.is_empty()
     }
 
-    /// The shares of what is changed at once, halfway. One is changed after the other, in their order and in the opposite one; a share is
-    /// the mean of the two, so that the way back gives the same shares with the other sign.
+    /// The shares of what is changed at once, halfway. One is changed after the other, in their
+    /// order and in the opposite one; a share is the mean of the two, so that the way back gives
+    /// the same shares with the other sign.
     pub fn halfway(&self, of: Outcome) -> Result<Vec<Share>> {
         let last = self.at_once.len();
-        let mut shares: Vec<Share> = self.at_once.iter().map(|cause| Share { cause: *cause, amount: 0.0 }).collect();
+        let mut shares: Vec<Share> = self
+            .at_once
+            .iter()
+            .map(|cause| Share {
+                cause: *cause,
+                amount: 0.0,
+            })
+            .collect();
         if last == 0 {
             return Ok(shares);
         }
@@ -157,7 +179,10 @@ impl Way {
             }
             Cause::Number(parameter) | Cause::AtOnce(parameter) => take(setup, to, parameter),
             Cause::Ways(ways) => {
-                let of = setup.parameters().into_iter().filter(|parameter| ways.has(parameter));
+                let of = setup
+                    .parameters()
+                    .into_iter()
+                    .filter(|parameter| ways.has(parameter));
                 of.for_each(|parameter| take(setup, to, parameter));
             }
         }
@@ -166,7 +191,10 @@ impl Way {
     /// The numbers at a place of the way, from 0 to 1.
     pub fn values(&self, at: f64) -> Vec<f64> {
         let between = |parameter: &&'static Parameter| {
-            let [from, to] = self.ends.each_ref().map(|setup| setup.value(parameter).unwrap_or_default());
+            let [from, to] = self
+                .ends
+                .each_ref()
+                .map(|setup| setup.value(parameter).unwrap_or_default());
             // rounding leads out of no range
             ((1.0 - at) * from + at * to).clamp(from.min(to), from.max(to))
         };
@@ -181,5 +209,7 @@ fn take(setup: &mut Setup<f64>, from: &Setup<f64>, parameter: &Parameter) {
 
 /// The value of an outcome.
 pub(super) fn value(setup: &Setup<f64>, of: Outcome) -> Result<f64> {
-    Ok(evaluate(setup, &[of], &[], Order::Value)?.first().map_or(f64::NAN, |taylor| taylor.value))
+    Ok(evaluate(setup, &[of], &[], Order::Value)?
+        .first()
+        .map_or(f64::NAN, |taylor| taylor.value))
 }

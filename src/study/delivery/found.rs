@@ -13,8 +13,8 @@ pub struct Known {
     pub value: f64,
     /// Its standard uncertainty; `None` where a bound holds it.
     pub sigma: Option<f64>,
-    /// What part of the variance before the shot has removed, 0 to 1: 1 where the launch tells all, 0 where it tells nothing.
-    /// `None` where a bound holds it.
+    /// What part of the variance before the shot has removed, 0 to 1: 1 where the launch tells all,
+    /// 0 where it tells nothing. `None` where a bound holds it.
     pub told: Option<f64>,
 }
 
@@ -30,12 +30,17 @@ pub struct Explained {
 impl Explained {
     /// Computed − measured, in units of the standard uncertainty of the measurement.
     pub fn residual(&self) -> f64 {
-        let Measurement { outcome, value, sigma } = self.measured;
+        let Measurement {
+            outcome,
+            value,
+            sigma,
+        } = self.measured;
         (outcome.beside(self.computed, value) - value) / sigma
     }
 }
 
-/// A measured outcome that is off by more than this, in units of its standard uncertainty, is not explained.
+/// A measured outcome that is off by more than this, in units of its standard uncertainty, is not
+/// explained.
 const EXPLAINED_WITHIN: f64 = 3.0;
 
 /// The delivery that explains a launch.
@@ -51,16 +56,21 @@ pub struct Delivered {
     pub known: Vec<Known>,
     /// Each measured outcome.
     pub explained: Vec<Explained>,
-    /// The derivatives of each measured outcome by each parameter, in units of the outcome's standard uncertainty, at the delivery found.
+    /// The derivatives of each measured outcome by each parameter, in units of the outcome's
+    /// standard uncertainty, at the delivery found.
     pub jacobian: Vec<Vec<f64>>,
     /// Changes of several parameters together that the launch does not tell, the least told first.
     pub untold: Vec<Untold>,
 }
 
 impl Delivered {
-    /// The measured outcome that is off by most, where that is too much: no delivery within the ranges gives this launch.
+    /// The measured outcome that is off by most, where that is too much: no delivery within the
+    /// ranges gives this launch.
     pub fn unexplained(&self) -> Option<&Explained> {
-        let worst = self.explained.iter().max_by(|a, b| a.residual().abs().total_cmp(&b.residual().abs()));
+        let worst = self
+            .explained
+            .iter()
+            .max_by(|a, b| a.residual().abs().total_cmp(&b.residual().abs()));
         worst.filter(|worst| worst.residual().abs() > EXPLAINED_WITHIN)
     }
 

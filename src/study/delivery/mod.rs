@@ -1,8 +1,9 @@
-//! Which delivery and strike explain a measured launch: bounded least squares with exact Jacobians of the impact, with what the
-//! launch tells of each parameter, and what it does not.
+//! Which delivery and strike explain a measured launch: bounded least squares with exact Jacobians
+//! of the impact, with what the launch tells of each parameter, and what it does not.
 //!
-//! A launch has five numbers, a delivery and its strike more. What is known of the golfer before, each parameter's value with a
-//! standard uncertainty, enters as measurements do: the answer is the most probable delivery, and never one of many by chance.
+//! A launch has five numbers, a delivery and its strike more. What is known of the golfer before,
+//! each parameter's value with a standard uncertainty, enters as measurements do: the answer is the
+//! most probable delivery, and never one of many by chance.
 
 mod found;
 mod launches;

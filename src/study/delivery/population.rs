@@ -10,7 +10,8 @@ use crate::study::calibrate::Measurement;
 use crate::units::counted;
 use nalgebra::{DMatrix, DVector};
 
-/// How the swings behind many shots are spread: a joint normal distribution, without what the launch monitor's errors add to the scatter.
+/// How the swings behind many shots are spread: a joint normal distribution, without what the
+/// launch monitor's errors add to the scatter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Population {
     /// The parameters that were sought.
@@ -34,7 +35,8 @@ pub struct Recovered {
     pub mean: f64,
     /// The standard deviation from swing to swing.
     pub deviation: f64,
-    /// What part of the variance before a single shot removes at the mean swing, 0 to 1; the rest is what was known before.
+    /// What part of the variance before a single shot removes at the mean swing, 0 to 1; the rest
+    /// is what was known before.
     pub told: f64,
     /// The standard uncertainty of the mean.
     pub mean_error: f64,
@@ -42,7 +44,8 @@ pub struct Recovered {
     pub deviation_error: f64,
 }
 
-/// Means and standard deviations of an outcome of the launch, measured and of the swings recovered, SI.
+/// Means and standard deviations of an outcome of the launch, measured and of the swings recovered,
+/// SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Returned {
     /// The outcome.
@@ -55,16 +58,18 @@ pub struct Returned {
 
 /// Fewer shots than this tell no distribution.
 pub const LEAST_SHOTS: usize = 10;
-/// A change of parameters together is told where a shot removes more than half of its variance: where its information is above this, in units of
-/// what was known before.
+/// A change of parameters together is told where a shot removes more than half of its variance:
+/// where its information is above this, in units of what was known before.
 const TOLD: f64 = 1.0;
 /// The parts of the deviation assumed that are tried where the shots do not tell one.
 const KEPT: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 /// The mean swings at most at which impacts are looked at.
 const ROUNDS: usize = 30;
-/// A round that changes mean and covariance by less than this part of what was known before is the last.
+/// A round that changes mean and covariance by less than this part of what was known before is the
+/// last.
 const SETTLED: f64 = 1e-5;
-/// Launches are given back where mean and deviation are off by less than this part of the measured deviation.
+/// Launches are given back where mean and deviation are off by less than this part of the measured
+/// deviation.
 const GIVEN_BACK: f64 = 0.25;
 
 impl Returned {
@@ -76,13 +81,15 @@ impl Returned {
 }
 
 impl Population {
-    /// The most likely normal distribution of the swings behind shots whose delivery was found. Changes of several parameters that leave the
-    /// launch nearly as it is stay as they were known before. Where launches would scatter more than the shots by it, as an impact is no
-    /// straight line, less of that spread is kept. `is_measured` says which parameters the rows state; these are known by a measurement, the
-    /// others by the swings alone.
+    /// The most likely normal distribution of the swings behind shots whose delivery was found.
+    /// Changes of several parameters that leave the launch nearly as it is stay as they were known
+    /// before. Where launches would scatter more than the shots by it, as an impact is no straight
+    /// line, less of that spread is kept. `is_measured` says which parameters the rows state; these
+    /// are known by a measurement, the others by the swings alone.
     ///
     /// # Errors
-    /// [`Error::Delivery`] of fewer than [`LEAST_SHOTS`] shots, and where most of such swings would be no strike.
+    /// [`Error::Delivery`] of fewer than [`LEAST_SHOTS`] shots, and where most of such swings would
+    /// be no strike.
     pub fn of(
         setup: &Setup<f64>,
         all: &[Delivery],
@@ -92,7 +99,10 @@ impl Population {
         let shots: Vec<&Delivered> = all.iter().filter_map(Delivery::explained).collect();
         if shots.len() < LEAST_SHOTS {
             let least = counted(LEAST_SHOTS as u64, "shot");
-            let reason = format!("it takes {least} whose delivery is found, and there are {}", shots.len());
+            let reason = format!(
+                "it takes {least} whose delivery is found, and there are {}",
+                shots.len()
+            );
             return Err(Error::Delivery { reason });
         }
         let mut best: Option<(f64, Self)> = None;
@@ -111,13 +121,18 @@ impl Population {
                 break;
             }
         }
-        let refuse = || Error::Delivery { reason: "no distribution of swings was found".into() };
+        let refuse = || Error::Delivery {
+            reason: "no distribution of swings was found".into(),
+        };
         best.map(|(_, found)| found).ok_or_else(refuse)
     }
 
-    /// The outcomes of the launch that swings so distributed do not give back: off by more than a quarter of their scatter.
+    /// The outcomes of the launch that swings so distributed do not give back: off by more than a
+    /// quarter of their scatter.
     pub fn not_returned(&self) -> impl Iterator<Item = &Returned> {
-        self.returned.iter().filter(|returned| returned.off() > GIVEN_BACK)
+        self.returned
+            .iter()
+            .filter(|returned| returned.off() > GIVEN_BACK)
     }
 }
 
@@ -143,7 +158,9 @@ fn settled(
         let told = Told::new(shots, &of, unknowns, is_measured, &mean, &launches)?;
         let eigen = told.information.clone().symmetric_eigen();
         let directions = |is_told: bool| {
-            let columns: Vec<_> = (0..n).filter(|&k| (eigen.eigenvalues[k] > TOLD) == is_told).collect();
+            let columns: Vec<_> = (0..n)
+                .filter(|&k| (eigen.eigenvalues[k] > TOLD) == is_told)
+                .collect();
             DMatrix::from_fn(n, columns.len(), |i, k| eigen.eigenvectors[(i, columns[k])])
         };
         let (along, untold) = (directions(true), directions(false));
@@ -169,7 +186,8 @@ fn settled(
         let deviation = |i: usize| covariance[(i, i)].max(0.0).sqrt();
         let one = |(i, unknown): (usize, &Unknown)| {
             let variance = covariance[(i, i)];
-            // what is assumed of the mean may be off by itself, and what is assumed of the deviation may be there or not
+            // what is assumed of the mean may be off by itself, and what is assumed of the
+            // deviation may be there or not
             let by_deviation = (variance + errors[i][1]).max(0.0).sqrt() - variance.max(0.0).sqrt();
             Recovered {
                 parameter: unknown.parameter,
@@ -177,7 +195,8 @@ fn settled(
                 deviation: unknown.sigma * deviation(i),
                 told: (1.0 - left[(i, i)]).clamp(0.0, 1.0),
                 mean_error: unknown.sigma * (errors[i][0] + untold[(i, i)]).max(0.0).sqrt(),
-                deviation_error: unknown.sigma * (by_deviation * by_deviation + untold[(i, i)].max(0.0)).sqrt(),
+                deviation_error: unknown.sigma
+                    * (by_deviation * by_deviation + untold[(i, i)].max(0.0)).sqrt(),
             }
         };
         let correlation = |i: usize, j: usize| match i == j {
@@ -186,7 +205,9 @@ fn settled(
         };
         return Ok(Population {
             spreads: unknowns.iter().enumerate().map(one).collect(),
-            correlations: (0..n).map(|i| (0..n).map(|j| correlation(i, j)).collect()).collect(),
+            correlations: (0..n)
+                .map(|i| (0..n).map(|j| correlation(i, j)).collect())
+                .collect(),
             shots: shots.len(),
             kept: if untold.amax() > 0.0 { kept } else { 1.0 },
             returned: returned(shots, &of, &told, &launches),
@@ -194,17 +215,31 @@ fn settled(
     }
 }
 
-/// The variance of the mean and the standard uncertainty of the variance that so many shots leave along what they tell, of each parameter.
+/// The variance of the mean and the standard uncertainty of the variance that so many shots leave
+/// along what they tell, of each parameter.
 fn errors(told: &Told, along: &DMatrix<f64>, spread: &DMatrix<f64>, count: f64) -> Vec<[f64; 2]> {
     let of_instruments = (along.transpose() * told.information_beyond() * along).try_inverse();
-    let of_instruments = of_instruments.unwrap_or_else(|| DMatrix::zeros(spread.nrows(), spread.ncols()));
+    let of_instruments =
+        of_instruments.unwrap_or_else(|| DMatrix::zeros(spread.nrows(), spread.ncols()));
     let seen = along * (spread + of_instruments) * along.transpose();
     // of a variance over so many (Wishart)
-    (0..along.nrows()).map(|i| [seen[(i, i)] / count, seen[(i, i)] * (2.0 / (count - 1.0)).sqrt()]).collect()
+    (0..along.nrows())
+        .map(|i| {
+            [
+                seen[(i, i)] / count,
+                seen[(i, i)] * (2.0 / (count - 1.0)).sqrt(),
+            ]
+        })
+        .collect()
 }
 
 /// Each outcome as measured, and as the swings give it.
-fn returned(shots: &[&Delivered], of: &[Outcome], told: &Told, launches: &Launches) -> Vec<Returned> {
+fn returned(
+    shots: &[&Delivered],
+    of: &[Outcome],
+    told: &Told,
+    launches: &Launches,
+) -> Vec<Returned> {
     let one = |(place, of): (usize, &Outcome)| {
         let mut rows = vec![];
         for (shot, off) in shots.iter().zip(&told.off) {
@@ -213,14 +248,24 @@ fn returned(shots: &[&Delivered], of: &[Outcome], told: &Told, launches: &Launch
                     let Measurement { value, sigma, .. } = explained.measured;
                     // of a direction all within half a turn of the mean swing's
                     let computed = of.beside(value - off, launches.at[place]);
-                    rows.push(DVector::from_vec(vec![computed + off, off - launches.bend[place], sigma * sigma]));
+                    rows.push(DVector::from_vec(vec![
+                        computed + off,
+                        off - launches.bend[place],
+                        sigma * sigma,
+                    ]));
                 }
             }
         }
         let (mean, covariance) = moments(rows.iter(), 3);
         let deviation = covariance[(0, 0)].max(0.0).sqrt();
-        let spread = (launches.covariance[(place, place)] + mean[2]).max(0.0).sqrt();
-        Returned { of: *of, measured: [mean[0], deviation], recovered: [mean[0] - mean[1], spread] }
+        let spread = (launches.covariance[(place, place)] + mean[2])
+            .max(0.0)
+            .sqrt();
+        Returned {
+            of: *of,
+            measured: [mean[0], deviation],
+            recovered: [mean[0] - mean[1], spread],
+        }
     };
     of.iter().enumerate().map(one).collect()
 }

@@ -20,7 +20,10 @@ pub struct Delivery {
 impl Delivery {
     /// What was found, where the search converged and explains the launch.
     pub fn explained(&self) -> Option<&Delivered> {
-        self.found.as_ref().ok().filter(|delivered| delivered.is_found())
+        self.found
+            .as_ref()
+            .ok()
+            .filter(|delivered| delivered.is_found())
     }
 }
 
@@ -35,19 +38,28 @@ pub struct Spread {
     pub deviation: Option<f64>,
 }
 
-/// The measured launch that a setup gives as its launch conditions, with the uncertainties of instruments; none where no launch is given.
+/// The measured launch that a setup gives as its launch conditions, with the uncertainties of
+/// instruments; none where no launch is given.
 pub fn launches(setup: &Setup<f64>) -> Vec<Measurement> {
     let given = setup.given_launch_conditions();
-    given.into_iter().filter_map(|condition| measured(condition, setup.value(condition)?)).collect()
+    given
+        .into_iter()
+        .filter_map(|condition| measured(condition, setup.value(condition)?))
+        .collect()
 }
 
 /// A launch condition as a measured outcome.
 fn measured(condition: &Parameter, value: f64) -> Option<Measurement> {
     let outcome = Outcome::named(condition.name.strip_prefix("launch.")?).ok()?;
-    Some(Measurement { outcome, value, sigma: instrument(outcome)?.1 })
+    Some(Measurement {
+        outcome,
+        value,
+        sigma: instrument(outcome)?.1,
+    })
 }
 
-/// The delivery of each shot of a table; rows that were not reached before `interrupt` are left out.
+/// The delivery of each shot of a table; rows that were not reached before `interrupt` are left
+/// out.
 pub fn deliveries(
     setup: &Setup<f64>,
     table: &ShotTable,
@@ -58,28 +70,40 @@ pub fn deliveries(
         if interrupt.load(Ordering::Relaxed) {
             return None;
         }
-        Some(Delivery { row: shot.row, found: of_shot(setup, shot, unknowns) })
+        Some(Delivery {
+            row: shot.row,
+            found: of_shot(setup, shot, unknowns),
+        })
     };
     table.shots.par_iter().filter_map(of).collect()
 }
 
 fn of_shot(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Result<Delivered> {
     let (mut own, mut sought) = (*setup, unknowns.to_vec());
-    let mut launch: Vec<Measurement> =
-        shot.measured.iter().filter(|measured| measured.outcome.part() == Part::Launch).copied().collect();
+    let mut launch: Vec<Measurement> = shot
+        .measured
+        .iter()
+        .filter(|measured| measured.outcome.part() == Part::Launch)
+        .copied()
+        .collect();
     for &(parameter, value) in &shot.inputs {
         if parameter.is_of_launch() {
             launch.extend(measured(parameter, value));
             continue;
         }
-        match sought.iter_mut().find(|unknown| unknown.parameter == parameter) {
+        match sought
+            .iter_mut()
+            .find(|unknown| unknown.parameter == parameter)
+        {
             // a measured delivery is known before, and not exactly
             Some(unknown) => *unknown = unknown.measured_as(value),
             None => own.set_value(parameter, Some(value))?,
         }
     }
     if launch.is_empty() {
-        let reason = "no outcome of the launch is measured in the row, such as ball_speed or launch_angle".into();
+        let reason =
+            "no outcome of the launch is measured in the row, such as ball_speed or launch_angle"
+                .into();
         return Err(Error::Delivery { reason });
     }
     delivery(&own, &launch, &sought)
@@ -89,14 +113,20 @@ impl Spread {
     /// Each parameter sought over the shots whose delivery was found.
     pub fn of(all: &[Delivery]) -> Vec<Self> {
         let found: Vec<&Delivered> = all.iter().filter_map(Delivery::explained).collect();
-        let Some(first) = found.first() else { return vec![] };
+        let Some(first) = found.first() else {
+            return vec![];
+        };
         let count = found.len() as f64;
         let one = |i: usize| {
             let values = || found.iter().map(|delivered| delivered.known[i].value);
             let mean = values().sum::<f64>() / count;
             let squares: f64 = values().map(|value| (value - mean) * (value - mean)).sum();
             let deviation = (found.len() > 1).then(|| (squares / (count - 1.0)).sqrt());
-            Self { parameter: first.known[i].unknown.parameter, mean, deviation }
+            Self {
+                parameter: first.known[i].unknown.parameter,
+                mean,
+                deviation,
+            }
         };
         (0..first.known.len()).map(one).collect()
     }

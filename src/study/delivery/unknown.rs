@@ -47,9 +47,17 @@ const MEASURED: [(&str, &str); 4] = [
 const REACH: f64 = 4.0;
 
 impl Unknown {
-    /// The same parameter where a launch monitor has measured it, with the monitor's uncertainty; one that was given stays.
+    /// The same parameter where a launch monitor has measured it, with the monitor's uncertainty;
+    /// one that was given stays.
     pub fn measured_as(self, value: f64) -> Self {
-        let Self { parameter, sigma, source, low, high, .. } = self;
+        let Self {
+            parameter,
+            sigma,
+            source,
+            low,
+            high,
+            ..
+        } = self;
         let monitor = MEASURED.iter().find(|(name, _)| *name == parameter.name);
         let stated = monitor.and_then(|(_, sigma)| parameter.quantity.read_difference(sigma).ok());
         let (sigma, source) = match (source, stated) {
@@ -57,28 +65,49 @@ impl Unknown {
             _ => (sigma, source),
         };
         let Some([least, most]) = around(parameter, value, sigma) else {
-            return Self { before: value, sigma, source, ..self };
+            return Self {
+                before: value,
+                sigma,
+                source,
+                ..self
+            };
         };
-        Self { before: value, sigma, source, low: low.min(least), high: high.max(most), parameter }
+        Self {
+            before: value,
+            sigma,
+            source,
+            low: low.min(least),
+            high: high.max(most),
+            parameter,
+        }
     }
 }
 
 /// The values within reach of one.
 fn around(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2]> {
     let range = parameter.range;
-    let (low, high) = ((value - REACH * sigma).max(range.low), (value + REACH * sigma).min(range.high));
+    let (low, high) = (
+        (value - REACH * sigma).max(range.low),
+        (value + REACH * sigma).min(range.high),
+    );
     // an end that does not belong to the range is left by a part of the way
-    let inside = |end: f64| if range.contains(end) { end } else { end + 1e-6 * (value - end) };
+    let inside = |end: f64| {
+        if range.contains(end) {
+            end
+        } else {
+            end + 1e-6 * (value - end)
+        }
+    };
     let (low, high) = (inside(low), inside(high));
     (low < high && range.contains(low) && range.contains(high)).then_some([low, high])
 }
 
-/// What is sought: of `vary`, or of the usual parameters of a delivery and its strike where that is empty, with the uncertainties
-/// that `sigmas` give.
+/// What is sought: of `vary`, or of the usual parameters of a delivery and its strike where that is
+/// empty, with the uncertainties that `sigmas` give.
 ///
 /// # Errors
-/// [`Error::Delivery`] for a parameter on which no launch depends, or without room to move; [`Error::Unreadable`] for an uncertainty
-/// given twice or of a parameter that is not sought.
+/// [`Error::Delivery`] for a parameter on which no launch depends, or without room to move;
+/// [`Error::Unreadable`] for an uncertainty given twice or of a parameter that is not sought.
 pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<Vec<Unknown>> {
     let refuse = |reason: String| Error::Delivery { reason };
     let usual = |parameter: &Parameter| {
@@ -86,7 +115,10 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
         Some((parameter.quantity.read_difference(found.1).ok()?, found.2))
     };
     for (i, sigma) in sigmas.iter().enumerate() {
-        if sigmas[..i].iter().any(|other| other.parameter == sigma.parameter) {
+        if sigmas[..i]
+            .iter()
+            .any(|other| other.parameter == sigma.parameter)
+        {
             return Err(given_twice(sigma.parameter));
         }
     }
@@ -103,12 +135,29 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
             };
             let [low, high] = around(parameter, before, sigma).ok_or_else(|| {
                 let (name, value) = (parameter.name, parameter.show(Some(before)));
-                refuse(format!("{name} = {value} leaves no room to move; set it to another value"))
+                refuse(format!(
+                    "{name} = {value} leaves no room to move; set it to another value"
+                ))
             })?;
-            all.push(Unknown { parameter, before, sigma, source, low, high });
+            all.push(Unknown {
+                parameter,
+                before,
+                sigma,
+                source,
+                low,
+                high,
+            });
         }
     }
-    for (i, &Vary { parameter, low, high }) in vary.iter().enumerate() {
+    for (
+        i,
+        &Vary {
+            parameter,
+            low,
+            high,
+        },
+    ) in vary.iter().enumerate()
+    {
         let name = parameter.name;
         if !parameter.is_of_strike() {
             return Err(refuse(format!(
@@ -116,16 +165,24 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
             )));
         }
         if vary[..i].iter().any(|other| other.parameter == parameter) {
-            return Err(refuse(format!("{name} is to be varied twice; name it once")));
+            return Err(refuse(format!(
+                "{name} is to be varied twice; name it once"
+            )));
         }
         if low == high {
-            return Err(refuse(format!("the range of {name} is a single value; give a wider one, or --set it")));
+            return Err(refuse(format!(
+                "the range of {name} is a single value; give a wider one, or --set it"
+            )));
         }
         let before = setup.value(parameter).unwrap_or(0.5 * (low + high));
         if !(low..=high).contains(&before) {
-            let (value, ends) = (parameter.show(Some(before)), [low, high].map(|end| parameter.show(Some(end))));
+            let (value, ends) = (
+                parameter.show(Some(before)),
+                [low, high].map(|end| parameter.show(Some(end))),
+            );
             return Err(refuse(format!(
-                "{name} = {value} is outside of the range {} .. {} that it is sought in; --set it to a value within",
+                "{name} = {value} is outside of the range {} .. {} that it is sought in; --set it \
+                 to a value within",
                 ends[0], ends[1]
             )));
         }
@@ -135,13 +192,29 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
             // the standard deviation of a uniform distribution
             (None, None) => ((high - low) / 12.0_f64.sqrt(), Some(EVENLY)),
         };
-        all.push(Unknown { parameter, before, sigma, source, low, high });
+        all.push(Unknown {
+            parameter,
+            before,
+            sigma,
+            source,
+            low,
+            high,
+        });
     }
-    let is_sought = |sigma: &&Sigma| !all.iter().any(|unknown| unknown.parameter == sigma.parameter);
+    let is_sought = |sigma: &&Sigma| {
+        !all.iter()
+            .any(|unknown| unknown.parameter == sigma.parameter)
+    };
     if let Some(unused) = sigmas.iter().find(is_sought) {
         let names: Vec<_> = all.iter().map(|unknown| unknown.parameter.name).collect();
-        let source = format!("it is not sought, so that this has no effect; sought are {}", names.join(", "));
-        return Err(Error::Unreadable { name: format!("--sigma {}", unused.parameter.name), source: source.into() });
+        let source = format!(
+            "it is not sought, so that this has no effect; sought are {}",
+            names.join(", ")
+        );
+        return Err(Error::Unreadable {
+            name: format!("--sigma {}", unused.parameter.name),
+            source: source.into(),
+        });
     }
     Ok(all)
 }

@@ -22,8 +22,11 @@ const PATH_WITH_FACE: f64 = 0.317;
 const WITHIN: f64 = 2.0;
 
 /// Where the scatter comes from.
-pub const GOLFER: &str = "one golfer's 58 drives (Bliss & Langdown 2026: speed 3.29 mph, attack 2.05°, path 2.28°, face 4.17°, face to path 4.07°), and \
-                          strikes with standard deviations of 8.2 mm to heel and toe and 6 mm up and down (8 drives of another golfer), each within two standard deviations";
+pub const GOLFER: &str = "one golfer's 58 drives (Bliss & Langdown 2026: speed 3.29 mph, attack \
+                          2.05°, path 2.28°, face 4.17°, face to path 4.07°), and \
+                          strikes with standard deviations of 8.2 mm to heel and toe and 6 mm up \
+                          and down (8 drives of another golfer), each within two standard \
+                          deviations";
 
 /// The swings of a golfer whose drives were measured, about those of a setup.
 ///
@@ -32,26 +35,44 @@ pub const GOLFER: &str = "one golfer's 58 drives (Bliss & Langdown 2026: speed 3
 pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     let inputs = SCATTER.iter().map(|(name, deviation)| {
         let parameter = setup.variable(name)?;
-        let (mean, deviation) =
-            (setup.value(parameter).unwrap_or_default(), parameter.quantity.read(deviation).unwrap_or_default());
-        Ok(Uncertain { parameter, distribution: cut(mean, deviation) })
+        let (mean, deviation) = (
+            setup.value(parameter).unwrap_or_default(),
+            parameter.quantity.read(deviation).unwrap_or_default(),
+        );
+        Ok(Uncertain {
+            parameter,
+            distribution: cut(mean, deviation),
+        })
     });
     let inputs = inputs.collect::<Result<Vec<_>>>()?;
-    let between = [setup.variable("swing.path")?, setup.variable("swing.face_angle")?];
+    let between = [
+        setup.variable("swing.path")?,
+        setup.variable("swing.face_angle")?,
+    ];
     Swings::distributed(inputs, &[Correlation::new(between, PATH_WITH_FACE)?])
 }
 
-/// The normal distribution of which what lies within [`WITHIN`] times this standard deviation has this standard deviation: it is itself wider.
+/// The normal distribution of which what lies within [`WITHIN`] times this standard deviation has
+/// this standard deviation: it is itself wider.
 fn cut(mean: f64, deviation: f64) -> Distribution {
     let of = |mean: f64, deviation: f64, wider: f64| {
         let [low, high] = [mean - WITHIN * deviation, mean + WITHIN * deviation];
-        Distribution::Truncated { mean, deviation: wider * deviation, low, high }
+        Distribution::Truncated {
+            mean,
+            deviation: wider * deviation,
+            low,
+            high,
+        }
     };
     // the wider the whole, the wider what is left of it, up to WITHIN/√3 of a uniform distribution
     let (mut narrow, mut wide) = (1.0, 4.0);
     for _ in 0..f64::MANTISSA_DIGITS {
         let middle = 0.5 * (narrow + wide);
-        *(if of(0.0, 1.0, middle).deviation() < 1.0 { &mut narrow } else { &mut wide }) = middle;
+        *(if of(0.0, 1.0, middle).deviation() < 1.0 {
+            &mut narrow
+        } else {
+            &mut wide
+        }) = middle;
     }
     of(mean, deviation, narrow)
 }
@@ -64,11 +85,16 @@ mod tests {
 
     #[test]
     fn the_golfer_scatters_as_measured() {
-        let Swings::Distributed { inputs, .. } = golfer(&Setup::default()).unwrap() else { unreachable!() };
+        let Swings::Distributed { inputs, .. } = golfer(&Setup::default()).unwrap() else {
+            unreachable!()
+        };
         for (input, (name, deviation)) in inputs.iter().zip(SCATTER) {
             let published = input.parameter.quantity.read(deviation).unwrap();
             let found = input.distribution.deviation();
-            assert!((found / published - 1.0).abs() < 1e-10, "{name}: {found} {published}");
+            assert!(
+                (found / published - 1.0).abs() < 1e-10,
+                "{name}: {found} {published}"
+            );
         }
     }
 
@@ -76,6 +102,10 @@ mod tests {
     fn exact_correlation_makes_the_measured_scatter_of_face_to_path() {
         let (path, face) = (2.28_f64, 4.17_f64);
         let variance = path * path + face * face - 2.0 * PATH_WITH_FACE * path * face;
-        assert!((variance.sqrt() - 4.07).abs() < 0.005, "{}", variance.sqrt());
+        assert!(
+            (variance.sqrt() - 4.07).abs() < 0.005,
+            "{}",
+            variance.sqrt()
+        );
     }
 }

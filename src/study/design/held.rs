@@ -50,7 +50,8 @@ pub struct Standing {
     pub value: Option<f64>,
     /// How far it is from the nearer limit, SI; below 0 where it is violated.
     pub margin: Option<f64>,
-    /// What the goal would gain for each SI unit that the limit is relaxed; `None` where the limit does not hold the design.
+    /// What the goal would gain for each SI unit that the limit is relaxed; `None` where the limit
+    /// does not hold the design.
     pub price: Option<f64>,
 }
 
@@ -67,11 +68,18 @@ impl Held {
         let (value, price) = match self.by {
             By::Bound(i) => {
                 let vary = best.search.vary[i];
-                // a bound of the search that is closer than the rule has the multiplier, and the rule has none
+                // a bound of the search that is closer than the rule has the multiplier, and the
+                // rule has none
                 let [lower, upper] = [self.range[0] == vary.low, self.range[1] == vary.high];
-                let multiplier = |is: bool, of: &[f64]| if is { of.get(i).copied().unwrap_or_default() } else { 0.0 };
-                let both =
-                    multiplier(lower, &solution.lower_multipliers) + multiplier(upper, &solution.upper_multipliers);
+                let multiplier = |is: bool, of: &[f64]| {
+                    if is {
+                        of.get(i).copied().unwrap_or_default()
+                    } else {
+                        0.0
+                    }
+                };
+                let both = multiplier(lower, &solution.lower_multipliers)
+                    + multiplier(upper, &solution.upper_multipliers);
                 let value = solution.x.get(i).copied();
                 (value, price_of(value, both))
             }
@@ -79,12 +87,20 @@ impl Held {
                 // the search met the limit of the smoothed goal
                 let smoothed = solution.constraints.get(k);
                 let value = best.limits().nth(k).map(|(_, at)| at.value);
-                (value, smoothed.and_then(|at| price_of(Some(at.value), at.multiplier.abs())))
+                (
+                    value,
+                    smoothed.and_then(|at| price_of(Some(at.value), at.multiplier.abs())),
+                )
             }
             By::Value(value) => (Some(value), None),
             By::Unknown => (None, None),
         };
         let margin = value.map(margin_of);
-        Standing { held: self.clone(), value, margin, price }
+        Standing {
+            held: self.clone(),
+            value,
+            margin,
+            price,
+        }
     }
 }

@@ -19,12 +19,20 @@ pub struct Part {
 
 const PARTS: [&str; 3] = ["mean(carry)", "std(carry)", "rms(lateral)"];
 
-/// The mean carry, how carries scatter, and how far balls miss the target line; nothing once `stop` is true.
+/// The mean carry, how carries scatter, and how far balls miss the target line; nothing once `stop`
+/// is true.
 ///
 /// # Errors
 /// As [`goals_of`].
-pub fn parts(setup: &Setup<f64>, best: &SwingsOptimum, stop: &Arc<AtomicBool>) -> Result<Vec<Part>> {
-    let goals = PARTS.iter().map(|text| Goal::read(text, None)).collect::<Result<Vec<_>>>()?;
+pub fn parts(
+    setup: &Setup<f64>,
+    best: &SwingsOptimum,
+    stop: &Arc<AtomicBool>,
+) -> Result<Vec<Part>> {
+    let goals = PARTS
+        .iter()
+        .map(|text| Goal::read(text, None))
+        .collect::<Result<Vec<_>>>()?;
     let of = |setup: &Setup<f64>| goals_of(setup, &goals, &best.search.vary, &best.scenarios, stop);
     let found = of(setup).and_then(|before| Ok((before, of(&best.setup)?)));
     if stop.load(Ordering::Relaxed) {
@@ -32,6 +40,10 @@ pub fn parts(setup: &Setup<f64>, best: &SwingsOptimum, stop: &Arc<AtomicBool>) -
     }
     let (before, after) = found?;
     let value = |of: &Option<Vec<f64>>, k: usize| of.as_ref().map(|values| values[k]);
-    let part = |(k, goal)| Part { goal, as_set_up: value(&before, k), best: value(&after, k) };
+    let part = |(k, goal)| Part {
+        goal,
+        as_set_up: value(&before, k),
+        best: value(&after, k),
+    };
     Ok(goals.into_iter().enumerate().map(part).collect())
 }

@@ -11,7 +11,11 @@ use crate::study::swings::{Goal, GoalLimit, Scenarios, SwingsOptimum, SwingsSear
 use crate::units::{Amount, Quantity, counted};
 
 /// What is varied where nothing is asked for: the face.
-const USUAL: [&str; 3] = ["club.bulge_radius=150mm..1000mm", "club.roll_radius=150mm..1000mm", "club.loft=6deg..16deg"];
+const USUAL: [&str; 3] = [
+    "club.bulge_radius=150mm..1000mm",
+    "club.roll_radius=150mm..1000mm",
+    "club.loft=6deg..16deg",
+];
 
 /// Bulge, roll and loft with usual ranges.
 ///
@@ -38,14 +42,26 @@ pub struct Design {
 }
 
 impl Design {
-    /// A search with all that holds its design: the Rules of Golf, unless they are left out; of a head whose inertia is varied that it is a rigid
-    /// body's; and of a head whose mass is varied a budget, the mass as set up, where no limit of the search is about the mass.
+    /// A search with all that holds its design: the Rules of Golf, unless they are left out; of a
+    /// head whose inertia is varied that it is a rigid body's; and of a head whose mass is varied a
+    /// budget, the mass as set up, where no limit of the search is about the mass.
     ///
     /// # Errors
-    /// [`Error::Rule`] for a setup or a range that breaks a rule; [`Error::Unreadable`] for strikes that no face reaches.
-    pub fn new(setup: &Setup<f64>, scenarios: &Scenarios, search: SwingsSearch, is_under_rules: bool) -> Result<Self> {
+    /// [`Error::Rule`] for a setup or a range that breaks a rule; [`Error::Unreadable`] for strikes
+    /// that no face reaches.
+    pub fn new(
+        setup: &Setup<f64>,
+        scenarios: &Scenarios,
+        search: SwingsSearch,
+        is_under_rules: bool,
+    ) -> Result<Self> {
         check_strikes(setup, scenarios, &search.vary)?;
-        let mut design = Self { search, held: vec![], is_under_rules, notes: vec![] };
+        let mut design = Self {
+            search,
+            held: vec![],
+            is_under_rules,
+            notes: vec![],
+        };
         let asked = design.search.subject_to.len();
         if is_under_rules {
             for rule in &RULES {
@@ -53,7 +69,11 @@ impl Design {
             }
         }
         if design.varies(Parameter::is_of_inertia) {
-            for of in [Outcome::HeadMinor1, Outcome::HeadMinor2, Outcome::HeadMinor3] {
+            for of in [
+                Outcome::HeadMinor1,
+                Outcome::HeadMinor2,
+                Outcome::HeadMinor3,
+            ] {
                 let expression = format!("{} >= 0 g cm^2", of.name());
                 design.limit("a rigid body", expression, of, [0.0, f64::INFINITY], None);
             }
@@ -67,7 +87,16 @@ impl Design {
                 let step = goal.quantity.size_of(goal.unit).unwrap_or(1.0);
                 let (expression, range) = (limit.expression.clone(), [limit.low, limit.high]);
                 let (quantity, unit) = (goal.quantity, goal.unit);
-                design.held.push(Held { name, expression, rule: None, by: By::Limit(k), range, quantity, unit, step });
+                design.held.push(Held {
+                    name,
+                    expression,
+                    rule: None,
+                    by: By::Limit(k),
+                    range,
+                    quantity,
+                    unit,
+                    step,
+                });
             }
         }
         Ok(design)
@@ -79,31 +108,51 @@ impl Design {
     }
 
     fn varies(&self, is_so: impl Fn(&Parameter) -> bool) -> bool {
-        self.search.vary.iter().any(|vary| vary.low < vary.high && is_so(vary.parameter))
+        self.search
+            .vary
+            .iter()
+            .any(|vary| vary.low < vary.high && is_so(vary.parameter))
     }
 
-    fn add(&mut self, setup: &Setup<f64>, scenarios: &Scenarios, rule: &'static Rule) -> Result<()> {
+    fn add(
+        &mut self,
+        setup: &Setup<f64>,
+        scenarios: &Scenarios,
+        rule: &'static Rule,
+    ) -> Result<()> {
         let bound = rule.bound();
-        let range = if rule.is_greatest { [f64::NEG_INFINITY, bound] } else { [bound, f64::INFINITY] };
+        let range = if rule.is_greatest {
+            [f64::NEG_INFINITY, bound]
+        } else {
+            [bound, f64::INFINITY]
+        };
         let unit = rule.limit.split_once(' ').map_or("", |(_, unit)| unit);
         let step = rule.quantity().read(rule.step).unwrap_or(1.0);
         let by = match rule.of {
-            Limited::Parameter(name) => self.of_parameter(setup, scenarios, rule, setup.parameter(name)?)?,
+            Limited::Parameter(name) => {
+                self.of_parameter(setup, scenarios, rule, setup.parameter(name)?)?
+            }
             Limited::Outcome(of) => {
                 let begun = Vary::begun(setup, &self.search.vary)?;
                 let moves = |row: &Parameter| changes_the_head(&begun, row);
-                let places: Vec<_> =
-                    (0..scenarios.parameters.len()).filter(|k| moves(scenarios.parameters[*k])).collect();
+                let places: Vec<_> = (0..scenarios.parameters.len())
+                    .filter(|k| moves(scenarios.parameters[*k]))
+                    .collect();
                 let swung = places.first().map(|k| scenarios.parameters[*k]);
                 match (self.varies(moves), swung) {
                     (true, Some(swung)) => {
                         let source = format!(
-                            "the swings have values of it, and what is varied changes {} too: the rule on the {} could be kept on average \
-                             only; leave it out of the swings, or leave the rules out with --rules none",
+                            "the swings have values of it, and what is varied changes {} too: the \
+                             rule on the {} could be kept on average \
+                             only; leave it out of the swings, or leave the rules out with --rules \
+                             none",
                             of.name(),
                             rule.name
                         );
-                        return Err(Error::Unreadable { name: swung.name.into(), source: source.into() });
+                        return Err(Error::Unreadable {
+                            name: swung.name.into(),
+                            source: source.into(),
+                        });
                     }
                     (true, None) => {
                         self.limit(rule.name, rule.expression(), of, range, Some(rule));
@@ -111,12 +160,20 @@ impl Design {
                     }
                     (false, Some(_)) => {
                         let each = scenarios.and_ends(&places).map(|point| {
-                            Ok(Head::new(&moved(setup, &scenarios.parameters, &point)?.club).inertia[0][0])
+                            Ok(
+                                Head::new(&moved(setup, &scenarios.parameters, &point)?.club)
+                                    .inertia[0][0],
+                            )
                         });
                         let each = each.collect::<Result<Vec<f64>>>()?;
                         let worst = each.into_iter().reduce(f64::max).unwrap_or(bound);
                         self.note_endless(scenarios, rule, &places);
-                        By::Value(checked(rule, worst, REACHED, "give the distribution ends within it")?)
+                        By::Value(checked(
+                            rule,
+                            worst,
+                            REACHED,
+                            "give the distribution ends within it",
+                        )?)
                     }
                     (false, None) => {
                         let value = Head::new(&setup.club).inertia[0][0];
@@ -125,18 +182,27 @@ impl Design {
                 }
             }
             Limited::Relation(name, _) => {
-                let stated = self.search.subject_to.iter().position(|limit| limit.goal.expression == name);
+                let stated = self
+                    .search
+                    .subject_to
+                    .iter()
+                    .position(|limit| limit.goal.expression == name);
                 if let Some(k) = stated {
                     let limit = &self.search.subject_to[k];
                     let [low, high] = [limit.low, limit.high];
                     let value = if rule.is_greatest { high } else { low };
                     let refuse = |why: String| {
                         let (expression, column) = (limit.expression.clone(), 0);
-                        Err(Error::Constraint { expression, column, reason: why })
+                        Err(Error::Constraint {
+                            expression,
+                            column,
+                            reason: why,
+                        })
                     };
                     if limit.goal.quantity != rule.quantity() {
                         return refuse(format!(
-                            "a relation named '{name}' is held to the rule on the {}, which is about {}, and this is {}; check the units, or give \
+                            "a relation named '{name}' is held to the rule on the {}, which is \
+                             about {}, and this is {}; check the units, or give \
                              it another name",
                             rule.name,
                             rule.quantity().name,
@@ -145,7 +211,8 @@ impl Design {
                     }
                     if value.is_infinite() {
                         return refuse(format!(
-                            "its {} limit is missing: a relation named '{name}' is held to the rule, {}; write such a limit, or give it another \
+                            "its {} limit is missing: a relation named '{name}' is held to the \
+                             rule, {}; write such a limit, or give it another \
                              name",
                             if rule.is_greatest { "upper" } else { "lower" },
                             rule.expression()
@@ -155,8 +222,16 @@ impl Design {
                     checked(rule, value, "the relation allows", &advice)?;
                     let expression = limit.expression.clone();
                     let (name, quantity, by) = (rule.name.into(), rule.quantity(), By::Limit(k));
-                    let held =
-                        Held { name, expression, rule: Some(rule), by, range: [low, high], quantity, unit, step };
+                    let held = Held {
+                        name,
+                        expression,
+                        rule: Some(rule),
+                        by,
+                        range: [low, high],
+                        quantity,
+                        unit,
+                        step,
+                    };
                     self.held.push(held);
                     return Ok(());
                 }
@@ -164,11 +239,21 @@ impl Design {
             }
         };
         let (name, expression, quantity) = (rule.name.into(), rule.expression(), rule.quantity());
-        self.held.push(Held { name, expression, rule: Some(rule), by, range, quantity, unit, step });
+        self.held.push(Held {
+            name,
+            expression,
+            rule: Some(rule),
+            by,
+            range,
+            quantity,
+            unit,
+            step,
+        });
         Ok(())
     }
 
-    /// A rule about a parameter: a bound of it where it is varied; else the setup, or the swings, must keep it.
+    /// A rule about a parameter: a bound of it where it is varied; else the setup, or the swings,
+    /// must keep it.
     fn of_parameter(
         &mut self,
         setup: &Setup<f64>,
@@ -177,13 +262,30 @@ impl Design {
         parameter: &'static Parameter,
     ) -> Result<By> {
         let bound = rule.bound();
-        if let Some(i) = self.search.vary.iter().position(|vary| vary.parameter == parameter) {
+        if let Some(i) = self
+            .search
+            .vary
+            .iter()
+            .position(|vary| vary.parameter == parameter)
+        {
             let vary = &mut self.search.vary[i];
-            let [best, worst] = if rule.is_greatest { [vary.low, vary.high] } else { [vary.high, vary.low] };
-            let reach = if rule.is_greatest { "the range begins at" } else { "the range ends at" };
+            let [best, worst] = if rule.is_greatest {
+                [vary.low, vary.high]
+            } else {
+                [vary.high, vary.low]
+            };
+            let reach = if rule.is_greatest {
+                "the range begins at"
+            } else {
+                "the range ends at"
+            };
             checked(rule, best, reach, "vary it within the rule")?;
             if !rule.allows(worst) {
-                let end = if rule.is_greatest { &mut vary.high } else { &mut vary.low };
+                let end = if rule.is_greatest {
+                    &mut vary.high
+                } else {
+                    &mut vary.low
+                };
                 *end = bound;
                 self.notes.push(format!(
                     "{} is varied up to the rule on the {}: {} (your range ends at {})",
@@ -195,25 +297,46 @@ impl Design {
             }
             return Ok(By::Bound(i));
         }
-        if let Some(k) = scenarios.parameters.iter().position(|swung| *swung == parameter) {
+        if let Some(k) = scenarios
+            .parameters
+            .iter()
+            .position(|swung| *swung == parameter)
+        {
             let values = scenarios.and_ends(&[k]).map(|point| point[k]);
-            let worst = values.reduce(if rule.is_greatest { f64::max } else { f64::min }).unwrap_or(bound);
+            let worst = values
+                .reduce(if rule.is_greatest { f64::max } else { f64::min })
+                .unwrap_or(bound);
             self.note_endless(scenarios, rule, &[k]);
-            return Ok(By::Value(checked(rule, worst, REACHED, "give the distribution ends within it")?));
+            return Ok(By::Value(checked(
+                rule,
+                worst,
+                REACHED,
+                "give the distribution ends within it",
+            )?));
         }
         let value = setup.value(parameter).unwrap_or_default();
-        let advice = format!("set it, for example --set {}=\"{}\"{}", parameter.name, rule.show(bound), rule.hint);
+        let advice = format!(
+            "set it, for example --set {}=\"{}\"{}",
+            parameter.name,
+            rule.show(bound),
+            rule.hint
+        );
         Ok(By::Value(checked(rule, value, "the setup has", &advice)?))
     }
 
-    /// Says of which swung parameters a rule was checked at the swings alone, since their distributions have no ends.
+    /// Says of which swung parameters a rule was checked at the swings alone, since their
+    /// distributions have no ends.
     fn note_endless(&mut self, scenarios: &Scenarios, rule: &Rule, places: &[usize]) {
-        let names = places.iter().filter(|k| scenarios.is_endless(**k)).map(|k| scenarios.parameters[*k].name);
+        let names = places
+            .iter()
+            .filter(|k| scenarios.is_endless(**k))
+            .map(|k| scenarios.parameters[*k].name);
         let names: Vec<_> = names.collect();
         if !names.is_empty() {
             let count = counted(scenarios.points.len() as u64, "swing");
             self.notes.push(format!(
-                "the rule on the {} is checked at {count} only, since the distribution of {} has no ends; give it ends with \
+                "the rule on the {} is checked at {count} only, since the distribution of {} has \
+                 no ends; give it ends with \
                  truncated(MEAN,DEVIATION,LOW,HIGH)",
                 rule.name,
                 names.join(" and ")
@@ -230,26 +353,57 @@ impl Design {
         [low, high]: [f64; 2],
         rule: Option<&'static Rule>,
     ) {
-        let goal = Goal { expression: of.name().into(), ..Goal::mean(of) };
+        let goal = Goal {
+            expression: of.name().into(),
+            ..Goal::mean(of)
+        };
         let by = By::Limit(self.search.subject_to.len());
-        self.search.subject_to.push(GoalLimit { expression: expression.clone(), goal, low, high });
+        self.search.subject_to.push(GoalLimit {
+            expression: expression.clone(),
+            goal,
+            low,
+            high,
+        });
         let (quantity, unit) = (of.quantity(), of.unit());
         let step = rule.map_or(unit, |rule| rule.step);
-        let step = Amount::read(step).map_or_else(|_| quantity.size_of(unit).unwrap_or(1.0), |amount| amount.value);
-        self.held.push(Held { name: name.into(), expression, rule, by, range: [low, high], quantity, unit, step });
+        let step = Amount::read(step).map_or_else(
+            |_| quantity.size_of(unit).unwrap_or(1.0),
+            |amount| amount.value,
+        );
+        self.held.push(Held {
+            name: name.into(),
+            expression,
+            rule,
+            by,
+            range: [low, high],
+            quantity,
+            unit,
+            step,
+        });
     }
 
-    /// Of a head whose mass is varied, no more mass than it has, unless a limit says how much it may have.
+    /// Of a head whose mass is varied, no more mass than it has, unless a limit says how much it
+    /// may have.
     fn budget(&mut self, setup: &Setup<f64>) {
-        let is_mass = |row: &Parameter| row.name.starts_with("club.") && row.quantity == Quantity::MASS;
+        let is_mass =
+            |row: &Parameter| row.name.starts_with("club.") && row.quantity == Quantity::MASS;
         let is_about_it = |limit: &GoalLimit| limit.goal.quantity == Quantity::MASS;
         if !self.varies(is_mass) || self.search.subject_to.iter().any(is_about_it) {
             return;
         }
         let most = Head::new(&setup.club).mass;
         let shown = Quantity::MASS.show(most, "g");
-        self.notes.push(format!("the head may have as much mass as the one that is set up, {shown}; say how much with --subject-to \"head_mass <= 205 g\""));
-        self.limit("mass budget", format!("head_mass <= {shown}"), Outcome::HeadMass, [f64::NEG_INFINITY, most], None);
+        self.notes.push(format!(
+            "the head may have as much mass as the one that is set up, \
+                                 {shown}; say how much with --subject-to \"head_mass <= 205 g\""
+        ));
+        self.limit(
+            "mass budget",
+            format!("head_mass <= {shown}"),
+            Outcome::HeadMass,
+            [f64::NEG_INFINITY, most],
+            None,
+        );
     }
 }
 
@@ -270,31 +424,47 @@ fn checked(rule: &Rule, value: f64, found: &str, advice: &str) -> Result<f64> {
 fn changes_the_head(setup: &Setup<f64>, row: &Parameter) -> bool {
     let has_weights = setup.club.weights().iter().any(Option::is_some);
     let moves_weights = ["club.mass", "club.cg_", "club.weight_", "club.loft"];
-    row.is_of_inertia() || has_weights && moves_weights.iter().any(|part| row.name.starts_with(part))
+    row.is_of_inertia()
+        || has_weights && moves_weights.iter().any(|part| row.name.starts_with(part))
 }
 
 /// Strikes that no face reaches, or that the faces that are varied do not.
 fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Result<()> {
     let of = |name: &str, point: &[f64]| -> Result<f64> {
         let parameter = setup.parameter(name)?;
-        let swung = scenarios.parameters.iter().position(|swung| *swung == parameter);
+        let swung = scenarios
+            .parameters
+            .iter()
+            .position(|swung| *swung == parameter);
         Ok(swung.map_or_else(|| setup.value(parameter).unwrap_or_default(), |k| point[k]))
     };
     // the widest face of the ranges
     let mut widest = *setup;
-    for vary in vary
-        .iter()
-        .filter(|vary| ["club.bulge_radius", "club.roll_radius", "club.face_semi_axis"].contains(&vary.parameter.name))
-    {
+    for vary in vary.iter().filter(|vary| {
+        [
+            "club.bulge_radius",
+            "club.roll_radius",
+            "club.face_semi_axis",
+        ]
+        .contains(&vary.parameter.name)
+    }) {
         widest.set_value(vary.parameter, Some(vary.high))?;
     }
     let mm = |value: f64| Quantity::LENGTH.show(value, "mm");
     for point in &scenarios.points {
         let (toe, high) = (of("strike.toe", point)?, of("strike.high", point)?);
-        let strike = format!("a swing strikes at strike.toe = {} and strike.high = {}", mm(toe), mm(high));
+        let strike = format!(
+            "a swing strikes at strike.toe = {} and strike.high = {}",
+            mm(toe),
+            mm(high)
+        );
         let refuse = |why: String| {
-            let advice = "give the strikes ends with truncated(MEAN,DEVIATION,LOW,HIGH), or leave such swings out";
-            Err(Error::Unreadable { name: "the strikes".into(), source: format!("{strike}, {why}; {advice}").into() })
+            let advice = "give the strikes ends with truncated(MEAN,DEVIATION,LOW,HIGH), or leave \
+                          such swings out";
+            Err(Error::Unreadable {
+                name: "the strikes".into(),
+                source: format!("{strike}, {why}; {advice}").into(),
+            })
         };
         if is_beside_any_face(toe, high) {
             return refuse(format!("beside {}", crate::drive::any_face()));
@@ -304,7 +474,9 @@ fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Re
         let third = club.face_semi_axis.unwrap_or((bulge * roll).sqrt());
         if (high * high / roll + toe * toe / bulge) / third >= 1.0 {
             let (bulge, roll) = (mm(bulge), mm(roll));
-            return refuse(format!("where a face with a bulge of {bulge} and a roll of {roll} ends"));
+            return refuse(format!(
+                "where a face with a bulge of {bulge} and a roll of {roll} ends"
+            ));
         }
     }
     Ok(())

@@ -52,7 +52,8 @@ pub static RULES: [Rule; 5] = [
         limit: "5900 g cm^2",
         tolerance: Some("100 g cm^2"),
         step: "100 g cm^2",
-        source: "Equipment Rules, part 2, 4b: about the vertical axis through the centre of gravity",
+        source: "Equipment Rules, part 2, 4b: about the vertical axis through the centre of \
+                 gravity",
         hint: "",
     },
     Rule {
@@ -72,9 +73,12 @@ pub static RULES: [Rule; 5] = [
         limit: "0.822",
         tolerance: Some("0.008"),
         step: "0.01",
-        source: "Equipment Rules, part 2, 4c: as a restitution; the test of today measures the time of contact, 239 + 18 µs",
-        hint: " (that of tour-average and lpga-average was tested on no club: it is chosen so that the ball speed agrees with the published \
-               averages, and stands for all that makes it, such as a head speed that was measured lower; design with the limit, or with \
+        source: "Equipment Rules, part 2, 4c: as a restitution; the test of today measures the \
+                 time of contact, 239 + 18 µs",
+        hint: " (that of tour-average and lpga-average was tested on no club: it is chosen so that \
+               the ball speed agrees with the published \
+               averages, and stands for all that makes it, such as a head speed that was measured \
+               lower; design with the limit, or with \
                modern-driver)",
     },
     Rule {
@@ -105,7 +109,9 @@ impl Rule {
         match self.of {
             Limited::Outcome(of) => of.quantity(),
             Limited::Relation(_, quantity) => quantity,
-            Limited::Parameter(name) => parameter(name).map_or(Quantity::NUMBER, |parameter| parameter.quantity),
+            Limited::Parameter(name) => {
+                parameter(name).map_or(Quantity::NUMBER, |parameter| parameter.quantity)
+            }
         }
     }
 
@@ -121,20 +127,31 @@ impl Rule {
     pub fn bound(&self) -> f64 {
         let read = |text: &str| self.quantity().read(text).unwrap_or(f64::NAN);
         let tolerance = self.tolerance.map_or(0.0, read);
-        read(self.limit) + if self.is_greatest { tolerance } else { -tolerance }
+        read(self.limit)
+            + if self.is_greatest {
+                tolerance
+            } else {
+                -tolerance
+            }
     }
 
     /// Whether a value conforms.
     pub fn allows(&self, value: f64) -> bool {
         // a value that was given in other units is rounded
         let rounding = 1e-12 * self.bound().abs();
-        if self.is_greatest { value <= self.bound() + rounding } else { value >= self.bound() - rounding }
+        if self.is_greatest {
+            value <= self.bound() + rounding
+        } else {
+            value >= self.bound() - rounding
+        }
     }
 
     /// The rule as an expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
     pub fn expression(&self) -> String {
         let sign = if self.is_greatest { "<=" } else { ">=" };
-        let tolerance = self.tolerance.map_or(String::new(), |tolerance| format!(" + {tolerance}"));
+        let tolerance = self
+            .tolerance
+            .map_or(String::new(), |tolerance| format!(" + {tolerance}"));
         format!("{} {sign} {}{tolerance}", self.limited(), self.limit)
     }
 
@@ -156,10 +173,21 @@ mod tests {
     #[test]
     fn exact_limits_with_their_tolerances() {
         let bounds = RULES.iter().map(super::Rule::bound).collect::<Vec<_>>();
-        for (bound, expected) in bounds.iter().zip([6000e-7, 470e-6, 0.83, 0.04593, 0.04267 / 2.0]) {
+        for (bound, expected) in bounds
+            .iter()
+            .zip([6000e-7, 470e-6, 0.83, 0.04593, 0.04267 / 2.0])
+        {
             assert!((bound - expected).abs() < 1e-12 * expected, "{bound}");
         }
-        assert!(RULES[2].allows(0.83) && !RULES[2].allows(0.8301) && RULES[4].allows(0.022) && !RULES[4].allows(0.021));
-        assert_eq!(RULES[0].expression(), "head_moi <= 5900 g cm^2 + 100 g cm^2");
+        assert!(
+            RULES[2].allows(0.83)
+                && !RULES[2].allows(0.8301)
+                && RULES[4].allows(0.022)
+                && !RULES[4].allows(0.021)
+        );
+        assert_eq!(
+            RULES[0].expression(),
+            "head_moi <= 5900 g cm^2 + 100 g cm^2"
+        );
     }
 }

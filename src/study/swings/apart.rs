@@ -9,7 +9,8 @@ use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What recorded swings tell of the best design: the same search over resamples of them (bootstrap).
+/// What recorded swings tell of the best design: the same search over resamples of them
+/// (bootstrap).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resampled {
     /// The 95 % interval of each varied parameter.
@@ -25,17 +26,19 @@ pub struct Resampled {
 /// Whether recorded swings tell two designs apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Apart {
-    /// How much better the goal is with the best design than with the setup's own: the 95 % interval.
+    /// How much better the goal is with the best design than with the setup's own: the 95 %
+    /// interval.
     pub better: Interval,
-    /// Swings that would tell them apart in 80 % of all cases with 95 % confidence, if they go on like these.
+    /// Swings that would tell them apart in 80 % of all cases with 95 % confidence, if they go on
+    /// like these.
     pub swings: Option<u64>,
 }
 
 /// z₀.₉₇₅ + z₀.₈.
 const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 
-/// The optima of resamples; `None` where fewer than half of them came to one, or all swings are alike: they tell of no others; or where `stop`
-/// became true before the end.
+/// The optima of resamples; `None` where fewer than half of them came to one, or all swings are
+/// alike: they tell of no others; or where `stop` became true before the end.
 ///
 /// # Errors
 /// As [`swings_optimum`](super::swings_optimum).
@@ -61,47 +64,106 @@ pub fn resampled(
         if is_stopped() {
             return None;
         }
-        let observer = Observer { interrupt: Arc::clone(stop), ..Observer::default() };
-        let mut random =
-            Xoshiro256PlusPlus::seed_from_u64(seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+        let observer = Observer {
+            interrupt: Arc::clone(stop),
+            ..Observer::default()
+        };
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(
+            seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
+        );
         let mut weights = vec![0.0; n];
         for _ in 0..n {
             // n is small beside 2⁶⁴: no index is likelier by a visible amount
             weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
         }
-        let value = |x: &[f64]| problem.weighted_values(x, &weights).ok().map(|goals| goals[0]);
-        let own = problem.weighted_as_set_up(&weights).ok().map(|goals| goals[0]);
-        let gain = value(&best.solution.x).zip(own).map(|(best, own)| -sign * (best - own));
-        let (weighted, domain, options) = (problem.weighted(weights.clone()), &problem.domain, &best.search.options);
+        let value = |x: &[f64]| {
+            problem
+                .weighted_values(x, &weights)
+                .ok()
+                .map(|goals| goals[0])
+        };
+        let own = problem
+            .weighted_as_set_up(&weights)
+            .ok()
+            .map(|goals| goals[0]);
+        let gain = value(&best.solution.x)
+            .zip(own)
+            .map(|(best, own)| -sign * (best - own));
+        let (weighted, domain, options) = (
+            problem.weighted(weights.clone()),
+            &problem.domain,
+            &best.search.options,
+        );
         let found = minimize_observed(&weighted, domain, &best.solution.x, options, observer);
-        found.ok().filter(|found| found.status == Status::Converged).map(|found| (value(&found.x), found.x, gain))
+        found
+            .ok()
+            .filter(|found| found.status == Status::Converged)
+            .map(|found| (value(&found.x), found.x, gain))
     };
-    let found: Vec<_> = (0..rounds as u64).into_par_iter().filter_map(round).collect();
-    let Some(value) = best.value().filter(|_| found.len() >= (rounds / 2).max(2)) else { return Ok(None) };
-    let design = (0..best.solution.x.len())
-        .map(|i| interval(best.solution.x[i], found.iter().map(|(_, x, _)| x[i]).collect()))
+    let found: Vec<_> = (0..rounds as u64)
+        .into_par_iter()
+        .filter_map(round)
         .collect();
-    let goal = interval(value, found.iter().filter_map(|(value, ..)| *value).collect());
+    let Some(value) = best.value().filter(|_| found.len() >= (rounds / 2).max(2)) else {
+        return Ok(None);
+    };
+    let design = (0..best.solution.x.len())
+        .map(|i| {
+            interval(
+                best.solution.x[i],
+                found.iter().map(|(_, x, _)| x[i]).collect(),
+            )
+        })
+        .collect();
+    let goal = interval(
+        value,
+        found.iter().filter_map(|(value, ..)| *value).collect(),
+    );
     let gains: Vec<f64> = found.iter().filter_map(|(.., gain)| *gain).collect();
-    let apart = problem.as_set_up().ok().filter(|_| gains.len() >= 2).map(|own| {
-        let mean = -sign * (value - own[0]);
-        let better = interval(mean, gains.clone());
-        // the standard error falls as the root of the number of swings
-        let centre = gains.iter().sum::<f64>() / gains.len() as f64;
-        let variance = gains.iter().map(|gain| (gain - centre).powi(2)).sum::<f64>() / (gains.len() as f64 - 1.0);
-        let swings = (POWER / mean).powi(2) * variance * n as f64;
-        Apart { better, swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64) }
-    });
+    let apart = problem
+        .as_set_up()
+        .ok()
+        .filter(|_| gains.len() >= 2)
+        .map(|own| {
+            let mean = -sign * (value - own[0]);
+            let better = interval(mean, gains.clone());
+            // the standard error falls as the root of the number of swings
+            let centre = gains.iter().sum::<f64>() / gains.len() as f64;
+            let variance = gains
+                .iter()
+                .map(|gain| (gain - centre).powi(2))
+                .sum::<f64>()
+                / (gains.len() as f64 - 1.0);
+            let swings = (POWER / mean).powi(2) * variance * n as f64;
+            Apart {
+                better,
+                swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64),
+            }
+        });
     if is_stopped() {
         return Ok(None);
     }
-    Ok(Some(Resampled { design, goal, rounds: found.len(), apart }))
+    Ok(Some(Resampled {
+        design,
+        goal,
+        rounds: found.len(),
+        apart,
+    }))
 }
 
 /// The 95 % interval of an estimate from those of resamples, by their quantiles.
 fn interval(value: f64, mut resamples: Vec<f64>) -> Interval {
     resamples.sort_by(f64::total_cmp);
     let last = resamples.len().saturating_sub(1) as f64;
-    let at = |share: f64| resamples.get((share * last).round() as usize).copied().unwrap_or(f64::NAN);
-    Interval { value, low: at(0.025), high: at(0.975) }
+    let at = |share: f64| {
+        resamples
+            .get((share * last).round() as usize)
+            .copied()
+            .unwrap_or(f64::NAN)
+    };
+    Interval {
+        value,
+        low: at(0.025),
+        high: at(0.975),
+    }
 }

@@ -1,4 +1,5 @@
-//! What deserves a word about the drives of a design: a law beyond what it was fitted to, strikes beside the face, balls that land flat.
+//! What deserves a word about the drives of a design: a law beyond what it was fitted to, strikes
+//! beside the face, balls that land flat.
 
 use super::optimum::{SwingsOptimum, SwingsSearch};
 use super::pareto::Pareto;
@@ -11,7 +12,8 @@ use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// Which shares of the swings are outside of what the model is made for with the design of a setup; those that do not land are not among them. `None` once `stop` is true.
+/// Which shares of the swings are outside of what the model is made for with the design of a setup;
+/// those that do not land are not among them. `None` once `stop` is true.
 pub fn beyond_share(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -21,7 +23,10 @@ pub fn beyond_share(
     let looked_at = |point: &Vec<f64>| {
         let setup = moved(setup, &scenarios.parameters, point).ok()?;
         let drive = Drive::new(&setup).ok()?;
-        drive.landed().is_ok().then(|| drive.beyond(&setup, Looked::AtFlight, of))
+        drive
+            .landed()
+            .is_ok()
+            .then(|| drive.beyond(&setup, Looked::AtFlight, of))
     };
     let drives: Vec<Option<Beyond>> = each_until(&scenarios.points, stop, looked_at)?;
     let mut share = BeyondShare::default();
@@ -31,10 +36,19 @@ pub fn beyond_share(
     Some(share)
 }
 
-/// What deserves a word about a setup and its drives: of one drive as [`Drive::warnings_about`], of many swings with their share.
-fn warnings(setup: &Setup<f64>, scenarios: &Scenarios, of: &[Outcome], stop: &AtomicBool) -> Vec<Message> {
+/// What deserves a word about a setup and its drives: of one drive as [`Drive::warnings_about`], of
+/// many swings with their share.
+fn warnings(
+    setup: &Setup<f64>,
+    scenarios: &Scenarios,
+    of: &[Outcome],
+    stop: &AtomicBool,
+) -> Vec<Message> {
     if scenarios.is_one_drive() {
-        return Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(setup, of));
+        return Drive::new(setup).map_or_else(
+            |_| setup.warnings(),
+            |drive| drive.warnings_about(setup, of),
+        );
     }
     let mut warnings = setup.warnings();
     match beyond_share(setup, scenarios, of, stop) {
@@ -47,14 +61,17 @@ fn warnings(setup: &Setup<f64>, scenarios: &Scenarios, of: &[Outcome], stop: &At
 impl SwingsSearch {
     /// The outcomes that it asks for: of what is looked for, then of what is limited.
     pub fn outcomes(&self) -> Vec<Outcome> {
-        let limited = self.subject_to.iter().flat_map(|limit| limit.goal.outcomes());
+        let limited = self
+            .subject_to
+            .iter()
+            .flat_map(|limit| limit.goal.outcomes());
         self.of.outcomes().into_iter().chain(limited).collect()
     }
 }
 
 impl SwingsOptimum {
-    /// Warnings about the setup with the best design, and about its drives; without an optimum about the setup alone. Once `stop` is
-    /// true, that many swings were not looked at.
+    /// Warnings about the setup with the best design, and about its drives; without an optimum
+    /// about the setup alone. Once `stop` is true, that many swings were not looked at.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         match self.solution.value {
             Some(_) => warnings(&self.setup, &self.scenarios, &self.search.outcomes(), stop),
@@ -64,20 +81,25 @@ impl SwingsOptimum {
 }
 
 impl Robust {
-    /// Warnings about the setup with the design, and about its drives with each model; of many swings until `stop` is true.
+    /// Warnings about the setup with the design, and about its drives with each model; of many
+    /// swings until `stop` is true.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
         let mut all: Vec<Message> = vec![];
         for (model, best) in &self.models {
             let design: Vec<_> = self.search.vary.iter().map(|vary| vary.parameter).collect();
-            let Ok(setup) = moved(&model.setup, &design, &self.design) else { continue };
+            let Ok(setup) = moved(&model.setup, &design, &self.design) else {
+                continue;
+            };
             let told = warnings(&setup, &best.scenarios, &of, stop);
             let of_setup = setup.warnings();
             for message in told {
                 // what is odd in the setup is so with every model, and so is what was left out
                 let message = match of_setup.contains(&message) || message == NOT_LOOKED_AT.into() {
                     true => message,
-                    false => Message::from(format!("with the model '{}': ", model.name)).message(message),
+                    false => {
+                        Message::from(format!("with the model '{}': ", model.name)).message(message)
+                    }
                 };
                 if !all.contains(&message) {
                     all.push(message);
@@ -89,9 +111,12 @@ impl Robust {
 }
 
 impl Pareto {
-    /// Warnings about the drives of the compromises: at how many of them. Nothing once `stop` is true, but that it was not looked at.
+    /// Warnings about the drives of the compromises: at how many of them. Nothing once `stop` is
+    /// true, but that it was not looked at.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
-        let Some(first) = self.points.first() else { return vec![] };
+        let Some(first) = self.points.first() else {
+            return vec![];
+        };
         let goals = self.search.goals.iter().map(|(goal, _)| goal);
         let of: Vec<_> = goals
             .chain(self.search.subject_to.iter().map(|limit| &limit.goal))

@@ -12,8 +12,8 @@ use toml::de::{DeTable, DeValue};
 const MOST_ROWS: u64 = 100_000;
 
 impl Swings {
-    /// Swings from a file: distributions and correlations in TOML (`.toml`), or the rows of a table of recorded swings, whose columns are
-    /// named by parameters (as [`open_table`] reads them).
+    /// Swings from a file: distributions and correlations in TOML (`.toml`), or the rows of a table
+    /// of recorded swings, whose columns are named by parameters (as [`open_table`] reads them).
     ///
     /// ```toml
     /// [distributions]
@@ -27,10 +27,14 @@ impl Swings {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a file that cannot be opened; [`Error::Toml`] and [`Error::InFile`], which name the line; as
-    /// [`open_table`], [`Swings::distributed`] and [`Swings::recorded`].
+    /// [`Error::Unreadable`] for a file that cannot be opened; [`Error::Toml`] and
+    /// [`Error::InFile`], which name the line; as [`open_table`], [`Swings::distributed`] and
+    /// [`Swings::recorded`].
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("toml")) {
+        if path
+            .extension()
+            .is_none_or(|ending| !ending.eq_ignore_ascii_case("toml"))
+        {
             return recorded(setup, open_table(setup, path)?.as_mut(), path);
         }
         let file = path.display().to_string();
@@ -44,16 +48,32 @@ impl Swings {
 
 fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<Swings> {
     if table.rows() > MOST_ROWS {
-        let (rows, limit) = (table.rows().to_string(), format!("{MOST_ROWS} recorded swings"));
-        let (size, advice) = ("too long a search".into(), format!("take a part of {}", path.display()));
-        return Err(Error::TooLarge { rows, size, limit, advice });
+        let (rows, limit) = (
+            table.rows().to_string(),
+            format!("{MOST_ROWS} recorded swings"),
+        );
+        let (size, advice) = (
+            "too long a search".into(),
+            format!("take a part of {}", path.display()),
+        );
+        return Err(Error::TooLarge {
+            rows,
+            size,
+            limit,
+            advice,
+        });
     }
     let parameters = table.parameters().to_vec();
-    let refuse = |reason: String| Error::Table { file: path.display().to_string(), place: String::new(), reason };
+    let refuse = |reason: String| Error::Table {
+        file: path.display().to_string(),
+        place: String::new(),
+        reason,
+    };
     for parameter in &parameters {
         if parameter.is_of_launch() && !setup.launch.is_given() {
             let reason = format!(
-                "it has {}, which is of the ball, and a table of swings has parameters of swing and strike; longdrive delivery --shots \
+                "it has {}, which is of the ball, and a table of swings has parameters of swing \
+                 and strike; longdrive delivery --shots \
                  finds the swings behind launches",
                 parameter.name
             );
@@ -62,32 +82,46 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
         setup.column(parameter.name)?;
     }
     if table.rows() == 0 {
-        return Err(refuse("it has no row; a table of swings has one for each swing".into()));
+        return Err(refuse(
+            "it has no row; a table of swings has one for each swing".into(),
+        ));
     }
     let mut values = vec![];
     while table.read(4096, &mut values)? > 0 {}
-    let rows = values.chunks(parameters.len()).map(<[f64]>::to_vec).collect();
+    let rows = values
+        .chunks(parameters.len())
+        .map(<[f64]>::to_vec)
+        .collect();
     Swings::recorded(parameters, rows).map_err(|error| refuse(error.to_string()))
 }
 
 fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
-    let table = DeTable::parse(text)
-        .map_err(|error| Error::Toml { file: file.into(), message: of_toml(&error, text, |at| place_in(text, at)) })?;
+    let table = DeTable::parse(text).map_err(|error| Error::Toml {
+        file: file.into(),
+        message: of_toml(&error, text, |at| place_in(text, at)),
+    })?;
     let wrong = |at: usize, source: Error| in_file(text, file, at, source);
     let (mut inputs, mut correlations) = (vec![], vec![]);
     for (key, value) in table.get_ref() {
         let at = key.span().start;
         match (key.get_ref().as_ref(), value.get_ref()) {
-            ("distributions", DeValue::Table(inner)) => distributions(setup, inner, "", &wrong, &mut inputs)?,
+            ("distributions", DeValue::Table(inner)) => {
+                distributions(setup, inner, "", &wrong, &mut inputs)?
+            }
             ("correlations", DeValue::Array(all)) => {
                 for one in all {
                     let read = correlation(setup, one.get_ref());
                     correlations.push(read.map_err(|source| wrong(one.span().start, source))?);
                 }
             }
-            ("distributions", other) => return Err(wrong(at, of_type("distributions", other, "a table"))),
+            ("distributions", other) => {
+                return Err(wrong(at, of_type("distributions", other, "a table")));
+            }
             ("correlations", other) => {
-                return Err(wrong(at, of_type("correlations", other, "a list of tables, [[correlations]]")));
+                return Err(wrong(
+                    at,
+                    of_type("correlations", other, "a list of tables, [[correlations]]"),
+                ));
             }
             (name, _) => {
                 let names = ["distributions", "correlations"];
@@ -97,8 +131,12 @@ fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
         }
     }
     if inputs.is_empty() {
-        let source = "it has nothing to distribute; write [distributions] and below it, for example, swing.speed = \"normal(110 mph, 3 mph)\"";
-        return Err(Error::Unreadable { name: format!("the swings in {file}"), source: source.into() });
+        let source = "it has nothing to distribute; write [distributions] and below it, for \
+                      example, swing.speed = \"normal(110 mph, 3 mph)\"";
+        return Err(Error::Unreadable {
+            name: format!("the swings in {file}"),
+            source: source.into(),
+        });
     }
     Swings::distributed(inputs, &correlations)
 }
@@ -114,7 +152,9 @@ fn distributions(
     for (key, value) in table {
         let name = format!("{before}{}", key.get_ref());
         match value.get_ref() {
-            DeValue::Table(inner) => distributions(setup, inner, &format!("{name}."), wrong, inputs)?,
+            DeValue::Table(inner) => {
+                distributions(setup, inner, &format!("{name}."), wrong, inputs)?
+            }
             DeValue::String(text) => {
                 let read = Uncertain::read(setup, &format!("{name}={text}"));
                 inputs.push(read.map_err(|source| wrong(key.span().start, source))?);
@@ -130,32 +170,53 @@ fn distributions(
 
 fn correlation(setup: &Setup<f64>, value: &DeValue<'_>) -> Result<Correlation> {
     let how = "a correlation has between = [\"NAME\", \"NAME\"] and coefficient = NUMBER";
-    let refuse = |source: String| Error::Unreadable { name: "a correlation".into(), source: source.into() };
-    let DeValue::Table(table) = value else { return Err(of_type("correlations", value, "a table")) };
+    let refuse = |source: String| Error::Unreadable {
+        name: "a correlation".into(),
+        source: source.into(),
+    };
+    let DeValue::Table(table) = value else {
+        return Err(of_type("correlations", value, "a table"));
+    };
     for key in table.keys() {
         if !["between", "coefficient"].contains(&key.get_ref().as_ref()) {
-            return Err(refuse(format!("'{}' does not belong here; {how}", key.get_ref())));
+            return Err(refuse(format!(
+                "'{}' does not belong here; {how}",
+                key.get_ref()
+            )));
         }
     }
     let get = |name: &str| {
-        table.get(name).map(|value| value.get_ref()).ok_or_else(|| refuse(format!("{name} is missing; {how}")))
+        table
+            .get(name)
+            .map(|value| value.get_ref())
+            .ok_or_else(|| refuse(format!("{name} is missing; {how}")))
     };
     let names = match get("between")? {
-        DeValue::Array(names) => names.iter().filter_map(|name| name.get_ref().as_str()).collect(),
+        DeValue::Array(names) => names
+            .iter()
+            .filter_map(|name| name.get_ref().as_str())
+            .collect(),
         _ => vec![],
     };
-    let [one, other] = names.as_slice() else { return Err(refuse(format!("between must be two names; {how}"))) };
+    let [one, other] = names.as_slice() else {
+        return Err(refuse(format!("between must be two names; {how}")));
+    };
     let coefficient = match get("coefficient")? {
         DeValue::Float(number) => number.as_str().parse().ok(),
         DeValue::Integer(number) => number.as_str().parse().ok(),
         _ => None,
     };
-    let coefficient = coefficient.ok_or_else(|| refuse(format!("coefficient must be a number; {how}")))?;
+    let coefficient =
+        coefficient.ok_or_else(|| refuse(format!("coefficient must be a number; {how}")))?;
     Correlation::new([setup.column(one)?, setup.column(other)?], coefficient)
 }
 
 fn of_type(key: &str, found: &DeValue<'_>, expected: &str) -> Error {
-    Error::WrongType { key: key.into(), found: found.type_str(), expected: expected.into() }
+    Error::WrongType {
+        key: key.into(),
+        found: found.type_str(),
+        expected: expected.into(),
+    }
 }
 
 #[cfg(test)]
@@ -166,26 +227,44 @@ mod tests {
     #[test]
     fn exact_what_a_file_of_swings_says_and_what_it_must_not() {
         let setup = Setup::default();
-        let good = "[distributions]\nswing.speed = 'normal(110 mph, 3 mph)'\n'swing.path' = 'uniform(-2 deg, 2 deg)'\n\
-                    [[correlations]]\nbetween = ['swing.speed', 'swing.path']\ncoefficient = -0.25\n";
+        let good = "[distributions]\nswing.speed = 'normal(110 mph, 3 mph)'\n'swing.path' = \
+                    'uniform(-2 deg, 2 deg)'\n\
+                    [[correlations]]\nbetween = ['swing.speed', 'swing.path']\ncoefficient = \
+                    -0.25\n";
         let swings = read(&setup, good, "s.toml").unwrap();
-        assert_eq!(swings.parameters().iter().map(|p| p.name).collect::<Vec<_>>(), ["swing.speed", "swing.path"]);
+        assert_eq!(
+            swings
+                .parameters()
+                .iter()
+                .map(|p| p.name)
+                .collect::<Vec<_>>(),
+            ["swing.speed", "swing.path"]
+        );
         assert!((swings.means()[0] - 49.1744).abs() < 1e-12 && swings.means()[1] == 0.0);
         for (bad, said) in [
-            ("[distributions]\nswing.sped = 'normal(1 mph, 3 mph)'\n", "did you mean 'swing.speed'"),
+            (
+                "[distributions]\nswing.sped = 'normal(1 mph, 3 mph)'\n",
+                "did you mean 'swing.speed'",
+            ),
             ("[distributions]\nswing.speed = 110\n", "in quotes"),
             ("[distributon]\n", "did you mean 'distributions'"),
-            ("[distributions]\nswing.path = 'normal(0 deg, -1 deg)'\n", "above 0"),
             (
-                "[distributions]\nswing.path = 'normal(0 deg, 1 deg)'\n[[correlations]]\nbetween = ['swing.path', 'swing.speed']\ncoefficient = 0.5\n",
+                "[distributions]\nswing.path = 'normal(0 deg, -1 deg)'\n",
+                "above 0",
+            ),
+            (
+                "[distributions]\nswing.path = 'normal(0 deg, 1 deg)'\n[[correlations]]\nbetween = \
+                 ['swing.path', 'swing.speed']\ncoefficient = 0.5\n",
                 "has no distribution",
             ),
             (
-                "[distributions]\nswing.path = 'normal(0 deg, 1 deg)'\n[[correlations]]\nbetween = ['swing.path']\ncoefficient = 0.5\n",
+                "[distributions]\nswing.path = 'normal(0 deg, 1 deg)'\n[[correlations]]\nbetween = \
+                 ['swing.path']\ncoefficient = 0.5\n",
                 "two names",
             ),
             (
-                "[distributions]\nswing.path = 'normal(0 deg, 1 deg)'\n[[correlations]]\nbetween = ['swing.path', 'swing.path']\ncoefficient = 0.5\n",
+                "[distributions]\nswing.path = 'normal(0 deg, 1 deg)'\n[[correlations]]\nbetween = \
+                 ['swing.path', 'swing.path']\ncoefficient = 0.5\n",
                 "with itself",
             ),
             ("", "nothing to distribute"),

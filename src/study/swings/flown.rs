@@ -16,7 +16,8 @@ const BLOCK: usize = 512;
 /// A column of values for each outcome: those of a setup with each swing.
 ///
 /// # Errors
-/// [`Error::NoFlight`], which names the first swing that does not fly; [`Error::NotConverged`] once `stop` is true.
+/// [`Error::NoFlight`], which names the first swing that does not fly; [`Error::NotConverged`] once
+/// `stop` is true.
 pub(super) fn columns(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -30,23 +31,36 @@ pub(super) fn columns(
         false => Some(Batch::new(setup, &scenarios.parameters, of, &[])?),
     };
     let rows = |points: &&[Vec<f64>]| -> Result<Vec<Vec<f64>>> {
-        let block = batch.as_ref().map(|batch| batch.evaluate(0, points.concat()));
+        let block = batch
+            .as_ref()
+            .map(|batch| batch.evaluate(0, points.concat()));
         let row = |(k, point): (usize, &Vec<f64>)| {
-            let found = block.as_ref().and_then(|block| block.outcomes(k).collect::<Option<Vec<f64>>>());
+            let found = block
+                .as_ref()
+                .and_then(|block| block.outcomes(k).collect::<Option<Vec<f64>>>());
             found.map_or_else(|| alone(setup, of, scenarios, point), Ok)
         };
         points.iter().enumerate().map(row).collect()
     };
     let flown = each_until(&blocks, stop, rows).ok_or_else(|| stopped("all swings were flown"))?;
     let flown = flown.into_iter().collect::<Result<Vec<_>>>()?.concat();
-    Ok((0..of.len()).map(|i| flown.iter().map(|row| row[i]).collect()).collect())
+    Ok((0..of.len())
+        .map(|i| flown.iter().map(|row| row[i]).collect())
+        .collect())
 }
 
 /// The outcomes of one swing by itself, or why it does not fly.
-fn alone(setup: &Setup<f64>, of: &[Outcome], scenarios: &Scenarios, point: &[f64]) -> Result<Vec<f64>> {
+fn alone(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    scenarios: &Scenarios,
+    point: &[f64],
+) -> Result<Vec<f64>> {
     let swung = moved(setup, &scenarios.parameters, point)?;
     let found = Evaluator::new(&swung, of, &[], Order::Value)?.at(&[]);
-    let found = found.map_err(|error| Error::NoFlight { reason: no_flight(scenarios, point, &error).into() })?;
+    let found = found.map_err(|error| Error::NoFlight {
+        reason: no_flight(scenarios, point, &error).into(),
+    })?;
     Ok(found.into_iter().map(|outcome| outcome.value).collect())
 }
 

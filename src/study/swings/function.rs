@@ -8,8 +8,9 @@ use crate::study::Sense;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// A goal over swings as a function of some parameters of the design, with as many derivatives as are asked for: for optimizers that take
-/// functions. Measures with an edge (`lowest`, `highest`, `within`) are smoothed there. The drives are integrated as the setup says.
+/// A goal over swings as a function of some parameters of the design, with as many derivatives as
+/// are asked for: for optimizers that take functions. Measures with an edge (`lowest`, `highest`,
+/// `within`) are smoothed there. The drives are integrated as the setup says.
 ///
 /// ```
 /// use longdrive::Setup;
@@ -33,16 +34,38 @@ pub struct GoalFunction {
 
 impl GoalFunction {
     /// # Errors
-    /// [`Error::Nothing`] without a parameter; [`Error::Unreadable`] for one that the swings have values of; what [`Setup::validate`] refuses.
-    pub fn new(setup: &Setup<f64>, goal: &Goal, wrt: &[&'static Parameter], scenarios: Scenarios) -> Result<Self> {
+    /// [`Error::Nothing`] without a parameter; [`Error::Unreadable`] for one that the swings have
+    /// values of; what [`Setup::validate`] refuses.
+    pub fn new(
+        setup: &Setup<f64>,
+        goal: &Goal,
+        wrt: &[&'static Parameter],
+        scenarios: Scenarios,
+    ) -> Result<Self> {
         if wrt.is_empty() {
-            return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
+            return Err(Error::Nothing {
+                doing: "differentiate by",
+                what: "parameter",
+            });
         }
-        let whole =
-            |parameter: &&'static Parameter| Vary { parameter, low: parameter.range.low, high: parameter.range.high };
+        let whole = |parameter: &&'static Parameter| Vary {
+            parameter,
+            low: parameter.range.low,
+            high: parameter.range.high,
+        };
         let vary: Vec<Vary> = wrt.iter().map(whole).collect();
-        let problem = SwingsProblem::new(setup, (goal, Sense::Minimize), &[], &vary, scenarios, &Arc::default())?;
-        Ok(Self { problem, wrt: wrt.to_vec() })
+        let problem = SwingsProblem::new(
+            setup,
+            (goal, Sense::Minimize),
+            &[],
+            &vary,
+            scenarios,
+            &Arc::default(),
+        )?;
+        Ok(Self {
+            problem,
+            wrt: wrt.to_vec(),
+        })
     }
 
     /// The parameters, in the order of the values and derivatives.
@@ -53,7 +76,8 @@ impl GoalFunction {
     /// The goal with these values of the parameters, SI, with derivatives to an order.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a value that no drive can have; [`Error::NoFlight`] where a swing does not fly, with the first that does not.
+    /// [`Error::OutOfRange`] for a value that no drive can have; [`Error::NoFlight`] where a swing
+    /// does not fly, with the first that does not.
     ///
     /// # Panics
     /// Where there are not as many values as parameters.
@@ -64,7 +88,8 @@ impl GoalFunction {
     /// The same; once `stop` is true no more drives are hit.
     ///
     /// # Errors
-    /// As [`at`](Self::at); [`Error::NotConverged`], with the status `interrupted`, where it is stopped.
+    /// As [`at`](Self::at); [`Error::NotConverged`], with the status `interrupted`, where it is
+    /// stopped.
     ///
     /// # Panics
     /// As [`at`](Self::at).
@@ -73,7 +98,12 @@ impl GoalFunction {
         for (parameter, value) in self.wrt.iter().zip(x) {
             parameter.check(*value)?;
         }
-        let goals = self.problem.goals_until(x, &self.problem.scenarios().weights, order, stop)?;
-        goals.into_iter().next().ok_or(Error::Nothing { doing: "look for", what: "goal" })
+        let goals = self
+            .problem
+            .goals_until(x, &self.problem.scenarios().weights, order, stop)?;
+        goals.into_iter().next().ok_or(Error::Nothing {
+            doing: "look for",
+            what: "goal",
+        })
     }
 }

@@ -21,7 +21,8 @@ pub enum Swings {
     },
 }
 
-/// The correlation of two parameters: of their normal scores, which for normal distributions are the parameters themselves.
+/// The correlation of two parameters: of their normal scores, which for normal distributions are
+/// the parameters themselves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
     /// The two.
@@ -42,16 +43,22 @@ impl Correlation {
         };
         let how = "write NAME,NAME=COEFFICIENT, for example swing.path,swing.face_angle=0.6";
         let (names, coefficient) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;
-        let (one, other) = names.split_once(',').ok_or_else(|| unreadable(how.into()))?;
+        let (one, other) = names
+            .split_once(',')
+            .ok_or_else(|| unreadable(how.into()))?;
         let coefficient = coefficient
             .trim()
             .parse()
             .map_err(|_| unreadable(format!("'{}' is not a number; {how}", coefficient.trim())))?;
-        Self::new([setup.column(one.trim())?, setup.column(other.trim())?], coefficient)
+        Self::new(
+            [setup.column(one.trim())?, setup.column(other.trim())?],
+            coefficient,
+        )
     }
 
     /// # Errors
-    /// [`Error::Unreadable`] for a coefficient that is not between −1 and 1, or of a parameter with itself.
+    /// [`Error::Unreadable`] for a coefficient that is not between −1 and 1, or of a parameter with
+    /// itself.
     pub fn new(between: [&'static Parameter; 2], coefficient: f64) -> Result<Self> {
         let [one, other] = between.map(|parameter| parameter.name);
         let refuse = |source: String| Error::Unreadable {
@@ -59,12 +66,17 @@ impl Correlation {
             source: source.into(),
         };
         if one == other {
-            return Err(refuse("a parameter has no correlation with itself to be given; name two".into()));
+            return Err(refuse(
+                "a parameter has no correlation with itself to be given; name two".into(),
+            ));
         }
         if !(-1.0..=1.0).contains(&coefficient) {
             return Err(refuse(format!("{coefficient} is outside of -1 to 1")));
         }
-        Ok(Self { between, coefficient })
+        Ok(Self {
+            between,
+            coefficient,
+        })
     }
 }
 
@@ -72,33 +84,56 @@ impl Swings {
     /// Swings by distributions with some correlations, of which those that are not given are 0.
     ///
     /// # Errors
-    /// [`Error::Nothing`] without a distribution; [`Error::Unreadable`] for a parameter given twice, a correlation of one that has no
-    /// distribution, or correlations that contradict each other (their matrix is not positive semi-definite).
+    /// [`Error::Nothing`] without a distribution; [`Error::Unreadable`] for a parameter given
+    /// twice, a correlation of one that has no distribution, or correlations that contradict each
+    /// other (their matrix is not positive semi-definite).
     pub fn distributed(inputs: Vec<Uncertain>, correlations: &[Correlation]) -> Result<Self> {
         if inputs.is_empty() {
-            return Err(Error::Nothing { doing: "distribute", what: "parameter" });
+            return Err(Error::Nothing {
+                doing: "distribute",
+                what: "parameter",
+            });
         }
         for (i, input) in inputs.iter().enumerate() {
-            if inputs[..i].iter().any(|before| before.parameter == input.parameter) {
+            if inputs[..i]
+                .iter()
+                .any(|before| before.parameter == input.parameter)
+            {
                 let source = "it has two distributions; keep one".into();
-                return Err(Error::Unreadable { name: input.parameter.name.into(), source });
+                return Err(Error::Unreadable {
+                    name: input.parameter.name.into(),
+                    source,
+                });
             }
         }
         let n = inputs.len();
-        let mut matrix: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+        let mut matrix: Vec<Vec<f64>> = (0..n)
+            .map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect())
+            .collect();
         for (k, correlation) in correlations.iter().enumerate() {
-            let name = correlation.between.map(|parameter| parameter.name).join(",");
-            let unreadable =
-                |source: String| Error::Unreadable { name: format!("the correlation {name}"), source: source.into() };
-            let place = |parameter: &'static Parameter| {
-                inputs.iter().position(|input| input.parameter == parameter).ok_or_else(|| {
-                    unreadable(format!(
-                        "{} has no distribution; give it one, or leave the correlation out",
-                        parameter.name
-                    ))
-                })
+            let name = correlation
+                .between
+                .map(|parameter| parameter.name)
+                .join(",");
+            let unreadable = |source: String| Error::Unreadable {
+                name: format!("the correlation {name}"),
+                source: source.into(),
             };
-            let [i, j] = [place(correlation.between[0])?, place(correlation.between[1])?];
+            let place = |parameter: &'static Parameter| {
+                inputs
+                    .iter()
+                    .position(|input| input.parameter == parameter)
+                    .ok_or_else(|| {
+                        unreadable(format!(
+                            "{} has no distribution; give it one, or leave the correlation out",
+                            parameter.name
+                        ))
+                    })
+            };
+            let [i, j] = [
+                place(correlation.between[0])?,
+                place(correlation.between[1])?,
+            ];
             let is_of_these = |other: &Correlation| {
                 other.between == correlation.between
                     || other.between == [correlation.between[1], correlation.between[0]]
@@ -111,7 +146,8 @@ impl Swings {
         let factor = factored(&matrix).map_err(|i| Error::Unreadable {
             name: "the correlations".into(),
             source: format!(
-                "they contradict each other: with those before it, {} cannot have all of its own (the matrix is not positive \
+                "they contradict each other: with those before it, {} cannot have all of its own \
+                 (the matrix is not positive \
                  semi-definite); make them smaller",
                 inputs[i].parameter.name
             )
@@ -123,19 +159,32 @@ impl Swings {
     /// Swings as they were recorded.
     ///
     /// # Errors
-    /// [`Error::Nothing`] without a swing or a parameter; [`Error::Unreadable`] for a value that no drive can have.
+    /// [`Error::Nothing`] without a swing or a parameter; [`Error::Unreadable`] for a value that no
+    /// drive can have.
     pub fn recorded(parameters: Vec<&'static Parameter>, rows: Vec<Vec<f64>>) -> Result<Self> {
         if parameters.is_empty() || rows.is_empty() {
-            return Err(Error::Nothing { doing: "swing", what: "recorded swing" });
+            return Err(Error::Nothing {
+                doing: "swing",
+                what: "recorded swing",
+            });
         }
         for (k, row) in rows.iter().enumerate() {
             for (parameter, value) in parameters.iter().zip(row) {
                 let name = format!("recorded swing {}", k + 1);
                 if value.is_nan() {
-                    let source = format!("{} is missing; fill its cell, or leave the row out", parameter.name).into();
+                    let source = format!(
+                        "{} is missing; fill its cell, or leave the row out",
+                        parameter.name
+                    )
+                    .into();
                     return Err(Error::Unreadable { name, source });
                 }
-                parameter.check(*value).map_err(|source| Error::Unreadable { name, source: Box::new(source) })?;
+                parameter
+                    .check(*value)
+                    .map_err(|source| Error::Unreadable {
+                        name,
+                        source: Box::new(source),
+                    })?;
             }
         }
         Ok(Self::Recorded { parameters, rows })
@@ -144,7 +193,9 @@ impl Swings {
     /// The parameters that vary.
     pub fn parameters(&self) -> Vec<&'static Parameter> {
         match self {
-            Self::Distributed { inputs, .. } => inputs.iter().map(|input| input.parameter).collect(),
+            Self::Distributed { inputs, .. } => {
+                inputs.iter().map(|input| input.parameter).collect()
+            }
             Self::Recorded { parameters, .. } => parameters.clone(),
         }
     }
@@ -152,16 +203,21 @@ impl Swings {
     /// The mean of each.
     pub fn means(&self) -> Vec<f64> {
         match self {
-            Self::Distributed { inputs, .. } => inputs.iter().map(|input| input.distribution.mean()).collect(),
+            Self::Distributed { inputs, .. } => inputs
+                .iter()
+                .map(|input| input.distribution.mean())
+                .collect(),
             Self::Recorded { parameters, rows } => {
-                let mean = |i: usize| rows.iter().map(|row| row[i]).sum::<f64>() / rows.len() as f64;
+                let mean =
+                    |i: usize| rows.iter().map(|row| row[i]).sum::<f64>() / rows.len() as f64;
                 (0..parameters.len()).map(mean).collect()
             }
         }
     }
 }
 
-/// The lower triangular L with A = L Lᵀ of a positive semi-definite A with a diagonal of ones; else the row that fails.
+/// The lower triangular L with A = L Lᵀ of a positive semi-definite A with a diagonal of ones; else
+/// the row that fails.
 fn factored(a: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, usize> {
     /// Correlations are given with some digits: what is missing to 0 by less is rounding.
     const ROUNDING: f64 = 1e-12;
@@ -191,7 +247,11 @@ mod tests {
 
     #[test]
     fn exact_factor_of_correlations_and_none_where_they_contradict() {
-        let a = [vec![1.0, 0.5, 0.2], vec![0.5, 1.0, -0.3], vec![0.2, -0.3, 1.0]];
+        let a = [
+            vec![1.0, 0.5, 0.2],
+            vec![0.5, 1.0, -0.3],
+            vec![0.2, -0.3, 1.0],
+        ];
         let l = factored(&a).unwrap();
         for i in 0..3 {
             for j in 0..3 {
@@ -200,7 +260,11 @@ mod tests {
             }
         }
         // three that are each the opposite of the other two
-        let opposite = [vec![1.0, -0.9, -0.9], vec![-0.9, 1.0, -0.9], vec![-0.9, -0.9, 1.0]];
+        let opposite = [
+            vec![1.0, -0.9, -0.9],
+            vec![-0.9, 1.0, -0.9],
+            vec![-0.9, -0.9, 1.0],
+        ];
         assert_eq!(factored(&opposite), Err(2));
         // two that are one
         assert!(factored(&[vec![1.0, 1.0], vec![1.0, 1.0]]).is_ok());

@@ -15,11 +15,13 @@ pub enum Measure {
     Deviation(Outcome),
     /// The root of the mean of its square.
     RootMeanSquare(Outcome),
-    /// The mean of its lowest share: the conditional value at risk, smoothed (after Chen & Harker 1993; Kanzow 1996; Smale 1987).
+    /// The mean of its lowest share: the conditional value at risk, smoothed (after Chen & Harker
+    /// 1993; Kanzow 1996; Smale 1987).
     Lowest(Outcome, f64),
     /// The mean of its highest share.
     Highest(Outcome, f64),
-    /// The share of drives within so much of 0, of which each counts by how far inside it is: the edges are as wide as a unit.
+    /// The share of drives within so much of 0, of which each counts by how far inside it is: the
+    /// edges are as wide as a unit.
     Within(Outcome, f64),
     /// Expected strokes to hole out from where the ball ends, on a hole of a length, m.
     Strokes(Strokes, f64),
@@ -69,10 +71,14 @@ impl Measure {
 
     /// Whether it has an edge, where one drive more or less changes it with a kink or a jump.
     pub(super) fn has_edge(&self) -> bool {
-        matches!(self, Self::Lowest(..) | Self::Highest(..) | Self::Within(..))
+        matches!(
+            self,
+            Self::Lowest(..) | Self::Highest(..) | Self::Within(..)
+        )
     }
 
-    /// The measure by its definition, from a column of values for each of its outcomes. Parameters of the design have no outcomes: 0.
+    /// The measure by its definition, from a column of values for each of its outcomes. Parameters
+    /// of the design have no outcomes: 0.
     pub(super) fn exact(&self, columns: &[&[f64]], weights: &[f64]) -> f64 {
         let each = || columns[0].iter().copied().zip(weights.iter().copied());
         let mean = |f: &dyn Fn(f64) -> f64| each().map(|(x, weight)| weight * f(x)).sum::<f64>();
@@ -87,39 +93,78 @@ impl Measure {
             Self::Highest(_, share) => -lowest_mean(each().map(|(x, weight)| (-x, weight)), *share),
             Self::Within(_, half) => mean(&|x| f64::from(u8::from(x.abs() <= *half))),
             Self::Strokes(strokes, hole) => {
-                let left = columns[0].iter().zip(columns[1]).map(|(downrange, right)| (hole - downrange).hypot(*right));
-                left.zip(weights).map(|(left, weight)| weight * strokes.value(left)).sum()
+                let left = columns[0]
+                    .iter()
+                    .zip(columns[1])
+                    .map(|(downrange, right)| (hole - downrange).hypot(*right));
+                left.zip(weights)
+                    .map(|(left, weight)| weight * strokes.value(left))
+                    .sum()
             }
             Self::Parameter(_) | Self::One => 0.0,
         }
     }
 
-    /// The measure with its edges smoothed, from the gradients of its outcomes in each scenario, or from values alone; to second order also
-    /// from those Hessians that the outcomes have. Parameters of the design have no outcomes: 0.
-    pub(super) fn smoothed(&self, drives: &[Vec<&Taylor>], weights: &[f64], order: Order) -> Taylor {
-        let each = || drives.iter().map(|outcomes| outcomes[0]).zip(weights.iter().copied());
+    /// The measure with its edges smoothed, from the gradients of its outcomes in each scenario, or
+    /// from values alone; to second order also from those Hessians that the outcomes have.
+    /// Parameters of the design have no outcomes: 0.
+    pub(super) fn smoothed(
+        &self,
+        drives: &[Vec<&Taylor>],
+        weights: &[f64],
+        order: Order,
+    ) -> Taylor {
+        let each = || {
+            drives
+                .iter()
+                .map(|outcomes| outcomes[0])
+                .zip(weights.iter().copied())
+        };
         let one = |of: &Outcome| of.quantity().size_of(of.unit()).unwrap_or(1.0);
         let is_second = order == Order::Second;
         let sum = |h: &dyn Fn(f64) -> [f64; 3]| {
-            summed(each().map(|(f, weight)| (f, h(f.value).map(|part| weight * part))), &[], is_second)
+            summed(
+                each().map(|(f, weight)| (f, h(f.value).map(|part| weight * part))),
+                &[],
+                is_second,
+            )
         };
         match self {
             Self::Mean(_) => sum(&|f| [f, 1.0, 0.0]),
             Self::Deviation(of) => {
-                let Taylor { value: mean, gradient, .. } =
-                    summed(each().map(|(f, w)| (f, [w * f.value, w, 0.0])), &[], false);
+                let Taylor {
+                    value: mean,
+                    gradient,
+                    ..
+                } = summed(each().map(|(f, w)| (f, [w * f.value, w, 0.0])), &[], false);
                 // Σ w (f − mean) = 0: the derivatives of the mean fall out of the slopes
                 let squares = each().map(|(f, w)| {
                     let off = f.value - mean;
                     (f, [w * off * off, 2.0 * w * off, 2.0 * w])
                 });
-                root(&summed(squares, &gradient, is_second), LEAST_DEVIATION * one(of))
+                root(
+                    &summed(squares, &gradient, is_second),
+                    LEAST_DEVIATION * one(of),
+                )
             }
-            Self::RootMeanSquare(of) => root(&sum(&|f| [f * f, 2.0 * f, 2.0]), LEAST_DEVIATION * one(of)),
-            Self::Lowest(of, share) => lowest(&each().collect::<Vec<_>>(), 1.0, *share, SMOOTHING * one(of), is_second),
-            Self::Highest(of, share) => {
-                lowest(&each().collect::<Vec<_>>(), -1.0, *share, SMOOTHING * one(of), is_second).negated()
+            Self::RootMeanSquare(of) => {
+                root(&sum(&|f| [f * f, 2.0 * f, 2.0]), LEAST_DEVIATION * one(of))
             }
+            Self::Lowest(of, share) => lowest(
+                &each().collect::<Vec<_>>(),
+                1.0,
+                *share,
+                SMOOTHING * one(of),
+                is_second,
+            ),
+            Self::Highest(of, share) => lowest(
+                &each().collect::<Vec<_>>(),
+                -1.0,
+                *share,
+                SMOOTHING * one(of),
+                is_second,
+            )
+            .negated(),
             Self::Within(of, half) => sum(&|f| within(f, *half, one(of))),
             Self::Strokes(strokes, hole) => {
                 let whole = |f: &Taylor| {
@@ -129,7 +174,9 @@ impl Measure {
                     }
                     whole
                 };
-                let strokes = drives.iter().map(|end| strokes.from(&whole(end[0]), &whole(end[1]), *hole));
+                let strokes = drives
+                    .iter()
+                    .map(|end| strokes.from(&whole(end[0]), &whole(end[1]), *hole));
                 let strokes: Vec<_> = strokes.zip(weights).collect();
                 Taylor::sum(strokes.iter().map(|(strokes, weight)| (strokes, **weight)))
             }
@@ -138,9 +185,14 @@ impl Measure {
     }
 }
 
-/// Σ hₖ(fₖ) from hₖ, hₖ′ and hₖ″ at each drive: Σ hₖ′ (∇fₖ − c), and to second order Σ hₖ″ (∇fₖ − c)(∇fₖ − c)ᵀ + Σ hₖ′ ∇²fₖ over the drives
-/// that have Hessians. The centre c is 0 where it is empty.
-fn summed<'a>(terms: impl Iterator<Item = (&'a Taylor, [f64; 3])>, centre: &[f64], is_second: bool) -> Taylor {
+/// Σ hₖ(fₖ) from hₖ, hₖ′ and hₖ″ at each drive: Σ hₖ′ (∇fₖ − c), and to second order Σ hₖ″ (∇fₖ −
+/// c)(∇fₖ − c)ᵀ + Σ hₖ′ ∇²fₖ over the drives that have Hessians. The centre c is 0 where it is
+/// empty.
+fn summed<'a>(
+    terms: impl Iterator<Item = (&'a Taylor, [f64; 3])>,
+    centre: &[f64],
+    is_second: bool,
+) -> Taylor {
     let mut all: Option<Taylor> = None;
     for (f, [value, slope, bend]) in terms {
         let n = f.gradient.len();
@@ -152,16 +204,21 @@ fn summed<'a>(terms: impl Iterator<Item = (&'a Taylor, [f64; 3])>, centre: &[f64
         }
         for (i, row) in sum.hessian.iter_mut().enumerate() {
             let along = bend * change(i);
-            row.iter_mut().enumerate().for_each(|(j, second)| *second += along * change(j));
+            row.iter_mut()
+                .enumerate()
+                .for_each(|(j, second)| *second += along * change(j));
         }
         for (row, seconds) in sum.hessian.iter_mut().zip(&f.hessian) {
-            row.iter_mut().zip(seconds).for_each(|(sum, second)| *sum += slope * second);
+            row.iter_mut()
+                .zip(seconds)
+                .for_each(|(sum, second)| *sum += slope * second);
         }
     }
     all.unwrap_or_default()
 }
 
-/// The mean of the lowest share: of the drive at its edge, the part that belongs to the share counts.
+/// The mean of the lowest share: of the drive at its edge, the part that belongs to the share
+/// counts.
 fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
     let mut sorted: Vec<_> = drives.collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -191,18 +248,41 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
     std::array::from_fn(|k| above[k] - below[k])
 }
 
-/// max over t of t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2 with uₖ = ±fₖ: for ε → 0 the mean of the lowest share α of uₖ.
+/// max over t of t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2 with uₖ = ±fₖ: for ε → 0 the
+/// mean of the lowest share α of uₖ.
 ///
-/// At the maximum the slope by t is 0, so that gradients are those at a fixed t; the Hessian has the way that t moves.
-fn lowest(drives: &[(&Taylor, f64)], sign: f64, share: f64, smoothing: f64, is_second: bool) -> Taylor {
+/// At the maximum the slope by t is 0, so that gradients are those at a fixed t; the Hessian has
+/// the way that t moves.
+fn lowest(
+    drives: &[(&Taylor, f64)],
+    sign: f64,
+    share: f64,
+    smoothing: f64,
+    is_second: bool,
+) -> Taylor {
     let plus = |z: f64| {
         let width = (z * z + 4.0 * smoothing * smoothing).sqrt();
-        [0.5 * (z + width), 0.5 * (1.0 + z / width), 2.0 * smoothing * smoothing / width.powi(3)]
+        [
+            0.5 * (z + width),
+            0.5 * (1.0 + z / width),
+            2.0 * smoothing * smoothing / width.powi(3),
+        ]
     };
-    let excess = |t: f64| drives.iter().map(|(f, weight)| weight * plus(t - sign * f.value)[1]).sum::<f64>() - share;
+    let excess = |t: f64| {
+        drives
+            .iter()
+            .map(|(f, weight)| weight * plus(t - sign * f.value)[1])
+            .sum::<f64>()
+            - share
+    };
     // it rises with t from −α to 1 − α: halved to the last bit
-    let ends = |start: f64, pick: fn(f64, f64) -> f64| drives.iter().map(|(f, _)| sign * f.value).fold(start, pick);
-    let (mut low, mut high) = (ends(f64::INFINITY, f64::min), ends(f64::NEG_INFINITY, f64::max));
+    let ends = |start: f64, pick: fn(f64, f64) -> f64| {
+        drives.iter().map(|(f, _)| sign * f.value).fold(start, pick)
+    };
+    let (mut low, mut high) = (
+        ends(f64::INFINITY, f64::min),
+        ends(f64::NEG_INFINITY, f64::max),
+    );
     let mut reach = smoothing;
     while excess(low) > 0.0 {
         low -= reach;
@@ -218,23 +298,41 @@ fn lowest(drives: &[(&Taylor, f64)], sign: f64, share: f64, smoothing: f64, is_s
         if middle <= low || middle >= high {
             break;
         }
-        if excess(middle) > 0.0 { high = middle } else { low = middle }
+        if excess(middle) > 0.0 {
+            high = middle
+        } else {
+            low = middle
+        }
     }
     let t = 0.5 * (low + high);
     let terms = drives.iter().map(|(f, weight)| {
         let [value, slope, bend] = plus(t - sign * f.value);
         // −φ(t − u) by f
-        (*f, [-value, sign * slope, -bend].map(|part| weight / share * part))
+        (
+            *f,
+            [-value, sign * slope, -bend].map(|part| weight / share * part),
+        )
     });
     let mut all = summed(terms, &[], is_second);
     all.value += t;
-    let bends: Vec<f64> = drives.iter().map(|(f, weight)| weight / share * plus(t - sign * f.value)[2]).collect();
+    let bends: Vec<f64> = drives
+        .iter()
+        .map(|(f, weight)| weight / share * plus(t - sign * f.value)[2])
+        .collect();
     let bend: f64 = bends.iter().sum();
     // ∂²/∂t∂x but for its sign
-    let mixed = |i: usize| bends.iter().zip(drives).map(|(bend, (f, _))| bend * f.gradient[i]).sum::<f64>();
+    let mixed = |i: usize| {
+        bends
+            .iter()
+            .zip(drives)
+            .map(|(bend, (f, _))| bend * f.gradient[i])
+            .sum::<f64>()
+    };
     let mixed: Vec<f64> = (0..all.hessian.len()).map(mixed).collect();
     for (row, across) in all.hessian.iter_mut().zip(&mixed) {
-        row.iter_mut().zip(&mixed).for_each(|(second, along)| *second += across * along / bend);
+        row.iter_mut()
+            .zip(&mixed)
+            .for_each(|(second, along)| *second += across * along / bend);
     }
     all
 }
@@ -255,18 +353,36 @@ mod tests {
     fn mixed(value: f64, first: bool, second: bool) -> Mixed {
         let change = |is: bool| f64::from(u8::from(is));
         Jet {
-            re: Jet { re: value, gradient: [change(first)] },
-            gradient: [Jet { re: change(second), gradient: [0.0] }],
+            re: Jet {
+                re: value,
+                gradient: [change(first)],
+            },
+            gradient: [Jet {
+                re: change(second),
+                gradient: [0.0],
+            }],
         }
     }
 
     fn taylors(at: [f64; 2]) -> Vec<Taylor> {
         let one = |k: usize| {
-            let second = |i: usize, j: usize| drive(k, mixed(at[0], i == 0, j == 0), mixed(at[1], i == 1, j == 1));
+            let second = |i: usize, j: usize| {
+                drive(
+                    k,
+                    mixed(at[0], i == 0, j == 0),
+                    mixed(at[1], i == 1, j == 1),
+                )
+            };
             Taylor {
                 value: second(0, 0).re.re,
                 gradient: (0..2).map(|i| second(i, i).re.gradient[0]).collect(),
-                hessian: (0..2).map(|i| (0..2).map(|j| second(i, j).gradient[0].gradient[0]).collect()).collect(),
+                hessian: (0..2)
+                    .map(|i| {
+                        (0..2)
+                            .map(|j| second(i, j).gradient[0].gradient[0])
+                            .collect()
+                    })
+                    .collect(),
             }
         };
         (0..10).map(one).collect()
@@ -279,7 +395,8 @@ mod tests {
         measure.smoothed(&drives, &weights, Order::Second)
     }
 
-    /// Gradients and Hessians of every measure of one outcome beside central differences of its values and gradients.
+    /// Gradients and Hessians of every measure of one outcome beside central differences of its
+    /// values and gradients.
     #[test]
     fn differences_certify_the_derivatives_of_every_measure() {
         let of = Outcome::Lateral;
@@ -306,10 +423,16 @@ mod tests {
                     (a - 8.0 * b + 8.0 * c - d) / (12.0 * h)
                 };
                 let size = here.value.abs().max(1.0);
-                assert!((slope(&|f| f.value) - here.gradient[i]).abs() < 1e-8 * size, "{measure:?}");
+                assert!(
+                    (slope(&|f| f.value) - here.gradient[i]).abs() < 1e-8 * size,
+                    "{measure:?}"
+                );
                 for j in 0..2 {
                     let difference = slope(&|f| f.gradient[j]) - here.hessian[i][j];
-                    assert!(difference.abs() < 1e-7 * size * 10.0, "{measure:?} {i}{j}: {difference}");
+                    assert!(
+                        difference.abs() < 1e-7 * size * 10.0,
+                        "{measure:?} {i}{j}: {difference}"
+                    );
                 }
             }
         }
@@ -318,11 +441,27 @@ mod tests {
     /// Each measure of ten numbers of equal weight beside its definition, exact and smoothed.
     #[test]
     fn exact_measures_of_ten_numbers() {
-        let values: Vec<f64> = taylors([0.7, -0.4]).iter().map(|taylor| taylor.value).collect();
-        let taylors: Vec<Taylor> = values.iter().map(|value| Taylor { value: *value, ..Taylor::default() }).collect();
+        let values: Vec<f64> = taylors([0.7, -0.4])
+            .iter()
+            .map(|taylor| taylor.value)
+            .collect();
+        let taylors: Vec<Taylor> = values
+            .iter()
+            .map(|value| Taylor {
+                value: *value,
+                ..Taylor::default()
+            })
+            .collect();
         let drives: Vec<Vec<&Taylor>> = taylors.iter().map(|taylor| vec![taylor]).collect();
         let mean = values.iter().sum::<f64>() / 10.0;
-        let about = |centre: f64| (values.iter().map(|value| (value - centre).powi(2)).sum::<f64>() / 10.0).sqrt();
+        let about = |centre: f64| {
+            (values
+                .iter()
+                .map(|value| (value - centre).powi(2))
+                .sum::<f64>()
+                / 10.0)
+                .sqrt()
+        };
         let mut sorted = values.clone();
         sorted.sort_by(f64::total_cmp);
         let low = sorted[..2].iter().sum::<f64>() / 2.0;
@@ -341,9 +480,15 @@ mod tests {
         ];
         for (measure, expected, smoothing) in cases {
             let exact = measure.exact(&[&values], &[0.1; 10]);
-            assert!((exact - expected).abs() < 1e-13 * expected.abs().max(1.0), "{measure:?}: {exact} {expected}");
+            assert!(
+                (exact - expected).abs() < 1e-13 * expected.abs().max(1.0),
+                "{measure:?}: {exact} {expected}"
+            );
             let smoothed = measure.smoothed(&drives, &[0.1; 10], Order::Value).value;
-            assert!((smoothed - expected).abs() < smoothing, "{measure:?}: {smoothed} {expected}");
+            assert!(
+                (smoothed - expected).abs() < smoothing,
+                "{measure:?}: {smoothed} {expected}"
+            );
         }
     }
 
@@ -352,8 +497,10 @@ mod tests {
     fn exact_shares_of_drives_that_are_alike() {
         let weights = [0.5, 0.25, 0.15, 0.1];
         for share in [0.05, 0.1, 0.6, 0.99] {
-            for measure in [Measure::Lowest(Outcome::LaunchAngle, share), Measure::Highest(Outcome::LaunchAngle, share)]
-            {
+            for measure in [
+                Measure::Lowest(Outcome::LaunchAngle, share),
+                Measure::Highest(Outcome::LaunchAngle, share),
+            ] {
                 let value = measure.exact(&[&[12.7; 4]], &weights);
                 assert!((value - 12.7).abs() < 1e-14, "{measure:?}: {value}");
             }

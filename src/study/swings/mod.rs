@@ -1,5 +1,5 @@
-//! Drives of a golfer whose swings vary: expectations over them as smooth functions of a design, with exact gradients and Hessians,
-//! and the design that is best for all of them.
+//! Drives of a golfer whose swings vary: expectations over them as smooth functions of a design,
+//! with exact gradients and Hessians, and the design that is best for all of them.
 //!
 //! ```text
 //!   distributions, recorded swings ──▶ scenarios with weights, the same for every design
@@ -32,7 +32,9 @@ pub use beyond::beyond_share;
 pub use function::GoalFunction;
 pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
-pub use optimum::{SwingsOptimum, SwingsSearch, goals_of, status_of, swings_optima, swings_optimum, swings_problem};
+pub use optimum::{
+    SwingsOptimum, SwingsSearch, goals_of, status_of, swings_optima, swings_optimum, swings_problem,
+};
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
 pub use price::{Doubt, Nominal, Price, price, price_until};
 pub use read::{Goal, GoalLimit};

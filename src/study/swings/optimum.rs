@@ -2,7 +2,9 @@ use super::problem::SwingsProblem;
 use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
-use crate::optimize::{Constrained, Domain, Follow, Local, Options, Problem, Solution, Status, minimize_from, starts};
+use crate::optimize::{
+    Constrained, Domain, Follow, Local, Options, Problem, Solution, Status, minimize_from, starts,
+};
 use crate::parameters::{Setup, Vary};
 use crate::study::Sense;
 use crate::study::optimum::stopped_of;
@@ -33,18 +35,21 @@ pub struct SwingsOptimum {
     pub search: SwingsSearch,
     /// The swings.
     pub scenarios: Scenarios,
-    /// How the best search ended; its objective is the goal times [`Sense::sign`], with smoothed edges.
+    /// How the best search ended; its objective is the goal times [`Sense::sign`], with smoothed
+    /// edges.
     pub solution: Solution,
     /// Where the searches from all starts ended, the best first.
     pub locals: Vec<Local>,
-    /// The goals by their definitions where each of them ended: the objective, then what is limited; `None` where a swing does not fly.
+    /// The goals by their definitions where each of them ended: the objective, then what is
+    /// limited; `None` where a swing does not fly.
     pub local_goals: Vec<Option<Vec<f64>>>,
     /// The setup with the best design.
     pub setup: Setup<f64>,
-    /// The goals over the swings with the setup's own design: the objective, then what is limited; `None` where a swing does not fly.
+    /// The goals over the swings with the setup's own design: the objective, then what is limited;
+    /// `None` where a swing does not fly.
     pub as_set_up: Option<Vec<f64>>,
-    /// The share of the swings whose ball ends at the optimum where the table of strokes does not reach, and is continued straight; `None` too
-    /// where the search was stopped.
+    /// The share of the swings whose ball ends at the optimum where the table of strokes does not
+    /// reach, and is continued straight; `None` too where the search was stopped.
     pub beyond_strokes: Option<f64>,
 }
 
@@ -61,13 +66,23 @@ impl SwingsOptimum {
 
     /// The ends of the searches that came to one, the best first, each with the goal there, SI.
     pub fn ended(&self) -> impl Iterator<Item = (&Local, Option<f64>)> {
-        let goals = self.local_goals.iter().map(|goals| Some(goals.as_ref()?[0]));
-        self.locals.iter().zip(goals).filter(|(local, _)| local.solution.status != Status::Interrupted)
+        let goals = self
+            .local_goals
+            .iter()
+            .map(|goals| Some(goals.as_ref()?[0]));
+        self.locals
+            .iter()
+            .zip(goals)
+            .filter(|(local, _)| local.solution.status != Status::Interrupted)
     }
 
     /// How many searches were stopped from outside before they ended.
     pub fn stopped(&self) -> usize {
-        self.starts() - self.ended().map(|(local, _)| local.starts.len()).sum::<usize>()
+        self.starts()
+            - self
+                .ended()
+                .map(|(local, _)| local.starts.len())
+                .sum::<usize>()
     }
 
     /// How far the searches came, if any was stopped from outside before it ended.
@@ -77,7 +92,11 @@ impl SwingsOptimum {
 
     /// The goal's gradient at the optimum by what is varied, SI.
     pub fn gradient(&self) -> Vec<f64> {
-        self.solution.gradient.iter().map(|slope| self.search.sense.sign() * slope).collect()
+        self.solution
+            .gradient
+            .iter()
+            .map(|slope| self.search.sense.sign() * slope)
+            .collect()
     }
 
     /// The goals at the optimum: the objective, then what is limited.
@@ -85,12 +104,25 @@ impl SwingsOptimum {
         self.local_goals.first()?.as_deref()
     }
 
-    /// Each limit at the optimum: its value and violation by the goal's definition, its multiplier by the search.
+    /// Each limit at the optimum: its value and violation by the goal's definition, its multiplier
+    /// by the search.
     pub fn limits(&self) -> impl Iterator<Item = (&GoalLimit, Constrained)> {
         let values = self.goals().map_or(&[][..], |goals| &goals[1..]);
-        let all = self.search.subject_to.iter().zip(values).zip(&self.solution.constraints);
+        let all = self
+            .search
+            .subject_to
+            .iter()
+            .zip(values)
+            .zip(&self.solution.constraints);
         all.map(|((limit, value), at)| {
-            (limit, Constrained { value: *value, violation: limit.violation(*value), ..*at })
+            (
+                limit,
+                Constrained {
+                    value: *value,
+                    violation: limit.violation(*value),
+                    ..*at
+                },
+            )
         })
     }
 
@@ -98,7 +130,11 @@ impl SwingsOptimum {
     pub fn message(&self) -> String {
         match self.solution.status {
             Status::Undefined => {
-                let why = self.solution.undefined_at_start.as_deref().unwrap_or("no drive flies");
+                let why = self
+                    .solution
+                    .undefined_at_start
+                    .as_deref()
+                    .unwrap_or("no drive flies");
                 format!("no design was found with which every swing flies; at the start: {why}")
             }
             Status::Infeasible => violated(&self.search.subject_to, &self.solution, self.goals()),
@@ -122,10 +158,12 @@ impl SwingsOptimum {
                 match idle.as_slice() {
                     [] => found.clone(),
                     [one] => format!(
-                        "{found}; {one} has no effect worth telling: within its range it changes {goal} by less than {little}"
+                        "{found}; {one} has no effect worth telling: within its range it changes \
+                         {goal} by less than {little}"
                     ),
                     all => format!(
-                        "{found}; {} have no effect worth telling: within its range each changes {goal} by less than {little}",
+                        "{found}; {} have no effect worth telling: within its range each changes \
+                         {goal} by less than {little}",
                         all.join(" and ")
                     ),
                 }
@@ -134,17 +172,28 @@ impl SwingsOptimum {
         }
     }
 
-    /// Whether a varied parameter changes the goal within its range, to second order, by less than a millimetre, or a millionth of what is no
-    /// length. Such a goal has its optimum at a bound or anywhere by chance.
+    /// Whether a varied parameter changes the goal within its range, to second order, by less than
+    /// a millimetre, or a millionth of what is no length. Such a goal has its optimum at a bound or
+    /// anywhere by chance.
     pub fn is_idle(&self, i: usize) -> bool {
         let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
         let little = match self.search.of.quantity {
             Quantity::LENGTH => 1e-3,
             _ => 1e-6 * self.value().unwrap_or_default().abs(),
         };
-        let Some(slope) = self.solution.gradient.get(i).filter(|_| width(i) > 0.0) else { return false };
-        let bends = self.solution.hessian.get(i).into_iter().flatten().enumerate();
-        let bends: f64 = bends.map(|(j, bend)| (bend * width(i) * width(j)).abs()).sum();
+        let Some(slope) = self.solution.gradient.get(i).filter(|_| width(i) > 0.0) else {
+            return false;
+        };
+        let bends = self
+            .solution
+            .hessian
+            .get(i)
+            .into_iter()
+            .flatten()
+            .enumerate();
+        let bends: f64 = bends
+            .map(|(j, bend)| (bend * width(i) * width(j)).abs())
+            .sum();
         (slope * width(i)).abs() + bends < little
     }
 
@@ -153,9 +202,15 @@ impl SwingsOptimum {
         const ROUNDING: f64 = 1e-10;
         let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
         let n = self.search.vary.len();
-        let slopes = self.solution.gradient.iter().enumerate().map(|(i, slope)| slope * width(i));
+        let slopes = self
+            .solution
+            .gradient
+            .iter()
+            .enumerate()
+            .map(|(i, slope)| slope * width(i));
         let bends = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
-        let bends = bends.filter_map(|(i, j)| Some(self.solution.hessian.get(i)?[j] * width(i) * width(j)));
+        let bends =
+            bends.filter_map(|(i, j)| Some(self.solution.hessian.get(i)?[j] * width(i) * width(j)));
         slopes.chain(bends).all(|change| change.abs() < ROUNDING)
     }
 
@@ -179,18 +234,29 @@ pub(super) fn violated(limits: &[GoalLimit], found: &Solution, goals: Option<&[f
     let missed = all.filter(|(_, (_, constrained))| constrained.violation != 0.0);
     let missed = missed.map(|(j, (limit, constrained))| {
         let value = goals.map_or(constrained.value, |goals| goals[1 + j]);
-        let [value, outside] =
-            [value, limit.violation(value).abs()].map(|value| limit.goal.quantity.show(value, limit.goal.unit));
+        let [value, outside] = [value, limit.violation(value).abs()]
+            .map(|value| limit.goal.quantity.show(value, limit.goal.unit));
         let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
-        let fixed = if is_fixed { "nothing that is varied changes it at this design: " } else { "" };
-        format!("{} ({fixed}it is {value}, outside by {outside})", limit.expression)
+        let fixed = if is_fixed {
+            "nothing that is varied changes it at this design: "
+        } else {
+            ""
+        };
+        format!(
+            "{} ({fixed}it is {value}, outside by {outside})",
+            limit.expression
+        )
     });
     let missed: Vec<_> = missed.collect();
-    format!("no design was found that meets the limits; the nearest one violates {}", missed.join(" and "))
+    format!(
+        "no design was found that meets the limits; the nearest one violates {}",
+        missed.join(" and ")
+    )
 }
 
-/// Finds the design that makes a goal over many swings largest or smallest, from the setup's own values; a varied parameter that has none begins in the
-/// middle of its range. The scenarios are the same for every design, so that the goal is a smooth function of it, with exact gradients and
+/// Finds the design that makes a goal over many swings largest or smallest, from the setup's own
+/// values; a varied parameter that has none begins in the middle of its range. The scenarios are
+/// the same for every design, so that the goal is a smooth function of it, with exact gradients and
 /// Hessians.
 ///
 /// ```
@@ -215,8 +281,9 @@ pub(super) fn violated(limits: &[GoalLimit], found: &Solution, goals: Option<&[f
 /// ```
 ///
 /// # Errors
-/// [`Error::Nothing`] where nothing is varied; [`Error::SearchRange`] for a parameter that is varied twice, or that the swings have values
-/// of; what [`Setup::validate`] refuses; [`Error::NotConverged`] where it is stopped before the search begins.
+/// [`Error::Nothing`] where nothing is varied; [`Error::SearchRange`] for a parameter that is
+/// varied twice, or that the swings have values of; what [`Setup::validate`] refuses;
+/// [`Error::NotConverged`] where it is stopped before the search begins.
 pub fn swings_optimum(
     setup: &Setup<f64>,
     search: SwingsSearch,
@@ -226,7 +293,8 @@ pub fn swings_optimum(
     swings_optima(setup, search, scenarios, 1, follow)
 }
 
-/// The same from `count` starts side by side: the setup's own values, and others spread evenly over the ranges.
+/// The same from `count` starts side by side: the setup's own values, and others spread evenly over
+/// the ranges.
 ///
 /// # Errors
 /// As [`swings_optimum`]; more starts than can be spread.
@@ -247,23 +315,40 @@ pub fn swings_optima(
     let locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
     // also after a stop: what was found until then is told
     let never = AtomicBool::new(false);
-    let goals = |local: &Local| problem.values_until(local.solution.value.map(|_| &local.solution.x)?, &never).ok();
+    let goals = |local: &Local| {
+        problem
+            .values_until(local.solution.value.map(|_| &local.solution.x)?, &never)
+            .ok()
+    };
     let local_goals = locals.iter().map(goals).collect();
-    let best = locals.first().ok_or(Error::Nothing { doing: "search from", what: "start" })?;
+    let best = locals.first().ok_or(Error::Nothing {
+        doing: "search from",
+        what: "start",
+    })?;
     let solution = best.solution.clone();
     let beyond_strokes = match solution.value {
-        Some(_) => {
-            problem.beyond_strokes(&solution.x).or_else(|error| if is_stopped() { Ok(None) } else { Err(error) })?
-        }
+        Some(_) => problem
+            .beyond_strokes(&solution.x)
+            .or_else(|error| if is_stopped() { Ok(None) } else { Err(error) })?,
         None => None,
     };
     let setup = problem.moved(&solution.x)?;
     let scenarios = problem.scenarios().clone();
-    Ok(SwingsOptimum { search, scenarios, solution, locals, local_goals, setup, as_set_up, beyond_strokes })
+    Ok(SwingsOptimum {
+        search,
+        scenarios,
+        solution,
+        locals,
+        local_goals,
+        setup,
+        as_set_up,
+        beyond_strokes,
+    })
 }
 
-/// What a search minimizes, with where it begins: the goal times [`Sense::sign`], and what is limited, with exact derivatives, over the
-/// ranges of what is varied. For a look at the objective, or for another optimizer.
+/// What a search minimizes, with where it begins: the goal times [`Sense::sign`], and what is
+/// limited, with exact derivatives, over the ranges of what is varied. For a look at the objective,
+/// or for another optimizer.
 ///
 /// # Errors
 /// As [`swings_optimum`].
@@ -286,18 +371,35 @@ pub(super) fn posed(
     stop: &Arc<AtomicBool>,
 ) -> Result<SwingsProblem> {
     if search.vary.iter().all(|vary| vary.low == vary.high) {
-        return Err(Error::Nothing { doing: "vary", what: "parameter with a range wider than a single value" });
+        return Err(Error::Nothing {
+            doing: "vary",
+            what: "parameter with a range wider than a single value",
+        });
     }
     for (i, vary) in search.vary.iter().enumerate() {
-        if search.vary[..i].iter().any(|before| before.parameter == vary.parameter) {
+        if search.vary[..i]
+            .iter()
+            .any(|before| before.parameter == vary.parameter)
+        {
             let reason = "it is varied twice; give it one range".into();
-            return Err(Error::SearchRange { name: vary.parameter.name.into(), reason });
+            return Err(Error::SearchRange {
+                name: vary.parameter.name.into(),
+                reason,
+            });
         }
     }
-    SwingsProblem::new(setup, (&search.of, search.sense), &search.subject_to, &search.vary, scenarios, stop)
+    SwingsProblem::new(
+        setup,
+        (&search.of, search.sense),
+        &search.subject_to,
+        &search.vary,
+        scenarios,
+        stop,
+    )
 }
 
-/// Some goals over the swings with a setup's own design, each SI; `None` where a swing does not fly, or once `stop` is true.
+/// Some goals over the swings with a setup's own design, each SI; `None` where a swing does not
+/// fly, or once `stop` is true.
 ///
 /// # Errors
 /// As [`swings_optimum`].
@@ -309,7 +411,14 @@ pub fn goals_of(
     stop: &Arc<AtomicBool>,
 ) -> Result<Option<Vec<f64>>> {
     let one = |goal: &Goal| {
-        let problem = SwingsProblem::new(setup, (goal, Sense::Maximize), &[], vary, scenarios.clone(), stop)?;
+        let problem = SwingsProblem::new(
+            setup,
+            (goal, Sense::Maximize),
+            &[],
+            vary,
+            scenarios.clone(),
+            stop,
+        )?;
         Ok(problem.as_set_up().ok().map(|values| values[0]))
     };
     let found = goals.iter().map(one).collect::<Result<Vec<_>>>()?;

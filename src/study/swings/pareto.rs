@@ -37,8 +37,8 @@ pub struct Pareto {
     pub points: Vec<ParetoPoint>,
     /// Which of them is the knee (see [`Front::knee`]).
     pub knee: Option<usize>,
-    /// How far the front bends off the straight line between its ends, as a part of that line's length, where both goals are scaled from
-    /// one end to the other.
+    /// How far the front bends off the straight line between its ends, as a part of that line's
+    /// length, where both goals are scaled from one end to the other.
     pub bend: f64,
     /// The goals with the setup's own design, `None` where a swing does not fly.
     pub as_set_up: Option<[f64; 2]>,
@@ -57,8 +57,8 @@ pub struct ParetoPoint {
     pub design: Vec<f64>,
     /// The two goals, SI.
     pub goals: [f64; 2],
-    /// What the first goal changes by for each unit of the second, along the front: the price of the second. `None` where the front has no
-    /// one slope.
+    /// What the first goal changes by for each unit of the second, along the front: the price of
+    /// the second. `None` where the front has no one slope.
     pub slope: Option<f64>,
     /// The bounds and limits that hold it.
     pub active: Vec<Active>,
@@ -82,48 +82,90 @@ impl Pareto {
 
     /// Why there is no knee, if there is none.
     pub fn no_knee(&self) -> Option<String> {
-        let [first, second] = self.search.goals.each_ref().map(|(goal, _)| goal.expression.as_str());
+        let [first, second] = self
+            .search
+            .goals
+            .each_ref()
+            .map(|(goal, _)| goal.expression.as_str());
         match (self.points.len(), self.knee) {
             (_, Some(_)) => None,
             _ if self.interrupted => None,
-            (1, _) => {
-                Some(format!("one design is best for both {first} and {second}: there is nothing to choose between"))
-            }
+            (1, _) => Some(format!(
+                "one design is best for both {first} and {second}: there is nothing \
+                              to choose between"
+            )),
             _ => Some(
-                "no knee: the front is nearly straight, or bends the other way, so that no point of it stands out"
+                "no knee: the front is nearly straight, or bends the other way, so that no point \
+                 of it stands out"
                     .into(),
             ),
         }
     }
 }
 
-/// The best compromises between two goals over swings, or between two outcomes of one drive ([`Scenarios::one_drive`]).
+/// The best compromises between two goals over swings, or between two outcomes of one drive
+/// ([`Scenarios::one_drive`]).
 ///
 /// # Errors
-/// [`Error::NotConverged`] where the best of one goal alone is not found; as [`swings_optimum`](super::swings_optimum).
-pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, scenarios: Scenarios, follow: &Follow) -> Result<Pareto> {
+/// [`Error::NotConverged`] where the best of one goal alone is not found; as
+/// [`swings_optimum`](super::swings_optimum).
+pub fn pareto(
+    setup: &Setup<f64>,
+    search: ParetoSearch,
+    scenarios: Scenarios,
+    follow: &Follow,
+) -> Result<Pareto> {
     let [(first, sense), (second, against)] = search.goals.clone();
     let (expression, low, high) = (second.expression.clone(), f64::NEG_INFINITY, f64::INFINITY);
-    let limits = search.subject_to.iter().cloned().chain([GoalLimit { expression, goal: second, low, high }]);
+    let limits = search.subject_to.iter().cloned().chain([GoalLimit {
+        expression,
+        goal: second,
+        low,
+        high,
+    }]);
     let (vary, options) = (search.vary.clone(), search.options.clone());
-    let alone = SwingsSearch { of: first, sense, vary, subject_to: limits.collect(), options };
+    let alone = SwingsSearch {
+        of: first,
+        sense,
+        vary,
+        subject_to: limits.collect(),
+        options,
+    };
     let problem = posed(setup, &alone, scenarios, &follow.interrupt)?;
     let own = problem.as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search began"));
     }
     let minimised = |x: &[f64]| {
-        let Evaluation { objective, mut constraints } = problem.evaluate(x)?;
+        let Evaluation {
+            objective,
+            mut constraints,
+        } = problem.evaluate(x)?;
         if against == Sense::Maximize {
             let second = constraints.pop().unwrap_or_default();
             constraints.push(second.negated());
         }
-        Ok(Evaluation { objective, constraints })
+        Ok(Evaluation {
+            objective,
+            constraints,
+        })
     };
     let start = problem.domain.variables.project(&problem.start());
-    let found = front(&minimised, &problem.domain, &start, (&search.options, search.points), follow);
-    let Front { points, knee, bend, dominated, ended, interrupted } =
-        found.map_err(|error| named(error, &search, &problem))?;
+    let found = front(
+        &minimised,
+        &problem.domain,
+        &start,
+        (&search.options, search.points),
+        follow,
+    );
+    let Front {
+        points,
+        knee,
+        bend,
+        dominated,
+        ended,
+        interrupted,
+    } = found.map_err(|error| named(error, &search, &problem))?;
     let signs = [sense.sign(), against.sign()];
     // also after a stop: what was found until then is told
     let never = AtomicBool::new(false);
@@ -131,13 +173,24 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, scenarios: Scenarios, fo
         let active = search.active(&point.x, &point.held);
         let is_apart = point.event == Some(FrontEvent::Jump);
         let event = point.event.map(|event| match event {
-            FrontEvent::Jump => "other designs are better from here on, which those before do not lead to".to_owned(),
+            FrontEvent::Jump => {
+                "other designs are better from here on, which those before do not lead to"
+                    .to_owned()
+            }
             FrontEvent::Changed { before } => {
                 let before = search.active(&point.x, &before);
                 let only = |these: &[Active], others: &[Active]| {
-                    these.iter().filter(|active| !others.contains(active)).cloned().collect::<Vec<_>>()
+                    these
+                        .iter()
+                        .filter(|active| !others.contains(active))
+                        .cloned()
+                        .collect::<Vec<_>>()
                 };
-                ChartEvent::Changed { begins: only(&active, &before), ends: only(&before, &active) }.to_string()
+                ChartEvent::Changed {
+                    begins: only(&active, &before),
+                    ends: only(&before, &active),
+                }
+                .to_string()
             }
         });
         let values = problem.values_until(&point.x, &never)?;
@@ -152,9 +205,21 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, scenarios: Scenarios, fo
         })
     };
     let points = points.into_iter().map(point).collect::<Result<Vec<_>>>()?;
-    let as_set_up = own.ok().and_then(|values| Some([*values.first()?, *values.last()?]));
+    let as_set_up = own
+        .ok()
+        .and_then(|values| Some([*values.first()?, *values.last()?]));
     let scenarios = problem.scenarios().clone();
-    Ok(Pareto { search, scenarios, points, knee, bend, as_set_up, dominated, ended, interrupted })
+    Ok(Pareto {
+        search,
+        scenarios,
+        points,
+        knee,
+        bend,
+        as_set_up,
+        dominated,
+        ended,
+        interrupted,
+    })
 }
 
 impl ParetoSearch {
@@ -162,28 +227,56 @@ impl ParetoSearch {
     fn active(&self, x: &[f64], held: &Held) -> Vec<Active> {
         let is_bounded = |i: &usize| held.variables[*i] && self.vary[*i].low < self.vary[*i].high;
         let bound = |i: usize| {
-            let Vary { parameter, low, high } = self.vary[i];
-            let end = if x[i] - low <= high - x[i] { "lower" } else { "upper" };
-            Active { name: parameter.name.into(), end: Some(end) }
+            let Vary {
+                parameter,
+                low,
+                high,
+            } = self.vary[i];
+            let end = if x[i] - low <= high - x[i] {
+                "lower"
+            } else {
+                "upper"
+            };
+            Active {
+                name: parameter.name.into(),
+                end: Some(end),
+            }
         };
         let bounds = (0..self.vary.len()).filter(is_bounded).map(bound);
-        let limits = held.tight().into_iter().filter_map(|j| self.subject_to.get(j));
-        bounds.chain(limits.map(|limit| Active { name: limit.expression.clone(), end: None })).collect()
+        let limits = held
+            .tight()
+            .into_iter()
+            .filter_map(|j| self.subject_to.get(j));
+        bounds
+            .chain(limits.map(|limit| Active {
+                name: limit.expression.clone(),
+                end: None,
+            }))
+            .collect()
     }
 }
 
 /// Why the best of a goal alone was not found, in the goal's name.
 fn named(none: NoFront, search: &ParetoSearch, problem: &SwingsProblem) -> Error {
-    let NoFront::NoEnd { function, found } = none else { return none.into_error() };
+    let NoFront::NoEnd { function, found } = none else {
+        return none.into_error();
+    };
     let (goal, sense) = &search.goals[function];
     let why = match (&found.undefined_at_start, found.status) {
         (Some(why), Status::Undefined) => why.clone(),
-        (_, Status::Infeasible) => violated(&search.subject_to, &found, problem.values(&found.x).ok().as_deref()),
+        (_, Status::Infeasible) => violated(
+            &search.subject_to,
+            &found,
+            problem.values(&found.x).ok().as_deref(),
+        ),
         _ => found.message.clone(),
     };
     let status = match found.status {
         Status::Undefined => "no-flight",
         status => status.name(),
     };
-    Error::NotConverged { status, message: format!("for the {} {}: {why}", sense.adjective(), goal.expression).into() }
+    Error::NotConverged {
+        status,
+        message: format!("for the {} {}: {why}", sense.adjective(), goal.expression).into(),
+    }
 }

@@ -10,20 +10,27 @@ const LEAST: usize = 128;
 /// … and so many times the moments that its weights reproduce.
 const PER_MOMENT: usize = 2;
 
-/// The numbers of the scenarios in the part, in order, and for how many scenarios each of them stands. The part is the whole where it would
-/// save less than half.
+/// The numbers of the scenarios in the part, in order, and for how many scenarios each of them
+/// stands. The part is the whole where it would save less than half.
 ///
-/// The first points of a sequence are spread as evenly as the whole. Of Gauss's rules no part is a rule.
+/// The first points of a sequence are spread as evenly as the whole. Of Gauss's rules no part is a
+/// rule.
 pub(super) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>) {
     let all = scenarios.points.len();
-    let count = (all / ONE_IN).max(LEAST).max(PER_MOMENT * moments(scenarios.parameters.len()));
+    let count = (all / ONE_IN)
+        .max(LEAST)
+        .max(PER_MOMENT * moments(scenarios.parameters.len()));
     let part: Vec<usize> = match scenarios.rule {
         Rule::Sequence { .. } if 2 * count <= all => (0..count).collect(),
         Rule::Recorded if 2 * count <= all => (0..count).map(|k| k * all / count).collect(),
         _ => return ((0..all).collect(), vec![1.0; all]),
     };
     let weights = part_weights(&part, scenarios);
-    let stands_for = part.iter().zip(weights).map(|(k, weight)| weight / scenarios.weights[*k]).collect();
+    let stands_for = part
+        .iter()
+        .zip(weights)
+        .map(|(k, weight)| weight / scenarios.weights[*k])
+        .collect();
     (part, stands_for)
 }
 
@@ -32,35 +39,57 @@ fn moments(parameters: usize) -> usize {
     1 + parameters + parameters * (parameters + 1) / 2
 }
 
-/// Weights of the part with which its means, variances and covariances of the parameters are those of all scenarios: of all such weights
-/// the nearest to equal ones. A mean over the part is then exact for quadratic functions of the parameters.
+/// Weights of the part with which its means, variances and covariances of the parameters are those
+/// of all scenarios: of all such weights the nearest to equal ones. A mean over the part is then
+/// exact for quadratic functions of the parameters.
 fn part_weights(part: &[usize], scenarios: &Scenarios) -> Vec<f64> {
-    /// Singular values below this part of the largest are rounding: a parameter is constant, or follows from others.
+    /// Singular values below this part of the largest are rounding: a parameter is constant, or
+    /// follows from others.
     const ROUNDING: f64 = 1e-9;
     let n = scenarios.parameters.len();
     let over_all = |f: &dyn Fn(&[f64]) -> f64| {
-        scenarios.points.iter().zip(&scenarios.weights).map(|(point, weight)| weight * f(point)).sum::<f64>()
+        scenarios
+            .points
+            .iter()
+            .zip(&scenarios.weights)
+            .map(|(point, weight)| weight * f(point))
+            .sum::<f64>()
     };
     let means: Vec<f64> = (0..n).map(|i| over_all(&|point| point[i])).collect();
     let deviation = |i: usize| over_all(&|point| (point[i] - means[i]).powi(2)).sqrt();
-    let scales: Vec<f64> = (0..n).map(|i| Some(deviation(i)).filter(|d| *d > 0.0).unwrap_or(1.0)).collect();
+    let scales: Vec<f64> = (0..n)
+        .map(|i| Some(deviation(i)).filter(|d| *d > 0.0).unwrap_or(1.0))
+        .collect();
     let monomials = |point: &[f64]| {
         let scores: Vec<f64> = (0..n).map(|i| (point[i] - means[i]) / scales[i]).collect();
-        let products = (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))).map(|(i, j)| scores[i] * scores[j]);
-        DVector::from_iterator(moments(n), [1.0].into_iter().chain(scores.iter().copied()).chain(products))
+        let products = (0..n)
+            .flat_map(|i| (0..=i).map(move |j| (i, j)))
+            .map(|(i, j)| scores[i] * scores[j]);
+        DVector::from_iterator(
+            moments(n),
+            [1.0]
+                .into_iter()
+                .chain(scores.iter().copied())
+                .chain(products),
+        )
     };
     let mut wanted = DVector::zeros(moments(n));
     for (point, weight) in scenarios.points.iter().zip(&scenarios.weights) {
         wanted += monomials(point) * *weight;
     }
-    let columns: Vec<_> = part.iter().map(|k| monomials(&scenarios.points[*k])).collect();
+    let columns: Vec<_> = part
+        .iter()
+        .map(|k| monomials(&scenarios.points[*k]))
+        .collect();
     let of_part = DMatrix::from_columns(&columns);
     let equal = DVector::from_element(part.len(), 1.0 / part.len() as f64);
     let missing = wanted - &of_part * &equal;
     let decomposed = of_part.svd(true, true);
     let least = ROUNDING * decomposed.singular_values.max();
     // equal weights where there is no solution
-    let change = decomposed.solve(&missing, least).unwrap_or_else(|_| DVector::zeros(part.len()));
+    let change = decomposed
+        .solve(&missing, least)
+        .unwrap_or_else(|_| DVector::zeros(part.len()));
     (equal + change).iter().copied().collect()
 }
 
@@ -74,9 +103,20 @@ mod tests {
 
     fn scenarios(count: usize) -> Scenarios {
         let setup = Setup::default();
-        let texts = ["swing.speed=normal(107mph,3mph)", "swing.path=uniform(-2deg,4deg)", "strike.toe=normal(3mm,8mm)"];
-        let inputs = texts.iter().map(|text| Uncertain::read(&setup, text).unwrap()).collect();
-        Scenarios::new(&Swings::distributed(inputs, &[]).unwrap(), Rule::Sequence { count, seed: 3 }).unwrap()
+        let texts = [
+            "swing.speed=normal(107mph,3mph)",
+            "swing.path=uniform(-2deg,4deg)",
+            "strike.toe=normal(3mm,8mm)",
+        ];
+        let inputs = texts
+            .iter()
+            .map(|text| Uncertain::read(&setup, text).unwrap())
+            .collect();
+        Scenarios::new(
+            &Swings::distributed(inputs, &[]).unwrap(),
+            Rule::Sequence { count, seed: 3 },
+        )
+        .unwrap()
     }
 
     /// Means of quadratic functions over the part are those over all scenarios.
@@ -86,20 +126,33 @@ mod tests {
         let (part, stands_for) = part_of(&all);
         assert_eq!(part, (0..128).collect::<Vec<_>>());
         let speed = |k: usize| all.points[k][0] - 47.0;
-        let functions: [&dyn Fn(usize) -> f64; 4] =
-            [&|_| 1.0, &|k| all.points[k][1], &|k| speed(k) * all.points[k][2], &|k| {
-                speed(k) * (speed(k) - 2.0) + 30.0 * all.points[k][2]
-            }];
+        let functions: [&dyn Fn(usize) -> f64; 4] = [
+            &|_| 1.0,
+            &|k| all.points[k][1],
+            &|k| speed(k) * all.points[k][2],
+            &|k| speed(k) * (speed(k) - 2.0) + 30.0 * all.points[k][2],
+        ];
         for f in functions {
             let exact = (0..500).map(f).sum::<f64>() / 500.0;
-            let found = part.iter().zip(&stands_for).map(|(k, count)| count * f(*k)).sum::<f64>() / 500.0;
-            assert!((found - exact).abs() < 1e-12 * (1.0 + exact.abs()), "{found} {exact}");
+            let found = part
+                .iter()
+                .zip(&stands_for)
+                .map(|(k, count)| count * f(*k))
+                .sum::<f64>()
+                / 500.0;
+            assert!(
+                (found - exact).abs() < 1e-12 * (1.0 + exact.abs()),
+                "{found} {exact}"
+            );
         }
     }
 
     #[test]
     fn exact_few_scenarios_have_no_part() {
-        assert_eq!(part_of(&scenarios(200)), ((0..200).collect(), vec![1.0; 200]));
+        assert_eq!(
+            part_of(&scenarios(200)),
+            ((0..200).collect(), vec![1.0; 200])
+        );
         assert_eq!(part_of(&scenarios(10_000)).0.len(), 625);
     }
 }

@@ -16,8 +16,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Price {
     /// The best design for the mean swing, or why there is none.
     pub nominal: std::result::Result<Nominal, String>,
-    /// How far each goal at the best design is known, the objective, then what is limited: by other scenarios of the same swings. Empty where
-    /// there are no others.
+    /// How far each goal at the best design is known, the objective, then what is limited: by other
+    /// scenarios of the same swings. Empty where there are no others.
     pub doubts: Vec<Doubt>,
 }
 
@@ -44,8 +44,8 @@ pub struct Nominal {
 pub enum Doubt {
     /// The error of the quadrature: twice what half as many nodes more change the goal by.
     Quadrature(f64),
-    /// The 99 % interval of the goal over all swings, by its scatter over so many independent sequences of swings. It contains the value
-    /// that is told.
+    /// The 99 % interval of the goal over all swings, by its scatter over so many independent
+    /// sequences of swings. It contains the value that is told.
     Sampling(Interval, usize),
     /// It is not known, since one of the other scenarios does not fly: the swing, and why.
     Unknown(String),
@@ -56,7 +56,8 @@ const QUANTILE: f64 = 0.995;
 
 /// The price of ignoring that swings vary, and how far the goal is known.
 ///
-/// Neither the mean swing nor the other scenarios were asked about: where they do not fly, that is told in place of what they would say.
+/// Neither the mean swing nor the other scenarios were asked about: where they do not fly, that is
+/// told in place of what they would say.
 ///
 /// # Errors
 /// As [`swings_optimum`](super::swings_optimum).
@@ -75,17 +76,42 @@ pub fn price_until(
     stop: &Arc<AtomicBool>,
 ) -> Result<Option<Price>> {
     let found = computed(setup, swings, best, stop);
-    if stop.load(Ordering::Relaxed) { Ok(None) } else { found.map(Some) }
+    if stop.load(Ordering::Relaxed) {
+        Ok(None)
+    } else {
+        found.map(Some)
+    }
 }
 
 /// The price; of no use once `stop` is true.
-fn computed(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum, stop: &Arc<AtomicBool>) -> Result<Price> {
+fn computed(
+    setup: &Setup<f64>,
+    swings: &Swings,
+    best: &SwingsOptimum,
+    stop: &Arc<AtomicBool>,
+) -> Result<Price> {
     let search = &best.search;
     let alone = posed(setup, search, Scenarios::mean(swings), stop)?;
-    let observer = Observer { interrupt: Arc::clone(stop), ..Observer::default() };
-    let design = minimize_observed(&alone, &alone.domain, &alone.start(), &search.options, observer)?.x;
-    let kept = posed(setup, search, best.scenarios.clone(), stop)?.values(&design).ok();
-    let nominal = alone.values(&design).map(|promised| Nominal { design, promised, kept });
+    let observer = Observer {
+        interrupt: Arc::clone(stop),
+        ..Observer::default()
+    };
+    let design = minimize_observed(
+        &alone,
+        &alone.domain,
+        &alone.start(),
+        &search.options,
+        observer,
+    )?
+    .x;
+    let kept = posed(setup, search, best.scenarios.clone(), stop)?
+        .values(&design)
+        .ok();
+    let nominal = alone.values(&design).map(|promised| Nominal {
+        design,
+        promised,
+        kept,
+    });
     let nominal = nominal.map_err(|error| error.to_string());
     let doubts = match best.goals() {
         Some(goals) => doubts(setup, swings, best, goals, stop)
@@ -104,8 +130,16 @@ fn doubts(
     stop: &Arc<AtomicBool>,
 ) -> Result<Vec<Doubt>> {
     let (search, x) = (&best.search, &best.solution.x);
-    let of: Vec<&Goal> = [&search.of].into_iter().chain(search.subject_to.iter().map(|limit| &limit.goal)).collect();
-    let finer = match best.scenarios.rule.finer().filter(|_| !of.iter().all(|goal| goal.has_edge())) {
+    let of: Vec<&Goal> = [&search.of]
+        .into_iter()
+        .chain(search.subject_to.iter().map(|limit| &limit.goal))
+        .collect();
+    let finer = match best
+        .scenarios
+        .rule
+        .finer()
+        .filter(|_| !of.iter().all(|goal| goal.has_edge()))
+    {
         Some(rule) => Some(posed(setup, search, Scenarios::new(swings, rule)?, stop)?.values(x)?),
         None => None,
     };
@@ -127,8 +161,8 @@ fn doubts(
     Ok(of.iter().zip(goals).enumerate().map(doubt).collect())
 }
 
-/// The 99 % interval of a goal of which these are independent estimates: Student's about their mean, as wide as to contain the value that
-/// is told.
+/// The 99 % interval of a goal of which these are independent estimates: Student's about their
+/// mean, as wide as to contain the value that is told.
 fn interval(goal: &Goal, value: f64, others: &[f64]) -> Interval {
     let n = others.len() as f64;
     let mean = others.iter().sum::<f64>() / n;

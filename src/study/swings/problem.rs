@@ -17,8 +17,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Goals as functions of what is varied, each made of the drives of all scenarios.
 ///
-/// The search sees smooth goals, with exact gradients and with Hessians of a part of the scenarios. Answers are told by the definitions of
-/// the goals ([`values`](Self::values)).
+/// The search sees smooth goals, with exact gradients and with Hessians of a part of the scenarios.
+/// Answers are told by the definitions of the goals ([`values`](Self::values)).
 pub(super) struct SwingsProblem {
     /// The setup as it is given.
     set_up: Setup<f64>,
@@ -51,8 +51,8 @@ struct Seconds {
 
 impl SwingsProblem {
     /// # Errors
-    /// [`Error::Unreadable`] for a parameter that is both varied and distributed; what [`Evaluator::new`] refuses; [`Error::NotConverged`] once
-    /// `stop` is true.
+    /// [`Error::Unreadable`] for a parameter that is both varied and distributed; what
+    /// [`Evaluator::new`] refuses; [`Error::NotConverged`] once `stop` is true.
     pub fn new(
         setup: &Setup<f64>,
         (objective, sense): (&Goal, Sense),
@@ -64,26 +64,42 @@ impl SwingsProblem {
         vary.iter().try_for_each(Vary::check)?;
         for vary in vary {
             if scenarios.parameters.contains(&vary.parameter) {
-                let source = "it is varied, and the swings have values of it; vary something else, or leave it out of the swings";
-                return Err(Error::Unreadable { name: vary.parameter.name.into(), source: source.into() });
+                let source = "it is varied, and the swings have values of it; vary something else, \
+                              or leave it out of the swings";
+                return Err(Error::Unreadable {
+                    name: vary.parameter.name.into(),
+                    source: source.into(),
+                });
             }
         }
-        let goals = || [objective].into_iter().chain(limits.iter().map(|limit| &limit.goal));
-        let related = goals().flat_map(|goal| &goal.terms).filter_map(|(_, measure)| match measure {
-            Measure::Parameter(parameter) => Some(*parameter),
-            _ => None,
-        });
+        let goals = || {
+            [objective]
+                .into_iter()
+                .chain(limits.iter().map(|limit| &limit.goal))
+        };
+        let related =
+            goals()
+                .flat_map(|goal| &goal.terms)
+                .filter_map(|(_, measure)| match measure {
+                    Measure::Parameter(parameter) => Some(*parameter),
+                    _ => None,
+                });
         for parameter in related {
             if scenarios.parameters.contains(&parameter) {
-                let source =
-                    "a relation of the design has it, and the swings have values of it; leave it out of one of the two";
-                return Err(Error::Unreadable { name: parameter.name.into(), source: source.into() });
+                let source = "a relation of the design has it, and the swings have values of it; \
+                              leave it out of one of the two";
+                return Err(Error::Unreadable {
+                    name: parameter.name.into(),
+                    source: source.into(),
+                });
             }
         }
         let ends = |end: fn(&Vary) -> f64| vary.iter().map(end).collect::<Vec<_>>();
         let limit_ends = |end: fn(&GoalLimit) -> f64| limits.iter().map(end).collect::<Vec<_>>();
-        let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?
-            .subject_to(limit_ends(|limit| limit.low), limit_ends(|limit| limit.high))?;
+        let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?.subject_to(
+            limit_ends(|limit| limit.low),
+            limit_ends(|limit| limit.high),
+        )?;
         let goals: Vec<Goal> = goals().cloned().collect();
         let mut of: Vec<Outcome> = vec![];
         for outcome in goals.iter().flat_map(Goal::outcomes) {
@@ -94,17 +110,29 @@ impl SwingsProblem {
         let (set_up, setup) = (*setup, Vary::begun(setup, vary)?);
         let vary: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
         let stop = Arc::clone(stop);
-        // the Hessian of a goal with an edge is that of the few drives at its edge: no part stands for them
+        // the Hessian of a goal with an edge is that of the few drives at its edge: no part stands
+        // for them
         let (part, stands_for) = match goals.iter().any(Goal::has_edge) {
-            true => ((0..scenarios.points.len()).collect(), vec![1.0; scenarios.points.len()]),
+            true => (
+                (0..scenarios.points.len()).collect(),
+                vec![1.0; scenarios.points.len()],
+            ),
             false => part_of(&scenarios),
         };
-        let question =
-            |point: &Vec<f64>| Evaluator::new(&moved(&setup, &scenarios.parameters, point)?, &of, &vary, Order::Second);
+        let question = |point: &Vec<f64>| {
+            Evaluator::new(
+                &moved(&setup, &scenarios.parameters, point)?,
+                &of,
+                &vary,
+                Order::Second,
+            )
+        };
         // of several mistakes always the first is told
         let drives = each_until(&scenarios.points, &stop, question);
-        let drives =
-            drives.ok_or_else(|| stopped("all swings were set up"))?.into_iter().collect::<Result<Vec<_>>>()?;
+        let drives = drives
+            .ok_or_else(|| stopped("all swings were set up"))?
+            .into_iter()
+            .collect::<Result<Vec<_>>>()?;
         Ok(Self {
             set_up,
             setup,
@@ -122,7 +150,8 @@ impl SwingsProblem {
         })
     }
 
-    /// Where the search begins: the setup's own values of what is varied, and the middle of the range of what has none.
+    /// Where the search begins: the setup's own values of what is varied, and the middle of the
+    /// range of what has none.
     pub fn start(&self) -> Vec<f64> {
         values(&self.setup, &self.vary)
     }
@@ -140,30 +169,48 @@ impl SwingsProblem {
         order: Order,
         stop: &AtomicBool,
     ) -> std::result::Result<Vec<Vec<Taylor>>, String> {
-        // in the order of the scenarios, whichever thread flies them: sums are the same to the last bit, and of several swings that do not
-        // fly always the first is named
+        // in the order of the scenarios, whichever thread flies them: sums are the same to the last
+        // bit, and of several swings that do not fly always the first is named
         let flown = each_until(scenarios, stop, |k| self.drives[*k].at_order(x, order));
-        let flown = flown.ok_or_else(|| stopped_before("all swings were flown"))?.into_iter().zip(scenarios);
+        let flown = flown
+            .ok_or_else(|| stopped_before("all swings were flown"))?
+            .into_iter()
+            .zip(scenarios);
         let named = |k: usize, error| no_flight(&self.scenarios, &self.scenarios.points[k], &error);
-        flown.map(|(drive, k)| drive.map_err(|error| named(*k, error))).collect()
+        flown
+            .map(|(drive, k)| drive.map_err(|error| named(*k, error)))
+            .collect()
     }
 
-    /// The second derivatives of the part near `x`, each times the number of scenarios that it stands for: at the nearest point of a grid
-    /// over the ranges, so that near an optimum they are computed once. They are the same whatever was asked before.
+    /// The second derivatives of the part near `x`, each times the number of scenarios that it
+    /// stands for: at the nearest point of a grid over the ranges, so that near an optimum they are
+    /// computed once. They are the same whatever was asked before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<Seconds>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
-        let kept = |seconds: &Option<Arc<Seconds>>| seconds.clone().filter(|seconds| seconds.at == nearest);
+        let kept = |seconds: &Option<Arc<Seconds>>| {
+            seconds.clone().filter(|seconds| seconds.at == nearest)
+        };
         if let Some(seconds) = kept(&self.seconds.lock().unwrap_or_else(PoisonError::into_inner)) {
             return Ok(seconds);
         }
         let seconds = |at: &[f64]| {
             let mut flown = self.flown(&self.part, at, Order::Second, &self.stop)?;
             for (outcomes, factor) in flown.iter_mut().zip(&self.stands_for) {
-                let seconds = outcomes.iter_mut().flat_map(|outcome| outcome.hessian.iter_mut().flatten());
+                let seconds = outcomes
+                    .iter_mut()
+                    .flat_map(|outcome| outcome.hessian.iter_mut().flatten());
                 seconds.for_each(|second| *second *= factor);
             }
-            let hessians = |outcomes: Vec<Taylor>| outcomes.into_iter().map(|outcome| outcome.hessian).collect();
-            Ok(Arc::new(Seconds { at: at.to_vec(), of_drives: flown.into_iter().map(hessians).collect() }))
+            let hessians = |outcomes: Vec<Taylor>| {
+                outcomes
+                    .into_iter()
+                    .map(|outcome| outcome.hessian)
+                    .collect()
+            };
+            Ok(Arc::new(Seconds {
+                at: at.to_vec(),
+                of_drives: flown.into_iter().map(hessians).collect(),
+            }))
         };
         // a swing may fly at `x` and not at the point of the grid
         let found = seconds(&nearest).or_else(|_: String| seconds(x))?;
@@ -173,11 +220,16 @@ impl SwingsProblem {
 
     /// The nearest point of the grid for second derivatives to a value of a parameter.
     fn on_the_grid(&self, i: usize, x: f64) -> f64 {
-        /// Over the range of a parameter, so far apart that a drive's second derivatives change by a hundredth or so.
+        /// Over the range of a parameter, so far apart that a drive's second derivatives change by
+        /// a hundredth or so.
         const CELLS: f64 = 64.0;
         let [low, high] = [self.domain.variables.low[i], self.domain.variables.high[i]];
         let place = (CELLS * (x - low) / (high - low)).round() / CELLS;
-        if place.is_finite() { (low + place * (high - low)).clamp(low, high) } else { x }
+        if place.is_finite() {
+            (low + place * (high - low)).clamp(low, high)
+        } else {
+            x
+        }
     }
 
     /// A term of a goal that no drive changes.
@@ -188,7 +240,12 @@ impl SwingsProblem {
                 let place = self.vary.iter().position(|vary| vary == parameter);
                 (
                     place.map_or_else(
-                        || self.setup.value(parameter).or(parameter.unset).unwrap_or(f64::NAN),
+                        || {
+                            self.setup
+                                .value(parameter)
+                                .or(parameter.unset)
+                                .unwrap_or(f64::NAN)
+                        },
                         |place| x[place],
                     ),
                     place,
@@ -199,21 +256,35 @@ impl SwingsProblem {
         let slope = |i: usize| f64::from(u8::from(place == Some(i)));
         let n = if order > Order::Value { x.len() } else { 0 };
         let rows = if order == Order::Second { n } else { 0 };
-        Some(Taylor { value, gradient: (0..n).map(slope).collect(), ..Taylor::zero(n, rows) })
+        Some(Taylor {
+            value,
+            gradient: (0..n).map(slope).collect(),
+            ..Taylor::zero(n, rows)
+        })
     }
 
     /// Each goal at `x` from the outcomes of the scenarios, with its edges smoothed.
-    fn measured(&self, x: &[f64], flown: &[Vec<Taylor>], weights: &[f64], order: Order) -> Vec<Taylor> {
+    fn measured(
+        &self,
+        x: &[f64],
+        flown: &[Vec<Taylor>],
+        weights: &[f64],
+        order: Order,
+    ) -> Vec<Taylor> {
         let goal = |goal: &Goal| {
             let terms = goal.terms.iter().map(|(weight, measure)| {
                 if let Some(term) = self.of_the_design(measure, x, order) {
                     return (term, *weight);
                 }
                 let outcomes = measure.outcomes();
-                let places: Vec<usize> =
-                    outcomes.iter().filter_map(|of| self.of.iter().position(|it| it == of)).collect();
-                let drives: Vec<Vec<&Taylor>> =
-                    flown.iter().map(|outcomes| places.iter().map(|place| &outcomes[*place]).collect()).collect();
+                let places: Vec<usize> = outcomes
+                    .iter()
+                    .filter_map(|of| self.of.iter().position(|it| it == of))
+                    .collect();
+                let drives: Vec<Vec<&Taylor>> = flown
+                    .iter()
+                    .map(|outcomes| places.iter().map(|place| &outcomes[*place]).collect())
+                    .collect();
                 (measure.smoothed(&drives, weights, order), *weight)
             });
             let terms: Vec<_> = terms.collect();
@@ -225,19 +296,30 @@ impl SwingsProblem {
     /// Each goal at `x` by its definition, from a column of values for each outcome.
     fn exact(&self, x: &[f64], columns: &[Vec<f64>], weights: &[f64]) -> Vec<f64> {
         let term = |(weight, measure): &(f64, Measure)| {
-            let value = self.of_the_design(measure, x, Order::Value).map(|term| term.value);
-            weight * value.unwrap_or_else(|| measure.exact(&self.columns_of(&measure.outcomes(), columns), weights))
+            let value = self
+                .of_the_design(measure, x, Order::Value)
+                .map(|term| term.value);
+            weight
+                * value.unwrap_or_else(|| {
+                    measure.exact(&self.columns_of(&measure.outcomes(), columns), weights)
+                })
         };
-        self.goals.iter().map(|goal| goal.terms.iter().map(term).sum()).collect()
+        self.goals
+            .iter()
+            .map(|goal| goal.terms.iter().map(term).sum())
+            .collect()
     }
 
     fn columns_of<'a>(&self, outcomes: &[Outcome], columns: &'a [Vec<f64>]) -> Vec<&'a [f64]> {
-        let places = outcomes.iter().filter_map(|of| self.of.iter().position(|it| it == of));
+        let places = outcomes
+            .iter()
+            .filter_map(|of| self.of.iter().position(|it| it == of));
         places.map(|place| &columns[place][..]).collect()
     }
 
-    /// The goals by their definitions at `x`: the objective, then what is limited. Goals with an edge are told over the swings of
-    /// [`sequences`](Scenarios::sequences), where all of these fly; any other goal over the scenarios.
+    /// The goals by their definitions at `x`: the objective, then what is limited. Goals with an
+    /// edge are told over the swings of [`sequences`](Scenarios::sequences), where all of these
+    /// fly; any other goal over the scenarios.
     ///
     /// # Errors
     /// Where a scenario does not fly, or the work is stopped.
@@ -266,7 +348,11 @@ impl SwingsProblem {
     /// # Errors
     /// As [`values`](Self::values).
     pub fn weighted_values(&self, x: &[f64], weights: &[f64]) -> Result<Vec<f64>> {
-        Ok(self.exact(x, &columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?, weights))
+        Ok(self.exact(
+            x,
+            &columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?,
+            weights,
+        ))
     }
 
     /// The same with the design as set up.
@@ -274,7 +360,11 @@ impl SwingsProblem {
     /// # Errors
     /// As [`values`](Self::values).
     pub fn weighted_as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
-        Ok(self.exact(&self.own(), &columns(&self.set_up, &self.of, &self.scenarios, &self.stop)?, weights))
+        Ok(self.exact(
+            &self.own(),
+            &columns(&self.set_up, &self.of, &self.scenarios, &self.stop)?,
+            weights,
+        ))
     }
 
     /// The goals at `x` over each of the [`sequences`](Scenarios::sequences) by itself.
@@ -285,14 +375,23 @@ impl SwingsProblem {
         let setup = self.moved(x)?;
         let one = |sequence: Result<Scenarios>| {
             let sequence = sequence?;
-            Ok(self.exact(x, &columns(&setup, &self.of, &sequence, &self.stop)?, &sequence.weights))
+            Ok(self.exact(
+                x,
+                &columns(&setup, &self.of, &sequence, &self.stop)?,
+                &sequence.weights,
+            ))
         };
         self.scenarios.sequences().into_iter().map(one).collect()
     }
 
     /// What the design as set up has of what is varied.
     fn own(&self) -> Vec<f64> {
-        let own = |parameter: &&'static Parameter| self.set_up.value(parameter).or(parameter.unset).unwrap_or(f64::NAN);
+        let own = |parameter: &&'static Parameter| {
+            self.set_up
+                .value(parameter)
+                .or(parameter.unset)
+                .unwrap_or(f64::NAN)
+        };
         self.vary.iter().map(own).collect()
     }
 
@@ -308,33 +407,48 @@ impl SwingsProblem {
                 Err(Error::NoFlight { .. }) => return Ok(values),
                 more => more?,
             };
-            all.iter_mut().zip(more).for_each(|(column, more)| column.extend(more));
+            all.iter_mut()
+                .zip(more)
+                .for_each(|(column, more)| column.extend(more));
         }
         let count = all[0].len();
         if count > 0 {
             let over_all = self.exact(design, &all, &vec![1.0 / count as f64; count]);
-            let told = values.iter_mut().zip(over_all).zip(&self.goals).filter(|(_, goal)| goal.has_edge());
+            let told = values
+                .iter_mut()
+                .zip(over_all)
+                .zip(&self.goals)
+                .filter(|(_, goal)| goal.has_edge());
             told.for_each(|((value, over_all), _)| *value = over_all);
         }
         Ok(values)
     }
 
-    /// The goals at `x` with smoothed edges, other weights of the scenarios, and derivatives to an order: the objective, then what is
-    /// limited.
+    /// The goals at `x` with smoothed edges, other weights of the scenarios, and derivatives to an
+    /// order: the objective, then what is limited.
     ///
     /// # Errors
     /// Where a swing does not fly, or `stop` is true.
-    pub fn goals_until(&self, x: &[f64], weights: &[f64], order: Order, stop: &AtomicBool) -> Result<Vec<Taylor>> {
+    pub fn goals_until(
+        &self,
+        x: &[f64],
+        weights: &[f64],
+        order: Order,
+        stop: &AtomicBool,
+    ) -> Result<Vec<Taylor>> {
         let all: Vec<usize> = (0..self.drives.len()).collect();
         let flown = self.flown(&all, x, order, stop);
         let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
             true => stopped("all swings were flown"),
-            false => Error::NoFlight { reason: reason.into() },
+            false => Error::NoFlight {
+                reason: reason.into(),
+            },
         })?;
         Ok(self.measured(x, &flown, weights, order))
     }
 
-    /// The share of scenarios with which a ball ends where a table of strokes does not reach; `None` without such a table.
+    /// The share of scenarios with which a ball ends where a table of strokes does not reach;
+    /// `None` without such a table.
     ///
     /// # Errors
     /// Where a swing does not fly.
@@ -344,26 +458,37 @@ impl SwingsProblem {
             return Ok(None);
         }
         let flown = columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?;
-        let ends: Vec<_> = tables.iter().map(|(strokes, _)| self.columns_of(strokes.outcomes(), &flown)).collect();
+        let ends: Vec<_> = tables
+            .iter()
+            .map(|(strokes, _)| self.columns_of(strokes.outcomes(), &flown))
+            .collect();
         let is_beyond = |k: usize| {
             let mut all = tables.iter().zip(&ends);
             all.any(|((strokes, hole), end)| !strokes.reaches((hole - end[0][k]).hypot(end[1][k])))
         };
         let weights = self.scenarios.weights.iter().enumerate();
-        Ok(Some(weights.filter(|(k, _)| is_beyond(*k)).map(|(_, weight)| weight).sum()))
+        Ok(Some(
+            weights
+                .filter(|(k, _)| is_beyond(*k))
+                .map(|(_, weight)| weight)
+                .sum(),
+        ))
     }
 
     /// The same with other weights.
     pub fn weighted(&self, weights: Vec<f64>) -> Weighted<'_> {
-        Weighted { problem: self, weights }
+        Weighted {
+            problem: self,
+            weights,
+        }
     }
 
     pub fn scenarios(&self) -> &Scenarios {
         &self.scenarios
     }
 
-    /// The goals with exact values and gradients. In the Hessians, what the gradients of drives contribute is exact too; the second
-    /// derivatives of drives are those of the part.
+    /// The goals with exact values and gradients. In the Hessians, what the gradients of drives
+    /// contribute is exact too; the second derivatives of drives are those of the part.
     fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         let all: Vec<usize> = (0..self.drives.len()).collect();
         let flown = if self.part.len() == all.len() {
@@ -372,15 +497,25 @@ impl SwingsProblem {
             let mut flown = self.flown(&all, x, Order::First, &self.stop)?;
             let seconds = self.second_derivatives(x)?;
             for (k, of_drive) in self.part.iter().zip(&seconds.of_drives) {
-                flown[*k].iter_mut().zip(of_drive).for_each(|(outcome, hessian)| outcome.hessian.clone_from(hessian));
+                flown[*k]
+                    .iter_mut()
+                    .zip(of_drive)
+                    .for_each(|(outcome, hessian)| outcome.hessian.clone_from(hessian));
             }
             flown
         };
         let mut goals = self.measured(x, &flown, weights, Order::Second);
         let constraints = goals.split_off(1);
         let objective = goals.pop().unwrap_or_default();
-        let objective = if self.sense == Sense::Maximize { objective.negated() } else { objective };
-        Ok(Evaluation { objective, constraints })
+        let objective = if self.sense == Sense::Maximize {
+            objective.negated()
+        } else {
+            objective
+        };
+        Ok(Evaluation {
+            objective,
+            constraints,
+        })
     }
 }
 

@@ -1,7 +1,8 @@
 use crate::study::uncertainty::Distribution;
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// Standard deviations to which a normal distribution is taken: beyond are 6 of 100,000 swings, and balls that are not hit.
+/// Standard deviations to which a normal distribution is taken: beyond are 6 of 100,000 swings, and
+/// balls that are not hit.
 pub(super) const REACH: f64 = 4.0;
 /// Nodes that a density is sampled at, on each part on which it is smooth.
 const SAMPLED: usize = 96;
@@ -9,8 +10,9 @@ const SAMPLED: usize = 96;
 /// Nodes and weights.
 type Nodes = Vec<(f64, f64)>;
 
-/// The nodes and weights of a Gauss rule, from the recurrence of its orthogonal polynomials (Golub & Welsch 1969): the diagonal of the
-/// symmetric tridiagonal matrix, and what is beside it. The weights add up to 1.
+/// The nodes and weights of a Gauss rule, from the recurrence of its orthogonal polynomials (Golub
+/// & Welsch 1969): the diagonal of the symmetric tridiagonal matrix, and what is beside it. The
+/// weights add up to 1.
 fn gauss(diagonal: &[f64], beside: &[f64]) -> Nodes {
     let n = diagonal.len();
     let mut jacobi = DMatrix::zeros(n, n);
@@ -21,7 +23,9 @@ fn gauss(diagonal: &[f64], beside: &[f64]) -> Nodes {
         (jacobi[(k, k + 1)], jacobi[(k + 1, k)]) = (*entry, *entry);
     }
     let eigen = SymmetricEigen::new(jacobi);
-    let mut rule: Nodes = (0..n).map(|k| (eigen.eigenvalues[k], eigen.eigenvectors[(0, k)].powi(2))).collect();
+    let mut rule: Nodes = (0..n)
+        .map(|k| (eigen.eigenvalues[k], eigen.eigenvectors[(0, k)].powi(2)))
+        .collect();
     rule.sort_by(|a, b| a.0.total_cmp(&b.0));
     rule
 }
@@ -31,19 +35,36 @@ fn legendre([low, high]: [f64; 2], nodes: usize) -> Nodes {
     let entry = |k: f64| k / (4.0 * k * k - 1.0).sqrt();
     let beside: Vec<f64> = (1..nodes).map(|k| entry(k as f64)).collect();
     let rule = gauss(&vec![0.0; nodes], &beside);
-    rule.into_iter().map(|(node, weight)| (low + (high - low) * (0.5 + 0.5 * node), weight)).collect()
+    rule.into_iter()
+        .map(|(node, weight)| (low + (high - low) * (0.5 + 0.5 * node), weight))
+        .collect()
 }
 
-/// The rule with so many nodes for a density: its recurrence from many samples of it (Stieltjes; Gautschi 1982).
+/// The rule with so many nodes for a density: its recurrence from many samples of it (Stieltjes;
+/// Gautschi 1982).
 fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Nodes {
     let ends = [parts[0][0], parts[parts.len() - 1][1]];
     let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-    let sampled = parts.iter().filter(|[low, high]| low < high).flat_map(|part| {
-        legendre(*part, SAMPLED).into_iter().map(move |(x, weight)| (x, weight * (part[1] - part[0])))
-    });
+    let sampled = parts
+        .iter()
+        .filter(|[low, high]| low < high)
+        .flat_map(|part| {
+            legendre(*part, SAMPLED)
+                .into_iter()
+                .map(move |(x, weight)| (x, weight * (part[1] - part[0])))
+        });
     // between -1 and 1, where the polynomials stay small
-    let sampled: Nodes = sampled.map(|(x, weight)| ((x - middle) / half, weight * density(x))).collect();
-    let dot = |p: &[f64], q: &[f64]| sampled.iter().zip(p).zip(q).map(|(((_, w), p), q)| w * p * q).sum::<f64>();
+    let sampled: Nodes = sampled
+        .map(|(x, weight)| ((x - middle) / half, weight * density(x)))
+        .collect();
+    let dot = |p: &[f64], q: &[f64]| {
+        sampled
+            .iter()
+            .zip(p)
+            .zip(q)
+            .map(|(((_, w), p), q)| w * p * q)
+            .sum::<f64>()
+    };
     let (mut before, mut here) = (vec![0.0; sampled.len()], vec![1.0; sampled.len()]);
     let (mut diagonal, mut beside) = (vec![], vec![]);
     let (mut size, mut ratio) = (dot(&here, &here), 0.0);
@@ -63,12 +84,17 @@ fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> No
         diagonal.push(centre);
         beside.push(ratio.sqrt());
     }
-    gauss(&diagonal, &beside).into_iter().map(|(x, weight)| (middle + half * x, weight)).collect()
+    gauss(&diagonal, &beside)
+        .into_iter()
+        .map(|(x, weight)| (middle + half * x, weight))
+        .collect()
 }
 
-/// Values of a distributed number with weights that add up to 1: exact for polynomials of degree 2 n − 1.
+/// Values of a distributed number with weights that add up to 1: exact for polynomials of degree 2
+/// n − 1.
 pub(super) fn rule(distribution: &Distribution, nodes: usize) -> Nodes {
-    let bell = |mean: f64, deviation: f64| move |x: f64| (-0.5 * ((x - mean) / deviation).powi(2)).exp();
+    let bell =
+        |mean: f64, deviation: f64| move |x: f64| (-0.5 * ((x - mean) / deviation).powi(2)).exp();
     match *distribution {
         Distribution::Normal { mean, deviation } => {
             let ends = [mean - REACH * deviation, mean + REACH * deviation];
@@ -77,12 +103,21 @@ pub(super) fn rule(distribution: &Distribution, nodes: usize) -> Nodes {
         Distribution::Uniform { low, high } => legendre([low, high], nodes),
         Distribution::Triangular { low, mode, high } => rule_of(
             &[[low, mode], [mode, high]],
-            &|x| if x < mode { (x - low) / (mode - low) } else { (high - x) / (high - mode) },
+            &|x| {
+                if x < mode {
+                    (x - low) / (mode - low)
+                } else {
+                    (high - x) / (high - mode)
+                }
+            },
             nodes,
         ),
-        Distribution::Truncated { mean, deviation, low, high } => {
-            rule_of(&[[low, high]], &bell(mean, deviation), nodes)
-        }
+        Distribution::Truncated {
+            mean,
+            deviation,
+            low,
+            high,
+        } => rule_of(&[[low, high]], &bell(mean, deviation), nodes),
     }
 }
 
@@ -95,28 +130,74 @@ mod tests {
         let rule = rule(distribution, 8);
         assert!((rule.iter().map(|(_, w)| w).sum::<f64>() - 1.0).abs() < 1e-13);
         let mean: f64 = rule.iter().map(|(x, w)| x * w).sum();
-        let about = |k: i32| rule.iter().map(|(x, w)| (x - mean).powi(k) * w).sum::<f64>();
+        let about = |k: i32| {
+            rule.iter()
+                .map(|(x, w)| (x - mean).powi(k) * w)
+                .sum::<f64>()
+        };
         [mean, about(2), about(3), about(4)]
     }
 
-    /// The rules hold the mean and the next three moments about it, which have closed forms; those of the normal distribution between two
-    /// ends are as good as the library's error function.
+    /// The rules hold the mean and the next three moments about it, which have closed forms; those
+    /// of the normal distribution between two ends are as good as the library's error function.
     #[test]
     fn exact_moments_of_each_rule() {
         let all = [
             // to 4 standard deviations: what is beyond takes off a thousandth of the variance
-            (Distribution::Normal { mean: 2.0, deviation: 0.5 }, 2e-3),
-            (Distribution::Uniform { low: -1.0, high: 3.0 }, 1e-12),
-            (Distribution::Triangular { low: 0.0, mode: 1.0, high: 4.0 }, 1e-11),
-            (Distribution::Triangular { low: 0.0, mode: 0.0, high: 4.0 }, 1e-11),
-            (Distribution::Truncated { mean: 1.0, deviation: 2.0, low: -1.0, high: 2.5 }, 1e-8),
+            (
+                Distribution::Normal {
+                    mean: 2.0,
+                    deviation: 0.5,
+                },
+                2e-3,
+            ),
+            (
+                Distribution::Uniform {
+                    low: -1.0,
+                    high: 3.0,
+                },
+                1e-12,
+            ),
+            (
+                Distribution::Triangular {
+                    low: 0.0,
+                    mode: 1.0,
+                    high: 4.0,
+                },
+                1e-11,
+            ),
+            (
+                Distribution::Triangular {
+                    low: 0.0,
+                    mode: 0.0,
+                    high: 4.0,
+                },
+                1e-11,
+            ),
+            (
+                Distribution::Truncated {
+                    mean: 1.0,
+                    deviation: 2.0,
+                    low: -1.0,
+                    high: 2.5,
+                },
+                1e-8,
+            ),
         ];
         for (distribution, bar) in all {
             let [mean, second, third, fourth] = moments(&distribution);
             let closed = distribution.central_moments();
-            let pairs = [(mean, distribution.mean()), (second, closed[0]), (third, closed[1]), (fourth, closed[2])];
+            let pairs = [
+                (mean, distribution.mean()),
+                (second, closed[0]),
+                (third, closed[1]),
+                (fourth, closed[2]),
+            ];
             for (found, exact) in pairs {
-                assert!((found - exact).abs() < bar * exact.abs().max(1.0), "{distribution:?}: {found} {exact}");
+                assert!(
+                    (found - exact).abs() < bar * exact.abs().max(1.0),
+                    "{distribution:?}: {found} {exact}"
+                );
             }
         }
     }
@@ -124,8 +205,18 @@ mod tests {
     /// The last of these beside Simpson's rule with 200,000 parts, summed without rounding.
     #[test]
     fn independent_moments_of_a_normal_distribution_between_two_ends() {
-        let found = moments(&Distribution::Truncated { mean: 1.0, deviation: 2.0, low: -1.0, high: 2.5 });
-        let exact = [0.8074994843391808, 0.9187882798861596, -0.05769299804279981, 1.6153037903424834];
+        let found = moments(&Distribution::Truncated {
+            mean: 1.0,
+            deviation: 2.0,
+            low: -1.0,
+            high: 2.5,
+        });
+        let exact = [
+            0.8074994843391808,
+            0.9187882798861596,
+            -0.05769299804279981,
+            1.6153037903424834,
+        ];
         for (found, exact) in found.into_iter().zip(exact) {
             assert!((found - exact).abs() < 1e-13, "{found} {exact}");
         }

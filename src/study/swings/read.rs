@@ -33,7 +33,8 @@ pub struct GoalLimit {
     pub high: f64,
 }
 
-const MEASURES: &str = "mean(OUTCOME), std(OUTCOME), rms(OUTCOME), lowest(OUTCOME, 10%), highest(OUTCOME, 10%), \
+const MEASURES: &str = "mean(OUTCOME), std(OUTCOME), rms(OUTCOME), lowest(OUTCOME, 10%), \
+                        highest(OUTCOME, 10%), \
                         within(OUTCOME, 15yd) and strokes(400yd)";
 
 impl Goal {
@@ -41,16 +42,25 @@ impl Goal {
     pub fn mean(of: Outcome) -> Self {
         let measure = Measure::Mean(of);
         let (quantity, unit) = (measure.quantity(), measure.unit());
-        Self { expression: format!("mean({})", of.name()), terms: vec![(1.0, measure)], quantity, unit }
+        Self {
+            expression: format!("mean({})", of.name()),
+            terms: vec![(1.0, measure)],
+            quantity,
+            unit,
+        }
     }
 
     /// An outcome of one drive: its mean over that drive alone.
     pub fn outcome(of: Outcome) -> Self {
-        Self { expression: of.name().into(), ..Self::mean(of) }
+        Self {
+            expression: of.name().into(),
+            ..Self::mean(of)
+        }
     }
 
-    /// Reads a weighted sum of measures; a weight is a number, or for a share or strokes an amount: `mean(carry) + 30yd*within(lateral,
-    /// 15yd)`. `strokes` is the table that `strokes(HOLE)` asks for.
+    /// Reads a weighted sum of measures; a weight is a number, or for a share or strokes an amount:
+    /// `mean(carry) + 30yd*within(lateral, 15yd)`. `strokes` is the table that `strokes(HOLE)` asks
+    /// for.
     ///
     /// ```
     /// use longdrive::study::swings::{Goal, Measure};
@@ -65,7 +75,14 @@ impl Goal {
     /// # Errors
     /// [`Error::Constraint`](crate::error::Error::Constraint), which points into the expression.
     pub fn read(expression: &str, strokes: Option<&Strokes>) -> Result<Self> {
-        Self::read_part(expression, &Part { text: expression.trim(), column: lead(expression) }, strokes)
+        Self::read_part(
+            expression,
+            &Part {
+                text: expression.trim(),
+                column: lead(expression),
+            },
+            strokes,
+        )
     }
 
     fn read_part(expression: &str, part: &Part<'_>, strokes: Option<&Strokes>) -> Result<Self> {
@@ -82,7 +99,8 @@ impl Goal {
             let (quantity, first) = (terms[terms.len() - 1].2, terms[0].2);
             if quantity.si != first.si {
                 let reason = format!(
-                    "this is {}, and the first term {}: terms that are added must be of one kind; weight a share with an amount, for \
+                    "this is {}, and the first term {}: terms that are added must be of one kind; \
+                     weight a share with an amount, for \
                      example 30yd*within(lateral, 15yd)",
                     quantity.name, first.name
                 );
@@ -90,8 +108,16 @@ impl Goal {
             }
         }
         let (quantity, unit) = (terms[0].2, terms[0].3);
-        let terms = terms.into_iter().map(|(weight, measure, ..)| (weight, measure)).collect();
-        Ok(Self { expression: part.text.into(), terms, quantity, unit })
+        let terms = terms
+            .into_iter()
+            .map(|(weight, measure, ..)| (weight, measure))
+            .collect();
+        Ok(Self {
+            expression: part.text.into(),
+            terms,
+            quantity,
+            unit,
+        })
     }
 
     /// The tables of strokes in it, each with the length of its hole, m.
@@ -109,15 +135,28 @@ impl Goal {
 
     /// The outcomes that it needs.
     pub fn outcomes(&self) -> Vec<Outcome> {
-        self.terms.iter().flat_map(|(_, measure)| measure.outcomes()).collect()
+        self.terms
+            .iter()
+            .flat_map(|(_, measure)| measure.outcomes())
+            .collect()
     }
 }
 
 impl GoalLimit {
     /// The limits of an outcome of one drive.
     pub fn of_drive(constraint: &Constraint) -> Self {
-        let Constraint { expression, outcome, low, high } = constraint;
-        Self { expression: expression.clone(), goal: Goal::outcome(*outcome), low: *low, high: *high }
+        let Constraint {
+            expression,
+            outcome,
+            low,
+            high,
+        } = constraint;
+        Self {
+            expression: expression.clone(),
+            goal: Goal::outcome(*outcome),
+            low: *low,
+            high: *high,
+        }
     }
 
     /// How far a value is beyond the limits: above the upper > 0, below the lower < 0.
@@ -125,7 +164,8 @@ impl GoalLimit {
         value - value.clamp(self.low, self.high)
     }
 
-    /// Whether a value is between the limits, but for the rounding of a search: a millionth of it, or of one.
+    /// Whether a value is between the limits, but for the rounding of a search: a millionth of it,
+    /// or of one.
     pub fn is_met(&self, value: f64) -> bool {
         let rounding = 1e-6 * value.abs().max(1.0);
         (self.low - rounding..=self.high + rounding).contains(&value)
@@ -137,17 +177,28 @@ impl GoalLimit {
     /// [`Error::Constraint`](crate::error::Error::Constraint), which points into the expression.
     pub fn read(expression: &str, strokes: Option<&Strokes>) -> Result<Self> {
         let example = "std(lateral) <= 12yd or mean(carry) >= 240yd";
-        let Compared { of: goal, low, high } = compared(
+        let Compared {
+            of: goal,
+            low,
+            high,
+        } = compared(
             expression,
             example,
             |text| text.contains('(') || Outcome::named(text.trim()).is_ok(),
             |part| {
                 let goal = Goal::read_part(expression, part, strokes)?;
                 let quantity = goal.quantity;
-                Ok((goal, move |limit: &Part<'_>| value(expression, limit, quantity)))
+                Ok((goal, move |limit: &Part<'_>| {
+                    value(expression, limit, quantity)
+                }))
             },
         )?;
-        Ok(Self { expression: expression.trim().into(), goal, low, high })
+        Ok(Self {
+            expression: expression.trim().into(),
+            goal,
+            low,
+            high,
+        })
     }
 }
 
@@ -162,7 +213,10 @@ pub(super) fn summands<'a>(whole: &Part<'a>) -> Vec<(f64, Part<'a>)> {
     let part = |from: usize, to: usize| {
         let piece = &text[from..to];
         let column = whole.column + text[..from].chars().count() + lead(piece);
-        Part { text: piece.trim(), column }
+        Part {
+            text: piece.trim(),
+            column,
+        }
     };
     let mut before = None;
     for (at, c) in text.char_indices() {
@@ -202,22 +256,35 @@ fn read_term(
             // no swing changes it: its mean is its value
             Ok(of) if of.part() == drive::Part::Head => {
                 let text = term.text.replace(call, &format!("mean({call})"));
-                read_term(expression, &Part { text: &text, column: term.column }, sign, strokes)
+                read_term(
+                    expression,
+                    &Part {
+                        text: &text,
+                        column: term.column,
+                    },
+                    sign,
+                    strokes,
+                )
             }
             Ok(_) => refuse(&format!(
-                "over many swings an outcome has many values; say what of them, for example mean({call}): {MEASURES}"
+                "over many swings an outcome has many values; say what of them, for example \
+                 mean({call}): {MEASURES}"
             )),
-            Err(_) => {
-                refuse(&of_parameter(call).unwrap_or_else(|| format!("'{call}' is no measure; there are {MEASURES}")))
-            }
+            Err(_) => refuse(
+                &of_parameter(call)
+                    .unwrap_or_else(|| format!("'{call}' is no measure; there are {MEASURES}")),
+            ),
         };
     };
-    let Some((inside, behind)) = rest.split_once(')') else { return refuse("its closing ) is missing") };
+    let Some((inside, behind)) = rest.split_once(')') else {
+        return refuse("its closing ) is missing");
+    };
     match behind.trim() {
         "" => {}
         behind if behind.starts_with('/') => {
             return refuse(&format!(
-                "there is no division; a weight stands before the measure, for example 0.5*{}({inside})",
+                "there is no division; a weight stands before the measure, for example \
+                 0.5*{}({inside})",
                 name.trim()
             ));
         }
@@ -226,21 +293,28 @@ fn read_term(
         }
         behind => {
             return refuse(&format!(
-                "'{behind}' stands behind the ); a weight stands before the measure, for example 0.5*{}({inside})",
+                "'{behind}' stands behind the ); a weight stands before the measure, for example \
+                 0.5*{}({inside})",
                 name.trim()
             ));
         }
     }
     let words: Vec<&str> = inside.split(',').map(str::trim).collect();
-    let outcome = || Outcome::named(words[0]).map_err(|error| at(expression, term, &error.to_string()));
+    let outcome =
+        || Outcome::named(words[0]).map_err(|error| at(expression, term, &error.to_string()));
     let share = || {
-        let share = words[1].strip_suffix('%').map(|part| part.trim().parse::<f64>().map(|part| part / 100.0));
+        let share = words[1]
+            .strip_suffix('%')
+            .map(|part| part.trim().parse::<f64>().map(|part| part / 100.0));
         match share.unwrap_or_else(|| words[1].parse()) {
             Ok(share) if share > 0.0 && share < 1.0 => Ok(share),
             _ => Err(at(
                 expression,
                 term,
-                &format!("'{}' is no share above 0 and below 100%, for example 10%", words[1]),
+                &format!(
+                    "'{}' is no share above 0 and below 100%, for example 10%",
+                    words[1]
+                ),
             )),
         }
     };
@@ -261,24 +335,38 @@ fn read_term(
         }
         ("strokes", 1) => match strokes {
             Some(strokes) => Measure::Strokes(strokes.clone(), amount(Quantity::LENGTH, words[0])?),
-            None => return refuse("expected strokes need a table of them; give it with --strokes FILE"),
+            None => {
+                return refuse(
+                    "expected strokes need a table of them; give it with --strokes FILE",
+                );
+            }
         },
         ("mean" | "std" | "rms" | "lowest" | "highest" | "within" | "strokes", _) => {
-            return refuse(&format!("it has not the values that it needs; there are {MEASURES}"));
+            return refuse(&format!(
+                "it has not the values that it needs; there are {MEASURES}"
+            ));
         }
         (name, _) => {
             // "0.5 std(…)"
-            let weighted = name.split_once(char::is_whitespace).filter(|(weight, _)| weight.parse::<f64>().is_ok());
+            let weighted = name
+                .split_once(char::is_whitespace)
+                .filter(|(weight, _)| weight.parse::<f64>().is_ok());
             return refuse(&match weighted {
                 Some((weight, name)) => {
-                    format!("a * is missing between a weight and its measure; write {weight}*{}({inside})", name.trim())
+                    format!(
+                        "a * is missing between a weight and its measure; write \
+                         {weight}*{}({inside})",
+                        name.trim()
+                    )
                 }
                 None => format!("'{name}' is no measure; there are {MEASURES}"),
             });
         }
     };
     let (quantity, unit) = (measure.quantity(), measure.unit());
-    let Some(weight) = weight else { return Ok((sign, measure, quantity, unit)) };
+    let Some(weight) = weight else {
+        return Ok((sign, measure, quantity, unit));
+    };
     if let Ok(number) = weight.parse::<f64>()
         && number.is_finite()
     {
@@ -293,6 +381,7 @@ fn read_term(
         }
     }
     refuse(&format!(
-        "'{weight}' is no weight; write a number, or for a share an amount with its unit, for example 30yd"
+        "'{weight}' is no weight; write a number, or for a share an amount with its unit, for \
+         example 30yd"
     ))
 }

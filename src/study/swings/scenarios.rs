@@ -23,7 +23,8 @@ pub enum Rule {
     Recorded,
 }
 
-/// Swings that stand for all: the same for every design, so that an expectation is a smooth function of it.
+/// Swings that stand for all: the same for every design, so that an expectation is a smooth
+/// function of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenarios {
     /// The parameters that have a value in each.
@@ -34,7 +35,8 @@ pub struct Scenarios {
     pub weights: Vec<f64>,
     /// How they were taken.
     pub rule: Rule,
-    /// The ends of each parameter's distribution, SI, infinite where it has none; `None` for what was recorded.
+    /// The ends of each parameter's distribution, SI, infinite where it has none; `None` for what
+    /// was recorded.
     pub ends: Vec<Option<[f64; 2]>>,
     /// The distributions that the points are of; `None` where there are none.
     distributed: Option<Swings>,
@@ -54,29 +56,46 @@ const SEQUENCES: u32 = 8;
 const POINTS: usize = 2048;
 
 impl Rule {
-    /// What suits some swings: `count` scenarios if it is given, and what their number of parameters needs if not.
+    /// What suits some swings: `count` scenarios if it is given, and what their number of
+    /// parameters needs if not.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a number of recorded swings.
+    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a number of
+    /// recorded swings.
     pub fn of(swings: &Swings, count: Option<usize>, seed: u32) -> Result<Self> {
         let refuse = |count: usize, reason: String| {
-            Err(Error::Unreadable { name: format!("--scenarios {count}"), source: reason.into() })
+            Err(Error::Unreadable {
+                name: format!("--scenarios {count}"),
+                source: reason.into(),
+            })
         };
         match (swings, count) {
-            (Swings::Recorded { .. }, Some(count)) => {
-                refuse(count, "recorded swings are the scenarios themselves; leave --scenarios out".into())
-            }
+            (Swings::Recorded { .. }, Some(count)) => refuse(
+                count,
+                "recorded swings are the scenarios themselves; leave --scenarios out".into(),
+            ),
             (Swings::Recorded { .. }, None) => Ok(Self::Recorded),
             (_, Some(count)) if !(2..=MOST_SCENARIOS).contains(&count) => {
                 refuse(count, format!("give a number from 2 to {MOST_SCENARIOS}"))
             }
-            (Swings::Distributed { inputs, .. }, Some(_)) if inputs.len() > sobol::MOST_VARIABLES => {
-                refuse(inputs.len(), format!("at most {} parameters can be distributed", sobol::MOST_VARIABLES))
+            (Swings::Distributed { inputs, .. }, Some(_))
+                if inputs.len() > sobol::MOST_VARIABLES =>
+            {
+                refuse(
+                    inputs.len(),
+                    format!(
+                        "at most {} parameters can be distributed",
+                        sobol::MOST_VARIABLES
+                    ),
+                )
             }
             (_, Some(count)) => Ok(Self::Sequence { count, seed }),
             (Swings::Distributed { inputs, .. }, None) => Ok(match inputs.len() {
                 n @ 1..=MOST_INTEGRATED => Self::Quadrature(NODES[n - 1]),
-                _ => Self::Sequence { count: SCENARIOS, seed },
+                _ => Self::Sequence {
+                    count: SCENARIOS,
+                    seed,
+                },
             }),
         }
     }
@@ -84,18 +103,24 @@ impl Rule {
     /// Refuses a seed that would have no effect on which swings are taken.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a seed of what is integrated by Gauss's rules, and of recorded swings.
+    /// [`Error::Unreadable`] for a seed of what is integrated by Gauss's rules, and of recorded
+    /// swings.
     pub fn refuse_idle_seed(self, seed: Option<u32>) -> Result<()> {
         let why = match (self, seed) {
             (Self::Sequence { .. }, _) | (_, None) => return Ok(()),
             (Self::Quadrature(_), _) => {
-                "up to 3 distributed parameters are integrated by Gauss's rules, in which nothing is random; give --scenarios too, or leave it out"
+                "up to 3 distributed parameters are integrated by Gauss's rules, in which nothing \
+                 is random; give --scenarios too, or leave it out"
             }
             (Self::Recorded, _) => {
-                "recorded swings are the scenarios themselves, in which nothing is random; leave it out"
+                "recorded swings are the scenarios themselves, in which nothing is random; leave \
+                 it out"
             }
         };
-        Err(Error::Unreadable { name: "--seed".into(), source: why.into() })
+        Err(Error::Unreadable {
+            name: "--seed".into(),
+            source: why.into(),
+        })
     }
 
     /// Gauss's rules with half as many nodes more.
@@ -128,93 +153,166 @@ impl Scenarios {
     /// The scenarios of some swings.
     ///
     /// # Errors
-    /// As [`Uncertain::check`]; [`Error::Unreadable`] for a value that no drive can have: give its distribution ends, with `truncated`.
+    /// As [`Uncertain::check`]; [`Error::Unreadable`] for a value that no drive can have: give its
+    /// distribution ends, with `truncated`.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;
         }
         let parameters = swings.parameters();
         let (points, weights): (Vec<Vec<f64>>, Vec<f64>) = match (swings, rule) {
-            (Swings::Recorded { rows, .. }, _) => (rows.clone(), vec![1.0 / rows.len() as f64; rows.len()]),
+            (Swings::Recorded { rows, .. }, _) => {
+                (rows.clone(), vec![1.0 / rows.len() as f64; rows.len()])
+            }
             (Swings::Distributed { inputs, factor }, Rule::Sequence { count, seed }) => {
                 let normal = Normal::standard();
                 let beyond = normal.cdf(-REACH);
                 let point = |k: usize| {
-                    let share = |i: usize| beyond + (1.0 - 2.0 * beyond) * sobol::coordinate(k as u64, i, seed);
-                    let scores: Vec<f64> = (0..inputs.len()).map(|i| normal.inverse_cdf(share(i))).collect();
+                    let share = |i: usize| {
+                        beyond + (1.0 - 2.0 * beyond) * sobol::coordinate(k as u64, i, seed)
+                    };
+                    let scores: Vec<f64> = (0..inputs.len())
+                        .map(|i| normal.inverse_cdf(share(i)))
+                        .collect();
                     inputs
                         .iter()
                         .zip(correlated(factor, &scores))
                         .map(|(input, score)| at_score(input, score))
                         .collect()
                 };
-                ((0..count).into_par_iter().map(point).collect(), vec![1.0 / count as f64; count])
+                (
+                    (0..count).into_par_iter().map(point).collect(),
+                    vec![1.0 / count as f64; count],
+                )
             }
             (Swings::Distributed { inputs, factor }, Rule::Quadrature(_) | Rule::Recorded) => {
-                let nodes = if let Rule::Quadrature(nodes) = rule { nodes } else { NODES[0] };
+                let nodes = if let Rule::Quadrature(nodes) = rule {
+                    nodes
+                } else {
+                    NODES[0]
+                };
                 // correlations are of normal scores
-                let score = Distribution::Normal { mean: 0.0, deviation: 1.0 };
+                let score = Distribution::Normal {
+                    mean: 0.0,
+                    deviation: 1.0,
+                };
                 let is_correlated = |i: usize| {
-                    factor[i][..i].iter().any(|l| *l != 0.0) || factor.iter().skip(i + 1).any(|row| row[i] != 0.0)
+                    factor[i][..i].iter().any(|l| *l != 0.0)
+                        || factor.iter().skip(i + 1).any(|row| row[i] != 0.0)
                 };
                 let of = |(i, input): (usize, &Uncertain)| {
-                    self::rule(if is_correlated(i) { &score } else { &input.distribution }, nodes)
+                    self::rule(
+                        if is_correlated(i) {
+                            &score
+                        } else {
+                            &input.distribution
+                        },
+                        nodes,
+                    )
                 };
                 let mut points = vec![(vec![], 1.0)];
                 for rule in inputs.iter().enumerate().map(of) {
                     let longer = |(point, weight): &(Vec<f64>, f64)| {
-                        let longer =
-                            rule.iter().map(|(node, part)| ([point.as_slice(), &[*node]].concat(), weight * part));
+                        let longer = rule.iter().map(|(node, part)| {
+                            ([point.as_slice(), &[*node]].concat(), weight * part)
+                        });
                         longer.collect::<Vec<_>>()
                     };
                     points = points.iter().flat_map(longer).collect();
                 }
                 let placed = |(nodes, weight): (Vec<f64>, f64)| {
                     let scores = correlated(factor, &nodes);
-                    let value = |(i, input)| if is_correlated(i) { at_score(input, scores[i]) } else { nodes[i] };
-                    (inputs.iter().enumerate().map(value).collect::<Vec<f64>>(), weight)
+                    let value = |(i, input)| {
+                        if is_correlated(i) {
+                            at_score(input, scores[i])
+                        } else {
+                            nodes[i]
+                        }
+                    };
+                    (
+                        inputs.iter().enumerate().map(value).collect::<Vec<f64>>(),
+                        weight,
+                    )
                 };
                 points.into_iter().map(placed).unzip()
             }
         };
         for point in &points {
             for (parameter, value) in parameters.iter().zip(point) {
-                parameter.check(*value).map_err(|source| Error::Unreadable {
-                    name: format!("a swing of the distribution of {}", parameter.name),
-                    source: format!("{source}; give it ends with truncated(MEAN,DEVIATION,LOW,HIGH)").into(),
-                })?;
+                parameter
+                    .check(*value)
+                    .map_err(|source| Error::Unreadable {
+                        name: format!("a swing of the distribution of {}", parameter.name),
+                        source: format!(
+                            "{source}; give it ends with truncated(MEAN,DEVIATION,LOW,HIGH)"
+                        )
+                        .into(),
+                    })?;
             }
         }
         let ends = match swings {
             Swings::Recorded { .. } => vec![None; parameters.len()],
-            Swings::Distributed { inputs, .. } => inputs.iter().map(|input| Some(input.distribution.ends())).collect(),
+            Swings::Distributed { inputs, .. } => inputs
+                .iter()
+                .map(|input| Some(input.distribution.ends()))
+                .collect(),
         };
         let distributed = matches!(swings, Swings::Distributed { .. }).then(|| swings.clone());
-        Ok(Self { parameters, points, weights, rule, ends, distributed })
+        Ok(Self {
+            parameters,
+            points,
+            weights,
+            rule,
+            ends,
+            distributed,
+        })
     }
 
-    /// Independent scramblings of Sobol's sequence over the same distributions, which no search has seen: at least as many points in each
-    /// as there are scenarios. Nothing where there are no distributions.
+    /// Independent scramblings of Sobol's sequence over the same distributions, which no search has
+    /// seen: at least as many points in each as there are scenarios. Nothing where there are no
+    /// distributions.
     pub(super) fn sequences(&self) -> Vec<Result<Self>> {
-        let Some(swings) = &self.distributed else { return vec![] };
+        let Some(swings) = &self.distributed else {
+            return vec![];
+        };
         let (count, seed) = match self.rule {
             Rule::Sequence { count, seed } => (count.max(POINTS), seed),
             _ => (POINTS, 0),
         };
         // far from the seeds that people give
         let seed = |round: u32| seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1));
-        (0..SEQUENCES).map(|round| Self::new(swings, Rule::Sequence { count, seed: seed(round) })).collect()
+        (0..SEQUENCES)
+            .map(|round| {
+                Self::new(
+                    swings,
+                    Rule::Sequence {
+                        count,
+                        seed: seed(round),
+                    },
+                )
+            })
+            .collect()
     }
 
-    /// The scenarios, and then all combinations of the ends that the distributions of these parameters have, with what else varies as in each
-    /// scenario.
+    /// The scenarios, and then all combinations of the ends that the distributions of these
+    /// parameters have, with what else varies as in each scenario.
     pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let ends = |k: &usize| Some((*k, self.ends.get(*k).copied().flatten()?));
-        let (bounded, endless): (Vec<_>, Vec<_>) =
-            of.iter().filter_map(ends).partition(|(_, ends)| ends.iter().all(|end| end.is_finite()));
-        let corners = if bounded.is_empty() { 0 } else { 1_usize << bounded.len() };
+        let (bounded, endless): (Vec<_>, Vec<_>) = of
+            .iter()
+            .filter_map(ends)
+            .partition(|(_, ends)| ends.iter().all(|end| end.is_finite()));
+        let corners = if bounded.is_empty() {
+            0
+        } else {
+            1_usize << bounded.len()
+        };
         // scenarios that differ in other parameters only have the same corners
-        let others = if endless.is_empty() { 1 } else { self.points.len() };
+        let others = if endless.is_empty() {
+            1
+        } else {
+            self.points.len()
+        };
         let cornered = (0..corners).flat_map(move |corner| {
             let bounded = bounded.clone();
             self.points.iter().take(others).map(move |point| {
@@ -228,16 +326,28 @@ impl Scenarios {
         self.points.iter().cloned().chain(cornered)
     }
 
-    /// Whether a parameter's distribution has no ends, so that the scenarios say nothing of values beyond them.
+    /// Whether a parameter's distribution has no ends, so that the scenarios say nothing of values
+    /// beyond them.
     pub(crate) fn is_endless(&self, of: usize) -> bool {
-        self.ends.get(of).copied().flatten().is_some_and(|ends| ends.iter().any(|end| end.is_infinite()))
+        self.ends
+            .get(of)
+            .copied()
+            .flatten()
+            .is_some_and(|ends| ends.iter().any(|end| end.is_infinite()))
     }
 
     /// One scenario alone: the mean of each parameter.
     pub fn mean(swings: &Swings) -> Self {
         let (parameters, points) = (swings.parameters(), vec![swings.means()]);
         let ends = vec![None; parameters.len()];
-        Self { parameters, points, weights: vec![1.0], rule: Rule::Recorded, ends, distributed: None }
+        Self {
+            parameters,
+            points,
+            weights: vec![1.0],
+            rule: Rule::Recorded,
+            ends,
+            distributed: None,
+        }
     }
 }
 
@@ -251,5 +361,8 @@ fn at_score(input: &Uncertain, score: f64) -> f64 {
 
 /// L z.
 fn correlated(factor: &[Vec<f64>], scores: &[f64]) -> Vec<f64> {
-    factor.iter().map(|row| row.iter().zip(scores).map(|(l, z)| l * z).sum()).collect()
+    factor
+        .iter()
+        .map(|row| row.iter().zip(scores).map(|(l, z)| l * z).sum())
+        .collect()
 }

@@ -5,8 +5,8 @@ use crate::number::Taylor;
 use crate::units::Quantity;
 use std::path::Path;
 
-/// Expected strokes to hole out over the distance to the hole: a natural cubic spline through a table, which is C², and goes on straight
-/// beyond its ends.
+/// Expected strokes to hole out over the distance to the hole: a natural cubic spline through a
+/// table, which is C², and goes on straight beyond its ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strokes {
     /// Distances, m, rising.
@@ -19,59 +19,107 @@ pub struct Strokes {
 }
 
 impl Strokes {
-    /// A table of distances (m, rising) with the strokes from each. Where the ball ends is where it lands, or where it rests if `runs`.
+    /// A table of distances (m, rising) with the strokes from each. Where the ball ends is where it
+    /// lands, or where it rests if `runs`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for fewer than two rows, distances that do not rise, or numbers below 0.
+    /// [`Error::Unreadable`] for fewer than two rows, distances that do not rise, or numbers below
+    /// 0.
     pub fn new(rows: &[(f64, f64)], runs: bool) -> Result<Self> {
-        let refuse = |source: String| Error::Unreadable { name: "the table of strokes".into(), source: source.into() };
+        let refuse = |source: String| Error::Unreadable {
+            name: "the table of strokes".into(),
+            source: source.into(),
+        };
         if rows.len() < 2 {
-            return Err(refuse(format!("it has {} rows; it needs at least 2", rows.len())));
+            return Err(refuse(format!(
+                "it has {} rows; it needs at least 2",
+                rows.len()
+            )));
         }
         for (i, (distance, strokes)) in rows.iter().enumerate() {
-            let is_sound = distance.is_finite() && *distance >= 0.0 && strokes.is_finite() && *strokes >= 0.0;
+            let is_sound =
+                distance.is_finite() && *distance >= 0.0 && strokes.is_finite() && *strokes >= 0.0;
             if !is_sound || i > 0 && *distance <= rows[i - 1].0 {
-                let reason = "distances must be 0 or more and rise from row to row, and strokes be 0 or more";
-                return Err(refuse(format!("row {}: {distance} m, {strokes} strokes; {reason}", i + 1)));
+                let reason = "distances must be 0 or more and rise from row to row, and strokes be \
+                              0 or more";
+                return Err(refuse(format!(
+                    "row {}: {distance} m, {strokes} strokes; {reason}",
+                    i + 1
+                )));
             }
         }
         let (distance, strokes): (Vec<f64>, Vec<f64>) = rows.iter().copied().unzip();
         let bend = natural(&distance, &strokes);
-        let outcomes = if runs { [Outcome::Total, Outcome::LateralTotal] } else { [Outcome::Carry, Outcome::Lateral] };
-        Ok(Self { distance, strokes, bend, outcomes })
+        let outcomes = if runs {
+            [Outcome::Total, Outcome::LateralTotal]
+        } else {
+            [Outcome::Carry, Outcome::Lateral]
+        };
+        Ok(Self {
+            distance,
+            strokes,
+            bend,
+            outcomes,
+        })
     }
 
     /// Reads a CSV file with the columns `distance` (with its unit: `distance [yd]`) and `strokes`.
     ///
     /// # Errors
-    /// [`Error::Table`] for a file that cannot be read or has not these columns; as [`Strokes::new`].
+    /// [`Error::Table`] for a file that cannot be read or has not these columns; as
+    /// [`Strokes::new`].
     pub fn open(path: &Path, runs: bool) -> Result<Self> {
         let file = path.display().to_string();
-        let refuse = |place: String, reason: String| Error::Table { file: file.clone(), place, reason };
+        let refuse = |place: String, reason: String| Error::Table {
+            file: file.clone(),
+            place,
+            reason,
+        };
         let mut reader = csv::ReaderBuilder::new()
             .trim(csv::Trim::All)
             .from_path(path)
             .map_err(|error| refuse(String::new(), error.to_string()))?;
-        let heads = reader.headers().map_err(|error| refuse(String::new(), error.to_string()))?.clone();
-        let how = "the table of strokes has the columns 'distance [yd]' (or another unit of length) and 'strokes'";
-        let place = |wanted: &str| heads.iter().position(|head| head.split([' ', '[']).next() == Some(wanted));
+        let heads = reader
+            .headers()
+            .map_err(|error| refuse(String::new(), error.to_string()))?
+            .clone();
+        let how = "the table of strokes has the columns 'distance [yd]' (or another unit of \
+                   length) and 'strokes'";
+        let place = |wanted: &str| {
+            heads
+                .iter()
+                .position(|head| head.split([' ', '[']).next() == Some(wanted))
+        };
         let (Some(distance), Some(strokes)) = (place("distance"), place("strokes")) else {
             return Err(refuse(
                 ":1".into(),
-                format!("its columns are {}; {how}", heads.iter().collect::<Vec<_>>().join(", ")),
+                format!(
+                    "its columns are {}; {how}",
+                    heads.iter().collect::<Vec<_>>().join(", ")
+                ),
             ));
         };
-        let unit = heads[distance].split_once('[').and_then(|(_, rest)| rest.strip_suffix(']')).map(str::trim);
+        let unit = heads[distance]
+            .split_once('[')
+            .and_then(|(_, rest)| rest.strip_suffix(']'))
+            .map(str::trim);
         let size = unit.and_then(|unit| Quantity::LENGTH.size_of(unit));
         let Some(size) = size else {
-            return Err(refuse(":1".into(), format!("the head '{}' names no unit of length; {how}", &heads[distance])));
+            return Err(refuse(
+                ":1".into(),
+                format!(
+                    "the head '{}' names no unit of length; {how}",
+                    &heads[distance]
+                ),
+            ));
         };
         let mut rows = vec![];
         for (line, record) in (2..).zip(reader.records()) {
             let record = record.map_err(|error| refuse(format!(":{line}"), error.to_string()))?;
             let number = |at: usize| {
                 let cell = record.get(at).unwrap_or_default();
-                cell.parse::<f64>().map_err(|_| refuse(format!(":{line}"), format!("'{cell}' is not a number")))
+                cell.parse::<f64>()
+                    .map_err(|_| refuse(format!(":{line}"), format!("'{cell}' is not a number")))
             };
             rows.push((number(distance)? * size, number(strokes)?));
         }
@@ -120,7 +168,11 @@ impl Strokes {
         let left = (x * x + y * y + LEAST * LEAST).sqrt();
         // by downrange and right
         let (by_x, by_y) = (-x / left, y / left);
-        let [xx, xy, yy] = [(1.0 - by_x * by_x) / left, -by_x * by_y / left, (1.0 - by_y * by_y) / left];
+        let [xx, xy, yy] = [
+            (1.0 - by_x * by_x) / left,
+            -by_x * by_y / left,
+            (1.0 - by_y * by_y) / left,
+        ];
         let (f, g) = (downrange, right);
         let row = |i: usize| {
             let entry = |j: usize| {
@@ -134,7 +186,12 @@ impl Strokes {
         };
         let distance = Taylor {
             value: left,
-            gradient: f.gradient.iter().zip(&g.gradient).map(|(f, g)| by_x * f + by_y * g).collect(),
+            gradient: f
+                .gradient
+                .iter()
+                .zip(&g.gradient)
+                .map(|(f, g)| by_x * f + by_y * g)
+                .collect(),
             hessian: (0..f.hessian.len()).map(row).collect(),
         };
         chained(&distance, self.at(left))
@@ -166,8 +223,18 @@ mod tests {
 
     fn table() -> Strokes {
         // made up, with the shape of published tables
-        Strokes::new(&[(0.0, 1.0), (20.0, 2.4), (100.0, 2.8), (200.0, 3.19), (300.0, 3.71), (450.0, 4.4)], false)
-            .unwrap()
+        Strokes::new(
+            &[
+                (0.0, 1.0),
+                (20.0, 2.4),
+                (100.0, 2.8),
+                (200.0, 3.19),
+                (300.0, 3.71),
+                (450.0, 4.4),
+            ],
+            false,
+        )
+        .unwrap()
     }
 
     #[test]
@@ -214,7 +281,9 @@ mod tests {
             let (a, b) = (moved(-1.0), moved(1.0));
             assert!(((b.value - a.value) / (2.0 * h) - here.gradient[i]).abs() < 1e-8);
             for j in 0..2 {
-                assert!(((b.gradient[j] - a.gradient[j]) / (2.0 * h) - here.hessian[i][j]).abs() < 1e-7);
+                assert!(
+                    ((b.gradient[j] - a.gradient[j]) / (2.0 * h) - here.hessian[i][j]).abs() < 1e-7
+                );
             }
         }
     }

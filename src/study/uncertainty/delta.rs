@@ -10,8 +10,9 @@ pub struct Moments {
     pub deviation: f64,
 }
 
-/// The moments of a function of independent numbers from its derivatives at their means: by the tangent, exact for a linear function,
-/// and by the parabola, exact for a quadratic one. The second is `None` without a Hessian.
+/// The moments of a function of independent numbers from its derivatives at their means: by the
+/// tangent, exact for a linear function, and by the parabola, exact for a quadratic one. The second
+/// is `None` without a Hessian.
 ///
 /// ```text
 ///   mean = f + ½ Σ H_ii μ₂ᵢ
@@ -24,11 +25,28 @@ pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Opt
     at_means.expect_derivatives_by(inputs.len(), "distributions");
     let moments: Vec<[f64; 3]> = inputs.iter().map(Distribution::central_moments).collect();
     let gradient = &at_means.gradient;
-    let linear: f64 = gradient.iter().zip(&moments).map(|(g, [second, ..])| g * g * second).sum();
+    let linear: f64 = gradient
+        .iter()
+        .zip(&moments)
+        .map(|(g, [second, ..])| g * g * second)
+        .sum();
     // squares of very large deviations are no numbers where the deviations are
-    let by_size = || gradient.iter().zip(inputs).map(|(g, input)| (g * input.deviation()).abs()).fold(0.0, f64::hypot);
-    let deviation = if linear.is_finite() { linear.sqrt() } else { by_size() };
-    let first = Moments { mean: at_means.value, deviation };
+    let by_size = || {
+        gradient
+            .iter()
+            .zip(inputs)
+            .map(|(g, input)| (g * input.deviation()).abs())
+            .fold(0.0, f64::hypot)
+    };
+    let deviation = if linear.is_finite() {
+        linear.sqrt()
+    } else {
+        by_size()
+    };
+    let first = Moments {
+        mean: at_means.value,
+        deviation,
+    };
     if at_means.hessian.is_empty() {
         return (first, None);
     }
@@ -42,7 +60,13 @@ pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Opt
         }
     }
     // a parabola's variance is none below 0, but for rounding
-    (first, Some(Moments { mean, deviation: variance.max(0.0).sqrt() }))
+    (
+        first,
+        Some(Moments {
+            mean,
+            deviation: variance.max(0.0).sqrt(),
+        }),
+    )
 }
 
 #[cfg(test)]
@@ -54,13 +78,30 @@ mod tests {
     fn exact_for_a_linear_function_of_any_distributions() {
         // 3 x − 2 y + z: variances 9·4 + 4·(6²/12) + 1·(3²+0+0−0…)/18
         let inputs = [
-            Normal { mean: 1.0, deviation: 2.0 },
-            Uniform { low: -3.0, high: 3.0 },
-            Triangular { low: 0.0, mode: 0.0, high: 3.0 },
+            Normal {
+                mean: 1.0,
+                deviation: 2.0,
+            },
+            Uniform {
+                low: -3.0,
+                high: 3.0,
+            },
+            Triangular {
+                low: 0.0,
+                mode: 0.0,
+                high: 3.0,
+            },
         ];
         let value = 3.0 * 1.0 - 0.0 + 1.0;
         let hessian = vec![vec![0.0; 3]; 3];
-        let (first, second) = delta_method(&Taylor { value, gradient: vec![3.0, -2.0, 1.0], hessian }, &inputs);
+        let (first, second) = delta_method(
+            &Taylor {
+                value,
+                gradient: vec![3.0, -2.0, 1.0],
+                hessian,
+            },
+            &inputs,
+        );
         assert!((first.mean - 4.0).abs() < 1e-15);
         assert!((first.deviation - (36.0_f64 + 12.0 + 0.5).sqrt()).abs() < 1e-15);
         assert_eq!(second, Some(first));
@@ -69,22 +110,52 @@ mod tests {
     #[test]
     fn exact_for_squares_and_products() {
         // x², x normal (0, 1): mean 1, variance 2; x y: mean 0, variance 1
-        let normal = Normal { mean: 0.0, deviation: 1.0 };
-        let square = Taylor { value: 0.0, gradient: vec![0.0], hessian: vec![vec![2.0]] };
+        let normal = Normal {
+            mean: 0.0,
+            deviation: 1.0,
+        };
+        let square = Taylor {
+            value: 0.0,
+            gradient: vec![0.0],
+            hessian: vec![vec![2.0]],
+        };
         let second = delta_method(&square, &[normal]).1.unwrap();
-        assert!((second.mean - 1.0).abs() < 1e-15 && (second.deviation - 2.0_f64.sqrt()).abs() < 1e-15);
-        let product = Taylor { value: 0.0, gradient: vec![0.0; 2], hessian: vec![vec![0.0, 1.0], vec![1.0, 0.0]] };
+        assert!(
+            (second.mean - 1.0).abs() < 1e-15 && (second.deviation - 2.0_f64.sqrt()).abs() < 1e-15
+        );
+        let product = Taylor {
+            value: 0.0,
+            gradient: vec![0.0; 2],
+            hessian: vec![vec![0.0, 1.0], vec![1.0, 0.0]],
+        };
         let second = delta_method(&product, &[normal, normal]).1.unwrap();
         assert_eq!((second.mean, second.deviation), (0.0, 1.0));
-        // (x + 1)² = 1 + 2 (x + ½) … of x uniform on [0, 1], about ½: mean 7/3, variance ∫(x+1)⁴ − (7/3)² = 31/5 − 49/9
-        let uniform = Uniform { low: 0.0, high: 1.0 };
-        let shifted = Taylor { value: 2.25, gradient: vec![3.0], hessian: vec![vec![2.0]] };
+        // (x + 1)² = 1 + 2 (x + ½) … of x uniform on [0, 1], about ½: mean 7/3, variance ∫(x+1)⁴ −
+        // (7/3)² = 31/5 − 49/9
+        let uniform = Uniform {
+            low: 0.0,
+            high: 1.0,
+        };
+        let shifted = Taylor {
+            value: 2.25,
+            gradient: vec![3.0],
+            hessian: vec![vec![2.0]],
+        };
         let second = delta_method(&shifted, &[uniform]).1.unwrap();
         assert!((second.mean - 7.0 / 3.0).abs() < 1e-15);
         assert!((second.deviation.powi(2) - (31.0 / 5.0 - 49.0 / 9.0)).abs() < 1e-14);
-        // x² of a skew triangle on [0, 1] with its mode at 0, density 2 (1 − x): E x² = 1/6, E x⁴ = 1/15
-        let triangle = Triangular { low: 0.0, mode: 0.0, high: 1.0 };
-        let square = Taylor { value: 1.0 / 9.0, gradient: vec![2.0 / 3.0], hessian: vec![vec![2.0]] };
+        // x² of a skew triangle on [0, 1] with its mode at 0, density 2 (1 − x): E x² = 1/6, E x⁴ =
+        // 1/15
+        let triangle = Triangular {
+            low: 0.0,
+            mode: 0.0,
+            high: 1.0,
+        };
+        let square = Taylor {
+            value: 1.0 / 9.0,
+            gradient: vec![2.0 / 3.0],
+            hessian: vec![vec![2.0]],
+        };
         let second = delta_method(&square, &[triangle]).1.unwrap();
         assert!((second.mean - 1.0 / 6.0).abs() < 1e-15);
         assert!((second.deviation.powi(2) - (1.0 / 15.0 - 1.0 / 36.0)).abs() < 1e-15);

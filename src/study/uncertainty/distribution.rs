@@ -51,11 +51,17 @@ impl Distribution {
     /// Whether it is a distribution.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for numbers that are not finite or do not rise from the lower end to the upper, a standard deviation that is not
-    /// above 0, and ends between which nothing of a normal distribution is left.
+    /// [`Error::Unreadable`] for numbers that are not finite or do not rise from the lower end to
+    /// the upper, a standard deviation that is not above 0, and ends between which nothing of a
+    /// normal distribution is left.
     pub fn check(&self) -> Result<()> {
         let name = || format!("the distribution {self:?}");
-        self.why_none().map_or(Ok(()), |why| Err(Error::Unreadable { name: name(), source: why.into() }))
+        self.why_none().map_or(Ok(()), |why| {
+            Err(Error::Unreadable {
+                name: name(),
+                source: why.into(),
+            })
+        })
     }
 
     /// Why it is no distribution.
@@ -64,7 +70,12 @@ impl Distribution {
             Self::Normal { mean, deviation } => (vec![mean], Some(deviation)),
             Self::Uniform { low, high } => (vec![low, high], None),
             Self::Triangular { low, mode, high } => (vec![low, mode, high], None),
-            Self::Truncated { mean, deviation, low, high } => (vec![mean, low, high], Some(deviation)),
+            Self::Truncated {
+                mean,
+                deviation,
+                low,
+                high,
+            } => (vec![mean, low, high], Some(deviation)),
         };
         let [low, high] = self.ends();
         let rises = low < high && (!matches!(self, Self::Triangular { .. }) || numbers.is_sorted());
@@ -77,30 +88,52 @@ impl Distribution {
         if !rises {
             return Some("its values must rise from the lower end to the upper");
         }
-        let is_left = self.deviation() > 0.0 && self.deviation().is_finite() && (low..=high).contains(&self.mean());
-        (!is_left).then_some("nothing of the distribution is left between its ends; move them nearer to its mean")
+        let is_left = self.deviation() > 0.0
+            && self.deviation().is_finite()
+            && (low..=high).contains(&self.mean());
+        (!is_left).then_some(
+            "nothing of the distribution is left between its ends; move them nearer to its mean",
+        )
     }
 
-    /// The value below which a share `p` of all lies, 0 < p < 1, of what [`check`](Self::check) accepts.
+    /// The value below which a share `p` of all lies, 0 < p < 1, of what [`check`](Self::check)
+    /// accepts.
     ///
     /// # Panics
     /// Where `p` is no share from 0 to 1.
     pub fn quantile(&self, p: f64) -> f64 {
-        assert!((0.0..=1.0).contains(&p), "a share of all is from 0 to 1; it is {p}");
+        assert!(
+            (0.0..=1.0).contains(&p),
+            "a share of all is from 0 to 1; it is {p}"
+        );
         // widths are above 0, which is all that is asked of them
         match *self {
-            Self::Normal { mean, deviation } => Normal::new(mean, deviation).map_or(f64::NAN, |d| d.inverse_cdf(p)),
-            Self::Uniform { low, high } => Uniform::new(low, high).map_or(f64::NAN, |d| d.inverse_cdf(p)),
+            Self::Normal { mean, deviation } => {
+                Normal::new(mean, deviation).map_or(f64::NAN, |d| d.inverse_cdf(p))
+            }
+            Self::Uniform { low, high } => {
+                Uniform::new(low, high).map_or(f64::NAN, |d| d.inverse_cdf(p))
+            }
             Self::Triangular { low, mode, high } => {
                 Triangular::new(low, high, mode).map_or(f64::NAN, |d| d.inverse_cdf(p))
             }
-            Self::Truncated { mean, deviation, low, high } => {
+            Self::Truncated {
+                mean,
+                deviation,
+                low,
+                high,
+            } => {
                 let normal = Normal::standard();
                 let (ends, sign) = below_the_mean([low, high].map(|end| (end - mean) / deviation));
                 let [below, above] = ends.map(|end| normal.cdf(end));
                 let p = if sign < 0.0 { 1.0 - p } else { p };
-                let value = mean + deviation * sign * normal.inverse_cdf(below + (above - below) * p);
-                if low < high { value.clamp(low, high) } else { f64::NAN }
+                let value =
+                    mean + deviation * sign * normal.inverse_cdf(below + (above - below) * p);
+                if low < high {
+                    value.clamp(low, high)
+                } else {
+                    f64::NAN
+                }
             }
         }
     }
@@ -109,9 +142,9 @@ impl Distribution {
     pub fn ends(&self) -> [f64; 2] {
         match *self {
             Self::Normal { .. } => [f64::NEG_INFINITY, f64::INFINITY],
-            Self::Uniform { low, high } | Self::Triangular { low, high, .. } | Self::Truncated { low, high, .. } => {
-                [low, high]
-            }
+            Self::Uniform { low, high }
+            | Self::Triangular { low, high, .. }
+            | Self::Truncated { low, high, .. } => [low, high],
         }
     }
 
@@ -121,8 +154,14 @@ impl Distribution {
             Self::Normal { mean, .. } => mean,
             Self::Uniform { low, high } => 0.5 * (low + high),
             Self::Triangular { low, mode, high } => (low + mode + high) / 3.0,
-            Self::Truncated { mean, deviation, low, high } => {
-                mean + deviation * truncated_moments([(low - mean) / deviation, (high - mean) / deviation])[1]
+            Self::Truncated {
+                mean,
+                deviation,
+                low,
+                high,
+            } => {
+                mean + deviation
+                    * truncated_moments([(low - mean) / deviation, (high - mean) / deviation])[1]
             }
         }
     }
@@ -131,7 +170,11 @@ impl Distribution {
     pub fn central_moments(&self) -> [f64; 3] {
         match *self {
             Self::Normal { deviation, .. } => [deviation.powi(2), 0.0, 3.0 * deviation.powi(4)],
-            Self::Uniform { low, high } => [(high - low).powi(2) / 12.0, 0.0, (high - low).powi(4) / 80.0],
+            Self::Uniform { low, high } => [
+                (high - low).powi(2) / 12.0,
+                0.0,
+                (high - low).powi(4) / 80.0,
+            ],
             Self::Triangular { low, mode, high } => {
                 let (a, c, b) = (low, mode, high);
                 let second = (a * a + b * b + c * c - a * b - a * c - b * c) / 18.0;
@@ -139,12 +182,22 @@ impl Distribution {
                 // every triangular distribution has the kurtosis 12/5
                 [second, third, 2.4 * second * second]
             }
-            Self::Truncated { mean, deviation, low, high } => {
-                let [_, m1, m2, m3, m4] = truncated_moments([(low - mean) / deviation, (high - mean) / deviation]);
+            Self::Truncated {
+                mean,
+                deviation,
+                low,
+                high,
+            } => {
+                let [_, m1, m2, m3, m4] =
+                    truncated_moments([(low - mean) / deviation, (high - mean) / deviation]);
                 let second = m2 - m1 * m1;
                 let third = m3 - 3.0 * m1 * m2 + 2.0 * m1.powi(3);
                 let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1.powi(4);
-                [second * deviation.powi(2), third * deviation.powi(3), fourth * deviation.powi(4)]
+                [
+                    second * deviation.powi(2),
+                    third * deviation.powi(3),
+                    fourth * deviation.powi(4),
+                ]
             }
         }
     }
@@ -157,26 +210,40 @@ impl Distribution {
         }
     }
 
-    /// Poincaré's constant C, or a little more: the variance of any f is at most C times the mean of f′². σ² of a normal distribution,
-    /// (width/π)² of a uniform one, and (longer side/j₀,₁)² of a triangular one (Roustant, Barthe & Iooss 2017); of a normal one between
-    /// two ends the smaller of the first two (Bakry & Émery 1985; Payne & Weinberger 1960).
+    /// Poincaré's constant C, or a little more: the variance of any f is at most C times the mean
+    /// of f′². σ² of a normal distribution, (width/π)² of a uniform one, and (longer side/j₀,₁)² of
+    /// a triangular one (Roustant, Barthe & Iooss 2017); of a normal one between two ends the
+    /// smaller of the first two (Bakry & Émery 1985; Payne & Weinberger 1960).
     pub fn poincare(&self) -> f64 {
         match *self {
             Self::Normal { deviation, .. } => deviation.powi(2),
             Self::Uniform { low, high } => ((high - low) / std::f64::consts::PI).powi(2),
-            Self::Triangular { low, mode, high } => ((mode - low).max(high - mode) / FIRST_ZERO_OF_J0).powi(2),
-            Self::Truncated { deviation, low, high, .. } => deviation.min((high - low) / std::f64::consts::PI).powi(2),
+            Self::Triangular { low, mode, high } => {
+                ((mode - low).max(high - mode) / FIRST_ZERO_OF_J0).powi(2)
+            }
+            Self::Truncated {
+                deviation,
+                low,
+                high,
+                ..
+            } => deviation.min((high - low) / std::f64::consts::PI).powi(2),
         }
     }
 }
 
-/// The ends of what is left of a standard normal distribution, mirrored about its mean where both lie above it, and the sign of what was
-/// mirrored: shares of the lower tail are small numbers, those of the upper differ from 1 by rounding only.
+/// The ends of what is left of a standard normal distribution, mirrored about its mean where both
+/// lie above it, and the sign of what was mirrored: shares of the lower tail are small numbers,
+/// those of the upper differ from 1 by rounding only.
 fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
-    if low > 0.0 { ([-high, -low], -1.0) } else { ([low, high], 1.0) }
+    if low > 0.0 {
+        ([-high, -low], -1.0)
+    } else {
+        ([low, high], 1.0)
+    }
 }
 
-/// The moments 0 to 4 about 0 of what a standard normal distribution has between two ends, by their recurrence.
+/// The moments 0 to 4 about 0 of what a standard normal distribution has between two ends, by their
+/// recurrence.
 fn truncated_moments(ends: [f64; 2]) -> [f64; 5] {
     let ([low, high], sign) = below_the_mean(ends);
     let normal = Normal::standard();
@@ -185,7 +252,8 @@ fn truncated_moments(ends: [f64; 2]) -> [f64; 5] {
     let mut moments = [1.0, at_low - at_high, 0.0, 0.0, 0.0];
     for k in 2..moments.len() {
         let power = k as i32 - 1;
-        moments[k] = (k - 1) as f64 * moments[k - 2] - (high.powi(power) * at_high - low.powi(power) * at_low);
+        moments[k] = (k - 1) as f64 * moments[k - 2]
+            - (high.powi(power) * at_high - low.powi(power) * at_low);
     }
     let [zeroth, first, second, third, fourth] = moments;
     [zeroth, sign * first, second, sign * third, fourth]
@@ -204,17 +272,28 @@ impl Uncertain {
     /// Normally distributed about the setup's own value.
     pub fn normal(setup: &Setup<f64>, sigma: &Sigma) -> Self {
         let mean = setup.value(sigma.parameter).unwrap_or_default();
-        Self { parameter: sigma.parameter, distribution: Distribution::Normal { mean, deviation: sigma.value } }
+        Self {
+            parameter: sigma.parameter,
+            distribution: Distribution::Normal {
+                mean,
+                deviation: sigma.value,
+            },
+        }
     }
 
     /// The range that all but one in a thousand of its values lie in.
     pub fn range(&self) -> Vary {
         let [low, high] = [0.0005, 0.9995].map(|share| self.distribution.quantile(share));
-        Vary { parameter: self.parameter, low, high }
+        Vary {
+            parameter: self.parameter,
+            low,
+            high,
+        }
     }
 
-    /// Reads `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)`, `NAME=triangular(LOW,MODE,HIGH)` or
-    /// `NAME=truncated(MEAN,DEVIATION,LOW,HIGH)`, a normal distribution between two ends.
+    /// Reads `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)`,
+    /// `NAME=triangular(LOW,MODE,HIGH)` or `NAME=truncated(MEAN,DEVIATION,LOW,HIGH)`, a normal
+    /// distribution between two ends.
     ///
     /// ```
     /// use longdrive::{Setup, study::uncertainty::{Distribution, Uncertain}};
@@ -224,38 +303,67 @@ impl Uncertain {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for what is no distribution; [`Error::OutOfRange`] where an end or the mean is none the parameter may
-    /// have; as [`Setup::column`]: a parameter needs no value in the setup.
+    /// [`Error::Unreadable`] for what is no distribution; [`Error::OutOfRange`] where an end or the
+    /// mean is none the parameter may have; as [`Setup::column`]: a parameter needs no value in the
+    /// setup.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable = |source| Error::Unreadable { name: format!("the distribution {}", text.trim()), source };
-        let how = "write NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or \
+        let unreadable = |source| Error::Unreadable {
+            name: format!("the distribution {}", text.trim()),
+            source,
+        };
+        let how = "write NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), \
+                   NAME=triangular(LOW,MODE,HIGH) or \
                    NAME=truncated(MEAN,DEVIATION,LOW,HIGH)";
         let (name, rest) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;
         let parameter = setup.column(name.trim())?;
         let (kind, rest) = rest.split_once('(').ok_or_else(|| unreadable(how.into()))?;
         if let Some((_, next)) = rest.split_once(')').filter(|(_, next)| next.contains('=')) {
             let next = next.trim_matches([',', ';', ' ']);
-            return Err(unreadable(format!("it has a second distribution, {next}; give each by itself").into()));
+            return Err(unreadable(
+                format!("it has a second distribution, {next}; give each by itself").into(),
+            ));
         }
-        let inside = rest.trim().strip_suffix(')').ok_or_else(|| unreadable("the closing ) is missing".into()))?;
-        if !matches!(kind.trim(), "normal" | "uniform" | "triangular" | "truncated") {
-            return Err(unreadable(format!("there is no distribution \"{}\"; {how}", kind.trim()).into()));
+        let inside = rest
+            .trim()
+            .strip_suffix(')')
+            .ok_or_else(|| unreadable("the closing ) is missing".into()))?;
+        if !matches!(
+            kind.trim(),
+            "normal" | "uniform" | "triangular" | "truncated"
+        ) {
+            return Err(unreadable(
+                format!("there is no distribution \"{}\"; {how}", kind.trim()).into(),
+            ));
         }
         // the second number of a normal distribution is a difference
         let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
         let amounts = inside.split(',').enumerate().map(|(at, part)| {
-            let read = if is_difference(at) { Quantity::read_difference } else { Quantity::read };
+            let read = if is_difference(at) {
+                Quantity::read_difference
+            } else {
+                Quantity::read
+            };
             amount_of(setup, parameter, part, read)
         });
-        let amounts = amounts.collect::<std::result::Result<Vec<_>, _>>().map_err(unreadable)?;
+        let amounts = amounts
+            .collect::<std::result::Result<Vec<_>, _>>()
+            .map_err(unreadable)?;
         let distribution = match (kind.trim(), amounts.as_slice()) {
             ("normal", &[mean, deviation]) => Distribution::Normal { mean, deviation },
-            ("truncated", &[mean, deviation, low, high]) => Distribution::Truncated { mean, deviation, low, high },
+            ("truncated", &[mean, deviation, low, high]) => Distribution::Truncated {
+                mean,
+                deviation,
+                low,
+                high,
+            },
             ("uniform", &[low, high]) => Distribution::Uniform { low, high },
             ("triangular", &[low, mode, high]) => Distribution::Triangular { low, mode, high },
             _ => return Err(unreadable(how.into())),
         };
-        let read = Self { parameter, distribution };
+        let read = Self {
+            parameter,
+            distribution,
+        };
         match distribution.why_none() {
             Some(why) => Err(unreadable(why.into())),
             None => read.check_range().map(|()| read),
@@ -265,11 +373,15 @@ impl Uncertain {
     /// Whether it is a distribution of values that the parameter may have.
     ///
     /// # Errors
-    /// As [`Distribution::check`]; [`Error::OutOfRange`] where an end or the mean is none the parameter may have.
+    /// As [`Distribution::check`]; [`Error::OutOfRange`] where an end or the mean is none the
+    /// parameter may have.
     pub fn check(&self) -> Result<()> {
         if let Some(why) = self.distribution.why_none() {
             let name = format!("the distribution of {}", self.parameter);
-            return Err(Error::Unreadable { name, source: why.into() });
+            return Err(Error::Unreadable {
+                name,
+                source: why.into(),
+            });
         }
         self.check_range()
     }
@@ -280,7 +392,9 @@ impl Uncertain {
             Distribution::Normal { mean, .. } => parameter.check(mean),
             Distribution::Uniform { low, high }
             | Distribution::Triangular { low, high, .. }
-            | Distribution::Truncated { low, high, .. } => parameter.check(low).and_then(|()| parameter.check(high)),
+            | Distribution::Truncated { low, high, .. } => {
+                parameter.check(low).and_then(|()| parameter.check(high))
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// An ellipse is flat where its variances across and along are in this ratio, or a smaller one: what rounding leaves.
+/// An ellipse is flat where its variances across and along are in this ratio, or a smaller one:
+/// what rounding leaves.
 const FLAT: f64 = 1e-14;
 
 /// An ellipse that holds a share of the landings.
@@ -15,21 +16,34 @@ pub struct LandingEllipse {
 }
 
 impl LandingEllipse {
-    /// The ellipse of a mean and a covariance of lateral and carry. A share p of a normal distribution lies within −2 ln(1 − p)
-    /// squared deviations of two numbers, within the quantiles (1 ± p)/2 of one: landings that spread along one line only have a flat ellipse.
+    /// The ellipse of a mean and a covariance of lateral and carry. A share p of a normal
+    /// distribution lies within −2 ln(1 − p) squared deviations of two numbers, within the
+    /// quantiles (1 ± p)/2 of one: landings that spread along one line only have a flat ellipse.
     pub fn new(share: f64, centre: [f64; 2], covariance: [[f64; 2]; 2]) -> Self {
         let [[xx, xy], [_, yy]] = covariance;
         let eigen = nalgebra::Matrix2::new(xx, xy, xy, yy).symmetric_eigen();
         let is_flat = eigen.eigenvalues.min() <= FLAT * eigen.eigenvalues.max();
         let of_a_line = || Normal::standard().inverse_cdf(0.5 + 0.5 * share);
-        let radius = if is_flat { of_a_line() } else { (-2.0 * (1.0 - share).ln()).sqrt() };
+        let radius = if is_flat {
+            of_a_line()
+        } else {
+            (-2.0 * (1.0 - share).ln()).sqrt()
+        };
         let axis = |k: usize| {
             // rounding may leave a flat one a little below 0
             let length = radius * eigen.eigenvalues[k].max(0.0).sqrt();
             [0, 1].map(|row| length * eigen.eigenvectors[(row, k)])
         };
-        let (long, short) = if eigen.eigenvalues[0] >= eigen.eigenvalues[1] { (0, 1) } else { (1, 0) };
-        Self { share, centre, half_axes: [axis(long), axis(short)] }
+        let (long, short) = if eigen.eigenvalues[0] >= eigen.eigenvalues[1] {
+            (0, 1)
+        } else {
+            (1, 0)
+        };
+        Self {
+            share,
+            centre,
+            half_axes: [axis(long), axis(short)],
+        }
     }
 
     /// Whether a landing lies within it.
@@ -64,6 +78,10 @@ mod tests {
         assert!(round.contains([0.0, 204.89]) && !round.contains([0.0, 204.91]));
         assert!(!flat.contains([0.1, 200.0]));
         let point = LandingEllipse::new(0.95, [3.0, 200.0], [[0.0; 2]; 2]);
-        assert!(point.contains([3.0, 200.0]) && !point.contains([3.0, 201.0]) && !point.contains([2.0, 200.0]));
+        assert!(
+            point.contains([3.0, 200.0])
+                && !point.contains([3.0, 201.0])
+                && !point.contains([2.0, 200.0])
+        );
     }
 }

@@ -35,7 +35,10 @@ pub struct Case {
 impl Case {
     /// What is published of a quantity, SI.
     pub fn published(&self, of: Compared) -> Option<f64> {
-        Compared::ALL.iter().zip(self.published).find_map(|(known, value)| value.filter(|_| *known == of))
+        Compared::ALL
+            .iter()
+            .zip(self.published)
+            .find_map(|(known, value)| value.filter(|_| *known == of))
     }
 }
 
@@ -46,22 +49,35 @@ pub(super) fn cases(set: &str) -> Result<Vec<Case>> {
         source,
     };
     let mut reader = csv::Reader::from_reader(CASES.as_bytes());
-    let heads = reader.headers().map_err(|error| unreadable(error.into()))?.clone();
+    let heads = reader
+        .headers()
+        .map_err(|error| unreadable(error.into()))?
+        .clone();
     let mut cases = vec![];
     for record in reader.records() {
         let record = record.map_err(|error| unreadable(error.into()))?;
         let text = |name: &str| {
-            let at = heads.iter().position(|head| head.split(" [").next() == Some(name));
-            at.and_then(|at| Some((heads.get(at)?, record.get(at)?))).filter(|(_, cell)| !cell.is_empty())
+            let at = heads
+                .iter()
+                .position(|head| head.split(" [").next() == Some(name));
+            at.and_then(|at| Some((heads.get(at)?, record.get(at)?)))
+                .filter(|(_, cell)| !cell.is_empty())
         };
         let words = |name: &str| text(name).map(|(_, cell)| cell.to_owned());
         if words("set").as_deref() != Some(set) {
             continue;
         }
         let number = |name: &str, quantity: Quantity| {
-            let Some((head, cell)) = text(name) else { return Ok(None) };
-            let unit = head.split_once('[').map_or("", |(_, unit)| unit.trim_end_matches(']'));
-            quantity.read(&format!("{cell} {unit}")).map(Some).map_err(|error| unreadable(error.into()))
+            let Some((head, cell)) = text(name) else {
+                return Ok(None);
+            };
+            let unit = head
+                .split_once('[')
+                .map_or("", |(_, unit)| unit.trim_end_matches(']'));
+            quantity
+                .read(&format!("{cell} {unit}"))
+                .map(Some)
+                .map_err(|error| unreadable(error.into()))
         };
         let mut published = [None; Compared::ALL.len()];
         for (of, value) in Compared::ALL.into_iter().zip(&mut published) {

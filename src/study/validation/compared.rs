@@ -21,8 +21,15 @@ pub enum Compared {
 
 impl Compared {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Carry, Self::Apex, Self::Descent, Self::Curve, Self::Gain, Self::LaunchAngle, Self::Spin];
+    pub const ALL: [Self; 7] = [
+        Self::Carry,
+        Self::Apex,
+        Self::Descent,
+        Self::Curve,
+        Self::Gain,
+        Self::LaunchAngle,
+        Self::Spin,
+    ];
 
     /// Its name, which is that of its column in the data.
     pub fn name(self) -> &'static str {

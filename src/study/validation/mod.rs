@@ -1,4 +1,5 @@
-//! Every law of drag and lift beside published drives: how far off each is, in bias and mean absolute error.
+//! Every law of drag and lift beside published drives: how far off each is, in bias and mean
+//! absolute error.
 
 mod cases;
 mod compared;
@@ -13,7 +14,8 @@ pub use sets::{SETS, Set, Way};
 use crate::error::Result;
 use crate::parameters::Law;
 
-/// The temperatures between which the air of a drive is varied where it is not stated, K: 15 and 35 °C.
+/// The temperatures between which the air of a drive is varied where it is not stated, K: 15 and 35
+/// °C.
 pub const SWEPT: [f64; 2] = [288.15, 308.15];
 
 /// A computed quantity beside the published one, SI.
@@ -67,10 +69,11 @@ pub struct LawScores {
     pub law: &'static str,
     /// Each quantity that the set states, the most important first.
     pub scores: Vec<Score>,
-    /// The bias of the first quantity at the temperatures of [`SWEPT`]; `None` where the air is stated, and for optima.
+    /// The bias of the first quantity at the temperatures of [`SWEPT`]; `None` where the air is
+    /// stated, and for optima.
     pub swept: Option<[Option<f64>; 2]>,
-    /// The bias of carry with the mean of drives that scatter by [`SCATTER`] in place of the drive of the average launch; `None` where the
-    /// cases are no averages.
+    /// The bias of carry with the mean of drives that scatter by [`SCATTER`] in place of the drive
+    /// of the average launch; `None` where the cases are no averages.
     pub averaged: Option<f64>,
 }
 
@@ -104,35 +107,63 @@ fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
     let mut cases = cases::cases(set.rows)?;
     let base = set.way.has_base().then(|| cases.remove(0));
     let is_stated = cases.iter().all(|case| case.density.is_some());
-    let laws = Law::NAMES.iter().filter_map(|name| Law::named(name)).chain(own).map(|law| {
-        let at = |temperature| -> Result<Vec<Score>> {
-            let computed = cases.iter().map(|case| predicted::predicted(set, case, base.as_ref(), law, temperature));
-            let computed = computed.collect::<Result<Vec<_>>>()?;
-            let score = |of: &Compared| {
-                let residual = |(case, found): (usize, &predicted::Predicted)| {
-                    let (predicted, published) = (found.of(*of)?, cases[case].published(*of)?);
-                    Some(Residual { case, predicted, published })
+    let laws = Law::NAMES
+        .iter()
+        .filter_map(|name| Law::named(name))
+        .chain(own)
+        .map(|law| {
+            let at = |temperature| -> Result<Vec<Score>> {
+                let computed = cases
+                    .iter()
+                    .map(|case| predicted::predicted(set, case, base.as_ref(), law, temperature));
+                let computed = computed.collect::<Result<Vec<_>>>()?;
+                let score = |of: &Compared| {
+                    let residual = |(case, found): (usize, &predicted::Predicted)| {
+                        let (predicted, published) = (found.of(*of)?, cases[case].published(*of)?);
+                        Some(Residual {
+                            case,
+                            predicted,
+                            published,
+                        })
+                    };
+                    Score {
+                        of: *of,
+                        residuals: computed.iter().enumerate().filter_map(residual).collect(),
+                    }
                 };
-                Score { of: *of, residuals: computed.iter().enumerate().filter_map(residual).collect() }
+                let is_published =
+                    |of: &&Compared| cases.iter().any(|case| case.published(**of).is_some());
+                Ok(set
+                    .way
+                    .compared()
+                    .iter()
+                    .filter(is_published)
+                    .map(score)
+                    .collect())
             };
-            let is_published = |of: &&Compared| cases.iter().any(|case| case.published(**of).is_some());
-            Ok(set.way.compared().iter().filter(is_published).map(score).collect())
-        };
-        let scores = at(None)?;
-        let averaged = || {
-            let bias = scores.first().and_then(Score::bias)?;
-            let less = cases.iter().map(|case| predicted::of_averaging(case, law)).collect::<Option<Vec<_>>>()?;
-            Some(bias + less.iter().sum::<f64>() / less.len() as f64)
-        };
-        let averaged = if set.is_averaged { averaged() } else { None };
-        let swept = if is_stated || set.way == Way::Optimum {
-            None
-        } else {
-            let [cold, warm] = SWEPT.map(|temperature| at(Some(temperature)));
-            Some([cold?, warm?].map(|scores| scores.first().and_then(Score::bias)))
-        };
-        Ok(LawScores { law: law.name(), scores, swept, averaged })
-    });
+            let scores = at(None)?;
+            let averaged = || {
+                let bias = scores.first().and_then(Score::bias)?;
+                let less = cases
+                    .iter()
+                    .map(|case| predicted::of_averaging(case, law))
+                    .collect::<Option<Vec<_>>>()?;
+                Some(bias + less.iter().sum::<f64>() / less.len() as f64)
+            };
+            let averaged = if set.is_averaged { averaged() } else { None };
+            let swept = if is_stated || set.way == Way::Optimum {
+                None
+            } else {
+                let [cold, warm] = SWEPT.map(|temperature| at(Some(temperature)));
+                Some([cold?, warm?].map(|scores| scores.first().and_then(Score::bias)))
+            };
+            Ok(LawScores {
+                law: law.name(),
+                scores,
+                swept,
+                averaged,
+            })
+        });
     let laws = laws.collect::<Result<_>>()?;
     Ok(SetScores { set, laws, cases })
 }

@@ -14,11 +14,14 @@ pub(super) struct Predicted(Vec<(Compared, f64)>);
 impl Predicted {
     /// A quantity; `None` where there is none, as where nothing flies or no optimum was found.
     pub fn of(&self, of: Compared) -> Option<f64> {
-        self.0.iter().find_map(|(known, value)| (*known == of).then_some(*value))
+        self.0
+            .iter()
+            .find_map(|(known, value)| (*known == of).then_some(*value))
     }
 }
 
-/// A case as a law has it, in the air stated or at a temperature, at sea level; at 25 °C where neither is given.
+/// A case as a law has it, in the air stated or at a temperature, at sea level; at 25 °C where
+/// neither is given.
 pub(super) fn predicted(
     set: &Set,
     case: &Case,
@@ -37,17 +40,31 @@ pub(super) fn predicted(
     let setup = in_air_of(case, setup, temperature);
     let found = match set.way {
         Way::Launch => flown(&setup, case).map_or(vec![], |drive| {
-            let of = [(Compared::Carry, Outcome::CarryDistance), (Compared::Apex, Outcome::ApexHeight)];
-            read(&drive, of.into_iter().chain([(Compared::Descent, Outcome::DescentAngle)]))
+            let of = [
+                (Compared::Carry, Outcome::CarryDistance),
+                (Compared::Apex, Outcome::ApexHeight),
+            ];
+            read(
+                &drive,
+                of.into_iter()
+                    .chain([(Compared::Descent, Outcome::DescentAngle)]),
+            )
         }),
         Way::Altitude | Way::AltitudeAlone => base.map_or(vec![], |base| {
             let launched = if set.way == Way::Altitude { case } else { base };
             let below = in_air_of(base, setup, temperature);
             let carry = |setup, case| Outcome::CarryDistance.value(&flown(setup, case)?);
-            let gain = carry(&setup, launched).zip(carry(&below, base)).map(|(there, here)| there - here);
-            gain.map(|gain| (Compared::Gain, gain)).into_iter().collect()
+            let gain = carry(&setup, launched)
+                .zip(carry(&below, base))
+                .map(|(there, here)| there - here);
+            gain.map(|gain| (Compared::Gain, gain))
+                .into_iter()
+                .collect()
         }),
-        Way::FaceToPath => curve(setup, case).map(|curve| (Compared::Curve, curve)).into_iter().collect(),
+        Way::FaceToPath => curve(setup, case)
+            .map(|curve| (Compared::Curve, curve))
+            .into_iter()
+            .collect(),
         Way::Optimum => best(setup, case)?,
     };
     Ok(Predicted(found))
@@ -67,13 +84,17 @@ fn flown(setup: &Setup<f64>, case: &Case) -> Option<Drive<f64>> {
 }
 
 fn launched(mut setup: Setup<f64>, case: &Case) -> Setup<f64> {
-    (setup.launch.ball_speed, setup.launch.launch_angle, setup.launch.spin) =
-        (case.ball_speed, case.launch_angle, case.spin);
+    (
+        setup.launch.ball_speed,
+        setup.launch.launch_angle,
+        setup.launch.spin,
+    ) = (case.ball_speed, case.launch_angle, case.spin);
     setup
 }
 
-/// How drives of an average are taken to scatter, as standard deviations, SI: ball speed by 5.5 mph, launch angle by 2°, spin by 400 rpm, its axis
-/// by 9°, and wind of 4 m/s from any direction. Assumed.
+/// How drives of an average are taken to scatter, as standard deviations, SI: ball speed by 5.5
+/// mph, launch angle by 2°, spin by 400 rpm, its axis by 9°, and wind of 4 m/s from any direction.
+/// Assumed.
 pub const SCATTER: [(&str, f64); 6] = [
     ("launch.ball_speed", 5.5 * 0.44704),
     ("launch.launch_angle", 2.0 * DEGREE),
@@ -85,14 +106,29 @@ pub const SCATTER: [(&str, f64); 6] = [
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Mean carry of drives that scatter by [`SCATTER`] less that of the drive of the average launch, to second order: half the second derivatives times
-/// the variances.
+/// Mean carry of drives that scatter by [`SCATTER`] less that of the drive of the average launch,
+/// to second order: half the second derivatives times the variances.
 pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
-    let mut setup = launched(Setup { law, ..Setup::default() }, case);
+    let mut setup = launched(
+        Setup {
+            law,
+            ..Setup::default()
+        },
+        case,
+    );
     setup.launch.spin_axis = Some(0.0);
-    let wrt: Option<Vec<_>> = SCATTER.iter().map(|(name, _)| setup.variable(name).ok()).collect();
+    let wrt: Option<Vec<_>> = SCATTER
+        .iter()
+        .map(|(name, _)| setup.variable(name).ok())
+        .collect();
     let carry = derivative::hessian(&setup, Outcome::CarryDistance, &wrt?).ok()?;
-    Some(SCATTER.iter().enumerate().map(|(i, (_, sigma))| 0.5 * carry.hessian[i][i] * sigma * sigma).sum())
+    Some(
+        SCATTER
+            .iter()
+            .enumerate()
+            .map(|(i, (_, sigma))| 0.5 * carry.hessian[i][i] * sigma * sigma)
+            .sum(),
+    )
 }
 
 /// Distance at landing from the line along which the ball started.
@@ -111,9 +147,14 @@ fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
         (setup.swing.speed, setup.swing.attack_angle) = (speed, attack);
     }
     let vary = vec![Vary::read(&setup, "club.loft=0deg..30deg")?];
-    let search = Search { vary, ..Search::largest(Outcome::CarryDistance) };
+    let search = Search {
+        vary,
+        ..Search::largest(Outcome::CarryDistance)
+    };
     let found = optimum(&setup, search, Observer::default())?;
-    let drive = found.drive.filter(|_| found.solution.status == Status::Converged);
+    let drive = found
+        .drive
+        .filter(|_| found.solution.status == Status::Converged);
     let of = [
         (Compared::Carry, Outcome::CarryDistance),
         (Compared::LaunchAngle, Outcome::LaunchAngle),
@@ -122,6 +163,11 @@ fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
     Ok(drive.map_or(vec![], |drive| read(&drive, of)))
 }
 
-fn read(drive: &Drive<f64>, of: impl IntoIterator<Item = (Compared, Outcome)>) -> Vec<(Compared, f64)> {
-    of.into_iter().filter_map(|(compared, outcome)| Some((compared, outcome.value(drive)?))).collect()
+fn read(
+    drive: &Drive<f64>,
+    of: impl IntoIterator<Item = (Compared, Outcome)>,
+) -> Vec<(Compared, f64)> {
+    of.into_iter()
+        .filter_map(|(compared, outcome)| Some((compared, outcome.value(drive)?)))
+        .collect()
 }

@@ -56,16 +56,30 @@ pub struct Set {
 }
 
 const NOT_STATED: &str = "not stated";
-const AVERAGES: &str = "Means over players, ranges and events, rounded to a yard. The drive of the average launch is flown: an average of scattered drives \
+const AVERAGES: &str = "Means over players, ranges and events, rounded to a yard. The drive of the \
+                        average launch is flown: an average of scattered drives \
                         carries some 5 yd less (docs/sources.md).";
-const OTHER_CLUBS: &str = "No law meets carry and descent together. Those that meet the carry within 5 yd on average land 2 to 6° flatter than is measured. With usga-itr \
-                       the descent is met within 1° on average, and the ball carries 8 to 13 yd less; with lyu it lands 1 to 2° flatter, and carries 38 to 53 yd more; with winfield-tan it \
-                       lands 10° steeper, and carries 32 to 49 yd less. Spin ratios of short irons are beyond what most laws were fitted to.";
+const OTHER_CLUBS: &str = "No law meets carry and descent together. Those that meet the carry \
+                           within 5 yd on average land 2 to 6° flatter than is measured. With \
+                           usga-itr \
+                       the descent is met within 1° on average, and the ball carries 8 to 13 yd \
+                           less; with lyu it lands 1 to 2° flatter, and carries 38 to 53 yd more; \
+                           with winfield-tan it \
+                       lands 10° steeper, and carries 32 to 49 yd less. Spin ratios of short irons \
+                           are beyond what most laws were fitted to.";
 
-const CHART: &str = "Output of a vendor's model of 2010. The chart also states the loft at impact: with that loft the club of lpga-average gives the chart's spin within 3 % and its launch \
-                     angle within 0.5°, modern-driver spins 14 % less, tour-average 18 to 29 % less. So most of the spin that tour-average is short of at the optimum is missing at the \
-                     impact, and not in the flight. No club meets the chart and the PGA TOUR's average together: at 115 mph, an attack angle of -0.9° and a launch angle of 10.4° the chart's \
-                     ball has 3340 rpm, the average 2545 rpm. With the LPGA Tour's delivery it has 2420 rpm, and that average is 2506 rpm. Launch angle and spin at the best loft are known less well than its carry, which changes little about it.";
+const CHART: &str = "Output of a vendor's model of 2010. The chart also states the loft at impact: \
+                     with that loft the club of lpga-average gives the chart's spin within 3 % and \
+                     its launch \
+                     angle within 0.5°, modern-driver spins 14 % less, tour-average 18 to 29 % \
+                     less. So most of the spin that tour-average is short of at the optimum is \
+                     missing at the \
+                     impact, and not in the flight. No club meets the chart and the PGA TOUR's \
+                     average together: at 115 mph, an attack angle of -0.9° and a launch angle of \
+                     10.4° the chart's \
+                     ball has 3340 rpm, the average 2545 rpm. With the LPGA Tour's delivery it has \
+                     2420 rpm, and that average is 2506 rpm. Launch angle and spin at the best \
+                     loft are known less well than its carry, which changes little about it.";
 
 /// The sets, the most telling first.
 pub static SETS: [Set; 14] = [
@@ -94,9 +108,11 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "pga-radar",
         title: "PGA TOUR radar, five seasons",
-        about: "Tracked tee shots, 10 000 to 114 000 a season, flown from the season's average launch.",
+        about: "Tracked tee shots, 10 000 to 114 000 a season, flown from the season's average \
+                launch.",
         air: "that of the events: in 2022-23 its density was 0.992 of that at 25 °C and sea level",
-        misses: "Elevation and wind are not taken out. The time of flight is not compared: the published 6.2 to 6.4 s is 0.4 to 0.8 s less than with any \
+        misses: "Elevation and wind are not taken out. The time of flight is not compared: the \
+                 published 6.2 to 6.4 s is 0.4 to 0.8 s less than with any \
                  law that meets the apex, and how it is defined is not known.",
         way: Way::Launch,
         is_averaged: true,
@@ -106,7 +122,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "pga-clubs",
         title: "PGA TOUR averages, other clubs",
-        about: "TrackMan's averages of 2023 and 2019, 3-wood to pitching wedge, flown from their launch.",
+        about: "TrackMan's averages of 2023 and 2019, 3-wood to pitching wedge, flown from their \
+                launch.",
         air: NOT_STATED,
         misses: OTHER_CLUBS,
         way: Way::Launch,
@@ -117,7 +134,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "lpga-clubs",
         title: "LPGA Tour averages, other clubs",
-        about: "TrackMan's averages of 2023 and 2019, 3-wood to pitching wedge, flown from their launch.",
+        about: "TrackMan's averages of 2023 and 2019, 3-wood to pitching wedge, flown from their \
+                launch.",
         air: NOT_STATED,
         misses: OTHER_CLUBS,
         way: Way::Launch,
@@ -128,10 +146,13 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "robots",
         title: "Robots",
-        about: "Iron Byron of Winfield & Tan (mean of 20 drives, 200.3 ± 3.6 yd) and four drivers of a robot at 95 mph.",
+        about: "Iron Byron of Winfield & Tan (mean of 20 drives, 200.3 ± 3.6 yd) and four drivers \
+                of a robot at 95 mph.",
         air: NOT_STATED,
-        misses: "Iron Byron's launch is computed by Winfield & Tan's model, for a ball of 1994. The robot's four do not agree with each other: 136.8 mph, \
-                 11.2°, 2468 rpm carries 220.9 yd, and 137.8 mph, 9.9°, 3182 rpm carries 213.9 yd; its launch monitor is not named.",
+        misses: "Iron Byron's launch is computed by Winfield & Tan's model, for a ball of 1994. \
+                 The robot's four do not agree with each other: 136.8 mph, \
+                 11.2°, 2468 rpm carries 220.9 yd, and 137.8 mph, 9.9°, 3182 rpm carries 213.9 yd; \
+                 its launch monitor is not named.",
         way: Way::Launch,
         is_averaged: false,
         preset: None,
@@ -140,9 +161,11 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "altitude",
         title: "Gain of carry on high courses",
-        about: "Seven events of the PGA TOUR, the same players there and elsewhere; the launch is that of each event.",
+        about: "Seven events of the PGA TOUR, the same players there and elsewhere; the launch is \
+                that of each event.",
         air: "stated, as a part of the density at 25 °C and sea level",
-        misses: "The launch at sea level is taken as the season's average. At altitude players launch up to 3° higher, and with that launch laws gain \
+        misses: "The launch at sea level is taken as the season's average. At altitude players \
+                 launch up to 3° higher, and with that launch laws gain \
                  more than is measured.",
         way: Way::Altitude,
         is_averaged: false,
@@ -163,7 +186,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "face-to-path",
         title: "Curve by face-to-path",
-        about: "TrackMan's curve of four centred drives; the club is that of tour-average and lpga-average, its face open by the angle.",
+        about: "TrackMan's curve of four centred drives; the club is that of tour-average and \
+                lpga-average, its face open by the angle.",
         air: NOT_STATED,
         misses: "Output of a vendor's model.",
         way: Way::FaceToPath,
@@ -174,7 +198,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "chart-launches",
         title: "TrackMan's driver chart, its launches",
-        about: "The 60 launches of TrackMan's fitting chart of 2010, 75 to 120 mph, flown as they are.",
+        about: "The 60 launches of TrackMan's fitting chart of 2010, 75 to 120 mph, flown as they \
+                are.",
         air: NOT_STATED,
         misses: "Output of a vendor's model.",
         way: Way::Launch,
@@ -185,7 +210,9 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "chart-optima",
         title: "TrackMan's driver chart, its optima",
-        about: "For the 30 rows of longest carry: the loft of the longest carry is sought at the same club speed and attack angle, with the club of tour-average, the default, and its launch is compared.",
+        about: "For the 30 rows of longest carry: the loft of the longest carry is sought at the \
+                same club speed and attack angle, with the club of tour-average, the default, and \
+                its launch is compared.",
         air: NOT_STATED,
         misses: CHART,
         way: Way::Optimum,
@@ -207,7 +234,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "chart-optima-impact",
         title: "TrackMan's driver chart, its optima with an impact like the chart's",
-        about: "The same with the club of lpga-average, from which the ball leaves with launch angle and spin in the chart's ratio.",
+        about: "The same with the club of lpga-average, from which the ball leaves with launch \
+                angle and spin in the chart's ratio.",
         air: NOT_STATED,
         misses: CHART,
         way: Way::Optimum,
@@ -218,7 +246,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "simulations",
         title: "Published simulations",
-        about: "Eight drives that others computed: Winfield & Tan, Stengel, TrackMan's 6 irons, a patent, Nathan's calculator.",
+        about: "Eight drives that others computed: Winfield & Tan, Stengel, TrackMan's 6 irons, a \
+                patent, Nathan's calculator.",
         air: "stated for two, which are flown in it; not stated for the others",
         misses: "Models, each with a law of its own; the ball is that of modern-driver for all.",
         way: Way::Launch,

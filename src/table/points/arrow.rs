@@ -6,8 +6,8 @@ use arrow_array::{Array, RecordBatch, downcast_integer};
 use arrow_schema::DataType;
 use std::path::Path;
 
-/// An Arrow IPC file or stream (Feather of version 2 is such a file), read a record batch at a time; batches may be
-/// compressed by ZSTD or LZ4.
+/// An Arrow IPC file or stream (Feather of version 2 is such a file), read a record batch at a
+/// time; batches may be compressed by ZSTD or LZ4.
 pub(super) struct ArrowPieces {
     batches: RecordBatches,
     /// The record batch that is being read, and how many of its rows have been.
@@ -17,17 +17,28 @@ pub(super) struct ArrowPieces {
 
 impl Pieces for ArrowPieces {
     fn open(path: &Path) -> Result<Self, String> {
-        Ok(Self { batches: RecordBatches::open(path)?, batch: None, passed: 0 })
+        Ok(Self {
+            batches: RecordBatches::open(path)?,
+            batch: None,
+            passed: 0,
+        })
     }
 
     fn names(&self) -> Vec<String> {
-        self.batches.schema().fields().iter().map(|field| field.name().clone()).collect()
+        self.batches
+            .schema()
+            .fields()
+            .iter()
+            .map(|field| field.name().clone())
+            .collect()
     }
 
     fn refusal(&self, column: usize) -> Option<String> {
         let kind = self.batches.schema().field(column).data_type();
         let is_read = kind.is_integer() || matches!(kind, DataType::Float32 | DataType::Float64);
-        (!is_read).then(|| format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)"))
+        (!is_read).then(|| {
+            format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)")
+        })
     }
 
     fn rewind(&mut self) {
@@ -38,7 +49,9 @@ impl Pieces for ArrowPieces {
     fn left(&mut self) -> Result<usize, String> {
         loop {
             match &self.batch {
-                Some(batch) if batch.num_rows() > self.passed => return Ok(batch.num_rows() - self.passed),
+                Some(batch) if batch.num_rows() > self.passed => {
+                    return Ok(batch.num_rows() - self.passed);
+                }
                 // its memory is free before the next one's is taken
                 _ => (self.batch, self.passed) = (None, 0),
             }
@@ -50,8 +63,13 @@ impl Pieces for ArrowPieces {
     }
 
     fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String> {
-        let column = self.batch.as_ref().map(|batch| batch.column(column).slice(self.passed, rows));
-        column.and_then(|column| numbers(&column)).ok_or("it is not a column of numbers".into())
+        let column = self
+            .batch
+            .as_ref()
+            .map(|batch| batch.column(column).slice(self.passed, rows));
+        column
+            .and_then(|column| numbers(&column))
+            .ok_or("it is not a column of numbers".into())
     }
 
     fn pass(&mut self, rows: usize) {
@@ -63,7 +81,13 @@ impl Pieces for ArrowPieces {
 fn numbers(column: &dyn Array) -> Option<Vec<Option<f64>>> {
     macro_rules! read {
         ($kind:ty) => {
-            Some(column.as_primitive::<$kind>().iter().map(|value| value.map(|value| value as f64)).collect())
+            Some(
+                column
+                    .as_primitive::<$kind>()
+                    .iter()
+                    .map(|value| value.map(|value| value as f64))
+                    .collect(),
+            )
         };
     }
     downcast_integer! {

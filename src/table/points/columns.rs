@@ -8,7 +8,11 @@ use crate::units::Message;
 use std::path::Path;
 
 pub(super) fn refused(path: &Path, place: String, reason: impl Into<String>) -> Error {
-    Error::Table { file: path.display().to_string(), place, reason: reason.into() }
+    Error::Table {
+        file: path.display().to_string(),
+        place,
+        reason: reason.into(),
+    }
 }
 
 /// The columns of a table that drives are computed from.
@@ -32,14 +36,22 @@ impl Columns {
             }
             _ => None,
         };
-        let read = head.columns.iter().enumerate().filter_map(|(at, column)| Some((at, parameter(column)?)));
+        let read = head
+            .columns
+            .iter()
+            .enumerate()
+            .filter_map(|(at, column)| Some((at, parameter(column)?)));
         let (at, parameters): (Vec<_>, Vec<_>) = read.unzip();
         refuse_repeated(&parameters).map_err(|error| {
             let reason = match error {
-                Error::SearchRange { name, .. } => format!("the parameter {name} has two columns; keep one"),
+                Error::SearchRange { name, .. } => format!(
+                    "the parameter {name} has two columns; \
+                                                            keep one"
+                ),
                 _ if head.columns.is_empty() => "it has no columns".into(),
                 _ => format!(
-                    "none of its columns is a parameter or a launch condition ({}); add one, such as 'club.loft [deg]'",
+                    "none of its columns is a parameter or a launch condition ({}); add one, such \
+                     as 'club.loft [deg]'",
                     head.named(|_| true).0.join(", ")
                 ),
             };
@@ -48,20 +60,41 @@ impl Columns {
         let near = near_known(&head.columns);
         if !near.is_empty() {
             let names: Vec<&str> = parameters.iter().map(|parameter| parameter.name).collect();
-            setup.check_launch(&names).map_err(|error| refused(path, String::new(), format!("{error}{near}")))?;
+            setup
+                .check_launch(&names)
+                .map_err(|error| refused(path, String::new(), format!("{error}{near}")))?;
         }
-        let of_units = in_degrees(&head.columns).into_iter().chain(given_air(&head.columns)).map(Message::from);
-        let notes = head.remarks.iter().cloned().chain(of_units).chain(not_read(head, &at)).collect();
-        Ok(Self { at, parameters, notes })
+        let of_units = in_degrees(&head.columns)
+            .into_iter()
+            .chain(given_air(&head.columns))
+            .map(Message::from);
+        let notes = head
+            .remarks
+            .iter()
+            .cloned()
+            .chain(of_units)
+            .chain(not_read(head, &at))
+            .collect();
+        Ok(Self {
+            at,
+            parameters,
+            notes,
+        })
     }
 
     /// The places of the columns of these parameters.
     ///
     /// # Errors
     /// The name of one that has none.
-    pub fn places_of(&self, parameters: &[&'static Parameter]) -> std::result::Result<Vec<usize>, &'static str> {
+    pub fn places_of(
+        &self,
+        parameters: &[&'static Parameter],
+    ) -> std::result::Result<Vec<usize>, &'static str> {
         let place = |wanted: &&'static Parameter| {
-            let found = self.parameters.iter().position(|parameter| parameter == wanted);
+            let found = self
+                .parameters
+                .iter()
+                .position(|parameter| parameter == wanted);
             found.map(|found| self.at[found]).ok_or(wanted.name)
         };
         parameters.iter().map(place).collect()
@@ -70,8 +103,19 @@ impl Columns {
 
 /// The columns that are not read, but for those of which the head itself says so.
 fn not_read(head: &Head, read: &[usize]) -> Option<Message> {
-    let is_read = |column: &Column| read.iter().any(|at| std::ptr::eq(&head.columns[*at], column));
-    let not_read = head.named(|column| !is_read(column) && (column.holds != Holds::Note || !head.format.is_export));
-    let of = if head.has_strike() && !head.format.is_export { "parameters of the club" } else { "parameters" };
-    not_read.told(&format!("columns not read, since they are results or remarks and not {of}"))
+    let is_read = |column: &Column| {
+        read.iter()
+            .any(|at| std::ptr::eq(&head.columns[*at], column))
+    };
+    let not_read = head.named(|column| {
+        !is_read(column) && (column.holds != Holds::Note || !head.format.is_export)
+    });
+    let of = if head.has_strike() && !head.format.is_export {
+        "parameters of the club"
+    } else {
+        "parameters"
+    };
+    not_read.told(&format!(
+        "columns not read, since they are results or remarks and not {of}"
+    ))
 }

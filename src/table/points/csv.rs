@@ -12,8 +12,9 @@ use crate::units::Message;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-/// The rows of a CSV file. Its head names the parameters with their units, `club.loft [deg]`, `impact.restitution`, or is that of a
-/// launch monitor's export, `Ball Speed [mph]`; cells are separated by commas, semicolons or tabs.
+/// The rows of a CSV file. Its head names the parameters with their units, `club.loft [deg]`,
+/// `impact.restitution`, or is that of a launch monitor's export, `Ball Speed [mph]`; cells are
+/// separated by commas, semicolons or tabs.
 pub(super) struct CsvRows {
     path: PathBuf,
     setup: Setup<f64>,
@@ -38,8 +39,9 @@ struct Section {
 
 impl CsvRows {
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read or without a column of a parameter, for a column that is unknown
-    /// or given twice, and a unit of another kind. Of its rows: a cell that is no number or whose decimal mark is uncertain.
+    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read or without a column of
+    /// a parameter, for a column that is unknown or given twice, and a unit of another kind. Of its
+    /// rows: a cell that is no number or whose decimal mark is uncertain.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let (table, head) = opened(setup, path)?;
         let columns = Columns::new(setup, path, &head)?;
@@ -65,11 +67,15 @@ impl CsvRows {
                 Some(Entry::Head(record)) => {
                     let head = self.table.head(&record, &self.setup, &Wanted::POINTS)?;
                     let again = Columns::new(&self.setup, &self.path, &head)?;
-                    let at = again.places_of(&self.columns.parameters).map_err(|missing| {
-                        let reason =
-                            format!("the head in line {} has no column of {missing}, as the first has", record.line);
-                        refused(&self.path, String::new(), reason)
-                    })?;
+                    let at = again
+                        .places_of(&self.columns.parameters)
+                        .map_err(|missing| {
+                            let reason = format!(
+                                "the head in line {} has no column of {missing}, as the first has",
+                                record.line
+                            );
+                            refused(&self.path, String::new(), reason)
+                        })?;
                     self.section = Section::new(&self.path, &head, &self.columns.parameters, &at)?;
                     continue;
                 }
@@ -95,21 +101,31 @@ impl CsvRows {
 
 fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, Head)> {
     let name = path.display().to_string();
-    let file = File::open(path).map_err(|error| refused(path, String::new(), crate::foreign::of_io(&error)))?;
+    let file = File::open(path)
+        .map_err(|error| refused(path, String::new(), crate::foreign::of_io(&error)))?;
     TextTable::open(Text::open(&name, file)?, setup, &Wanted::POINTS)
 }
 
 impl Section {
-    fn new(path: &Path, head: &Head, parameters: &[&'static Parameter], at: &[usize]) -> Result<Self> {
+    fn new(
+        path: &Path,
+        head: &Head,
+        parameters: &[&'static Parameter],
+        at: &[usize],
+    ) -> Result<Self> {
         let mut read = Vec::with_capacity(parameters.len());
         for at in at {
             let column = head.columns[*at].clone();
-            column
-                .check_unit()
-                .map_err(|error: Error| refused(path, format!(", column {}", at + 1), error.to_string()))?;
+            column.check_unit().map_err(|error: Error| {
+                refused(path, format!(", column {}", at + 1), error.to_string())
+            })?;
             read.push((*at, column));
         }
-        Ok(Self { width: head.heads.len(), read, is_export: head.format.is_export })
+        Ok(Self {
+            width: head.heads.len(),
+            read,
+            is_export: head.format.is_export,
+        })
     }
 }
 
@@ -121,17 +137,30 @@ impl Rows for CsvRows {
     fn rewind(&mut self) -> Result<()> {
         // a text in another encoding has no places to go back to
         let (table, head) = opened(&self.setup, &self.path)?;
-        self.section = Section::new(&self.path, &head, &self.columns.parameters, &self.columns.at)?;
+        self.section = Section::new(
+            &self.path,
+            &head,
+            &self.columns.parameters,
+            &self.columns.at,
+        )?;
         (self.table, self.row, self.no_shots) = (table, 0, NonShotRows::default());
         Ok(())
     }
 
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
         for count in 0..most {
-            let Some(row) = self.cells()? else { return Ok(count) };
+            let Some(row) = self.cells()? else {
+                return Ok(count);
+            };
             for (at, column) in &self.section.read {
                 let cell = row[*at].as_str();
-                let wrong = |reason| refused(&self.path, format!(", row {}, column {}", self.row, column.head), reason);
+                let wrong = |reason| {
+                    refused(
+                        &self.path,
+                        format!(", row {}, column {}", self.row, column.head),
+                        reason,
+                    )
+                };
                 self.marks.check(self.row, column, cell).map_err(wrong)?;
                 values.push(column.value(cell).map_err(wrong)?.unwrap_or(f64::NAN));
             }
@@ -140,6 +169,11 @@ impl Rows for CsvRows {
     }
 
     fn notes(&self) -> Vec<Message> {
-        self.columns.notes.iter().cloned().chain(self.no_shots.remarks()).collect()
+        self.columns
+            .notes
+            .iter()
+            .cloned()
+            .chain(self.no_shots.remarks())
+            .collect()
     }
 }

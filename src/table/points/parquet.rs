@@ -27,7 +27,8 @@ impl ParquetPieces {
                 let (mut values, mut levels) = (Vec::with_capacity(rows), Vec::new());
                 let mut read = 0;
                 while read < rows {
-                    let (records, _, _) = $column.read_records(rows - read, Some(&mut levels), None, &mut values)?;
+                    let (records, _, _) =
+                        $column.read_records(rows - read, Some(&mut levels), None, &mut values)?;
                     if records == 0 {
                         break;
                     }
@@ -37,12 +38,18 @@ impl ParquetPieces {
                 // a column of which every value must be there has no levels
                 match levels.is_empty() {
                     true => present.map(Some).collect(),
-                    false => levels.iter().map(|level| if *level > 0 { present.next() } else { None }).collect(),
+                    false => levels
+                        .iter()
+                        .map(|level| if *level > 0 { present.next() } else { None })
+                        .collect(),
                 }
             }};
         }
         if !self.columns.contains_key(&column) {
-            let reader = self.file.get_row_group(self.group)?.get_column_reader(column)?;
+            let reader = self
+                .file
+                .get_row_group(self.group)?
+                .get_column_reader(column)?;
             self.columns.insert(column, reader);
         }
         Ok(match self.columns.get_mut(&column) {
@@ -50,7 +57,11 @@ impl ParquetPieces {
             Some(ColumnReader::FloatColumnReader(column)) => read!(column, f64::from),
             Some(ColumnReader::Int32ColumnReader(column)) => read!(column, f64::from),
             Some(ColumnReader::Int64ColumnReader(column)) => read!(column, |value| value as f64),
-            _ => return Err(ParquetError::General("it is not a column of numbers".into())),
+            _ => {
+                return Err(ParquetError::General(
+                    "it is not a column of numbers".into(),
+                ));
+            }
         })
     }
 }
@@ -58,11 +69,21 @@ impl ParquetPieces {
 impl Pieces for ParquetPieces {
     fn open(path: &Path) -> Result<Self, String> {
         let file = SerializedFileReader::new(whole(path)?).map_err(|error| of_parquet(&error))?;
-        Ok(Self { file, group: 0, passed: 0, columns: BTreeMap::new() })
+        Ok(Self {
+            file,
+            group: 0,
+            passed: 0,
+            columns: BTreeMap::new(),
+        })
     }
 
     fn names(&self) -> Vec<String> {
-        let columns = self.file.metadata().file_metadata().schema_descr().columns();
+        let columns = self
+            .file
+            .metadata()
+            .file_metadata()
+            .schema_descr()
+            .columns();
         columns.iter().map(|head| head.path().string()).collect()
     }
 
@@ -74,10 +95,18 @@ impl Pieces for ParquetPieces {
         }
         let kind = head.physical_type();
         if !matches!(kind, Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64) {
-            return Some(format!("its type is {kind}; a column must hold numbers (DOUBLE, FLOAT, INT32 or INT64)"));
+            return Some(format!(
+                "its type is {kind}; a column must hold numbers (DOUBLE, FLOAT, INT32 or INT64)"
+            ));
         }
-        let by = metadata.row_groups().iter().find_map(|group| not_read(group.column(column).compression()))?;
-        Some(format!("it is compressed by {by}, which is not read here; write it uncompressed, or with Snappy or ZSTD"))
+        let by = metadata
+            .row_groups()
+            .iter()
+            .find_map(|group| not_read(group.column(column).compression()))?;
+        Some(format!(
+            "it is compressed by {by}, which is not read here; write it uncompressed, or with \
+             Snappy or ZSTD"
+        ))
     }
 
     fn rewind(&mut self) {
@@ -110,7 +139,10 @@ fn whole(path: &Path) -> Result<File, String> {
     let unreadable = |error: std::io::Error| of_io(&error);
     let mut file = File::open(path).map_err(unreadable)?;
     let mut begins = vec![];
-    file.by_ref().take(4).read_to_end(&mut begins).map_err(unreadable)?;
+    file.by_ref()
+        .take(4)
+        .read_to_end(&mut begins)
+        .map_err(unreadable)?;
     if begins.is_empty() {
         return Err("it is empty".into());
     }
@@ -119,16 +151,21 @@ fn whole(path: &Path) -> Result<File, String> {
     }
     if begins != MAGIC {
         return Err(
-            "it is not a Parquet file; its name must end in what it is: .parquet, .csv, .arrow, .arrows or .feather"
+            "it is not a Parquet file; its name must end in what it is: .parquet, .csv, .arrow, \
+             .arrows or .feather"
                 .into(),
         );
     }
     let mut ends = [0; 4];
     let length = file.seek(SeekFrom::End(0)).map_err(unreadable)?;
-    file.seek(SeekFrom::Start(length.saturating_sub(4))).map_err(unreadable)?;
+    file.seek(SeekFrom::Start(length.saturating_sub(4)))
+        .map_err(unreadable)?;
     file.read_exact(&mut ends).map_err(unreadable)?;
     if length < 12 || ends != *MAGIC {
-        return Err("it has no footer: it was cut short, or the program that wrote it did not close it".into());
+        return Err(
+            "it has no footer: it was cut short, or the program that wrote it did not close it"
+                .into(),
+        );
     }
     file.rewind().map_err(unreadable)?;
     Ok(file)

@@ -5,7 +5,8 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::Head;
 use std::path::{Path, PathBuf};
 
-/// A file of columns of numbers, SI, named by parameters, which stand in it a piece of rows after the other.
+/// A file of columns of numbers, SI, named by parameters, which stand in it a piece of rows after
+/// the other.
 pub(super) trait Pieces: Sized {
     /// The file, or what is wrong with it.
     fn open(path: &Path) -> Result<Self, String>;
@@ -18,7 +19,8 @@ pub(super) trait Pieces: Sized {
 
     fn rewind(&mut self);
 
-    /// How many rows are left of the piece that is being read; where none are, of the next one; 0 at the end.
+    /// How many rows are left of the piece that is being read; where none are, of the next one; 0
+    /// at the end.
     fn left(&mut self) -> Result<usize, String>;
 
     /// The next values of a column, at most as many as rows are left.
@@ -38,17 +40,27 @@ pub(super) struct PieceRows<P> {
 
 impl<P: Pieces> PieceRows<P> {
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, is cut short, a column that is no parameter, given twice or not
-    /// of numbers. Of its rows: an infinite one of a parameter that must be finite.
+    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, is cut short, a column
+    /// that is no parameter, given twice or not of numbers. Of its rows: an infinite one of a
+    /// parameter that must be finite.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let pieces = P::open(path).map_err(|reason| refused(path, String::new(), reason))?;
         let names = pieces.names();
-        let head = Head::in_si(setup, &names).map_err(|wrong| wrong.in_file(&path.display().to_string()))?;
+        let head = Head::in_si(setup, &names)
+            .map_err(|wrong| wrong.in_file(&path.display().to_string()))?;
         let columns = Columns::new(setup, path, &head)?;
-        let refusal = columns.at.iter().find_map(|at| Some((&names[*at], pieces.refusal(*at)?)));
+        let refusal = columns
+            .at
+            .iter()
+            .find_map(|at| Some((&names[*at], pieces.refusal(*at)?)));
         match refusal {
             Some((name, reason)) => Err(refused(path, format!(", column {name}"), reason)),
-            None => Ok(Self { path: path.to_owned(), columns, pieces, next: 0 }),
+            None => Ok(Self {
+                path: path.to_owned(),
+                columns,
+                pieces,
+                next: 0,
+            }),
         }
     }
 }
@@ -70,8 +82,17 @@ impl<P: Pieces> Rows for PieceRows<P> {
         let mut rows = 0;
         // a chunk may reach over the end of a piece
         while rows < most {
-            let place = || if self.next == 0 { String::new() } else { format!(", after row {}", self.next) };
-            let left = self.pieces.left().map_err(|reason| refused(place(), reason))?;
+            let place = || {
+                if self.next == 0 {
+                    String::new()
+                } else {
+                    format!(", after row {}", self.next)
+                }
+            };
+            let left = self
+                .pieces
+                .left()
+                .map_err(|reason| refused(place(), reason))?;
             if left == 0 {
                 break;
             }
@@ -86,10 +107,11 @@ impl<P: Pieces> Rows for PieceRows<P> {
                 // what a damaged file leaves out is missing too
                 let values = values.into_iter().chain(std::iter::repeat(None));
                 for (row, value) in values.take(wanted).enumerate() {
-                    into[first + row * parameters.len() + i] = sound(parameter, value).map_err(|reason| {
-                        let row = self.next + row as u64 + 1;
-                        refused(format!(", row {row}, column {}", parameter.name), reason)
-                    })?;
+                    into[first + row * parameters.len() + i] =
+                        sound(parameter, value).map_err(|reason| {
+                            let row = self.next + row as u64 + 1;
+                            refused(format!(", row {row}, column {}", parameter.name), reason)
+                        })?;
                 }
             }
             self.pieces.pass(wanted);
@@ -100,11 +122,16 @@ impl<P: Pieces> Rows for PieceRows<P> {
     }
 }
 
-/// A value that may stand in a column: an infinite one only where the parameter may be that (a flat face). NaN is one that is missing.
+/// A value that may stand in a column: an infinite one only where the parameter may be that (a flat
+/// face). NaN is one that is missing.
 fn sound(parameter: &Parameter, value: Option<f64>) -> Result<f64, String> {
-    let Some(value) = value else { return Ok(f64::NAN) };
+    let Some(value) = value else {
+        return Ok(f64::NAN);
+    };
     if value.is_finite() || value.is_nan() || parameter.range.contains(value) {
         return Ok(value);
     }
-    Err(format!("{value} is not finite; every row needs a finite number"))
+    Err(format!(
+        "{value} is not finite; every row needs a finite number"
+    ))
 }

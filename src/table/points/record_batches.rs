@@ -20,8 +20,9 @@ const CONTINUATION: [u8; 4] = [0xff; 4];
 /// The length of the foot, and the magic once more.
 const TAIL: usize = 10;
 
-/// The record batches of an Arrow IPC file or stream, one after the other. Lengths and places that the bytes claim are
-/// held against the size of the file before arrow-ipc sees them: it would panic where they lie.
+/// The record batches of an Arrow IPC file or stream, one after the other. Lengths and places that
+/// the bytes claim are held against the size of the file before arrow-ipc sees them: it would panic
+/// where they lie.
 pub(super) struct RecordBatches {
     file: File,
     schema: Arc<Schema>,
@@ -51,7 +52,10 @@ impl RecordBatches {
         let mut file = File::open(path).map_err(unreadable)?;
         let length = file.metadata().map_err(unreadable)?.len();
         let mut magic = vec![];
-        file.by_ref().take(MAGIC.len() as u64).read_to_end(&mut magic).map_err(unreadable)?;
+        file.by_ref()
+            .take(MAGIC.len() as u64)
+            .read_to_end(&mut magic)
+            .map_err(unreadable)?;
         if magic.is_empty() {
             return Err("it is empty".into());
         }
@@ -59,36 +63,63 @@ impl RecordBatches {
             return Self::of_file(file, length);
         }
         if magic.starts_with(FEATHER_1) {
-            return Err("it is a Feather file of version 1; write version 2, which is Arrow IPC".into());
+            return Err(
+                "it is a Feather file of version 1; write version 2, which is Arrow IPC".into(),
+            );
         }
         Self::of_stream(file, length)
     }
 
     fn of_file(mut file: File, length: u64) -> Result<Self, String> {
-        let cut_short =
-            || "it has no footer: it was cut short, or the program that wrote it did not close it".to_owned();
+        let cut_short = || {
+            "it has no footer: it was cut short, or the program that wrote it did not close it"
+                .to_owned()
+        };
         let foot_end = length.checked_sub(TAIL as u64).ok_or_else(cut_short)?;
         let tail = bytes(&mut file, foot_end..length)?;
         let tail = tail.try_into().map_err(|_| cut_short())?;
-        let foot = read_footer_length(tail).ok().and_then(|foot| foot_end.checked_sub(foot as u64));
+        let foot = read_footer_length(tail)
+            .ok()
+            .and_then(|foot| foot_end.checked_sub(foot as u64));
         let end = foot.ok_or_else(cut_short)?;
         let foot = bytes(&mut file, end..foot_end)?;
-        let foot = root_as_footer(&foot).map_err(|_| format!("its footer is damaged; {DAMAGED}"))?;
+        let foot =
+            root_as_footer(&foot).map_err(|_| format!("its footer is damaged; {DAMAGED}"))?;
         let schema = read_schema(foot.schema())?;
-        let starts = foot.recordBatches().into_iter().flatten().map(|block| u64::try_from(block.offset()));
-        let starts = starts.collect::<Result<_, _>>().map_err(|_| "its footer is damaged (a place before the file)")?;
-        Ok(Self { file, schema, end, order: Order::Listed { starts, next: 0 } })
+        let starts = foot
+            .recordBatches()
+            .into_iter()
+            .flatten()
+            .map(|block| u64::try_from(block.offset()));
+        let starts = starts
+            .collect::<Result<_, _>>()
+            .map_err(|_| "its footer is damaged (a place before the file)")?;
+        Ok(Self {
+            file,
+            schema,
+            end,
+            order: Order::Listed { starts, next: 0 },
+        })
     }
 
     fn of_stream(file: File, length: u64) -> Result<Self, String> {
         let schema = Arc::new(Schema::empty());
-        let mut stream = Self { file, schema, end: length, order: Order::Following { first: 0, next: 0 } };
+        let mut stream = Self {
+            file,
+            schema,
+            end: length,
+            order: Order::Following { first: 0, next: 0 },
+        };
         // whatever else may stand in a file, it does not begin with such a message
-        let neither = "it is neither an Arrow IPC file nor a stream, or it was cut short in its first bytes";
+        let neither =
+            "it is neither an Arrow IPC file nor a stream, or it was cut short in its first bytes";
         let head = stream.head(0).ok().flatten().ok_or(neither)?;
         let message = head.message(MessageHeader::Schema)?;
         stream.schema = read_schema(message.header_as_schema())?;
-        stream.order = Order::Following { first: head.body.end, next: head.body.end };
+        stream.order = Order::Following {
+            first: head.body.end,
+            next: head.body.end,
+        };
         Ok(stream)
     }
 
@@ -115,7 +146,9 @@ impl RecordBatches {
         };
         let Some(head) = self.head(at)? else {
             return match &self.order {
-                Order::Listed { .. } => Err("its footer is damaged (there is no record batch where it says)".into()),
+                Order::Listed { .. } => {
+                    Err("its footer is damaged (there is no record batch where it says)".into())
+                }
                 Order::Following { .. } => Ok(None),
             };
         };
@@ -129,22 +162,30 @@ impl RecordBatches {
     /// The record batch with this head.
     fn read(&mut self, head: &Head) -> Result<RecordBatch, String> {
         let message = head.message(MessageHeader::RecordBatch)?;
-        let batch = message.header_as_record_batch().ok_or("a record batch is damaged")?;
+        let batch = message
+            .header_as_record_batch()
+            .ok_or("a record batch is damaged")?;
         if batch.length() < 0 {
             return Err(format!("a record batch claims {} rows", batch.length()));
         }
         let is_compressed = batch.compression().is_some();
         let body = Buffer::from_vec(bytes(&mut self.file, head.body.clone())?);
         for buffer in batch.buffers().into_iter().flatten() {
-            let part = usize::try_from(buffer.offset()).ok().zip(usize::try_from(buffer.length()).ok());
-            let part = part.and_then(|(offset, length)| body.get(offset..offset.checked_add(length)?));
+            let part = usize::try_from(buffer.offset())
+                .ok()
+                .zip(usize::try_from(buffer.length()).ok());
+            let part =
+                part.and_then(|(offset, length)| body.get(offset..offset.checked_add(length)?));
             let part = part.ok_or("a record batch is damaged (a column reaches beyond it)")?;
             if let (true, Some(length)) = (is_compressed, part.first_chunk()) {
                 // -1 says that this part is not compressed
                 let length = usize::try_from(i64::from_le_bytes(*length)).unwrap_or(0);
                 let room = Vec::<u8>::new().try_reserve_exact(length);
                 room.map_err(|_| {
-                    format!("a column of a record batch claims {length} bytes, for which there is no memory")
+                    format!(
+                        "a column of a record batch claims {length} bytes, for which there is \
+                             no memory"
+                    )
                 })?;
             }
         }
@@ -156,10 +197,15 @@ impl RecordBatches {
 
     /// The message at a place; none at the mark of the end.
     fn head(&mut self, at: u64) -> Result<Option<Head>, String> {
-        let cut_short =
-            || "it ends too early: it was cut short, or the program that wrote it did not close it".to_owned();
+        let cut_short = || {
+            "it ends too early: it was cut short, or the program that wrote it did not close it"
+                .to_owned()
+        };
         let mut word = |at: u64| -> Result<[u8; 4], String> {
-            let end = at.checked_add(4).filter(|end| *end <= self.end).ok_or_else(cut_short)?;
+            let end = at
+                .checked_add(4)
+                .filter(|end| *end <= self.end)
+                .ok_or_else(cut_short)?;
             let mut word = [0; 4];
             word.copy_from_slice(&bytes(&mut self.file, at..end)?);
             Ok(word)
@@ -178,12 +224,19 @@ impl RecordBatches {
                 _ => Ok(None),
             };
         }
-        let length = u64::try_from(length).map_err(|_| format!("a message claims {length} bytes"))?;
-        let body = at.checked_add(length).filter(|body| *body <= self.end).ok_or_else(cut_short)?;
+        let length =
+            u64::try_from(length).map_err(|_| format!("a message claims {length} bytes"))?;
+        let body = at
+            .checked_add(length)
+            .filter(|body| *body <= self.end)
+            .ok_or_else(cut_short)?;
         let metadata = bytes(&mut self.file, at..body)?;
-        let message = root_as_message(&metadata).map_err(|_| format!("a message is damaged; {DAMAGED}"))?;
+        let message =
+            root_as_message(&metadata).map_err(|_| format!("a message is damaged; {DAMAGED}"))?;
         let length = u64::try_from(message.bodyLength()).ok();
-        let end = length.and_then(|length| body.checked_add(length)).filter(|end| *end <= self.end);
+        let end = length
+            .and_then(|length| body.checked_add(length))
+            .filter(|end| *end <= self.end);
         let body = body..end.ok_or_else(cut_short)?;
         Ok(Some(Head { metadata, body }))
     }
@@ -191,10 +244,13 @@ impl RecordBatches {
 
 impl Head {
     fn message(&self, wanted: MessageHeader) -> Result<Message<'_>, String> {
-        let message = root_as_message(&self.metadata).map_err(|_| format!("a message is damaged; {DAMAGED}"))?;
+        let message = root_as_message(&self.metadata)
+            .map_err(|_| format!("a message is damaged; {DAMAGED}"))?;
         match message.header_type() {
             kind if kind == wanted => Ok(message),
-            kind => Err(format!("a message is a {kind:?} where a {wanted:?} is expected")),
+            kind => Err(format!(
+                "a message is a {kind:?} where a {wanted:?} is expected"
+            )),
         }
     }
 }
@@ -204,13 +260,18 @@ fn read_schema(schema: Option<arrow_ipc::Schema>) -> Result<Arc<Schema>, String>
     if schema.endianness() != Endianness::Little {
         return Err("its numbers are big-endian; write it on a little-endian machine".into());
     }
-    try_fb_to_schema(schema).map(Arc::new).map_err(|_| format!("its schema is damaged; {DAMAGED}"))
+    try_fb_to_schema(schema)
+        .map(Arc::new)
+        .map_err(|_| format!("its schema is damaged; {DAMAGED}"))
 }
 
 /// A part of a file that is known to lie within it.
 fn bytes(file: &mut File, part: Range<u64>) -> Result<Vec<u8>, String> {
-    let length = usize::try_from(part.end - part.start).map_err(|_| "it is too large for this machine")?;
+    let length =
+        usize::try_from(part.end - part.start).map_err(|_| "it is too large for this machine")?;
     let mut bytes = vec![0; length];
-    file.seek(SeekFrom::Start(part.start)).and_then(|_| file.read_exact(&mut bytes)).map_err(|error| of_io(&error))?;
+    file.seek(SeekFrom::Start(part.start))
+        .and_then(|_| file.read_exact(&mut bytes))
+        .map_err(|error| of_io(&error))?;
     Ok(bytes)
 }

@@ -24,7 +24,8 @@ pub(super) trait Rows {
 /// So many rows that are no drives are told one by one.
 const TOLD: usize = 5;
 
-/// A table of points. All of it is read once when it is opened, so that what cannot be read is told before any work, and which rows are no drives.
+/// A table of points. All of it is read once when it is opened, so that what cannot be read is told
+/// before any work, and which rows are no drives.
 pub(super) struct Table<R> {
     rows: R,
     count: u64,
@@ -38,7 +39,11 @@ impl<R: Rows> Table<R> {
     /// # Errors
     /// For what cannot be read.
     pub fn new(mut rows: R) -> Result<Self> {
-        let none = |parameter: &&'static Parameter| Vary { parameter, low: f64::INFINITY, high: f64::NEG_INFINITY };
+        let none = |parameter: &&'static Parameter| Vary {
+            parameter,
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+        };
         let mut ranges: Vec<Vary> = rows.columns().parameters.iter().map(none).collect();
         let (mut count, mut fingerprint, mut values) = (0, Fingerprint::new(), vec![]);
         let (mut row_number, mut told, mut untold) = (0_u64, vec![], 0_u64);
@@ -50,9 +55,14 @@ impl<R: Rows> Table<R> {
             }
             for row in values.chunks(ranges.len()) {
                 row_number += 1;
-                let wrong = ranges.iter().zip(row).find_map(|(range, value)| wrong(range.parameter, *value));
+                let wrong = ranges
+                    .iter()
+                    .zip(row)
+                    .find_map(|(range, value)| wrong(range.parameter, *value));
                 match wrong {
-                    Some(wrong) if told.len() < TOLD => told.push(format!("row {row_number}: {wrong}")),
+                    Some(wrong) if told.len() < TOLD => {
+                        told.push(format!("row {row_number}: {wrong}"))
+                    }
                     Some(_) => untold += 1,
                     None => {}
                 }
@@ -72,10 +82,23 @@ impl<R: Rows> Table<R> {
         }
         if !told.is_empty() {
             let status = Status::OutOfRange;
-            notes.push(format!("rows that are no drives, with the status {status}: {}", told.join("; ")).into());
+            notes.push(
+                format!(
+                    "rows that are no drives, with the status {status}: {}",
+                    told.join("; ")
+                )
+                .into(),
+            );
         }
         rows.rewind()?;
-        Ok(Self { rows, count, ranges, fingerprint, notes, next: 0 })
+        Ok(Self {
+            rows,
+            count,
+            ranges,
+            fingerprint,
+            notes,
+            next: 0,
+        })
     }
 }
 
@@ -87,7 +110,8 @@ fn wrong(parameter: &'static Parameter, value: f64) -> Option<String> {
     }
     let range = || parameter.range.show(parameter.quantity, parameter.unit);
     let shown = || parameter.show(Some(value));
-    (!parameter.range.contains(value)).then(|| format!("{name} = {} is outside of its range {}", shown(), range()))
+    (!parameter.range.contains(value))
+        .then(|| format!("{name} = {} is outside of its range {}", shown(), range()))
 }
 
 impl<R: Rows> Points for Table<R> {
@@ -133,7 +157,16 @@ impl<R: Rows> Points for Table<R> {
 
     /// Identical text for identical rows in any format.
     fn identity(&self) -> String {
-        let names: Vec<_> = self.parameters().iter().map(|parameter| parameter.name).collect();
-        format!("table of {} rows of {}, fingerprint {:016x}", self.count, names.join(" "), self.fingerprint.0)
+        let names: Vec<_> = self
+            .parameters()
+            .iter()
+            .map(|parameter| parameter.name)
+            .collect();
+        format!(
+            "table of {} rows of {}, fingerprint {:016x}",
+            self.count,
+            names.join(" "),
+            self.fingerprint.0
+        )
     }
 }

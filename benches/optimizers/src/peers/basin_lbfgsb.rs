@@ -3,8 +3,8 @@
 use super::{End, ITERATIONS, TOLERANCE};
 use crate::oracle::{Oracle, start};
 use ::basin::{
-    BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, FirstOrderState, Gradient,
-    Lbfgsb,
+    BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor,
+    FirstOrderState, Gradient, Lbfgsb,
 };
 use std::convert::Infallible;
 
@@ -42,12 +42,20 @@ impl Gradient for Bounded<'_, '_> {
 
 pub fn solve(oracle: &Oracle) -> Result<End, String> {
     let case = oracle.case;
-    let problem = Bounded { oracle, low: case.low.to_vec(), high: case.high.to_vec() };
+    let problem = Bounded {
+        oracle,
+        low: case.low.to_vec(),
+        high: case.high.to_vec(),
+    };
     // its other tolerance, on the fall of f, is 10 ε by default
     let solver = Lbfgsb::new().with_absolute_projected_gradient_tolerance(TOLERANCE);
     let result = Executor::new(problem, solver, FirstOrderState::new(start(case)))
         .max_iter(ITERATIONS)
         .run()
         .map_err(|e| format!("{e:?}"))?;
-    Ok(End { x: result.param().clone(), status: format!("{:?}", result.report.code()), iterations: None })
+    Ok(End {
+        x: result.param().clone(),
+        status: format!("{:?}", result.report.code()),
+        iterations: None,
+    })
 }

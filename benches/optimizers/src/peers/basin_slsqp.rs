@@ -3,9 +3,10 @@
 use super::{End, FALL, ITERATIONS};
 use crate::oracle::{Oracle, Row, rows, start};
 use ::basin::{
-    BoxBounds, ConstraintDescription, ConstraintJacobian, ConstraintSet, ConstraintSolveError, Constraints,
-    CostFunction, DenseMatrix, Executor, Gradient, NoLinearConstraints, NonlinearBlock, NonlinearBlocks,
-    NonlinearEqualityValues, NonlinearInequalityValues, SelectedFirstOrderState, Slsqp, State,
+    BoxBounds, ConstraintDescription, ConstraintJacobian, ConstraintSet, ConstraintSolveError,
+    Constraints, CostFunction, DenseMatrix, Executor, Gradient, NoLinearConstraints,
+    NonlinearBlock, NonlinearBlocks, NonlinearEqualityValues, NonlinearInequalityValues,
+    SelectedFirstOrderState, Slsqp, State,
 };
 use std::convert::Infallible;
 
@@ -19,12 +20,17 @@ struct General<'a, 'b> {
 
 impl General<'_, '_> {
     fn values(&self, rows: &[Row], x: &[f64]) -> Vec<f64> {
-        self.oracle.read(x, |at| rows.iter().map(|row| row.value(at)).collect())
+        self.oracle
+            .read(x, |at| rows.iter().map(|row| row.value(at)).collect())
     }
 }
 
 impl Constraints for General<'_, '_> {
-    type Set = ConstraintSet<BoxBounds<Vec<f64>>, NoLinearConstraints, NonlinearBlocks<NonlinearBlock, NonlinearBlock>>;
+    type Set = ConstraintSet<
+        BoxBounds<Vec<f64>>,
+        NoLinearConstraints,
+        NonlinearBlocks<NonlinearBlock, NonlinearBlock>,
+    >;
 
     fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
         ConstraintSet::new()
@@ -57,7 +63,10 @@ impl NonlinearEqualityValues for General<'_, '_> {
     type Values = Vec<f64>;
     type Error = Infallible;
 
-    fn nonlinear_equalities(&self, x: &Vec<f64>) -> Result<Vec<f64>, ConstraintSolveError<Infallible>> {
+    fn nonlinear_equalities(
+        &self,
+        x: &Vec<f64>,
+    ) -> Result<Vec<f64>, ConstraintSolveError<Infallible>> {
         Ok(self.values(&self.equalities, x))
     }
 }
@@ -67,7 +76,10 @@ impl NonlinearInequalityValues for General<'_, '_> {
     type Values = Vec<f64>;
     type Error = Infallible;
 
-    fn nonlinear_inequalities(&self, x: &Vec<f64>) -> Result<Vec<f64>, ConstraintSolveError<Infallible>> {
+    fn nonlinear_inequalities(
+        &self,
+        x: &Vec<f64>,
+    ) -> Result<Vec<f64>, ConstraintSolveError<Infallible>> {
         Ok(self.values(&self.inequalities, x))
     }
 }
@@ -77,10 +89,15 @@ impl ConstraintJacobian for General<'_, '_> {
     type Jacobian = DenseMatrix;
     type Error = Infallible;
 
-    fn constraint_jacobian(&self, x: &Vec<f64>) -> Result<DenseMatrix, ConstraintSolveError<Infallible>> {
+    fn constraint_jacobian(
+        &self,
+        x: &Vec<f64>,
+    ) -> Result<DenseMatrix, ConstraintSolveError<Infallible>> {
         let rows = || self.equalities.iter().chain(&self.inequalities);
         Ok(self.oracle.read(x, |at| {
-            let entries: Vec<f64> = rows().flat_map(|row| (0..x.len()).map(|i| row.slope(at, i))).collect();
+            let entries: Vec<f64> = rows()
+                .flat_map(|row| (0..x.len()).map(|i| row.slope(at, i)))
+                .collect();
             DenseMatrix::from_row_slice(rows().count(), x.len(), &entries)
         }))
     }
@@ -89,7 +106,13 @@ impl ConstraintJacobian for General<'_, '_> {
 pub fn solve(oracle: &Oracle) -> Result<End, String> {
     let case = oracle.case;
     let (equalities, inequalities) = rows(case);
-    let problem = General { oracle, low: case.low.to_vec(), high: case.high.to_vec(), equalities, inequalities };
+    let problem = General {
+        oracle,
+        low: case.low.to_vec(),
+        high: case.high.to_vec(),
+        equalities,
+        inequalities,
+    };
     let solver = Slsqp::new().with_absolute_accuracy_tolerance(FALL);
     let result = Executor::new(problem, solver, SelectedFirstOrderState::new(start(case)))
         .max_iter(ITERATIONS)
@@ -99,5 +122,9 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
         Some(failure) => format!("{failure:?}"),
         None => format!("{:?}", result.report.code()),
     };
-    Ok(End { x: result.state.param().clone(), status, iterations: Some(result.state.iter()) })
+    Ok(End {
+        x: result.state.param().clone(),
+        status,
+        iterations: Some(result.state.iter()),
+    })
 }

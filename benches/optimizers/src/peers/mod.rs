@@ -36,9 +36,29 @@ impl Peer {
 }
 
 pub const PEERS: [Peer; 5] = [
-    Peer { name: "longdrive", is_for_bounds_only: false, solve: longdrive::solve },
-    Peer { name: "basin SLSQP", is_for_bounds_only: false, solve: basin_slsqp::solve },
-    Peer { name: "basin L-BFGS-B", is_for_bounds_only: true, solve: basin_lbfgsb::solve },
-    Peer { name: "slsqp", is_for_bounds_only: false, solve: slsqp::solve },
-    Peer { name: "ripopt", is_for_bounds_only: false, solve: ripopt::solve },
+    Peer {
+        name: "longdrive",
+        is_for_bounds_only: false,
+        solve: longdrive::solve,
+    },
+    Peer {
+        name: "basin SLSQP",
+        is_for_bounds_only: false,
+        solve: basin_slsqp::solve,
+    },
+    Peer {
+        name: "basin L-BFGS-B",
+        is_for_bounds_only: true,
+        solve: basin_lbfgsb::solve,
+    },
+    Peer {
+        name: "slsqp",
+        is_for_bounds_only: false,
+        solve: slsqp::solve,
+    },
+    Peer {
+        name: "ripopt",
+        is_for_bounds_only: false,
+        solve: ripopt::solve,
+    },
 ];

@@ -11,7 +11,8 @@ impl Program<'_, '_> {
     /// Whether everything is defined at x; only then `read` sees it.
     fn read(&self, x: &[f64], read: impl FnOnce(&Evaluation)) -> bool {
         self.0.read(x, |at| {
-            let is_defined = at.objective.is_finite() && at.constraints.iter().all(|c| c.is_finite());
+            let is_defined =
+                at.objective.is_finite() && at.constraints.iter().all(|c| c.is_finite());
             if is_defined {
                 read(at);
             }
@@ -57,17 +58,27 @@ impl NlpProblem for Program<'_, '_> {
     }
 
     fn constraints(&self, x: &[f64], _: bool, values: &mut [f64]) -> bool {
-        self.read(x, |at| values.iter_mut().zip(&at.constraints).for_each(|(value, c)| *value = c.value))
+        self.read(x, |at| {
+            values
+                .iter_mut()
+                .zip(&at.constraints)
+                .for_each(|(value, c)| *value = c.value)
+        })
     }
 
     fn jacobian_structure(&self) -> (Vec<usize>, Vec<usize>) {
-        (0..self.num_constraints()).flat_map(|j| (0..self.num_variables()).map(move |i| (j, i))).unzip()
+        (0..self.num_constraints())
+            .flat_map(|j| (0..self.num_variables()).map(move |i| (j, i)))
+            .unzip()
     }
 
     fn jacobian_values(&self, x: &[f64], _: bool, values: &mut [f64]) -> bool {
         let n = self.num_variables();
         self.read(x, |at| {
-            values.iter_mut().enumerate().for_each(|(k, value)| *value = at.constraints[k / n].gradient[k % n]);
+            values
+                .iter_mut()
+                .enumerate()
+                .for_each(|(k, value)| *value = at.constraints[k / n].gradient[k % n]);
         })
     }
 
@@ -75,10 +86,21 @@ impl NlpProblem for Program<'_, '_> {
         self.triangle().unzip()
     }
 
-    fn hessian_values(&self, x: &[f64], _: bool, weight: f64, multipliers: &[f64], values: &mut [f64]) -> bool {
+    fn hessian_values(
+        &self,
+        x: &[f64],
+        _: bool,
+        weight: f64,
+        multipliers: &[f64],
+        values: &mut [f64],
+    ) -> bool {
         self.read(x, |at| {
             for (value, (i, j)) in values.iter_mut().zip(self.triangle()) {
-                let constraints = at.constraints.iter().zip(multipliers).map(|(c, m)| m * c.hessian[i][j]);
+                let constraints = at
+                    .constraints
+                    .iter()
+                    .zip(multipliers)
+                    .map(|(c, m)| m * c.hessian[i][j]);
                 *value = weight * at.objective.hessian[i][j] + constraints.sum::<f64>();
             }
         })
@@ -96,5 +118,9 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
         ..SolverOptions::default()
     };
     let result = ::ripopt::solve(&Program(oracle), &options);
-    Ok(End { x: result.x, status: format!("{:?}", result.status), iterations: Some(result.iterations as u64) })
+    Ok(End {
+        x: result.x,
+        status: format!("{:?}", result.status),
+        iterations: Some(result.iterations as u64),
+    })
 }

@@ -1,4 +1,5 @@
-//! slsqp: NLopt's SLSQP in Rust. Its interface has inequalities only; an equality is given as two of them.
+//! slsqp: NLopt's SLSQP in Rust. Its interface has inequalities only; an equality is given as two
+//! of them.
 
 use super::{End, FALL, ITERATIONS};
 use crate::oracle::{Oracle, Row, rows, start};
@@ -8,7 +9,13 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
     let case = oracle.case;
     let (equalities, mut constraints) = rows(case);
     for row in equalities {
-        constraints.extend([row, Row { sign: -row.sign, ..row }]);
+        constraints.extend([
+            row,
+            Row {
+                sign: -row.sign,
+                ..row
+            },
+        ]);
     }
     let objective = |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| {
         oracle.read(x, |at| {
@@ -24,21 +31,47 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
             move |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| {
                 oracle.read(x, |at| {
                     if let Some(gradient) = gradient {
-                        gradient.iter_mut().enumerate().for_each(|(i, slope)| *slope = row.slope(at, i));
+                        gradient
+                            .iter_mut()
+                            .enumerate()
+                            .for_each(|(i, slope)| *slope = row.slope(at, i));
                     }
                     row.value(at)
                 })
             }
         })
         .collect();
-    let functions: Vec<&dyn Func<()>> = functions.iter().map(|function| function as &dyn Func<()>).collect();
-    let bounds: Vec<(f64, f64)> = case.low.iter().copied().zip(case.high.iter().copied()).collect();
-    let stop = StopTols { ftol_rel: FALL, ..StopTols::default() };
+    let functions: Vec<&dyn Func<()>> = functions
+        .iter()
+        .map(|function| function as &dyn Func<()>)
+        .collect();
+    let bounds: Vec<(f64, f64)> = case
+        .low
+        .iter()
+        .copied()
+        .zip(case.high.iter().copied())
+        .collect();
+    let stop = StopTols {
+        ftol_rel: FALL,
+        ..StopTols::default()
+    };
     // it limits evaluations: ten for each iteration
     let most = 10 * ITERATIONS as usize;
-    let (status, x) = match minimize(objective, &start(case), &bounds, &functions, (), most, Some(stop)) {
+    let (status, x) = match minimize(
+        objective,
+        &start(case),
+        &bounds,
+        &functions,
+        (),
+        most,
+        Some(stop),
+    ) {
         Ok((status, x, _)) => (format!("{status:?}"), x),
         Err((status, x, _)) => (format!("{status:?}"), x),
     };
-    Ok(End { x, status, iterations: None })
+    Ok(End {
+        x,
+        status,
+        iterations: None,
+    })
 }

@@ -1,12 +1,13 @@
-//! eˣ and eˣ − 1 without a branch or a call, so that they stay in the registers of a vector unit. Measured against
-//! exact values: within 2 units in the last place.
+//! eˣ and eˣ − 1 without a branch or a call, so that they stay in the registers of a vector unit.
+//! Measured against exact values: within 2 units in the last place.
 
 use crate::number::{Numbers, inlined};
 
 /// 1.5·2⁵²: a number added to it is rounded to a whole one, which then stands in the low bits.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// ln 2 in two parts, the first short enough that its whole multiples are exact (Cody & Waite 1980).
+/// ln 2 in two parts, the first short enough that its whole multiples are exact (Cody & Waite
+/// 1980).
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
@@ -33,7 +34,8 @@ pub(super) trait Powers: Numbers {
     fn clamped(self, low: f64, high: f64) -> Self;
 }
 
-/// 2ᵏ and eʳ − 1 with x = k ln 2 + r, |r| ≤ ½ ln 2: Taylor's polynomial of degree 13, summed in pairs.
+/// 2ᵏ and eʳ − 1 with x = k ln 2 + r, |r| ≤ ½ ln 2: Taylor's polynomial of degree 13, summed in
+/// pairs.
 #[inline(always)]
 fn reduced<V: Powers>(x: V) -> (V, V) {
     let x = x.clamped(LEAST, GREATEST);

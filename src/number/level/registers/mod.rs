@@ -1,8 +1,10 @@
 //! Vector registers as numbers: lanes of drives side by side, or partial derivatives of one.
 //!
-//! The one place that names instructions. Only the [`Level`](super::Level) above can name a register type. It does so after it has asked the
-//! processor (AVX2, AVX-512), or where every processor of the architecture (NEON) or of the build (WebAssembly) has the instructions. All other
-//! code has a register as the type that its [`Task`](super::Task) is run over. That is what each `unsafe` here relies on.
+//! The one place that names instructions. Only the [`Level`](super::Level) above can name a
+//! register type. It does so after it has asked the processor (AVX2, AVX-512), or where every
+//! processor of the architecture (NEON) or of the build (WebAssembly) has the instructions. All
+//! other code has a register as the type that its [`Task`](super::Task) is run over. That is what
+//! each `unsafe` here relies on.
 #![allow(unsafe_code)]
 // what is unsafe on one architecture is not on another
 #![allow(unused_unsafe)]
@@ -37,9 +39,14 @@ pub(super) use x86::{Pack4, Pack8};
 mod tests {
     use crate::number::{Lanes, Level, Numbers, Task, inlined};
 
-    /// The largest error of a function, in units of the last place of what the C library has, which is within one of exact.
+    /// The largest error of a function, in units of the last place of what the C library has, which
+    /// is within one of exact.
     #[inline(always)]
-    fn worst<V: Lanes<Lane = f64>>(at: impl Fn(f64) -> f64, f: impl Fn(V) -> V, exact: impl Fn(f64) -> f64) -> f64 {
+    fn worst<V: Lanes<Lane = f64>>(
+        at: impl Fn(f64) -> f64,
+        f: impl Fn(V) -> V,
+        exact: impl Fn(f64) -> f64,
+    ) -> f64 {
         let mut worst = 0.0_f64;
         for i in -40_000..40_000 {
             let x = V::with_values(|lane| at(f64::from(i) + 0.1 * lane as f64));
@@ -60,15 +67,21 @@ mod tests {
 
         #[inline(always)]
         fn run<V: Lanes<Lane = f64>>(&mut self) -> [f64; 7] {
-            assert_eq!((V::zero().exp().lane(0), V::zero().exp_m1().lane(0)), (1.0, 0.0));
-            let [none, all, undefined] = [-1e9, 1e9, f64::NAN].map(|x| V::constant(x).exp().lane(0));
+            assert_eq!(
+                (V::zero().exp().lane(0), V::zero().exp_m1().lane(0)),
+                (1.0, 0.0)
+            );
+            let [none, all, undefined] =
+                [-1e9, 1e9, f64::NAN].map(|x| V::constant(x).exp().lane(0));
             assert!(none < 1e-300 && all > 1e300 && undefined.is_nan());
             // 1e-12 to 1e12, ±700 and ±4
             let powers = |i: f64| 10_f64.powf(i * 3e-4);
             let (wide, narrow) = (|i: f64| i * 0.0175 + 1e-7, |i: f64| i * 1e-4 + 3e-9);
             [
                 worst::<V>(powers, inlined!(|x: V| x.sqrt_recip().0), f64::sqrt),
-                worst::<V>(powers, inlined!(|x: V| x.sqrt_recip().1), |x| 1.0 / x.sqrt()),
+                worst::<V>(powers, inlined!(|x: V| x.sqrt_recip().1), |x| {
+                    1.0 / x.sqrt()
+                }),
                 worst::<V>(wide, inlined!(|x: V| x.exp()), f64::exp),
                 worst::<V>(narrow, inlined!(|x: V| x.exp_m1()), f64::exp_m1),
                 worst::<V>(narrow, inlined!(|x: V| x.sin()), f64::sin),
@@ -79,11 +92,15 @@ mod tests {
     }
 
     #[test]
-    fn measured_functions_are_within_two_units_of_those_of_libm_and_tanh_in_registers_within_three() {
+    fn measured_functions_are_within_two_units_of_those_of_libm_and_tanh_in_registers_within_three()
+    {
         for level in Level::ALL {
             let worst = level.run(Functions);
             let ([others @ .., tanh], most) = (worst, if level.width() == 1 { 2.0 } else { 3.0 });
-            assert!(others.iter().all(|most| *most <= 2.0) && tanh <= most, "{level:?}: {worst:?}");
+            assert!(
+                others.iter().all(|most| *most <= 2.0) && tanh <= most,
+                "{level:?}: {worst:?}"
+            );
         }
     }
 }

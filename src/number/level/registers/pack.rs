@@ -1,6 +1,8 @@
-/// A register type with its operators, as lanes. `outlined`: the module of `number/outlined.rs` for its instructions, `plain` where every processor
-/// of the architecture has them. `fused`: a b + c, rounded once where that is as fast. `least`: the smaller and the larger of two, NaN where the second is NaN.
-/// `power`: 2ᵏ from k + ROUNDER. `below`: a bit for each number, the first the lowest. `blend`: `yes` where the bit is set.
+/// A register type with its operators, as lanes. `outlined`: the module of `number/outlined.rs` for
+/// its instructions, `plain` where every processor of the architecture has them. `fused`: a b + c,
+/// rounded once where that is as fast. `least`: the smaller and the larger of two, NaN where the
+/// second is NaN. `power`: 2ᵏ from k + ROUNDER. `below`: a bit for each number, the first the
+/// lowest. `blend`: `yes` where the bit is set.
 macro_rules! pack {
     (
         $(#[doc = $doc:literal])+

@@ -1,7 +1,8 @@
 use super::exponential::{Powers, TAYLOR};
 use crate::number::{Mask, inlined};
 
-/// x² up to which Taylor's polynomials of degrees 17 and 16 are exact to rounding: 46°, where clubs and launches are.
+/// x² up to which Taylor's polynomials of degrees 17 and 16 are exact to rounding: 46°, where clubs
+/// and launches are.
 const MOST_SQUARED: f64 = 0.64;
 
 /// sin x and cos x without a call where all angles are below 46°, and `large` else.
@@ -21,5 +22,8 @@ pub(super) fn sin_cos<V: Powers>(x: V, large: impl Fn(V) -> (V, V)) -> (V, V) {
         }
         sum
     });
-    ((-(x * y)).mul_add(series(1), x), (-y).mul_add(series(0), V::constant(1.0)))
+    (
+        (-(x * y)).mul_add(series(1), x),
+        (-y).mul_add(series(0), V::constant(1.0)),
+    )
 }

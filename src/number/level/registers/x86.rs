@@ -31,8 +31,9 @@ pack! {
         below |x, limit| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, limit),
         blend |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
         root and inverse |x| {
-            // x above 0: at 0 both are NaN. 14 bits from a table, 70 by one step of fourth order: the divider is busy three times as long with a root and
-            // a quotient. Both are reached by the shortest chain; a rounding of the first is halved in them
+            // x above 0: at 0 both are NaN. 14 bits from a table, 70 by one step of fourth order:
+            // the divider is busy three times as long with a root and a quotient. Both are reached
+            // by the shortest chain; a rounding of the first is halved in them
             let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
             let first = x * guess;
             let error = -first.mul_add(guess, Self::constant(-1.0));
