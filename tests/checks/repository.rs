@@ -1,0 +1,102 @@
+//! Files and history of the repository: commit messages, build profiles.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("..")
+        .canonicalize()
+        .unwrap()
+}
+
+/// Output of git in the project's folder, `None` without git or without a repository.
+fn git(arguments: &[&str]) -> Option<String> {
+    let output = Command::new("git")
+        .args(arguments)
+        .current_dir(root())
+        .output()
+        .ok()?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    output.status.success().then(|| text.trim().to_owned())
+}
+
+/// Violations of the rules for commit messages in CONTRIBUTING.md.
+fn faults(message: &str) -> Vec<String> {
+    let (subject, rest) = message.split_once('\n').unwrap_or((message, ""));
+    let length = subject.chars().count();
+    let mut faults = vec![];
+    if length > 72 {
+        faults.push(format!(
+            "a subject of {length} characters, more than 72: {subject}"
+        ));
+    }
+    if !rest.is_empty() && !rest.starts_with('\n') {
+        faults.push(format!("no empty line after the subject: {subject}"));
+    }
+    if rest.trim().is_empty() {
+        faults.push(format!("no body that says why: {subject}"));
+    }
+    faults
+}
+
+#[test]
+fn faults_of_commit_messages_are_found() {
+    let subject = "a".repeat(72);
+    assert!(faults(&format!("{subject}\n\nReason.")).is_empty());
+    assert_eq!(faults(&format!("{subject}b\n\nReason.")).len(), 1);
+    assert_eq!(faults("Subject\nReason.").len(), 1);
+    assert_eq!(faults("Subject").len(), 1);
+    assert_eq!(faults("Subject\n\n").len(), 1);
+}
+
+/// Reads the commits after the one that added this file.
+#[test]
+fn newest_commits_have_a_short_subject_and_a_body() {
+    // a source archive may be unpacked inside another repository
+    let is_this_repository = git(&["rev-parse", "--show-toplevel"])
+        .is_some_and(|folder| Path::new(&folder).canonicalize().ok() == Some(root()));
+    let added = [
+        "log",
+        "--no-renames",
+        "--diff-filter=A",
+        "--format=%H",
+        "--",
+        "tests/checks/repository.rs",
+    ];
+    // in a shallow clone, the oldest commit present counts as the one that added the file
+    let Some(first) = git(&added)
+        .filter(|_| is_this_repository)
+        .and_then(|hashes| hashes.lines().next().map(str::to_owned))
+    else {
+        return;
+    };
+    let later = format!("{first}..HEAD");
+    let messages = git(&["log", "--no-merges", "--format=%B%x00", &later]).unwrap_or_default();
+    let faults: Vec<String> = messages
+        .split('\0')
+        .map(str::trim_start)
+        .filter(|message| !message.is_empty())
+        .flat_map(faults)
+        .collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// A release of the program aborts on a panic; the Python package must raise an exception.
+#[test]
+fn a_wheel_of_the_python_package_unwinds() {
+    /// Lines of a section of a TOML file.
+    fn section(path: &str, head: &str) -> Vec<String> {
+        let text = std::fs::read_to_string(root().join(path)).unwrap();
+        text.lines()
+            .skip_while(|line| *line != head)
+            .skip(1)
+            .take_while(|line| !line.starts_with('['))
+            .map(str::to_owned)
+            .collect()
+    }
+    let wheel = r#"profile = "wheel""#.to_owned();
+    let unwinds = r#"panic = "unwind""#.to_owned();
+    assert!(section("python/pyproject.toml", "[tool.maturin]").contains(&wheel));
+    assert!(section("Cargo.toml", "[profile.wheel]").contains(&unwinds));
+}
