@@ -24,7 +24,7 @@ fn allocations<T: Number>(setup: &Setup<f64>, variable: impl Fn(f64) -> T) -> u6
 }
 
 #[test]
-fn exact_count_of_allocations_in_a_drive_is_zero() {
+fn exact_no_allocations_in_a_drive() {
     for law in longdrive::parameters::Law::NAMES {
         let mut setup = Setup::default();
         setup.set_law(law).unwrap();

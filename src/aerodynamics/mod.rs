@@ -156,7 +156,7 @@ mod tests {
     /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to one in the
     /// last digit.
     #[test]
-    fn paper_values_of_launch_monitor_and_ferguson() {
+    fn published_values_of_launch_monitor_and_ferguson() {
         let spin_ratios = [0.08, 0.10, 0.15, 0.20, 0.25, 0.30];
         for (name, drag, lift) in [
             (
@@ -183,7 +183,7 @@ mod tests {
     /// What the law recovered from Winfield & Tan must be where their flights pass: positive drag,
     /// and lift that begins at 0 and rises with spin.
     #[test]
-    fn exact_signs_of_the_recovered_law() {
+    fn recovered_law_has_positive_drag_and_lift_that_rises_with_spin() {
         let law = Law::named("winfield-tan").unwrap();
         for speed in [25.0, 35.0, 45.0, 55.0, 70.0] {
             let at = |s: f64| {

@@ -99,7 +99,7 @@ mod tests {
     use crate::Setup;
 
     #[test]
-    fn exact_wind_at_the_reference_height_and_logarithmic_far_above() {
+    fn exact_wind_at_the_reference_height_and_logarithmic_profile_far_above() {
         let mut setup = Setup::default();
         (setup.wind.downrange, setup.wind.roughness) = (5.0, Some(0.03));
         let field = WindField::new(&setup.wind, &setup.ground);

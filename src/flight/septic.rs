@@ -197,7 +197,7 @@ mod tests {
     /// Newton's method from s = 1 converges quadratically for these cubics: in eight steps at most,
     /// and the two with derivatives.
     #[test]
-    fn exact_roots_in_as_many_steps_as_newtons_method_takes() {
+    fn exact_roots_in_the_number_of_steps_of_newtons_method() {
         for i in 1..1000 {
             let (root, bend) = (f64::from(i) * 1e-3, f64::from(i % 7));
             let steps = Cell::new(0);

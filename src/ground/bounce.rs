@@ -138,7 +138,7 @@ mod tests {
 
     /// Penner's equations by hand (2002, pp. 933–934): rolling at exit.
     #[test]
-    fn paper_bounce_of_penner_where_the_ball_rolls_at_exit() {
+    fn published_bounce_of_penner_with_rolling_at_exit() {
         let turf = Turf::new(&Setup::default());
         for (speed, spin) in [(SPEED, 300.0), (25.0, 200.0), (28.0, 0.0)] {
             // of his tilt there is left what a ball digs that comes in at 45.6° from the ground
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_energy_never_grows_in_a_bounce() {
+    fn energy_never_grows_in_a_bounce() {
         let mut turf = Turf::new(&Setup::default());
         for compliance in [0.0, 0.1, 0.27, 1.0] {
             for friction in [0.01, 0.4, 3.0] {
@@ -196,7 +196,7 @@ mod tests {
     /// between them would be negative, and the ball be thrown back by a surface that it does not
     /// meet.
     #[test]
-    fn exact_no_ball_meets_the_crater_from_behind() {
+    fn no_ball_meets_the_crater_from_behind() {
         let turf = Turf::new(&Setup::default());
         for speed in 1..200 {
             for degrees in 1..90 {
@@ -231,7 +231,7 @@ mod tests {
     /// Where friction begins to slip and where it slips wholly, value, slope and curvature of what
     /// it gives join.
     #[test]
-    fn exact_friction_is_c2_where_sticking_turns_into_slipping() {
+    fn exact_friction_is_c2_between_sticking_and_slipping() {
         let setup = Setup::default();
         let turf = Turf::new(&setup.map(|_, value| Dual2_64::from(value)));
         let given = |needed: f64| {

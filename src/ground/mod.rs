@@ -278,7 +278,7 @@ mod tests {
     /// A hop beside the same with drag along the ground in small steps, at the density of usual
     /// air.
     #[test]
-    fn differences_of_a_hop_to_one_in_small_steps_are_below_a_hundredth() {
+    fn independent_hop_by_integration_in_small_steps_within_a_hundredth() {
         let (g, drag) = (9.81, 0.0184 * DRAG);
         let slope = Slope::new(0.0, 0.0, g);
         for (rise, along) in [(3.0, 8.0), (6.0, 14.0), (4.0, 28.0)] {

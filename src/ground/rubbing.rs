@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_way_to_rest_beside_small_steps() {
+    fn independent_roll_out_by_integration_in_small_steps() {
         let velocity = Vector::new(0.0, 3.0, 8.0);
         for pull in [
             [0.0, 0.0, 0.0],
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_no_rest_where_the_pull_is_as_large_as_the_deceleration() {
+    fn no_rest_where_gravity_along_the_slope_reaches_the_deceleration() {
         let velocity = Vector::new(0.0_f64, 0.0, 5.0);
         for pull in [2.0, 2.5] {
             let (time, way) = Rubbing {

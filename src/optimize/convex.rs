@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_hessian_is_kept_where_convex_and_free_block_where_a_held_variable_is_to_blame() {
+    fn exact_hessian_where_convex_and_free_block_where_an_active_variable_makes_it_indefinite() {
         let convex = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
         assert_eq!(convexified(&convex, &[]), convex);
         let bent = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, -3.0]);

@@ -23,7 +23,7 @@ mod tests {
     use super::coordinate;
 
     #[test]
-    fn exact_each_stretch_has_one_point_in_each_cell() {
+    fn exact_each_block_of_the_sequence_has_one_point_in_each_cell() {
         for stretch in [0_u64, 1 << 16, 3 << 16] {
             let mut seen = [[0; 16]; 16];
             for point in stretch..stretch + 256 {

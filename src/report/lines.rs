@@ -104,14 +104,14 @@ mod tests {
     use super::{WIDTH, by_reason, item, paragraph, remark};
 
     #[test]
-    fn exact_a_reason_is_given_once_with_all_that_it_holds_for() {
+    fn a_reason_is_printed_once_with_all_its_names() {
         let reasons = [("a", "no number"), ("b", "no flight"), ("c", "no number")];
         let told = by_reason(reasons.map(|(name, reason)| (name, reason.to_owned())));
         assert_eq!(told, ["a, c: no number", "b: no flight"]);
     }
 
     #[test]
-    fn exact_no_line_is_wider_than_a_terminal_and_no_word_is_lost() {
+    fn no_line_is_wider_than_a_terminal_and_no_word_is_lost() {
         let words =
             "a long explanation of what this is about, with the reason and what to do with it "
                 .repeat(4);

@@ -99,7 +99,7 @@ mod tests {
     use super::{Published, Quantity, System};
 
     #[test]
-    fn paper_numbers_keep_the_papers_units_with_those_asked_for_beside() {
+    fn published_numbers_keep_their_units_beside_the_chosen_ones() {
         let [alone, beside] = System::ALL.map(|system| Published {
             paper: System::Metric,
             system,

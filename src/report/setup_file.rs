@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_setups_of_every_law_read_back_to_the_last_bit() {
+    fn same_setup_of_every_law_after_writing_and_reading() {
         for (k, law) in Law::NAMES.iter().enumerate() {
             for preset in PRESETS {
                 let mut setup = Setup::preset(preset.name).unwrap();

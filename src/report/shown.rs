@@ -459,7 +459,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_sides_and_both_systems() {
+    fn sides_and_both_unit_systems_are_printed() {
         for (value, shown) in [
             (2.92608, "3.2 yd R"),
             (-2.92608, "3.2 yd L"),
@@ -486,7 +486,7 @@ mod tests {
         );
     }
     #[test]
-    fn exact_two_numbers_that_differ_never_read_alike() {
+    fn two_different_numbers_never_print_alike() {
         let setup = Setup::<f64>::default();
         let vary = |text: &str| Vary::read(&setup, text).unwrap();
         let loft = vary("club.loft=0deg..89deg");
@@ -516,7 +516,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_rounding_is_shown_as_0_and_true_small_derivatives_are_not() {
+    fn rounding_is_printed_as_0_and_small_derivatives_are_not() {
         let setup = Setup::<f64>::default();
         let shown = |of: Outcome, value: f64, by: &str, d: f64, system: System| {
             slope(of, value, setup.parameter(by).unwrap(), d, system, 4)

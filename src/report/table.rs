@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_no_line_is_wider_than_a_terminal_and_nothing_is_lost() {
+    fn no_table_is_wider_than_a_terminal_and_nothing_is_lost() {
         let words =
             "a long explanation of what this row is about and what to do with it ".repeat(3);
         let text = table(

@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_objects_are_found_in_lines_arrays_and_one_after_the_other() {
+    fn objects_are_found_in_lines_arrays_and_sequences() {
         let (a, b) = (r#"{"a": {"b": "}\"{"}, "c": [1, 2]}"#, r#"{"d": 2}"#);
         let whole = |line, text: &str| (line, text.to_owned(), true);
         for text in [
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_what_is_cut_short_or_no_object_takes_no_other_with_it() {
+    fn truncated_or_wrong_objects_do_not_affect_others() {
         let broken = |line, text: &str| (line, text.to_owned(), false);
         let whole = |line, text: &str| (line, text.to_owned(), true);
         for (text, expected) in [

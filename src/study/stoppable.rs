@@ -42,7 +42,7 @@ mod tests {
     use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
     #[test]
-    fn exact_no_item_is_begun_after_the_flag_but_those_under_way_end() {
+    fn no_item_is_begun_after_cancellation_and_running_ones_end() {
         let items: Vec<usize> = (0..100_000).collect();
         for threads in [1, 2, 4] {
             let pool = ThreadPoolBuilder::new()

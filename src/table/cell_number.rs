@@ -141,7 +141,7 @@ mod tests {
     use super::{CellNumber, Side, cell_number};
 
     #[test]
-    fn exact_numbers_with_units_and_sides() {
+    fn numbers_with_units_and_sides_are_read() {
         let right = Some(Side::OfTarget { is_right: true });
         let left = Some(Side::OfTarget { is_right: false });
         let down = Some(Side::UpDown { is_up: false });

@@ -87,7 +87,7 @@ mod tests {
     use super::{cells, is_open, quoted};
 
     #[test]
-    fn exact_cells_are_read_as_written() {
+    fn cells_are_read_as_written() {
         for (text, expected) in [
             ("a, b ,c", &["a", "b", "c"][..]),
             ("", &[""]),

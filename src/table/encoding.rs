@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_texts_are_the_same_in_every_encoding_and_behind_every_mark() {
+    fn same_text_in_every_encoding_and_after_every_byte_order_mark() {
         let text = "Ball Speed [mph],Spin Axis [°]\n167,3 𝄞\n".repeat(900);
         let mark = "\u{feff}";
         let with = |marks: usize| mark.repeat(marks) + &text;
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_what_is_no_text_in_utf_16_is_refused() {
+    fn invalid_utf_16_is_refused() {
         // half a character at the end; the second half of a pair, and the first, alone
         let [cut, second, first]: [&[u8]; 3] =
             [b"b", &[0x1e, 0xdd, b'b', 0], &[0x34, 0xd8, b'b', 0]];

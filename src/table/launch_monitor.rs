@@ -355,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_lines_of_units() {
+    fn lines_of_units_are_recognised() {
         let heads = ["Date", "Ball Speed", "Launch Angle", "Spin Rate"].map(String::from);
         let below = |cells: [&str; 4]| units_row(&heads, &cells.map(String::from));
         let read = Some(vec![

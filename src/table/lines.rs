@@ -155,7 +155,7 @@ mod tests {
     use super::{Encoding, Lines};
 
     #[test]
-    fn exact_a_quote_that_never_closes_takes_no_other_row_with_it() {
+    fn an_unclosed_quote_affects_no_other_row() {
         let rows = |text: &'static str| {
             let mut lines = Lines::new(Box::new(text.as_bytes()), text, Encoding::Utf8);
             std::iter::from_fn(|| lines.record(b',').unwrap())

@@ -108,7 +108,7 @@ mod tests {
     use super::{number, unit};
 
     #[test]
-    fn exact_numbers_with_marks_of_decimals_and_thousands() {
+    fn numbers_with_decimal_and_thousands_marks_are_read() {
         for (cell, comma, expected) in [
             ("2,686", false, 2686.0),
             ("1,234,567.5", false, 1_234_567.5),
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_units_in_other_spellings() {
+    fn units_in_other_spellings_are_read() {
         assert_eq!(
             ["MPH", "Yards", "yds", "°", "Pa s"].map(unit),
             ["mph", "yards", "yd", "°", "Pa s"]

@@ -372,7 +372,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_temperatures_have_a_zero_and_their_differences_have_none() {
+    fn exact_zeros_of_temperatures_and_none_of_their_differences() {
         for (text, kelvin) in [
             ("-40 degF", 233.15),
             ("32 °F", 273.15),

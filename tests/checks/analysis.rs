@@ -131,13 +131,13 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
 }
 
 #[test]
-fn differences_of_optima_searched_anew_agree_with_every_sensitivity_on_a_bound() {
+fn differences_of_new_optima_confirm_every_sensitivity_on_a_bound() {
     let setup = Setup::preset("mae494").unwrap();
     differences_agree(&setup, &search(&setup, &BOX, &[]));
 }
 
 #[test]
-fn differences_of_optima_searched_anew_agree_with_every_sensitivity_at_a_constraint() {
+fn differences_of_new_optima_confirm_every_sensitivity_at_a_constraint() {
     let setup = askew();
     let search = search(
         &setup,
@@ -156,7 +156,7 @@ fn differences_of_optima_searched_anew_agree_with_every_sensitivity_at_a_constra
 }
 
 #[test]
-fn exact_price_of_a_constraint_is_what_relaxing_it_brings() {
+fn differences_confirm_the_price_of_a_constraint() {
     let setup = Setup::default();
     let at = |limit: &str| {
         best(
@@ -294,7 +294,7 @@ fn every_mistake_in_a_constraint_points_into_it() {
 }
 
 #[test]
-fn independent_mae494_optimum_is_the_best_of_every_batch_of_sixteen() {
+fn independent_mae494_optimum_from_every_batch_of_sixteen() {
     let setup = Setup::preset("mae494").unwrap();
     // the box, and one twice as wide: its maximum is the corner at zero spin (model page: 38.53°,
     // 170.574 m)
@@ -359,7 +359,7 @@ fn independent_mae494_optimum_is_the_best_of_every_batch_of_sixteen() {
 }
 
 #[test]
-fn exact_windows_lose_what_they_allow_and_no_more_within() {
+fn exact_loss_at_the_ends_of_windows() {
     let setup = Setup::default();
     for vary in [
         ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
@@ -465,7 +465,7 @@ fn a_change_that_moves_the_active_set_is_foreseen_and_seen() {
 }
 
 #[test]
-fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_changes() {
+fn same_optima_on_the_chart_and_in_single_searches() {
     let setup = Setup::default();
     let search = search(
         &setup,
@@ -520,7 +520,7 @@ fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_c
 
 /// Where the largest carry without the limit is the limit, it can just be met: below, it cannot.
 #[test]
-fn independent_a_chart_begins_where_its_limit_can_just_be_met() {
+fn same_begin_of_a_chart_and_of_the_feasible_range() {
     let mut setup = Setup::default();
     setup.set_all(LARGE_STEPS).unwrap();
     let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
@@ -586,7 +586,7 @@ fn a_saddle_is_left_for_a_maximum() {
 /// The head is pitched by its attack angle: the impact is the same in its own frame, so that the
 /// spin depends on the loft alone.
 #[test]
-fn exact_optimum_that_does_not_depend_on_a_variable_is_told_and_has_no_sensitivity() {
+fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     let setup = Setup::default();
     let vary = ["club.loft=4deg..20deg", BOX[1]];
     let search = Search {
@@ -617,7 +617,7 @@ fn exact_optimum_that_does_not_depend_on_a_variable_is_told_and_has_no_sensitivi
 /// Which of the points that searches from many starts end at is nearest to the constraints has
 /// nothing to do with the objective.
 #[test]
-fn exact_nearest_point_of_many_starts_is_the_same_for_both_senses() {
+fn same_nearest_point_of_many_starts_for_both_senses() {
     let setup = Setup::default();
     let limits = ["descent_angle >= 45 deg", "apex_height <= 30 yd"];
     let nearest = [Sense::Maximize, Sense::Minimize].map(|sense| {

@@ -116,7 +116,7 @@ fn elsewhere() -> Setup<f64> {
 }
 
 #[test]
-fn exact_truth_is_found_again_from_shots_without_noise() {
+fn exact_truth_recovered_from_shots_without_noise() {
     let found = fitted(
         &shots(&mut Noise(1), 0.0),
         &elsewhere(),
@@ -136,7 +136,7 @@ fn exact_truth_is_found_again_from_shots_without_noise() {
 }
 
 #[test]
-fn exact_coverage_of_intervals_over_200_draws_of_noise() {
+fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
     let (mut noise, mut covered, mut chi_square) = (Noise(20_261_121), [0; 2], 0.0);
     for _ in 0..200 {
         let found = fitted(&shots(&mut noise, 1.0), &truth(), &LAW, Loss::Squares);
@@ -160,7 +160,7 @@ fn exact_coverage_of_intervals_over_200_draws_of_noise() {
 }
 
 #[test]
-fn exact_outlier_is_borne_by_hubers_loss() {
+fn hubers_loss_limits_the_effect_of_an_outlier() {
     let text = shots(&mut Noise(7), 0.3);
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     // a carry misread by 60 m
@@ -177,7 +177,7 @@ fn exact_outlier_is_borne_by_hubers_loss() {
 }
 
 #[test]
-fn exact_parameters_that_cannot_be_told_apart_are_named() {
+fn confounded_parameters_are_named() {
     // density and viscosity: the law knows no Reynolds number; drag and lift go with density, so
     // that it trades with both
     let names = ["aero.cd", "aero.cl_slope", "air.density", "air.viscosity"];
@@ -280,7 +280,7 @@ fn yards(metres: f64) -> f64 {
 
 /// Every printed number, within what one smooth law can do.
 #[test]
-fn paper_winfield_tan_comes_out_of_the_preset() {
+fn published_tables_of_winfield_and_tan_by_the_preset() {
     let (status, found) = json(&["reproduce", "winfield-tan"]);
     assert_eq!(status, 0);
     let printed = &found["printed"];
@@ -343,7 +343,7 @@ fn table(text: &str) -> tempfile::NamedTempFile {
 }
 
 #[test]
-fn exact_truth_from_the_command_line_with_missing_cells_and_a_setup_file() {
+fn exact_truth_recovered_on_the_command_line_with_missing_cells() {
     let text = shots(&mut Noise(5), 0.0);
     // the apex of one shot was not seen
     let mut lines: Vec<&str> = text.lines().collect();
@@ -542,7 +542,7 @@ fn a_launch_by_names_of_both_kinds_is_read_whole() {
 /// As Foresight writes it: a spin axis without a unit, with its side; a summary below, and a shot
 /// whose ball was not seen.
 #[test]
-fn exact_exports_leave_out_summaries_and_incomplete_rows_by_name_and_read_angles_in_degrees() {
+fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees() {
     let head =
         "Shot,Ball Speed (mph),Launch Angle,Side Angle,Total Spin (rpm),Spin Axis,Carry (yd)\n";
     let shots = "1,160,12.0,1.5 R,2500,6.8 L,262\n2,,11.0,0.5 L,2400,2.0 R,\n3,150,13.0,0.5 \
@@ -684,7 +684,7 @@ fn asked(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
 }
 
 #[test]
-fn exact_fits_with_nothing_left_over_are_converged_and_say_so() {
+fn exact_fits_without_residuals_are_converged() {
     // the rows were flown with the setup's own step: in another nothing would be met to rounding
     let fit = [
         "--own-step",
@@ -748,7 +748,7 @@ fn exact_fits_with_nothing_left_over_are_converged_and_say_so() {
 }
 
 #[test]
-fn exact_confounded_parameters_are_no_answer() {
+fn confounded_parameters_are_no_answer() {
     // shaft lean and loft turn the face by their sum: the launch hardly sees anything else
     let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Spin];
     let text = flown(&[42.0, 46.0, 50.0, 54.0], &launch, Some(0.3));
@@ -819,7 +819,7 @@ fn exact_confounded_parameters_are_no_answer() {
 }
 
 #[test]
-fn exact_one_datum_and_parameters_all_on_bounds() {
+fn one_datum_and_parameters_all_on_bounds_are_reported() {
     let text = flown(&[50.0], &[Outcome::Carry], None);
     let (status, said, _) = asked(&text, &["--fit", "aero.cd0"]);
     assert_eq!(status, 0, "{said}");
@@ -900,7 +900,7 @@ fn interrupting(after: u64) -> Follow {
 }
 
 #[test]
-fn exact_interrupted_folds_are_left_out_and_counted() {
+fn interrupted_folds_are_omitted_and_counted() {
     let text = shots(&mut Noise(11), 1.0);
     let setup = elsewhere();
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
@@ -1348,7 +1348,7 @@ fn a_fit_that_describes_nothing_or_ends_on_a_bound_is_warned_of() {
 
 /// What a table of shots cannot hold is refused also where it was made by hand, with its row.
 #[test]
-fn measured_values_made_by_hand_that_are_none_are_refused_with_their_row() {
+fn impossible_measured_values_are_refused_with_their_row() {
     let setup = Setup::default();
     let text = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry \
                 [m]\n60,12,2500,180\n70,11,2500,220\n";

@@ -164,7 +164,7 @@ fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
 }
 
 #[test]
-fn exact_both_points_are_one_where_the_head_does_not_turn() {
+fn exact_both_points_coincide_if_the_head_does_not_turn() {
     let mut setup = turning();
     (
         setup.swing.closure_x,
@@ -186,7 +186,7 @@ fn exact_both_points_are_one_where_the_head_does_not_turn() {
 
 /// By loft, depth, closure and weight, on which the way from the one point to the other depends.
 #[test]
-fn differences_of_the_lateral_by_what_turns_and_places_the_face_centre() {
+fn differences_confirm_derivatives_by_the_position_of_the_face_centre() {
     let setup = Setup {
         speed_of: SpeedOf::FaceCentre,
         ..turning()

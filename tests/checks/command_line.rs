@@ -131,7 +131,7 @@ fn independent_mae494_optimum_as_json() {
 }
 
 #[test]
-fn paper_winfield_tan_shot_as_json() {
+fn published_shot_of_winfield_and_tan_as_json() {
     let set = [
         "--set",
         "swing.speed=103 mph",

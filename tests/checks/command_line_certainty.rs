@@ -5,7 +5,7 @@ use crate::common::close;
 use crate::program;
 
 #[test]
-fn exact_derivatives_are_certified_as_json() {
+fn certified_derivatives_as_json() {
     let (status, found) = json(&[
         "verify",
         "mae494",
@@ -52,7 +52,7 @@ fn exact_derivatives_are_certified_as_json() {
 }
 
 #[test]
-fn exact_corners_are_neither_pass_nor_fail_and_no_flight_is_no_pass() {
+fn corners_neither_pass_nor_fail_and_no_flight_does_not_pass() {
     let corner = [
         "verify",
         "mae494",
@@ -91,7 +91,7 @@ fn exact_corners_are_neither_pass_nor_fail_and_no_flight_is_no_pass() {
 }
 
 #[test]
-fn exact_nothing_is_left_once_the_only_uncertain_parameter_is_known() {
+fn exact_no_deviation_once_the_only_uncertain_parameter_is_known() {
     let args = [
         "uncertainty",
         "--sigma",
@@ -167,7 +167,7 @@ fn why_no_drive_is_flown_off_by_an_uncertainty_is_told() {
 }
 
 #[test]
-fn exact_effects_and_the_sensitivity_of_an_optimum_as_json() {
+fn effects_and_the_sensitivity_of_an_optimum_as_json() {
     let (status, found) = json(&[
         "sensitivity",
         "--sigma",
@@ -227,7 +227,7 @@ fn exact_effects_and_the_sensitivity_of_an_optimum_as_json() {
 }
 
 #[test]
-fn exact_uncertainty_as_json_is_the_same_for_the_same_seed() {
+fn same_uncertainty_as_json_for_one_seed() {
     let asked = [
         "uncertainty",
         "--sigma",

@@ -127,7 +127,7 @@ fn checked(folder: &Path, more: &[&str]) -> (i32, Value) {
 }
 
 #[test]
-fn exact_a_part_has_the_same_bytes_whoever_writes_it_and_in_whatever_order() {
+fn same_bytes_of_a_part_from_any_process_and_in_any_order() {
     let folder = tempfile::tempdir().unwrap();
     for (part, threads) in [(3, "3"), (1, "2"), (4, "1"), (2, "2")] {
         let (status, answer) = write(
@@ -175,7 +175,7 @@ fn exact_a_part_has_the_same_bytes_whoever_writes_it_and_in_whatever_order() {
 }
 
 #[test]
-fn exact_the_rows_of_all_parts_are_those_of_the_sweep_into_one_file() {
+fn same_rows_of_all_parts_and_of_one_file() {
     let folder = tempfile::tempdir().unwrap();
     let whole = folder.path().join("whole.parquet");
     let said = longdrive(&[&DRIVES[..], &["-o", whole.to_str().unwrap()]].concat());
@@ -209,7 +209,7 @@ fn mean_and_squares(values: &[f64]) -> (f64, f64) {
 }
 
 #[test]
-fn independent_summary_of_a_set_is_that_of_its_rows() {
+fn independent_summary_of_a_set_by_its_rows() {
     let (status, answer) = checked(SET.path(), &[]);
     assert_eq!(
         (status, &answer["status"], &answer["message"]),
@@ -317,7 +317,7 @@ fn independent_summary_of_a_set_is_that_of_its_rows() {
 
 #[cfg(unix)]
 #[test]
-fn independent_sha256sum_of_the_set_is_that_of_its_files() {
+fn independent_sha256sum_of_the_set_by_its_files() {
     let (status, answer) = checked(SET.path(), &["--hash"]);
     assert_eq!(status, 0, "{answer}");
     let mut program = Command::new("bash");

@@ -7,7 +7,7 @@ use crate::program;
 use serde_json::Value;
 
 #[test]
-fn exact_constraints_and_starts_as_json() {
+fn constraints_and_starts_as_json() {
     let (status, found) = json(&[
         "optimize",
         "--subject-to",
@@ -195,7 +195,7 @@ fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
 }
 
 #[test]
-fn exact_equation_that_holds_already_converges_with_its_multiplier() {
+fn exact_multiplier_of_an_equation_that_holds_at_the_start() {
     for of in ["carry", "flight_time", "apex_height", "landing_speed"] {
         let (_, drive) = json(&["simulate"]);
         let unit = if of == "flight_time" {
@@ -268,7 +268,7 @@ fn a_change_says_where_the_parameter_goes() {
 }
 
 #[test]
-fn exact_sensitivity_and_windows_as_json() {
+fn differences_confirm_sensitivity_and_windows_as_json() {
     let (status, found) = json(&[
         "optimum-sensitivity",
         "modern-driver",
@@ -329,7 +329,7 @@ fn exact_sensitivity_and_windows_as_json() {
 }
 
 #[test]
-fn exact_chart_as_json_csv_and_table() {
+fn chart_as_json_csv_and_table() {
     let args = [
         "chart",
         "--along",
@@ -431,7 +431,7 @@ const VARYING: [&str; 2] = ["--distribution", "swing.attack_angle=normal(-1deg,2
 /// chooses: that of the drive as set up would be too long for a drive more than three times as
 /// fast.
 #[test]
-fn independent_a_changed_optimum_is_that_of_a_search_of_the_changed_setup() {
+fn same_changed_optimum_and_search_of_the_changed_setup() {
     for (change, set) in [
         ("swing.speed=+300mph", "swing.speed=415mph"),
         ("air.density=-20%", "air.density=0.98kg/m^3"),
@@ -675,7 +675,7 @@ fn a_full_disk_is_an_error() {
 }
 
 #[test]
-fn exact_least_value_has_the_price_of_its_bound() {
+fn exact_price_of_the_bound_of_a_minimum() {
     // ball speed falls with loft all the way: the least is at the upper bound, and its price is the
     // slope there
     let vary = ["--vary", "club.loft=4deg..20deg"];
@@ -743,7 +743,7 @@ fn exact_least_value_has_the_price_of_its_bound() {
 }
 
 #[test]
-fn differences_of_least_values_are_their_sensitivities() {
+fn differences_of_minima_are_their_sensitivities() {
     // the landing speed is least at a descent between flat and steep
     let asked = [
         "--minimize",
@@ -796,7 +796,7 @@ fn differences_of_least_values_are_their_sensitivities() {
 }
 
 #[test]
-fn exact_setup_at_an_optimum_reads_back_and_gives_the_same_drive() {
+fn same_drive_from_the_setup_written_at_an_optimum() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml").display().to_string();
     let asked = [
@@ -917,7 +917,7 @@ fn numbers_without_a_unit_in_a_setup_file_are_said_to_be_read_as_si() {
 }
 
 #[test]
-fn exact_optima_at_the_points_one_chooses() {
+fn same_optima_at_chosen_points_as_in_single_searches() {
     let (status, chart) = json(&[
         "chart",
         "modern-driver",

@@ -244,22 +244,22 @@ fn readable(path: &Path, format: &str) -> usize {
 }
 
 #[test]
-fn exact_csv_of_a_killed_and_resumed_sweep() {
+fn same_csv_of_a_killed_and_resumed_sweep() {
     killed_and_resumed(&many(), "csv", Whole::of_many("csv"));
 }
 
 #[test]
-fn exact_json_lines_of_a_killed_and_resumed_sweep() {
+fn same_json_lines_of_a_killed_and_resumed_sweep() {
     killed_and_resumed(&many(), "jsonl", Whole::of_many("jsonl"));
 }
 
 #[test]
-fn exact_parquet_of_a_killed_and_resumed_sweep() {
+fn same_parquet_of_a_killed_and_resumed_sweep() {
     killed_and_resumed(&many(), "parquet", Whole::of_many("parquet"));
 }
 
 #[test]
-fn exact_rows_of_an_arrow_table_killed_and_resumed() {
+fn same_rows_of_an_arrow_table_killed_and_resumed() {
     use arrow_array::{ArrayRef, Float64Array, RecordBatch};
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("points.arrow");
@@ -631,7 +631,7 @@ fn a_batch_without_room_is_refused_with_its_size() {
 }
 
 #[test]
-fn exact_table_and_sample_on_the_command_line() {
+fn same_table_and_sample_on_the_command_line() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     fs::write(
@@ -838,7 +838,7 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
 /// A tolerance holds in every row of a table, however far it lies from the setup: beside the same
 /// rows by `dp8` in steps of 20 ms.
 #[test]
-fn independent_rows_of_a_table_are_within_the_tolerance() {
+fn same_rows_of_a_table_in_shorter_steps_within_the_tolerance() {
     let carries = |more: &[&str]| {
         let asked = [
             "sweep",

@@ -26,7 +26,7 @@ fn a_table_of_a_head_alone_is_refused() {
 
 /// The same launch, however a table writes it, with and without what was measured of it.
 #[test]
-fn exact_same_points_however_the_head_is_written() {
+fn same_points_for_every_spelling_of_the_head() {
     let setup = Setup::default();
     let values = |text: &str| {
         let (_folder, path) = table("a.csv", text);

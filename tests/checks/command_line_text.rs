@@ -344,7 +344,7 @@ fn completions_and_manual_pages_name_every_command() {
 }
 
 #[test]
-fn exact_columns_that_are_written_read_back_as_points() {
+fn same_points_from_written_columns() {
     let folder = tempfile::tempdir().unwrap();
     let [first, points, second] =
         ["first.csv", "points.csv", "second.csv"].map(|name| folder.path().join(name));

@@ -32,7 +32,7 @@ fn alone<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
 }
 
 #[test]
-fn paper_numbers_of_mae494_stay_as_printed_and_computed_ones_are_in_the_units_asked_for() {
+fn published_numbers_of_mae494_keep_their_units_and_computed_ones_have_the_chosen_units() {
     let [metric, us] = System::ALL.map(|system| mae494_document(&FOUND, system).text());
     for (text, system) in [(&metric, "metric"), (&us, "us")] {
         assert!(widest(text) <= 100, "{system}: {} columns", widest(text));
@@ -76,7 +76,7 @@ fn paper_numbers_of_mae494_stay_as_printed_and_computed_ones_are_in_the_units_as
 }
 
 #[test]
-fn paper_numbers_of_winfield_and_tan_stay_as_printed_and_computed_ones_are_in_the_units_asked_for()
+fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have_the_chosen_units()
 {
     let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
     assert!(
@@ -121,7 +121,7 @@ fn a_study_is_printed_in_its_own_units_where_none_are_asked_for() {
 }
 
 #[test]
-fn exact_heights_of_messages_are_in_the_units_asked_for() {
+fn heights_in_messages_have_the_chosen_units() {
     // 40 m = 43.745 yd, 200 m = 218.72 yd
     let high = ["--set", "ground.height=40m"];
     let higher = ["--set", "ground.height=200m"];
@@ -164,7 +164,7 @@ fn exact_heights_of_messages_are_in_the_units_asked_for() {
 }
 
 #[test]
-fn exact_speeds_and_limits_of_messages_are_in_the_units_asked_for() {
+fn speeds_and_limits_in_messages_have_the_chosen_units() {
     let slow = [
         "simulate",
         "--set",

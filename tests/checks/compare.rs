@@ -154,7 +154,7 @@ fn exact_shares_of_a_law_in_pieces_add_up_in_large_steps() {
 /// What one outcome lacks between two drives does not keep back the others, and does not change
 /// them.
 #[test]
-fn exact_several_outcomes_at_once_have_the_shares_that_each_has_alone() {
+fn same_shares_of_several_outcomes_at_once_and_of_each_alone() {
     let a = changed(
         &Setup::default(),
         &[&LARGE_STEPS[..], &[("aero.law", "ferguson")]].concat(),
@@ -202,7 +202,7 @@ fn exact_several_outcomes_at_once_have_the_shares_that_each_has_alone() {
 }
 
 #[test]
-fn exact_difference_in_one_parameter_is_all_its_own() {
+fn exact_share_of_a_difference_in_one_parameter() {
     let a = Setup::default();
     for (name, text) in [
         ("swing.speed", "118 mph"),
@@ -352,7 +352,7 @@ fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share
 }
 
 #[test]
-fn exact_shares_where_a_club_is_compared_with_a_launch_and_spins_in_two_forms() {
+fn exact_sum_of_shares_between_a_club_and_a_launch_and_between_two_forms_of_spin() {
     let club = Setup::default();
     let given = changed(&club, &LAUNCH);
     let found = difference(&club, &given, Outcome::Carry);
@@ -394,7 +394,7 @@ fn exact_shares_where_a_club_is_compared_with_a_launch_and_spins_in_two_forms() 
 }
 
 #[test]
-fn exact_both_drives_are_flown_with_the_finer_method_and_step() {
+fn both_drives_are_flown_with_the_finer_method_and_step() {
     let a = changed(&Setup::default(), &[("flight.step", "10 ms")]);
     let b = changed(
         &Setup::default(),
@@ -754,7 +754,7 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
 }
 
 #[test]
-fn exact_air_and_wind_given_by_the_same_parameters_are_split_into_them() {
+fn exact_shares_of_air_and_wind_given_by_the_same_parameters() {
     let settings = [
         ("air.altitude", "1 mi"),
         ("wind.speed", "10 mph"),

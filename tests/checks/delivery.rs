@@ -58,7 +58,7 @@ fn value(found: &Delivered, name: &str) -> f64 {
 }
 
 #[test]
-fn exact_a_delivery_that_was_known_before_is_found_again_with_nothing_left_over() {
+fn exact_delivery_recovered_from_its_own_prior() {
     let setup = struck(&OFF_CENTRE);
     let found = delivery(
         &setup,
@@ -88,7 +88,7 @@ fn exact_a_delivery_that_was_known_before_is_found_again_with_nothing_left_over(
 }
 
 #[test]
-fn exact_as_many_parameters_as_measured_values_are_recovered_from_far_off() {
+fn exact_delivery_recovered_from_far_starts() {
     let truth = struck(&OFF_CENTRE[..5]);
     let start = struck(&[]);
     let ranges = [
@@ -191,7 +191,7 @@ fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
 }
 
 #[test]
-fn exact_a_change_that_is_not_told_leaves_the_launch_as_it_is() {
+fn an_unidentified_change_does_not_change_the_launch() {
     let setup = struck(&OFF_CENTRE);
     let found = delivery(
         &setup,
@@ -226,7 +226,7 @@ fn exact_a_change_that_is_not_told_leaves_the_launch_as_it_is() {
 }
 
 #[test]
-fn exact_a_parameter_that_its_bound_holds_has_no_uncertainty_and_is_not_told() {
+fn a_parameter_at_its_bound_is_unidentified_and_has_no_uncertainty() {
     let setup = struck(&[]);
     let faster = struck(&[("swing.speed", "125 mph")]);
     let vary = [Vary::read(&setup, "swing.speed=100mph..112mph").unwrap()];

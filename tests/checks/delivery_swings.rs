@@ -89,7 +89,7 @@ fn shots_of(
 /// Means, deviations and the correlation of the swings within three of their stated uncertainties,
 /// and the files give them to `optimize`.
 #[test]
-fn measured_the_swings_behind_shots_are_those_that_made_them() {
+fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
     let (file, table, distribution, setup) = (
@@ -183,7 +183,7 @@ fn measured_the_swings_behind_shots_are_those_that_made_them() {
 /// with an uncertainty that says so, and the launches of the swings found scatter as those of the
 /// golfer.
 #[test]
-fn measured_seven_numbers_of_each_swing_are_within_what_is_stated_of_them() {
+fn sampled_swings_are_within_their_stated_uncertainties() {
     let truth = [
         ("swing.speed", 104.0 * MPH, 2.5 * MPH),
         ("swing.attack_angle", 0.5 * DEGREE, 1.2 * DEGREE),
@@ -329,7 +329,7 @@ fn are_given_back(answer: &serde_json::Value) {
 /// A robot's swings hardly vary: the spread that is assumed of what its shots do not tell must not
 /// scatter the launches.
 #[test]
-fn measured_of_a_robot_less_of_the_assumed_spread_is_kept_and_that_is_told() {
+fn a_robots_swings_keep_less_of_the_prior_spread() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
     let (file, distribution) = (at("shots.csv"), at("swings.toml"));

@@ -172,7 +172,7 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
 /// is straight: so many that derivatives are chained from those of the impact and of the flight,
 /// which then has no variable. Where the launch is given, the ball's inertia changes none either.
 #[test]
-fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
+fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
     let idle = [
         ("club.weight_1.depth", "20 mm"),
         ("club.weight_1.toe", "-10 mm"),
@@ -240,7 +240,7 @@ fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
 /// By many parameters a Hessian is chained from those of the impact and of the flight; by few it is
 /// one of both together.
 #[test]
-fn exact_a_hessian_by_all_parameters_holds_that_by_a_few() {
+fn same_hessian_by_all_parameters_and_by_a_few() {
     let mut setup = Setup::default();
     setup
         .set_all([
@@ -302,7 +302,7 @@ fn exact_a_hessian_by_all_parameters_holds_that_by_a_few() {
 /// What the ball lands on changes its run alone: carry has the same derivatives, and zeros by the
 /// ground, whether the run is asked for or not.
 #[test]
-fn exact_carry_does_not_depend_on_what_the_ball_lands_on() {
+fn exact_carry_does_not_depend_on_the_ground() {
     let setup = Setup::default();
     let all = setup.variables();
     for order in [Order::First, Order::Second] {
@@ -501,7 +501,7 @@ fn exact_atan2_has_derivatives_in_every_direction() {
 }
 
 #[test]
-fn exact_tanh_is_finite_far_out_and_keeps_its_digits_near_zero() {
+fn exact_tanh_is_finite_for_large_arguments_and_precise_near_zero() {
     assert_eq!(Numbers::tanh(Dual64::from(800.0).derivative()).re, 1.0);
     assert_eq!(Numbers::tanh(Dual64::from(-800.0).derivative()).eps, 0.0);
     let small = Numbers::tanh(Dual64::from(1e-9).derivative());
@@ -510,7 +510,7 @@ fn exact_tanh_is_finite_far_out_and_keeps_its_digits_near_zero() {
 
 /// A parameter that is unset has no value and no derivative; the drive is what it is.
 #[test]
-fn exact_value_where_a_parameter_that_is_asked_for_is_unset() {
+fn exact_zero_derivative_by_an_unset_parameter() {
     let setup = Setup::default();
     let unset = setup.column("aero.spin_damping").unwrap();
     let value = evaluate(&setup, &[Outcome::Carry], &[unset], Order::Value).unwrap()[0].value;
@@ -521,7 +521,7 @@ fn exact_value_where_a_parameter_that_is_asked_for_is_unset() {
 /// Threads have 2 MiB, and README says that a debug build without optimization needs more.
 /// Optimized at level 1, all of this takes 135 KiB.
 #[test]
-fn regress_derivatives_need_little_stack() {
+fn derivatives_need_little_stack() {
     let work = || {
         let setup = Setup::default();
         let (two, all) = (

@@ -413,7 +413,7 @@ fn what_the_rules_or_the_face_do_not_allow_is_refused_by_name() {
 }
 
 #[test]
-fn exact_a_design_that_was_stopped_goes_on_to_the_same_bits_and_is_written() {
+fn same_bits_of_a_resumed_design() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).display().to_string();
     let args = [&["design"], &GOLFER[..], &WEIGHT[..]].concat();

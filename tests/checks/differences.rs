@@ -10,7 +10,7 @@ fn ladder(at: f64, scale: f64, f: impl Fn(f64) -> f64) -> Ladder {
 }
 
 #[test]
-fn exact_uncertainties_hold_the_truth_for_functions_of_every_kind() {
+fn exact_truth_is_within_the_error_estimates_of_differences() {
     type Case = (&'static str, fn(f64) -> f64, f64, f64);
     let cases: [Case; 7] = [
         ("exp", f64::exp, 0.7, 0.7_f64.exp()),
@@ -61,7 +61,7 @@ fn exact_uncertainties_hold_the_truth_for_functions_of_every_kind() {
 /// A function whose last digits are noise, at the end of its range: the noise is seen from one side
 /// as from both.
 #[test]
-fn exact_rounding_is_seen_from_one_side() {
+fn rounding_is_detected_from_one_side() {
     let noise = |x: f64| 1e-12 * ((x * 1e15).sin() * 43_758.545_3).fract();
     let rounding = |lowest: f64| {
         let f = |x: f64| {
@@ -83,7 +83,7 @@ fn exact_rounding_is_seen_from_one_side() {
 /// sin x as what two parts leave, each of them a hundred thousand times as large: at 0 neither is
 /// rounded.
 #[test]
-fn exact_rounding_of_parts_that_cancel_is_no_remainder_and_a_wrong_slope_is() {
+fn rounding_of_cancelling_parts_is_no_remainder_and_a_wrong_slope_is() {
     let ladder = ladder(0.0, 1.0, |x| 100_001.0 * x.sin() - 100_000.0 * x.sin()).rounded_as(1e5);
     for (first, expected) in [(1.0, [1.0, 3.0, 3.0]), (1.0 + 1e-6, [1.0, 1.0, 1.0])] {
         for (found, exact) in taylor_slopes(&ladder, first, 0.0)

@@ -448,7 +448,7 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
 /// Every outcome by every parameter of every preset: with one more of these, the page is to be
 /// written again.
 #[test]
-fn exact_number_of_derivatives_that_verification_md_has_certified() {
+fn number_of_certified_derivatives_in_verification_md() {
     let rows = table(
         &document("docs/verification.md"),
         "| preset | derivatives | pass |",
@@ -539,7 +539,7 @@ fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
 
 /// A drive with the parameter unset is the one where it has the value that it counts as.
 #[test]
-fn exact_same_drive_with_an_unset_parameter_and_with_what_its_text_says_it_counts_as() {
+fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
     let with = |settings: &[(&str, &str)]| {
         let mut setup = Setup::default();
         settings

@@ -117,7 +117,7 @@ const LOFT: &str = "club.loft=4deg..20deg";
 const ATTACK: &str = "swing.attack_angle=-5deg..5deg";
 
 #[test]
-fn exact_drives_on_the_edge_of_the_region_of_small_loss_lose_what_it_says_and_meet_every_limit() {
+fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_limit() {
     let setup = in_large_steps();
     for constraints in [
         &[][..],
@@ -187,7 +187,7 @@ fn no_ellipse_is_told_where_a_constraint_holds_the_optimum() {
 }
 
 #[test]
-fn exact_what_a_constraint_forbids_is_hatched_and_nothing_else() {
+fn only_the_infeasible_region_is_hatched() {
     let (best, _, figure) = mapped(
         &in_large_steps(),
         [LOFT, ATTACK],
@@ -219,7 +219,7 @@ fn exact_what_a_constraint_forbids_is_hatched_and_nothing_else() {
 }
 
 #[test]
-fn exact_an_equation_leaves_the_part_of_its_line_that_loses_little() {
+fn an_equation_keeps_the_part_of_its_line_with_small_loss() {
     let mut setup = in_large_steps();
     setup.set("swing.path", "3 deg").unwrap();
     let face = "swing.face_angle=-3deg..6deg";
@@ -444,7 +444,7 @@ fn outer(figure: &Figure) -> String {
 }
 
 #[test]
-fn exact_trajectories_and_landings_are_drawn_at_true_scale() {
+fn trajectories_and_landings_are_drawn_at_true_scale() {
     let mut setup = setup();
     for (face, loft) in [
         ("3 deg", "10 deg"),
@@ -608,7 +608,7 @@ fn a_straight_drive_has_no_view_from_above() {
 }
 
 #[test]
-fn exact_ellipses_on_the_fairway_are_those_of_uncertainty() {
+fn same_ellipses_on_the_fairway_and_in_uncertainty() {
     let mut setup = setup();
     setup.set("swing.face_angle", "1 deg").unwrap();
     let of = [Outcome::Carry, Outcome::Lateral];
@@ -715,7 +715,7 @@ fn exact_ellipses_on_the_fairway_are_those_of_uncertainty() {
 }
 
 #[test]
-fn exact_a_launch_map_holds_flights_of_its_launches_and_the_best_of_each_spin() {
+fn same_flights_in_a_launch_map_and_alone() {
     let mut setup = setup();
     setup.set("swing.face_angle", "1 deg").unwrap();
     let best = optimum(
@@ -781,7 +781,7 @@ fn exact_a_launch_map_holds_flights_of_its_launches_and_the_best_of_each_spin() 
 }
 
 #[test]
-fn exact_rings_on_the_face_are_strikes_that_lose_what_they_say_and_arrows_tilt_as_the_spin_does() {
+fn rings_on_the_face_have_their_loss_and_arrows_tilt_with_the_spin_axis() {
     let mut setup = setup();
     setup.set("strike.toe", "8 mm").unwrap();
     let face = Face::of(&setup).unwrap();

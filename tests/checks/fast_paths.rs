@@ -117,13 +117,13 @@ fn agrees(setup: &Setup<f64>) {
 }
 
 #[test]
-fn exact_agreement_of_the_fast_ways_with_the_general_one() {
+fn same_derivatives_by_the_fast_paths_and_the_general_one() {
     for_every_way(agrees);
 }
 
 /// From a spin that does not fade to one that is gone in a tenth of a second.
 #[test]
-fn exact_agreement_however_fast_the_spin_fades() {
+fn same_derivatives_for_any_spin_decay() {
     let mut setup = Setup::default();
     setup.set_law("robinson").unwrap();
     setup
@@ -170,7 +170,7 @@ fn exact_agreement_however_fast_the_spin_fades() {
 }
 
 #[test]
-fn exact_chain_rule_between_impact_and_flight() {
+fn same_derivatives_by_the_chain_rule_between_impact_and_flight() {
     // by all parameters at once, which goes through the flight's inputs, and two by two, which does
     // not
     for setup in landing(25) {
@@ -205,7 +205,7 @@ fn exact_chain_rule_between_impact_and_flight() {
 }
 
 #[test]
-fn exact_chain_rule_between_the_launch_and_the_flight() {
+fn same_derivatives_by_the_chain_rule_between_launch_and_flight() {
     // Hessians by more parameters of club and swing than a launch has quantities, which go through
     // these, and pair by pair, which do not
     let groups = ["swing.", "club.", "strike.", "impact."];
@@ -273,7 +273,7 @@ fn exact_chain_rule_between_the_launch_and_the_flight() {
 }
 
 #[test]
-fn exact_agreement_of_drives_side_by_side_with_drives_alone() {
+fn same_drives_in_lanes_and_alone() {
     let ranges = [
         "club.loft=1deg..25deg",
         "swing.attack_angle=-12deg..10deg",
@@ -416,7 +416,7 @@ fn order_of_each_method_is_its_own_in_value_and_gradient() {
 }
 
 #[test]
-fn independent_drives_between_those_looked_at_are_within_the_tolerance() {
+fn same_drives_between_the_checked_ones_within_the_tolerance() {
     for (preset, tolerance) in [
         ("mae494", 1e-6),
         ("modern-driver", 1e-6),

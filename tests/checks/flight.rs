@@ -181,7 +181,7 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
 }
 
 #[test]
-fn order_default_step_is_within_a_micrometre() {
+fn same_carry_in_shorter_steps_within_a_micrometre() {
     for preset in ["modern-driver", "winfield-tan", "mae494"] {
         for (attack, wind, roughness) in [
             ("-3 deg", 0.0, None),
@@ -288,7 +288,7 @@ fn a_flight_without_end_stops_at_the_time_limit() {
 
 /// Whatever the steps: the limit need not be at the end of one. Alone and side by side.
 #[test]
-fn exact_a_flight_longer_than_the_time_limit_is_aloft_and_a_shorter_one_lands() {
+fn exact_time_limit_between_aloft_and_landed() {
     for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {
         let mut setup = Setup::default();
         setup
@@ -390,7 +390,7 @@ fn exact_carry_distance_is_the_same_in_every_direction() {
 /// The way behind the landing leads to where the ball rests, and comes back to the plane of the
 /// ground after each bounce; a ball that embeds has none.
 #[test]
-fn exact_run_of_a_trajectory_ends_at_the_total() {
+fn same_total_by_the_trajectory_and_by_the_drive() {
     let mut setup = Setup::preset("tour-average").unwrap();
     setup
         .set_all([
@@ -483,7 +483,7 @@ fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
 /// The shortest step that can be set makes the most steps that are flown within the default time
 /// limit: 1e8.
 #[test]
-fn exact_every_step_that_can_be_set_is_one_that_is_flown() {
+fn every_step_size_that_can_be_set_is_flown() {
     let mut setup = Setup::default();
     let shortest = setup.parameter("flight.step").unwrap().range.low;
     assert_eq!(setup.flight.time_limit / shortest, 1e8);

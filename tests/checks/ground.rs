@@ -104,7 +104,7 @@ fn exact_ball_embeds_in_wet_ground() {
 
 /// Whatever is asked of the run, the flight before it stays the same to the last bit.
 #[test]
-fn exact_flight_is_the_same_with_and_without_the_run() {
+fn same_flight_with_and_without_the_run() {
     let all = |of: &Outcome| !of.is_of_the_run() && *of != Outcome::SmashFactor;
     let of: Vec<_> = Outcome::ALL.iter().copied().filter(all).collect();
     let with: Vec<_> = of.iter().copied().chain(OF_THE_RUN).collect();
@@ -149,7 +149,7 @@ fn exact_roll_on_a_slope() {
 }
 
 #[test]
-fn exact_total_is_undefined_where_the_ball_does_not_come_to_rest() {
+fn total_is_undefined_if_the_ball_does_not_come_to_rest() {
     for (name, slope) in [("ground.slope", "-20 deg"), ("ground.side_slope", "18 deg")] {
         let mut setup = Setup::default();
         setup
@@ -168,7 +168,7 @@ fn exact_total_is_undefined_where_the_ball_does_not_come_to_rest() {
 }
 
 #[test]
-fn exact_runs_of_random_drives_are_finite() {
+fn runs_of_random_drives_are_finite() {
     let mut flown = 0;
     for setup in random_setups(300) {
         let Ok(drive) = Drive::new(&setup) else {
@@ -208,7 +208,7 @@ fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
 /// Neighbouring launch angles on both sides of every change of the number of bounces, also of balls
 /// that graze the ground.
 #[test]
-fn exact_continuity_where_the_number_of_bounces_changes() {
+fn exact_continuity_across_numbers_of_bounces() {
     let (mut changes, mut worst) = (0, [0.0_f64; 3]);
     for speed in [8.0, 18.0, 30.0, 40.0, 57.0] {
         for spin in [-300.0, 0.0, 250.0, 900.0] {

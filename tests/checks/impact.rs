@@ -40,7 +40,7 @@ fn energy(
 }
 
 #[test]
-fn exact_fifteen_equations_and_three_agree_on_thousands_of_drives() {
+fn same_collision_by_fifteen_equations_and_by_three() {
     for_random_setups(4000, |setup| {
         let c = collision(&setup);
         let (short, full): (Rebound<f64>, Rebound<f64>) =
@@ -68,7 +68,7 @@ fn exact_fifteen_equations_and_three_agree_on_thousands_of_drives() {
 }
 
 #[test]
-fn exact_fifteen_equations_and_three_have_the_same_derivatives() {
+fn same_derivatives_by_fifteen_equations_and_by_three() {
     for_random_setups(300, |setup| {
         let lifted = setup.map(|row, value| match row.name {
             "club.loft" => Jet::<2>::variable(value, 0),
@@ -242,7 +242,7 @@ fn exact_mirror_symmetry() {
 }
 
 #[test]
-fn paper_winfield_tan_shot() {
+fn published_shot_of_winfield_and_tan() {
     // printed: 139.16 mph downrange, 19.84 mph up, 38.57 rev/s, club 71.39 mph; the presets'
     // rounded mass of the ball gives 139.20 and 19.85 (model page, reference setups)
     let mut setup = Setup::preset("winfield-tan").unwrap();
@@ -266,7 +266,7 @@ fn paper_winfield_tan_shot() {
 }
 
 #[test]
-fn exact_slip_leaves_the_cone_of_friction_and_joins_sticking_continuously() {
+fn exact_cone_of_friction_and_continuity_between_slip_and_stick() {
     for_random_setups(300, |mut setup| {
         let c = collision(&setup);
         let stick = c.by_impulse().unwrap();
@@ -326,7 +326,7 @@ fn what_cannot_be_struck_is_an_error_with_its_numbers() {
 }
 
 #[test]
-fn exact_default_moment_of_inertia_follows_mass_and_radius() {
+fn exact_derivatives_by_mass_and_radius_through_the_default_moment_of_inertia() {
     let setup = Setup::default();
     let wrt = [setup.variable("ball.radius").unwrap()];
     let of = Outcome::Spin;
@@ -501,7 +501,7 @@ fn exact_derivatives_by_bend_droop_growth_and_slope_are_those_of_lean_and_restit
 /// With and without the elimination of the speeds after impact, at any scale; and at a scale of 1
 /// as rigid bodies.
 #[test]
-fn exact_scaled_gear_effect_in_both_forms_of_the_collision() {
+fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
     for_random_setups(500, |setup| {
         let rigid = collision(&setup);
         for scale in [0.0, 0.5, 1.0] {

@@ -243,7 +243,7 @@ fn what_is_done_of_a_certificate_and_of_a_chart_is_told_as_interrupted() {
 }
 
 #[test]
-fn exact_what_was_stopped_writes_no_fit_lists_no_optimum_and_names_the_file_of_its_rows() {
+fn stopped_work_writes_no_fit_lists_no_optimum_and_names_its_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (fitted, rows) = (path("fitted.toml"), path("rows.csv"));
@@ -429,7 +429,7 @@ fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation()
 }
 
 #[test]
-fn exact_same_answer_over_swings_when_ctrl_c_stops_it_within_iterations_again_and_again() {
+fn same_answer_over_swings_after_repeated_ctrl_c() {
     let folder = tempfile::tempdir().unwrap();
     let swings = [
         "--distribution",

@@ -353,7 +353,7 @@ fn bad_input_gets_an_object_with_the_message_of_standard_error_and_status_2() {
 }
 
 #[test]
-fn exact_setup_launch_and_flight_of_the_best_drive_come_with_an_optimum() {
+fn same_setup_launch_and_flight_with_an_optimum_and_by_simulate() {
     let (_, best) = json(&["optimize", "mae494", "--vary", "club.loft=0deg..20deg"]);
     let loft = format!(
         "club.loft={:?}",
@@ -374,7 +374,7 @@ fn exact_setup_launch_and_flight_of_the_best_drive_come_with_an_optimum() {
 }
 
 #[test]
-fn exact_ranges_without_an_end_say_so_in_the_listing_of_parameters() {
+fn open_ranges_are_marked_in_the_list_of_parameters() {
     let (_, listing) = json(&["parameters"]);
     let rows = listing["parameters"].as_array().unwrap();
     let range = |name: &str| &rows.iter().find(|row| row["parameter"] == name).unwrap()["range"];
@@ -389,7 +389,7 @@ fn exact_ranges_without_an_end_say_so_in_the_listing_of_parameters() {
 }
 
 #[test]
-fn exact_names_of_the_schemas_are_those_of_the_program() {
+fn names_in_the_schemas_are_those_of_the_program() {
     let file = format!("{}/../docs/schema/common.json", env!("CARGO_MANIFEST_DIR"));
     let common: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
     let known = |name: &str| {

@@ -74,7 +74,7 @@ fn exact_parabola_and_its_derivatives_by_the_launch() {
 }
 
 #[test]
-fn exact_same_flight_as_that_of_the_club_which_makes_the_launch() {
+fn same_flight_of_a_launch_and_of_the_club_that_makes_it() {
     let mut club = Setup::default();
     for (name, text) in [
         ("swing.path", "3 deg"),
@@ -581,7 +581,7 @@ fn a_parameter_that_is_set_twice_is_refused() {
 /// One condition of a launch over a range, the others on the command line or in a file: each row is
 /// the launch with this value.
 #[test]
-fn exact_a_condition_of_a_launch_is_swept_beside_the_others() {
+fn same_drives_of_a_swept_launch_condition_and_alone() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("angles.csv").display().to_string();
     std::fs::write(&file, "launch_angle [deg]\n8\n12\n").unwrap();

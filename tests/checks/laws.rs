@@ -55,7 +55,7 @@ fn exact_forces_of_macdonald_and_hanzely_grow_with_the_speed() {
 /// The table of the curves that Naruo, Mizota & Shimozono (2004) fitted: s, C_D, C_L, to half of
 /// the last digit.
 #[test]
-fn paper_values_of_naruo_mizota() {
+fn published_values_of_naruo_mizota() {
     for [s, drag, lift, _] in rows(include_str!("../data/naruo_2004.csv")) {
         let c = at("naruo-mizota", [s, 1e5, 40.0]);
         assert!(
@@ -68,7 +68,7 @@ fn paper_values_of_naruo_mizota() {
 /// Both parabolas as printed where they stand alone; between them C_D lies between them. The drag
 /// measured on the ball, and the mean lift of 13 balls within their spread.
 #[test]
-fn paper_values_of_lyu() {
+fn published_values_of_lyu() {
     let low = |re: f64| 1.29e-10 * re * re - 2.59e-5 * re + 1.50;
     let high = |re: f64| 1.91e-11 * re * re - 5.40e-6 * re + 0.56;
     let drag = |re: f64| at("lyu", [0.1, re, 40.0]).drag;
@@ -174,7 +174,7 @@ fn published_drive_of_nathans_calculator() {
 /// The 42 shots of the patent's table: Re, s, C_D, C_L. The formula is a fit of them: it lies amid
 /// them.
 #[test]
-fn paper_shots_of_the_usga_lie_about_its_law() {
+fn published_shots_of_the_usga_scatter_about_its_law() {
     let off = rows(include_str!("../data/usga_itr_test_ball.csv"))
         .into_iter()
         .map(|[re, s, drag, lift]| {
@@ -196,7 +196,7 @@ fn paper_shots_of_the_usga_lie_about_its_law() {
 
 /// The 210 points of the grid: speed, spin, C_D, C_L.
 #[test]
-fn paper_values_of_bearman_and_harvey() {
+fn published_values_of_bearman_and_harvey() {
     let points = rows(include_str!("../data/bearman_harvey_1976.csv"));
     assert_eq!(points.len(), 210);
     for [speed, rpm, drag, lift] in points {
@@ -303,7 +303,7 @@ fn streams() -> impl Iterator<Item = (f64, f64)> {
 }
 
 #[test]
-fn exact_every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
+fn every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
     for name in Law::NAMES {
         let law = Law::named(name).unwrap();
         for (reynolds, speed) in streams() {
@@ -321,7 +321,7 @@ fn exact_every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
 /// Within the measured spin ratios the law is its printed polynomials, to the last bit; from 0.95
 /// on it is what they are at 0.85.
 #[test]
-fn exact_ferguson_is_its_polynomials_where_they_were_fitted() {
+fn exact_polynomials_of_ferguson_within_their_fitted_range() {
     let drag = |s: f64| (-0.8259 * s + 0.9287) * s + 0.1304;
     let lift = |s: f64| (-1.1490 * s + 1.2031) * s + 0.0504;
     for s in (0..=7300).map(|k| 0.02 + f64::from(k) * 1e-4) {
@@ -347,7 +347,7 @@ fn exact_ferguson_is_its_polynomials_where_they_were_fitted() {
 /// First and second derivatives by the spin ratio, through where it begins to be held and where it
 /// is held.
 #[test]
-fn differences_of_ferguson_where_the_spin_ratio_is_held() {
+fn differences_of_ferguson_at_the_clamp_of_the_spin_ratio() {
     let h = 1e-4;
     for s in (0..=40).map(|k| 0.7013 + f64::from(k) * 0.0071) {
         let value = |s: f64| at::<f64>("ferguson", [s, 1.5e5, 50.0]);
@@ -380,7 +380,7 @@ fn differences_of_ferguson_where_the_spin_ratio_is_held() {
 }
 
 #[test]
-fn exact_no_law_has_lift_without_spin_nor_forces_without_end() {
+fn no_law_has_lift_without_spin_or_unbounded_forces() {
     for law in Law::NAMES {
         for (reynolds, speed) in [(0.0, 40.0), (3e4, 10.0), (8e4, 30.0), (2e5, 70.0)] {
             let none = at(
@@ -497,7 +497,7 @@ fn drawn(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) 
 /// Every curve is its law, solid within what it was fitted to and dashed beyond; points are the
 /// table of the source.
 #[test]
-fn exact_curves_and_points_of_a_plot_of_laws() {
+fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
     let (rows, _) = drawn(&["--laws", "ferguson,naruo-mizota,linear", "--show", "cl"]);
     for (kind, name, s, lift) in rows
         .iter()
@@ -588,7 +588,7 @@ fn cells_of_lyu() -> Vec<[Option<f64>; 4]> {
 
 /// Lift of 13 balls, which differ among each other by 0.02 to 0.03, and drag of one.
 #[test]
-fn paper_points_of_lyu_lie_about_its_law() {
+fn published_points_of_lyu_scatter_about_its_law() {
     let points = cells_of_lyu();
     assert_eq!(points.len(), 12);
     for [reynolds, s, drag, lift] in points {

@@ -33,7 +33,7 @@ fn mirrored(setup: &Setup<f64>) -> Setup<f64> {
 }
 
 #[test]
-fn exact_the_same_numbers_of_the_other_hand_give_the_mirror_image() {
+fn exact_mirror_image_of_the_other_hand() {
     let mut compared = 0;
     for setup in random_setups(40) {
         let other = mirrored(&setup);
@@ -53,7 +53,7 @@ fn exact_the_same_numbers_of_the_other_hand_give_the_mirror_image() {
 }
 
 #[test]
-fn exact_derivatives_of_the_other_hand_are_those_of_the_mirror_image() {
+fn exact_derivatives_of_the_mirror_image() {
     let mut setup = Setup::preset("tour-average").unwrap();
     setup
         .set_all([
@@ -136,7 +136,7 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str]) -> (f64, Vec<f64>) {
 /// A head and a golfer without a favoured side, of either hand: the drives to the right and to the
 /// left cancel.
 #[test]
-fn exact_symmetric_head_and_strikes_have_no_lateral_mean() {
+fn exact_zero_lateral_mean_of_a_symmetric_head_and_strikes() {
     for golfer in Golfer::ALL {
         let setup = Setup {
             golfer: *golfer,
@@ -150,7 +150,7 @@ fn exact_symmetric_head_and_strikes_have_no_lateral_mean() {
 /// The best head of a left-hander is the mirror image of a right-hander's, whose wind comes from
 /// the other side.
 #[test]
-fn exact_best_design_of_the_other_hand_is_the_mirror_image() {
+fn exact_mirror_image_of_the_best_design() {
     let mut setup = Setup::preset("tour-average").unwrap();
     setup
         .set_all([("wind.right", "2 m/s"), ("club.inertia.xy", "300 g cm^2")])

@@ -80,7 +80,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
 }
 
 #[test]
-fn exact_same_end_whenever_a_search_is_stopped_and_resumed() {
+fn same_end_of_a_search_stopped_and_resumed_anywhere() {
     let whole = whole();
     assert!(whole.iterations >= 10, "{}", whole.iterations);
     for most in 1..whole.iterations {
@@ -133,7 +133,7 @@ impl Problem for InBlocks {
 }
 
 #[test]
-fn exact_no_block_is_begun_after_the_flag_and_the_search_ends_with_a_finished_point() {
+fn no_block_is_begun_after_cancellation_and_the_search_ends_with_a_complete_point() {
     let whole = whole();
     let evaluations = usize::try_from(whole.evaluations).unwrap();
     for raised_in in (1..10 * evaluations).step_by(3) {
@@ -206,7 +206,7 @@ fn exact_no_block_is_begun_after_the_flag_and_the_search_ends_with_a_finished_po
 }
 
 #[test]
-fn exact_no_block_of_a_fit_is_begun_after_the_flag() {
+fn no_block_of_a_fit_is_begun_after_cancellation() {
     // Misra's curve through three of its points: 1 − e^(−b x), fitted in a few evaluations
     let rows = |b: &[f64]| {
         let at = |x: &f64| {
@@ -260,7 +260,7 @@ fn exact_no_block_of_a_fit_is_begun_after_the_flag() {
 }
 
 #[test]
-fn exact_same_optima_when_some_of_many_searches_were_kept_before() {
+fn same_optima_when_some_searches_are_resumed() {
     let (domain, options) = (disc(), Options::default());
     let starts = starts(&domain, &START, 6).unwrap();
     let fresh = minimize_from(
@@ -308,7 +308,7 @@ fn exact_same_optima_when_some_of_many_searches_were_kept_before() {
 }
 
 #[test]
-fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
+fn same_answer_of_the_program_after_repeated_kills() {
     let folder = tempfile::tempdir().unwrap();
     // a step so short that a search takes seconds
     let arguments = |checkpoint: &str| {
@@ -358,7 +358,7 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
 /// Of ten thousand searches those that had not begun are told together: one by one they would be
 /// compared with all others.
 #[test]
-fn exact_searches_that_had_not_begun_are_one_end_with_all_their_starts() {
+fn searches_that_had_not_begun_are_one_entry_with_all_their_starts() {
     let (domain, options) = (disc(), Options::default());
     let starts = starts(&domain, &START, 10_000).unwrap();
     let follow = Follow::default();

@@ -1,6 +1,5 @@
-//! What longdrive promises, held against papers, closed forms, independent computations and
-//! measured orders. A test's name says which: `paper_`, `exact_`, `independent_`, `order_`,
-//! `differences_`, `measured_`, `published_`, and `regress_` for what may not grow.
+//! Tests of the library and the program against papers, closed forms, independent computations and
+//! orders of convergence. CONTRIBUTING.md lists the prefixes of their names.
 
 mod analysis;
 mod calibration;

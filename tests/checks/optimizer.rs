@@ -150,7 +150,7 @@ fn steps_of_a_constrained_optimum_are_exact_and_most_need_no_interior_point_meth
 }
 
 #[test]
-fn independent_mae494_optimum_from_every_start_that_flies() {
+fn independent_mae494_optimum_from_every_start_with_a_flight() {
     let mut flying = 0;
     for [loft, attack] in starts(300, [0.0, -10.0], [20.0, 10.0]) {
         let best = mae494(
@@ -227,7 +227,7 @@ fn every_start_in_a_box_twice_as_wide_ends_at_the_same_kkt_point() {
 }
 
 #[test]
-fn independent_corner_at_zero_spin_is_the_end_of_every_search_in_a_wide_box() {
+fn independent_corner_at_zero_spin_from_every_start_in_a_wide_box() {
     // model page: loft 0°, attack 38.53°, 170.574 m; one-sided slopes +83.7 and −29.7 m/rad
     for loft_range in ["club.loft=-10deg..20deg", "club.loft=0deg..20deg"] {
         for [loft, attack] in starts(40, [0.0, -5.0], [20.0, 60.0]) {
@@ -347,7 +347,7 @@ fn a_setup_cannot_be_searched_over_nothing_or_twice_over_the_same() {
 }
 
 #[test]
-fn exact_values_of_the_default_search_hold_at_its_optimum() {
+fn differences_confirm_optimum_and_price_of_the_default_search() {
     let setup = Setup::default();
     let best = optimum(
         &setup,
@@ -452,7 +452,7 @@ fn exact_minima_of_indefinite_functions_lie_in_corners_of_the_box() {
 }
 
 #[test]
-fn exact_corner_of_an_absolute_value_ends_as_a_kink() {
+fn a_search_at_the_corner_of_an_absolute_value_ends_as_a_kink() {
     // |x − 0.3| + (y − x)²: a corner at x = 0.3 = y
     let f = |v: &[f64]| {
         let (side, d) = ((v[0] - 0.3).signum(), v[1] - v[0]);
@@ -484,7 +484,7 @@ fn exact_corner_of_an_absolute_value_ends_as_a_kink() {
 }
 
 #[test]
-fn exact_minimum_next_to_a_region_where_the_function_is_not_defined() {
+fn exact_minimum_next_to_an_undefined_region() {
     // x − ln x, not defined for x ≤ 0: the first steps from far right leap there
     let f = |v: &[f64]| {
         if v[0] <= 0.0 {
@@ -667,7 +667,7 @@ fn taylor(value: f64, gradient: [f64; 2], hessian: [[f64; 2]; 2]) -> Taylor {
 const FLAT: [[f64; 2]; 2] = [[0.0; 2]; 2];
 
 #[test]
-fn exact_objectives_that_fall_without_end_are_unbounded() {
+fn objectives_that_decrease_without_limit_are_unbounded() {
     // −x³ + y²
     let cubic = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
@@ -740,7 +740,7 @@ fn exact_objectives_that_fall_without_end_are_unbounded() {
 }
 
 #[test]
-fn exact_minima_far_away_are_no_unbounded_objectives() {
+fn exact_minima_far_away_are_not_unbounded() {
     // (x − 1e9)²: nine powers of ten from the start
     let far = |v: &[f64]| {
         let d = v[0] - 1e9;
@@ -774,7 +774,7 @@ fn exact_minima_far_away_are_no_unbounded_objectives() {
 }
 
 #[test]
-fn exact_unbounded_along_constraints() {
+fn objectives_unbounded_along_constraints_are_detected() {
     // −x − y on the line x = y
     let line = |v: &[f64]| {
         vec![
@@ -915,7 +915,7 @@ fn exact_minima_from_stationary_points_of_the_violation() {
 }
 
 #[test]
-fn exact_minima_from_starts_where_no_slope_shows_a_way() {
+fn exact_minima_from_starts_with_zero_gradients() {
     let [bowl, hill, x_y] = [
         [[2.0, 0.0], [0.0, 2.0]],
         [[-2.0, 0.0], [0.0, 2.0]],
@@ -994,7 +994,7 @@ fn exact_minima_from_starts_where_no_slope_shows_a_way() {
 }
 
 #[test]
-fn exact_contradicting_constraints_stay_infeasible() {
+fn contradicting_constraints_are_infeasible() {
     // x² + y² ≤ −1, from its centre and from elsewhere; x + y = 0 and x + y = 1
     let never = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
@@ -1030,7 +1030,7 @@ fn exact_contradicting_constraints_stay_infeasible() {
 /// (1 − gap, 0), where the limit and the lower bound of y each cost 1 for each unit; the start lies
 /// on the bound beside the limit.
 #[test]
-fn exact_corner_beside_a_bound_without_any_curvature() {
+fn exact_vertex_beside_a_bound_without_curvature() {
     for exponent in 1..=12 {
         let gap = 10_f64.powi(-exponent);
         let plane = |x: &[f64]| {

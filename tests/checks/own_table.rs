@@ -65,7 +65,7 @@ fn evenly(low: f64, high: f64, steps: u32) -> Vec<f64> {
 /// The grid of Bearman & Harvey as a table of one's own: the same splines, by speed and spin, in
 /// other units too.
 #[test]
-fn exact_a_table_of_bearman_and_harvey_is_their_law() {
+fn same_drives_by_a_table_of_bearman_and_harvey_and_by_their_law() {
     let grid = include_str!("../data/bearman_harvey_1976.csv");
     let plain = grid.replacen(
         "speed_m_s,spin_rpm,CD,CL",
@@ -139,7 +139,7 @@ fn order_of_a_table_of_a_smooth_law_is_four() {
 /// Value, slope and curvature on both sides of every line of a table, of its edges, of where it
 /// begins to stay as it is, and of no spin.
 #[test]
-fn exact_c2_of_a_table_across_every_line_and_beyond() {
+fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     let spin_ratios = [0.05, 0.08, 0.15, 0.2, 0.31];
     let reynolds = [6e4, 1e5, 1.3e5, 2.1e5];
     let law = of_table(&table_of("usga-itr", &spin_ratios, &reynolds));
@@ -222,7 +222,7 @@ fn exact_a_table_along_one_axis_and_no_lift_without_spin() {
 }
 
 #[test]
-fn exact_derivatives_with_a_table_pass_verification() {
+fn derivatives_with_a_table_pass_verification() {
     let law = of_table(&table_of(
         "launch-monitor",
         &evenly(0.02, 0.4, 19),
@@ -481,7 +481,7 @@ fn a_table_that_has_changed_is_another_question() {
 /// The curve through these nodes has a negative drag below their first: no ball gets there, unless
 /// it has some spin there.
 #[test]
-fn exact_drag_is_not_looked_at_below_no_spin() {
+fn drag_of_a_table_is_not_checked_below_zero_spin() {
     let law = of_table("s,cd,cl\n0,0.02,0\n0.05,0.3,0.1\n0.1,0.32,0.2\n0.2,0.33,0.3\n");
     for (s, drag) in [(0.0, 0.02), (0.05, 0.3), (0.1, 0.32), (0.2, 0.33)] {
         let found: Coefficients<f64> = at(law, [s, 1e5, 50.0]);

@@ -101,7 +101,7 @@ fn the_answer_is_the_first_thing_on_the_page() {
 /// An error that is the same in both drives moves both: of two that differ in nothing the change is
 /// known exactly.
 #[test]
-fn exact_the_change_to_the_same_drive_has_no_uncertainty() {
+fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
     use longdrive::study::{effects, with_defaults};
     use longdrive::{Outcome, Setup};
     let setup = Setup::default();
@@ -524,7 +524,7 @@ fn all_pages_have_one_frame() {
 }
 
 #[test]
-fn exact_the_average_of_winfield_and_tan_is_drawn_with_its_peak() {
+fn published_peak_of_the_average_of_winfield_and_tan_is_drawn() {
     let csv = PAPER_WRITTEN.file("average.csv");
     let rows = |name: &str| -> Vec<[f64; 2]> {
         let rows = csv
@@ -559,7 +559,7 @@ fn exact_the_average_of_winfield_and_tan_is_drawn_with_its_peak() {
 }
 
 #[test]
-fn independent_a_calibration_shows_what_was_measured_over_what_is_computed() {
+fn a_page_of_a_calibration_plots_measured_over_computed_values() {
     let folder = tempfile::tempdir().unwrap();
     let shots = folder.path().join("shots.csv");
     std::fs::copy(

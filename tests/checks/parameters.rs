@@ -204,7 +204,7 @@ fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change
 /// Equal rows have equal hashes, and every row has one of its own: name and law tell it from all
 /// others.
 #[test]
-fn exact_parameters_and_outcomes_are_keys_and_have_their_names() {
+fn parameters_and_outcomes_are_keys_and_have_names() {
     let rows: Vec<&Parameter> = Setup::default()
         .parameters()
         .into_iter()

@@ -152,7 +152,7 @@ fn exact_front_of_two_distances() {
 /// Stopped in whichever evaluation: none is begun after it, before the first end is known that is
 /// said, and from then on there are points, all of them on the front.
 #[test]
-fn exact_points_of_a_front_that_is_stopped_within_any_evaluation() {
+fn same_points_of_a_front_stopped_within_any_evaluation() {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
     let domain = Domain::new(vec![-5.0; 2], vec![5.0; 2])
         .unwrap()
@@ -220,7 +220,7 @@ fn exact_points_of_a_front_that_is_stopped_within_any_evaluation() {
 
 /// With x ≤ 1 the front leaves the line between the two at (1, ½) and goes up along the bound.
 #[test]
-fn exact_place_where_a_bound_begins_to_hold_a_front() {
+fn exact_event_where_a_bound_becomes_active_on_a_front() {
     let found = between(Distances, [-5.0; 2], [1.0, 5.0], 9);
     let events: Vec<_> = found
         .points
@@ -237,7 +237,7 @@ fn exact_place_where_a_bound_begins_to_hold_a_front() {
 }
 
 #[test]
-fn exact_of_minima_as_good_a_front_ends_at_the_one_that_is_best_for_the_other() {
+fn exact_end_of_a_front_among_equal_minima() {
     let found = between(Blind, [-5.0; 2], [5.0; 2], 5);
     for point in &found.points {
         close(point.x[1], 3.0, 1.0, 1e-5, "y");
@@ -252,7 +252,7 @@ fn exact_of_minima_as_good_a_front_ends_at_the_one_that_is_best_for_the_other() 
 }
 
 #[test]
-fn exact_hollow_and_straight_fronts_have_no_knee() {
+fn concave_and_straight_fronts_have_no_knee() {
     let hollow = between(Hollow, [-2.0; 2], [2.0; 2], 11);
     assert_eq!((hollow.points.len(), hollow.knee), (11, None));
     // it bends the right way only close to its ends
@@ -278,7 +278,7 @@ fn exact_hollow_and_straight_fronts_have_no_knee() {
 
 /// Where both have one minimum there is one point.
 #[test]
-fn exact_no_front_where_one_point_is_best_for_both() {
+fn no_front_if_one_point_is_best_for_both_goals() {
     struct Both;
     impl Functions for Both {
         fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {

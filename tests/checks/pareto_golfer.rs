@@ -59,7 +59,7 @@ fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<GoalLimit>) -> SwingsOpti
 /// The spin depends on the loft alone: of all drives with the least of it, the end of the front is
 /// the one that carries farthest.
 #[test]
-fn independent_end_of_a_front_that_a_variable_does_not_change_is_the_best_for_the_other_goal() {
+fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     let mut setup = Setup::preset("tour-average").unwrap();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let goals = [
@@ -107,7 +107,7 @@ fn independent_end_of_a_front_that_a_variable_does_not_change_is_the_best_for_th
 /// the other goal there, whose multiplier is the slope, as are differences of optima beside it; and
 /// none is better than another in both.
 #[test]
-fn independent_front_of_carry_and_dispersion_beside_single_searches() {
+fn same_front_of_carry_and_dispersion_by_single_searches() {
     let mut setup = Setup::preset("tour-average").unwrap();
     // the front and the single searches are of the same drives, in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
@@ -233,7 +233,7 @@ fn a_front_of_two_parts_says_where_other_designs_are_better() {
 /// The setup of a point has the outcomes that the table says, also where both goals are of one
 /// drive.
 #[test]
-fn exact_what_is_written_of_a_front_is_what_it_says() {
+fn same_front_in_text_json_csv_and_setups() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).display().to_string();
     let ask = [

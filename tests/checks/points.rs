@@ -185,7 +185,7 @@ fn points_that_append_other_numbers_of_values_than_they_say_are_refused_after_th
 
 /// What is not there is not handed on: the row that comes back is the one that was to be the first.
 #[test]
-fn exact_a_batch_from_behind_its_last_point_hands_nothing_on() {
+fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
     let setup = Setup::default();
     let run = Run {
         first_row: 99_999,

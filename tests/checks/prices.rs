@@ -66,7 +66,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
 }
 
 #[test]
-fn exact_a_design_that_breaks_a_relation_is_marked() {
+fn a_design_that_violates_a_relation_is_marked() {
     let text = told(&over_swings("loft: club.loft >= 10 deg"));
     assert!(
         text.contains("9.5° (broken)") || text.contains("9.50° (broken)"),
@@ -84,7 +84,7 @@ fn exact_a_design_that_breaks_a_relation_is_marked() {
 }
 
 #[test]
-fn differences_of_optima_are_the_price_of_the_side_that_is_active() {
+fn differences_of_optima_are_the_price_of_the_active_side() {
     for (limit, words, sides) in [
         (
             "20 yd <= apex_height <= 35 yd",
@@ -135,7 +135,7 @@ fn as_text(args: &[String]) -> Vec<&str> {
 }
 
 #[test]
-fn differences_of_the_greatest_loss_are_the_prices_of_what_holds_a_robust_design() {
+fn differences_of_the_greatest_loss_are_the_prices_of_the_active_limits_of_a_robust_design() {
     // one model limits it by its apex
     let limited = |limit: &str| robust(&["--subject-to", limit]);
     let (args, tight, loose) = (
@@ -229,7 +229,7 @@ fn a_search_without_an_optimum_does_not_call_its_end_one() {
 }
 
 #[test]
-fn exact_a_range_that_is_no_single_value_does_not_read_as_one() {
+fn a_range_of_several_values_does_not_print_as_one() {
     let narrow = [
         "optimize",
         "-q",

@@ -258,7 +258,7 @@ fn published_points_have_the_published_values() {
 /// Eight other starts around each published one: a search ends at a KKT point, or says that it does
 /// not.
 #[test]
-fn order_of_failures_from_other_starts_is_a_few_in_a_hundred() {
+fn few_searches_fail_from_other_starts() {
     let (mut failed, mut tried) = (vec![], 0);
     for case in problems::hock_schittkowski()
         .iter()

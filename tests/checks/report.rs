@@ -108,7 +108,7 @@ fn figures() -> Vec<Figure> {
 }
 
 #[test]
-fn exact_data_of_a_trajectory_are_the_points_flown() {
+fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
     let setup = Setup::default();
     let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
     let figure =
@@ -133,7 +133,7 @@ fn exact_data_of_a_trajectory_are_the_points_flown() {
 /// Seen from above with the target to the right of the picture, right of the target line is below
 /// it.
 #[test]
-fn exact_a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
+fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
     let ends = |face_angle: &str| {
         let mut setup = Setup::default();
         setup.set("swing.face_angle", face_angle).unwrap();
@@ -172,7 +172,7 @@ fn exact_a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
 }
 
 #[test]
-fn exact_places_on_the_picture_are_those_of_the_data() {
+fn same_positions_in_the_picture_and_in_the_data() {
     // a line from corner to corner of exact axes ends in the corners of the frame, in metres as in
     // yards
     let length = || Axis::linear(Measure::outcome(Outcome::Carry)).exactly(0.0, 91.44);
@@ -371,7 +371,7 @@ fn what_cannot_be_drawn_is_told() {
 }
 
 #[test]
-fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
+fn limits_on_a_map_are_where_the_outcome_reaches_them() {
     let folder = tempfile::tempdir().unwrap();
     let file = path(&folder, "x.csv");
     let said = longdrive(&[
@@ -409,7 +409,7 @@ fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
 }
 
 #[test]
-fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
+fn same_tornado_bars_and_drives() {
     let all = figures();
     let csv = figure_csv(&all[3]).unwrap();
     let bar = csv
@@ -455,7 +455,7 @@ fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
 }
 
 #[test]
-fn independent_maps_hold_the_drives_and_gradients_of_other_commands() {
+fn same_drives_and_gradients_in_maps_and_other_commands() {
     let setup = Setup::default();
     let [across, up] = ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"]
         .map(|text| Vary::read(&setup, text).unwrap());

@@ -21,7 +21,7 @@ fn carry(loft: f64, attack: f64) -> f64 {
 }
 
 #[test]
-fn paper_the_slipped_regression_peaks_where_the_report_prints_its_optimum() {
+fn published_optimum_is_the_peak_of_the_regression_with_its_slip() {
     let regression = &FOUND.regression;
     // Table 1, at elevation 10°, to the four decimals printed
     close(
@@ -58,7 +58,7 @@ fn independent_optimum_of_the_reports_model_and_the_price_of_its_bound() {
 }
 
 #[test]
-fn independent_bounds_hold_eight_of_thirteen_lofts_and_nine_of_nine_attack_angles() {
+fn independent_bounds_are_active_at_eight_of_thirteen_lofts_and_all_attack_angles() {
     let active = |rows: &[Row]| rows.iter().filter(|row| !row.active.is_empty()).count();
     assert_eq!((FOUND.table1.len(), active(&FOUND.table1)), (13, 8));
     assert_eq!((FOUND.table2.len(), active(&FOUND.table2)), (9, 9));
@@ -106,7 +106,7 @@ fn independent_bounds_hold_eight_of_thirteen_lofts_and_nine_of_nine_attack_angle
 }
 
 #[test]
-fn exact_energy_argument() {
+fn independent_bound_by_energy_and_grid_of_launches() {
     let energy = &FOUND.energy;
     close(
         energy.fastest,
@@ -154,7 +154,7 @@ fn exact_energy_argument() {
 }
 
 #[test]
-fn exact_parts_of_the_launch_add_up_to_the_slopes_of_the_whole() {
+fn exact_parts_of_the_launch_add_up_to_the_gradient() {
     let parts = &FOUND.subsystems;
     let setup = &FOUND.optimum.best.setup;
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
@@ -183,7 +183,7 @@ fn exact_parts_of_the_launch_add_up_to_the_slopes_of_the_whole() {
 }
 
 #[test]
-fn independent_slopes_of_the_loop_have_the_wrong_sign_at_every_loft() {
+fn independent_derivatives_of_the_loop_have_the_wrong_sign_at_every_loft() {
     let noise = &FOUND.noise;
     assert_eq!((noise.slopes.len(), noise.wrong_signs()), (15, 15));
     let ten = noise
@@ -225,7 +225,7 @@ fn independent_slopes_of_the_loop_have_the_wrong_sign_at_every_loft() {
 }
 
 #[test]
-fn differences_on_the_loop_find_nothing_and_exact_derivatives_everything() {
+fn finite_differences_on_the_loop_miss_the_optimum_and_exact_derivatives_find_it() {
     let best = FOUND.optimum.exact().carry;
     for searches in &FOUND.searches {
         assert_eq!(searches.ends.len(), 20);
@@ -253,7 +253,7 @@ fn differences_on_the_loop_find_nothing_and_exact_derivatives_everything() {
 }
 
 #[test]
-fn exact_sensitivities_of_the_parametric_study_predict_the_optimum_searched_anew() {
+fn sensitivities_of_the_parametric_study_predict_the_new_optimum() {
     let study = &FOUND.parametric;
     for changed in &study.changes {
         let moved = changed.resolved.value().unwrap();
@@ -279,7 +279,7 @@ fn exact_sensitivities_of_the_parametric_study_predict_the_optimum_searched_anew
 }
 
 #[test]
-fn paper_third_study_ends_before_its_optimum() {
+fn published_third_study_ends_before_its_optimum() {
     let average = &FOUND.average;
     assert_eq!(average.printed.to_degrees().round(), 16.0);
     // carry grows to the last of the lofts that the report looks at, 18°
@@ -299,7 +299,7 @@ fn paper_third_study_ends_before_its_optimum() {
 }
 
 #[test]
-fn paper_numbers_and_ours_side_by_side_in_json_and_text() {
+fn published_and_computed_numbers_in_json_and_text() {
     let (status, found) = json(&["reproduce", "mae494"]);
     assert_eq!(status, 0);
     close(

@@ -40,7 +40,7 @@ fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
 /// Two models whose best lofts differ: at the design that loses least both lose the same, and a
 /// fine grid of lofts has none that loses less.
 #[test]
-fn independent_loft_that_loses_least_with_either_of_two_models() {
+fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     let mut setup = Setup::preset("modern-driver").unwrap();
     setup
         .set_all([("flight.method", "dp8"), ("flight.step", "400 ms")])
@@ -118,7 +118,7 @@ fn independent_loft_that_loses_least_with_either_of_two_models() {
 
 /// A model that never loses more than another does not hold the design.
 #[test]
-fn exact_a_model_that_is_the_setup_in_all_that_matters_holds_nothing() {
+fn exact_zero_loss_for_a_model_equal_to_the_setup() {
     let setup = Setup::preset("mae494").unwrap();
     let best = found(&setup, &["impact.friction=50"]);
     close(best.greatest(), 0.0, 1.0, 1e-7, "nothing is lost");
@@ -247,7 +247,7 @@ fn bad_models_say_what_is_wrong() {
 /// A goal that grows to either side has two best designs, of which the setup's own is nearer to the
 /// worse: from several starts the better one is found for every model, and for all of them.
 #[test]
-fn exact_several_starts_find_the_better_end_for_every_model() {
+fn several_starts_find_the_better_end_for_every_model() {
     let args = [
         "robust",
         "mae494",

@@ -148,7 +148,7 @@ fn generated(random: &mut Random) -> Option<Generated> {
 /// Few generated searches end more than half a metre below the best of 760 random points of the
 /// same ranges, and none says that no point meets the constraints.
 #[test]
-fn independent_optima_are_hardly_ever_below_random_points() {
+fn sampled_points_are_rarely_better_than_optima() {
     let mut random = Random(Xoshiro256PlusPlus::seed_from_u64(51));
     let (mut below, mut improved) = (vec![], 0);
     for number in 0..400 {
@@ -188,7 +188,7 @@ fn independent_optima_are_hardly_ever_below_random_points() {
 /// 47 of 2,000 random points meet these constraints, but the search from the preset's own values
 /// ends where none is met.
 #[test]
-fn independent_a_small_feasible_region_is_found() {
+fn a_small_feasible_region_is_found() {
     let asked = [
         "optimize",
         "modern-driver",

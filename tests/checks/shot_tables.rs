@@ -60,14 +60,14 @@ const SECOND: [f64; 5] = [157.1, 11.4, 0.3, 2650.0, -1.9];
 const STRAIGHT: [f64; 5] = [160.0, 12.0, 0.0, 2500.0, 0.0];
 
 #[test]
-fn exact_numbers_in_the_forms_that_spreadsheets_and_other_countries_have() {
+fn same_launches_in_number_formats_of_spreadsheets_and_countries() {
     same("apostrophe-negatives.csv", &[FIRST, SECOND]);
     same("excel-formula-cells.csv", &[FIRST, SECOND]);
     same("thousands-of-other-locales.csv", &[STRAIGHT; 6]);
 }
 
 #[test]
-fn exact_heads_in_other_spellings() {
+fn same_launches_with_heads_in_other_spellings() {
     same("heads-camel-case.csv", &[FIRST]);
     same("line-break-in-heads.csv", &[STRAIGHT]);
     // by German heads; its speed is 257.495 km/h, and its air 1.184 kg/m³ as a column states it
@@ -85,7 +85,7 @@ fn exact_heads_in_other_spellings() {
 /// A dot in a head is no decimal point: `61,468` has decimals, as the other numbers of its table
 /// have.
 #[test]
-fn exact_decimal_commas_below_heads_with_dots() {
+fn same_launches_with_decimal_commas_below_heads_with_dots() {
     let text = "Ball Speed [m/s];Launch Ang. [deg];Launch Dir. [deg];Spin Rate [rpm];Spin Axis \
                 [deg]\n61,468;17,8;-3,3;2507;-12,2\n";
     let (_, found, _) = flown(text.as_bytes());
@@ -100,7 +100,7 @@ fn exact_decimal_commas_below_heads_with_dots() {
 }
 
 #[test]
-fn exact_units_in_cells() {
+fn same_launches_with_units_in_cells() {
     same("units-in-cells.csv", &[STRAIGHT]);
     let launches = [[123.0, 17.1, 4.6, 0.0, 0.0], [126.4, 15.3, -2.0, 0.0, 0.0]];
     let spins = [[2878.0_f64, 422.0], [2650.0, -210.0]];
@@ -141,7 +141,7 @@ fn exact_units_in_cells() {
 }
 
 #[test]
-fn exact_a_line_of_units_is_one_whatever_its_other_cells_are() {
+fn same_launches_with_a_line_of_units_and_other_cells() {
     let (_, found, _) = case("units-row-with-a-pattern.csv");
     for (found, expected) in landed(&found).iter().zip([269.9, 261.6]) {
         close(
@@ -164,7 +164,7 @@ fn exact_a_line_of_units_is_one_whatever_its_other_cells_are() {
 }
 
 #[test]
-fn exact_sections_have_heads_and_units_of_their_own() {
+fn same_launches_in_sections_with_their_own_heads_and_units() {
     let (_, found, _) = case("two-exports-mph-then-kmh.csv");
     let carries = landed(&found);
     assert_eq!(carries.len(), 2);
@@ -223,7 +223,7 @@ fn exact_sections_have_heads_and_units_of_their_own() {
 }
 
 #[test]
-fn exact_values_of_a_club_that_were_not_measured_are_not_used() {
+fn unmeasured_values_of_a_club_are_not_used() {
     let (_, found, _) = case("gcquad-unmeasured-club.csv");
     let shots: Vec<_> = found.iter().flat_map(Flown::shots).collect();
     let speeds: Vec<Option<f64>> = shots.iter().map(|shot| shot.club.speed).collect();
@@ -242,7 +242,7 @@ fn exact_values_of_a_club_that_were_not_measured_are_not_used() {
 }
 
 #[test]
-fn exact_up_and_down_inside_and_outside_open_and_closed() {
+fn words_for_directions_have_signs() {
     let (_, found, _) = case("flightscope-up-down.csv");
     let club = |row: usize| {
         found[0].shots()[row]
@@ -299,7 +299,7 @@ fn published_signs_of_garmin_are_turned() {
 /// In the second section the columns stand in another order: its signs and units come from its own
 /// rows.
 #[test]
-fn exact_a_section_is_interpreted_by_its_own_rows() {
+fn a_section_is_interpreted_by_its_own_rows() {
     let text = "Ball Speed,Launch Angle,Launch Direction,Spin Rate,Spin Axis,Sidespin,Carry \
                 Deviation Distance\n\
                 160 mph,12 deg,0 deg,2500 rpm,10 deg,-434 rpm,12 yd\n\
@@ -325,7 +325,7 @@ fn exact_a_section_is_interpreted_by_its_own_rows() {
 /// 1135 ft and 77 °F: 1.1367 kg/m³ by the standard atmosphere's pressure and the density of dry
 /// air.
 #[test]
-fn independent_the_air_of_a_condition_is_that_of_its_altitude_and_temperature() {
+fn independent_air_of_an_altitude_and_a_temperature() {
     let (shots, found, _) = case("trackman-short-heads.csv");
     assert_eq!(
         shots
@@ -372,7 +372,7 @@ fn every_shot_is_explained_with_what_it_states() {
 
 /// The same 12 drives with heads, units, sides and marks of many kinds.
 #[test]
-fn exact_generated_tables_are_those_that_are_written_plainly() {
+fn same_launches_in_generated_tables_and_in_a_plain_one() {
     let launches: Vec<[f64; 5]> = (0..12)
         .map(|k| {
             let part = |i: u32| (f64::from(k) * (0.754_877_666 + 0.1 * f64::from(i))).fract();
@@ -461,7 +461,7 @@ fn exact_generated_tables_are_those_that_are_written_plainly() {
 
 /// Carries are those that are predicted, written in one unit under the head of another.
 #[test]
-fn exact_units_that_are_likely_to_be_others_are_warned_of() {
+fn implausible_units_are_warned_of() {
     let launches: Vec<[f64; 5]> = (0..6)
         .map(|k| [150.0 + 4.0 * f64::from(k), 12.0, 0.0, 2600.0, 2.0])
         .collect();
@@ -542,7 +542,7 @@ fn a_line_of_units_that_contradicts_its_head_is_refused() {
 }
 
 #[test]
-fn exact_a_club_of_zeros_is_as_one_that_is_not_stated() {
+fn same_shots_with_a_club_of_zeros_and_without_one() {
     let text = |club: &str| {
         format!(
             "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Speed [mph],Attack Angle \

@@ -71,7 +71,7 @@ fn sample(direction: f64, axis: f64) -> Drive<f64> {
 }
 
 #[test]
-fn exact_the_same_shot_flies_alike_in_every_makers_export() {
+fn same_flight_of_a_shot_in_every_makers_export() {
     let full = sample(-1.5, 3.0);
     let yard = 0.9144;
     for (name, maker, rows, landed) in [
@@ -145,7 +145,7 @@ fn exact_the_same_shot_flies_alike_in_every_makers_export() {
 }
 
 #[test]
-fn measured_estimated_and_normalized_are_kept_where_the_export_says_so() {
+fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
     let origin = |name: &str, row: usize| {
         file(name).1.shots()[row]
             .value(Outcome::Spin)
@@ -205,7 +205,7 @@ fn measured_estimated_and_normalized_are_kept_where_the_export_says_so() {
 }
 
 #[test]
-fn exact_a_table_is_the_same_in_every_encoding() {
+fn same_table_in_every_encoding() {
     let text = fs::read_to_string(path("trackman.csv")).unwrap();
     let wide: Vec<u8> = format!("\u{feff}{text}")
         .encode_utf16()
@@ -562,7 +562,7 @@ fn decimals_and_thousands_that_cannot_be_told_apart_are_refused() {
 }
 
 #[test]
-fn exact_bias_and_errors_by_ball_speed_are_those_of_the_residuals() {
+fn exact_bias_and_errors_by_ball_speed() {
     // measured carries that are off by known lengths
     let speeds = [110.0, 150.0, 155.0, 165.0, 190.0];
     let off = [-1.0, 2.0, -4.0, 3.0, 0.5];
@@ -644,7 +644,7 @@ impl Read for Many {
 }
 
 #[test]
-fn regress_rows_stream_and_do_not_depend_on_the_number_of_threads() {
+fn same_streamed_rows_for_any_number_of_threads() {
     let mut setup = Setup::default();
     // the fewer steps to a flight, the more of the time is the reading and writing that is looked
     // at

@@ -27,7 +27,7 @@ fn lines(path: &str) -> Vec<Value> {
 }
 
 #[test]
-fn exact_json_lines_are_read_again_and_written_the_same() {
+fn same_json_lines_after_reading_and_writing() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     for name in [
@@ -57,7 +57,7 @@ fn exact_json_lines_are_read_again_and_written_the_same() {
 }
 
 #[test]
-fn exact_json_lines_with_parameters_of_their_own_are_flown_with_them_again() {
+fn same_flights_of_json_lines_with_their_own_parameters() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],air.density \
@@ -188,7 +188,7 @@ fn what_is_assumed_of_a_launch_is_not_measured_when_it_is_read_again() {
 }
 
 #[test]
-fn exact_rows_of_a_table_that_was_flown_are_the_same_when_it_is_flown_again() {
+fn same_rows_of_a_table_flown_again() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Player\n150,12,2700,\"A, \
@@ -490,7 +490,7 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
 
 /// More rows than a row group has: the numbers are those of the JSON lines.
 #[test]
-fn exact_shots_in_parquet_are_those_in_json_lines() {
+fn same_shots_in_parquet_and_in_json_lines() {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field;
     let folder = tempfile::tempdir().unwrap();
@@ -568,7 +568,7 @@ fn exact_shots_in_parquet_are_those_in_json_lines() {
 }
 
 #[test]
-fn exact_json_lines_of_fly_have_all_that_was_measured() {
+fn json_lines_of_fly_have_all_measured_values() {
     let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let folder = tempfile::tempdir().unwrap();
     let lines = folder.path().join("flown.jsonl").display().to_string();

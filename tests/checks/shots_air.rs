@@ -38,7 +38,7 @@ fn carry(density: f64) -> f64 {
 }
 
 #[test]
-fn exact_a_row_flies_in_the_air_that_its_export_states() {
+fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
     let text = garmin(&[
         "0.997,77,85.3,50",
         ",,,",
@@ -98,7 +98,7 @@ fn exact_a_row_flies_in_the_air_that_its_export_states() {
 }
 
 #[test]
-fn exact_calibrate_reads_the_air_of_each_row_as_fly_does() {
+fn same_air_of_each_row_in_calibrate_and_fly() {
     let text = garmin(&["0.997,77,85.3,50", ",,,"]);
     let mut table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
     let air = |table: &ShotTable, shot: usize| {

@@ -35,7 +35,7 @@ fn message(ball: &str) -> String {
 }
 
 #[test]
-fn exact_an_axis_beside_a_backspin_gives_the_sidespin() {
+fn exact_sidespin_from_spin_axis_and_backspin() {
     let side = 2500.0 * 10.0_f64.to_radians().tan();
     let sent = rows(
         &(message(r#""BackSpin":2500,"SpinAxis":10"#)
@@ -124,7 +124,7 @@ fn spins_that_contradict_each_other_are_told_with_what_is_used() {
 }
 
 #[test]
-fn exact_the_spin_is_taken_from_what_each_row_has() {
+fn the_spin_is_taken_from_the_cells_of_each_row() {
     let text = "Ball Speed,Launch Angle,Launch Direction,Backspin,Sidespin,Spin Rate,Spin \
                 Axis,Carry Distance,Carry Deviation Distance\n\
                 [mph],[deg],[deg],[rpm],[rpm],[rpm],[deg],[yds],[yds]\n\

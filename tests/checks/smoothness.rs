@@ -103,7 +103,7 @@ fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
 }
 
 #[test]
-fn exact_continuity_of_every_outcome_at_landing_where_the_number_of_steps_changes() {
+fn exact_continuity_of_every_outcome_across_numbers_of_steps() {
     let questions = [
         ("mae494", "rk4", 0.01),
         ("modern-driver", "rk4", 0.005),
@@ -142,7 +142,7 @@ fn exact_continuity_of_every_outcome_at_landing_where_the_number_of_steps_change
 }
 
 #[test]
-fn exact_continuity_of_the_apex_where_it_moves_from_one_step_to_the_next() {
+fn exact_continuity_of_the_apex_across_steps() {
     let mut setup = Setup::preset("mae494").unwrap();
     setup.flight.step = 0.05;
     for of in [

@@ -14,7 +14,7 @@ use longdrive::{Outcome, Setup};
 /// Each node of the maps of strikes is a drive; designs beside each other share their levels, and
 /// the data name every view.
 #[test]
-fn exact_maps_of_strikes_are_drives_from_there_for_both_hands() {
+fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     let mut setup = Setup::preset("tour-average").unwrap();
     setup
         .set_all([("strike.toe", "-6 mm"), ("swing.path", "1 deg")])
@@ -90,7 +90,7 @@ fn exact_maps_of_strikes_are_drives_from_there_for_both_hands() {
 /// Where the centre of mass is not behind the centre of the face, strikes are measured from there,
 /// and the sweet spot is another place.
 #[test]
-fn exact_the_sweet_spot_is_where_the_normal_goes_through_the_centre_of_mass() {
+fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
     let mut setup = Setup::preset("tour-average").unwrap();
     setup
         .set_all([

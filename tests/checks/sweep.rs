@@ -64,7 +64,7 @@ fn exact_grid_has_its_first_axis_outermost_and_both_ends() {
 }
 
 #[test]
-fn exact_values_and_gradients_are_those_of_single_drives() {
+fn same_values_and_gradients_in_a_sweep_and_alone() {
     let setup = Setup::default();
     let of = [
         Outcome::Carry,
@@ -213,7 +213,7 @@ fn bits(blocks: &[Block]) -> String {
 }
 
 #[test]
-fn exact_order_and_bits_whatever_the_threads_and_from_any_chunk_on() {
+fn same_order_and_bits_for_any_threads_and_from_any_chunk() {
     let whole = blocks(&Run {
         threads: 1,
         ..Run::default()
@@ -279,7 +279,7 @@ fn a_batch_stops_when_asked_and_ends_with_what_the_sink_refuses() {
 }
 
 #[test]
-fn exact_sequences_are_the_same_from_any_row_and_fill_their_ranges() {
+fn same_sequence_from_any_row() {
     let setup = Setup::default();
     let over = ["club.loft=5..15deg", "swing.speed=80..120mph"]
         .map(|text| Vary::read(&setup, text).unwrap());
@@ -358,7 +358,7 @@ pub fn table(name: &str, text: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf)
 }
 
 #[test]
-fn exact_csv_tables_carry_units_in_their_head() {
+fn csv_tables_have_units_in_their_heads() {
     let setup = Setup::default();
     let text = "\u{feff}club.loft [deg], swing.speed [mph],air.density [kg/m^3]\n10.5,110,1.2\n\n \
                 -3 , 9.5e1,\"0\"\n";
@@ -383,7 +383,7 @@ fn exact_csv_tables_carry_units_in_their_head() {
 }
 
 #[test]
-fn exact_csv_tables_in_utf_16_are_those_in_utf_8() {
+fn same_csv_table_in_utf_16_and_utf_8() {
     let setup = Setup::default();
     let text = "\u{feff}club.loft [deg]\tswing.speed [mph]\r\n10.5\t110\r\n11\t95\r\n";
     let (folder, path) = table("points.csv", text);
@@ -530,7 +530,7 @@ fn small() -> (Batch, Block) {
 }
 
 #[test]
-fn exact_csv_and_json_lines_read_back_equal() {
+fn same_rows_after_reading_csv_and_json_lines() {
     let (batch, block) = small();
     let values: Vec<Vec<_>> = (0..2)
         .map(|row| block.outcomes(row).chain(block.derivatives(row)).collect())
@@ -595,7 +595,7 @@ mod in_parquet {
     use std::sync::Arc;
 
     #[test]
-    fn exact_row_groups_made_apart_read_back_as_one_file() {
+    fn same_rows_from_row_groups_written_separately() {
         let setup = super::quick();
         let whole = blocks(&Run::default());
         let parameters =
@@ -723,7 +723,7 @@ mod in_parquet {
     }
 
     #[test]
-    fn exact_parquet_tables_are_read_across_row_groups() {
+    fn same_points_of_a_parquet_table_across_row_groups() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("points.parquet");
         write(&path, false);

@@ -41,7 +41,7 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str], scenarios: Scenarios)
 /// Value, gradient and Hessian of a mean at the optimum beside the weighted sums of single drives,
 /// one by one.
 #[test]
-fn exact_a_mean_and_its_derivatives_are_the_sums_over_single_drives() {
+fn same_mean_and_derivatives_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
     let swings = swings(
         &setup,
@@ -88,7 +88,7 @@ fn exact_a_mean_and_its_derivatives_are_the_sums_over_single_drives() {
 /// Winfield & Tan's average over attack angles of 0 to 10°, all alike: the mean over 2001 drives by
 /// Simpson's rule, whose best loft is found here by the zero of the mean slope.
 #[test]
-fn independent_best_loft_of_the_average_over_attack_angles() {
+fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
     let setup = Setup::preset("winfield-tan").unwrap();
     let all = swings(&setup, &["swing.attack_angle=uniform(0deg, 10deg)"]);
     let scenarios = Scenarios::new(&all, Rule::of(&all, None, 0).unwrap()).unwrap();
@@ -171,7 +171,7 @@ fn order_of_quadrature_and_of_sequences() {
 
 /// A symmetric head and golfer: no lateral mean, and no loft that favours a side.
 #[test]
-fn exact_symmetric_swings_have_no_lateral_mean() {
+fn exact_zero_lateral_mean_of_symmetric_swings() {
     let setup = Setup::preset("tour-average").unwrap();
     let mut straight = setup;
     straight
@@ -249,7 +249,7 @@ fn exact_correlation_of_normal_swings() {
 /// A normal distribution between two ends: its quantiles are where its moments say, and
 /// `uncertainty` samples it.
 #[test]
-fn exact_truncated_distribution_lies_between_its_ends() {
+fn independent_moments_of_a_truncated_distribution_by_its_quantiles() {
     let read = |text: &str| Uncertain::read(&Setup::default(), text);
     let input = read("swing.speed=truncated(110 mph, 5 mph, 100 mph, 112 mph)").unwrap();
     let Distribution::Truncated { low, high, .. } = input.distribution else {
@@ -284,7 +284,7 @@ fn exact_truncated_distribution_lies_between_its_ends() {
 /// Recorded swings that are a sample of known ones: the interval of the best loft holds the loft
 /// that is best for all, and more swings make it narrower.
 #[test]
-fn measured_interval_of_the_best_loft_from_recorded_swings() {
+fn sampled_interval_of_the_best_loft_from_recorded_swings() {
     let mut setup = Setup::preset("mae494").unwrap();
     // the carry to 1e-8 m, with a tenth of the evaluations
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
@@ -374,7 +374,7 @@ fn the_best_loft_over_swings_is_told_with_its_price_and_its_doubt() {
 }
 
 #[test]
-fn exact_a_search_over_swings_that_was_stopped_goes_on_to_the_same_bits() {
+fn same_bits_of_a_resumed_search_over_swings() {
     let folder = tempfile::tempdir().unwrap();
     let kept = folder.path().join("kept").display().to_string();
     let args = [
@@ -401,7 +401,7 @@ fn exact_a_search_over_swings_that_was_stopped_goes_on_to_the_same_bits() {
 /// search finds the nearer end alone. Of a range that is turned about, the best is the mirror
 /// image.
 #[test]
-fn exact_several_starts_find_both_ends_of_a_goal_that_grows_to_either_side() {
+fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     let asked = |set: &str, vary: &str, starts: &str| {
         let vary = format!("swing.face_angle={vary}");
         let args = [
@@ -515,7 +515,7 @@ fn exact_several_starts_find_both_ends_of_a_goal_that_grows_to_either_side() {
 /// Value, gradient and Hessian of goals as functions beside the searched problem's own and beside
 /// sums over single drives; without swings that vary, beside the drive.
 #[test]
-fn exact_goals_as_functions_are_the_sums_over_single_drives_to_every_order() {
+fn same_goals_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
     let swings = swings(
         &setup,
@@ -707,7 +707,7 @@ fn bad_swings_and_goals_say_what_is_wrong() {
 /// The strokes to the hole after a drive: nearer is better, so that the best loft for strokes is
 /// one for carry where the hole is straight ahead and out of reach.
 #[test]
-fn exact_fewest_strokes_are_the_longest_drive_where_only_length_counts() {
+fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("strokes.csv");
     // the strokes rise in proportion to the distance: the goal is the distance that is left

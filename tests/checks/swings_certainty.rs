@@ -133,7 +133,7 @@ fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Swing
 /// outcome. Truth is what 65,536 swings of another sequence say; of goals without an edge over few
 /// parameters, Gauss's rules with two and a half times as many nodes.
 #[test]
-fn independent_truth_lies_within_the_error_told_of_generated_goals() {
+fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     let mut chance = Xoshiro256PlusPlus::seed_from_u64(51);
     let mut between = |low: f64, high: f64| {
         low + (high - low) * (chance.next_u64() >> 11) as f64 / (1u64 << 53) as f64
@@ -254,7 +254,7 @@ fn independent_truth_lies_within_the_error_told_of_generated_goals() {
 /// launch angle of 12.11° where every drive has 12.71°, and a carry of 224.743 m for 224.628 m,
 /// each by sorting 16,384 drives.
 #[test]
-fn independent_shares_of_sorted_drives_lie_within_the_error_told() {
+fn independent_shares_of_sorted_drives_are_within_the_error_estimate() {
     let distributions = [
         "swing.path=normal(0deg,2deg)",
         "swing.speed=normal(110mph,3mph)",

@@ -139,7 +139,7 @@ fn order(points: &[(f64, f64)]) -> f64 {
 /// The best loft over a sample of swings: its error falls as the root of the number of random
 /// swings, and faster for the sequence.
 #[test]
-fn measured_error_of_the_optimum_over_a_sample_falls_as_theory_says() {
+fn order_of_the_error_of_the_optimum_over_a_sample() {
     let mut setup = Setup::preset("mae494").unwrap();
     // the carry to 1e-8 m, with a tenth of the evaluations
     setup.set_all(crate::common::LARGE_STEPS).unwrap();

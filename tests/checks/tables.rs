@@ -83,7 +83,7 @@ fn independent_rows_are_those_of_csv_and_parquet() {
 }
 
 #[test]
-fn independent_file_or_stream_is_told_by_the_bytes() {
+fn independent_files_and_streams_are_recognised_by_their_bytes() {
     for name in ["points.arrow", "points.arrows"] {
         let bytes = std::fs::read(file(name)).unwrap();
         for other in ["a.arrow", "b.arrows", "c.FEATHER"] {
@@ -141,7 +141,7 @@ fn independent_compressed_batches() {
 }
 
 #[test]
-fn independent_tables_without_rows_are_tables() {
+fn independent_tables_without_rows_are_read() {
     for name in ["no_rows.arrow", "no_rows.arrows"] {
         let mut points = open(&file(name)).unwrap();
         assert_eq!(
@@ -159,7 +159,7 @@ fn independent_tables_without_rows_are_tables() {
 /// NaN of NumPy, as an empty cell and null: the row says that it has no value, and the others are
 /// flown.
 #[test]
-fn exact_rows_of_which_a_value_is_nan_are_rows_without_a_drive() {
+fn rows_with_a_nan_value_have_no_drive() {
     let (_folder, path) = table(
         "nan.csv",
         b"club.loft [deg],swing.speed [mph]\n10,100\nnan,100\n,100\n11,NaN\n11,-nan\n11,100\n",
@@ -465,7 +465,7 @@ fn long(rows: usize) -> (Vec<RecordBatch>, Vec<f64>) {
 }
 
 #[test]
-fn exact_many_record_batches_across_chunks() {
+fn same_points_of_many_record_batches_across_chunks() {
     let (batches, expected) = long(30_011);
     let (_folder, path) = table("long.arrow", "");
     for is_stream in [false, true] {

@@ -127,7 +127,7 @@ fn range(setup: &Setup<f64>, name: &str, low: f64, high: f64) -> Vary {
 /// to four parameters, by a fifth or a half of their values to both sides. `LONGDRIVE_SWEEPS` is
 /// how many. What is found is printed, and stands in docs/model.md, 16a.
 #[test]
-fn independent_lengths_of_random_sweeps_are_within_a_micrometre() {
+fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
     let names = [
         "club.loft",
         "swing.attack_angle",
@@ -194,7 +194,7 @@ fn independent_lengths_of_random_sweeps_are_within_a_micrometre() {
 /// Two of the drives of which the step alone, chosen by others, was off by up to 266 times the
 /// tolerance: far out, and next to no flight.
 #[test]
-fn independent_rows_that_a_step_chosen_by_others_misses_are_flown_again() {
+fn same_rows_in_shorter_steps_after_a_retry() {
     let mut far = Setup::default();
     far.set_all([
         ("aero.law", "smits-smith"),
@@ -246,7 +246,7 @@ fn independent_rows_that_a_step_chosen_by_others_misses_are_flown_again() {
 /// step is off more than the steps are. Among 4000 rows some were off by 5 µm before the defect of
 /// the last step counted more.
 #[test]
-fn independent_short_and_flat_flights_are_flown_again() {
+fn same_short_and_flat_flights_in_shorter_steps_after_a_retry() {
     let setup = Setup::default();
     let ranges = [
         range(&setup, "club.loft", 0.07, 0.35),
@@ -263,7 +263,7 @@ fn independent_short_and_flat_flights_are_flown_again() {
 /// Low shots whose path is nearly straight at the top, where lift carries most of the weight: an
 /// error of the velocity moves the place of the top by up to a hundred times as much as usual.
 #[test]
-fn independent_places_of_flat_tops_are_within_a_micrometre() {
+fn same_positions_of_flat_apexes_in_shorter_steps_within_a_micrometre() {
     let setup = Setup::default();
     let ranges = [
         range(&setup, "club.loft", 0.05, 0.35),
@@ -287,7 +287,7 @@ fn independent_places_of_flat_tops_are_within_a_micrometre() {
 /// step that others chose is off by 8.6 µm there; the square of Hermite's defect is too small to
 /// show it.
 #[test]
-fn independent_a_row_that_nearly_stops_at_its_top_is_flown_again() {
+fn same_row_that_nearly_stops_at_its_apex_in_shorter_steps_after_a_retry() {
     let setup = random_setups(158).last().unwrap();
     let around = |name: &str| {
         let value = setup.value(setup.variable(name).unwrap()).unwrap();
@@ -308,7 +308,7 @@ fn independent_a_row_that_nearly_stops_at_its_top_is_flown_again() {
 
 /// A row that no step follows as closely as is asked has no outcomes.
 #[test]
-fn exact_a_row_that_no_step_follows_closely_enough_diverges() {
+fn a_row_beyond_the_tolerance_in_every_step_diverges() {
     let setup = Setup::default();
     let loft = setup.variable("club.loft").unwrap();
     let batch = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
@@ -354,7 +354,7 @@ fn a_largest_defect_that_no_drive_meets_is_refused() {
 
 /// Where nothing varies one drive is looked at, and gets the step of a range too narrow to matter.
 #[test]
-fn exact_one_drive_alone_is_looked_at_once() {
+fn one_drive_alone_is_checked_once() {
     let setup = Setup::preset("modern-driver").unwrap();
     let (parameter, low) = (setup.variable("club.loft").unwrap(), setup.club.loft);
     let looked_at = |ranges: &[Vary]| accuracy(&setup, ranges, &[Outcome::Carry], 1e-6).unwrap();
@@ -380,7 +380,7 @@ fn exact_one_drive_alone_is_looked_at_once() {
 
 /// What cannot be reached says which drive is off, and by how much.
 #[test]
-fn exact_a_tolerance_out_of_reach_names_the_drive() {
+fn a_tolerance_out_of_reach_names_the_drive() {
     let setup = Setup::default();
     let error = accuracy(
         &setup,
@@ -399,7 +399,7 @@ fn exact_a_tolerance_out_of_reach_names_the_drive() {
 /// A tolerance is about lengths. How far derivatives by loft, attack angle, speed and density are
 /// from those in much shorter steps, beside the largest, is what docs/limitations.md says.
 #[test]
-fn measured_derivatives_within_a_micrometre_are_as_near_as_the_document_says() {
+fn same_derivatives_in_shorter_steps_within_the_documented_error() {
     let sizes = [
         ("club.loft", 0.1),
         ("swing.attack_angle", 0.1),

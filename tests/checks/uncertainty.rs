@@ -46,7 +46,7 @@ fn ishigami_shares() -> (f64, [f64; 3], [f64; 3]) {
 const CIRCLE: Distribution = Distribution::Uniform { low: -PI, high: PI };
 
 #[test]
-fn exact_shares_of_ishigamis_function_lie_within_their_intervals() {
+fn sampled_shares_of_ishigamis_function_lie_within_their_intervals() {
     let (variance, first, total) = ishigami_shares();
     close(variance, 13.8446, 1.0, 1e-4, "variance");
     let found = statistics(
@@ -76,7 +76,7 @@ fn exact_shares_of_ishigamis_function_lie_within_their_intervals() {
 }
 
 #[test]
-fn exact_shares_of_the_g_function_lie_within_their_intervals() {
+fn sampled_shares_of_the_g_function_lie_within_their_intervals() {
     // Π (|4 x − 2| + a)/(1 + a) on the unit cube: V_i = 1/(3 (1 + a_i)²) (Saltelli & Sobol' 1995)
     let a = [0.0, 1.0, 4.5, 9.0];
     let alone = a.map(|a: f64| 1.0 / (3.0 * (1.0 + a).powi(2)));
@@ -126,7 +126,7 @@ fn exact_shares_of_the_g_function_lie_within_their_intervals() {
 }
 
 #[test]
-fn exact_shares_lie_within_95_percent_intervals_about_that_often() {
+fn sampled_coverage_of_95_percent_intervals_of_shares() {
     let (variance, first, total) = ishigami_shares();
     let (mut within, mut all) = (0, 0);
     for seed in 0..60 {
@@ -167,7 +167,7 @@ fn exact_shares_lie_within_95_percent_intervals_about_that_often() {
 /// C E(∂f/∂xᵢ)²/V with C = (b − a)²/π² = 4, by hand for Ishigami's function, and 1 for a straight
 /// line of a normal number, whose variance is the Poincaré constant.
 #[test]
-fn exact_upper_bounds_of_total_shares_lie_within_95_percent_intervals_about_that_often() {
+fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
     let (variance, _, total) = ishigami_shares();
     let slopes = |x: &[f64]| {
         let by_third = 0.4 * x[2].powi(3) * x[0].sin();
@@ -249,7 +249,7 @@ fn exact_upper_bounds_of_total_shares_lie_within_95_percent_intervals_about_that
 /// All variance is of the one number, whatever the function and the sample: no estimate of it is
 /// better.
 #[test]
-fn exact_the_share_of_a_single_uncertain_number_is_whole() {
+fn exact_share_of_a_single_uncertain_parameter_is_one() {
     for seed in 0..5 {
         let found = statistics(&[CIRCLE], Plan { samples: 200, seed }, |x| {
             Some(x[0].sin() + x[0].powi(3))
@@ -278,7 +278,7 @@ fn exact_the_share_of_a_single_uncertain_number_is_whole() {
 }
 
 #[test]
-fn exact_sampled_moments_are_those_of_the_distributions() {
+fn sampled_moments_are_those_of_the_distributions() {
     let triangle = Distribution::Triangular {
         low: 1.0,
         mode: 2.0,
@@ -317,7 +317,7 @@ fn exact_sampled_moments_are_those_of_the_distributions() {
 }
 
 #[test]
-fn exact_values_that_are_missing_are_counted_and_nothing_is_invented_for_them() {
+fn missing_values_are_counted_and_not_replaced() {
     let found = statistics(
         &[CIRCLE],
         Plan {
@@ -373,7 +373,7 @@ fn drive() -> (Setup<f64>, Vec<Uncertain>) {
 }
 
 #[test]
-fn exact_gradients_and_flown_drives_agree_where_the_drive_is_nearly_linear() {
+fn sampled_drives_agree_with_gradients_where_nearly_linear() {
     let (setup, inputs) = drive();
     let of = [Outcome::Carry, Outcome::Lateral];
     let plan = Plan {
@@ -448,7 +448,7 @@ fn exact_gradients_and_flown_drives_agree_where_the_drive_is_nearly_linear() {
 }
 
 #[test]
-fn exact_drives_that_do_not_fly_are_counted() {
+fn drives_that_do_not_fly_are_counted() {
     let mut setup = Setup::default();
     setup
         .set_all([("club.loft", "1 deg"), ("swing.attack_angle", "0 deg")])
@@ -484,7 +484,7 @@ fn exact_drives_that_do_not_fly_are_counted() {
 }
 
 #[test]
-fn exact_effects_are_slopes_times_uncertainties_ranked_by_size() {
+fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
     let setup = Setup::default();
     let given = [
         Sigma::read(&setup, "swing.speed=2 mph").unwrap(),
@@ -626,7 +626,7 @@ fn mistakes_in_uncertainties_are_named() {
 /// Ball speed does not depend on the air: it is the same in every drive, has no share of a
 /// variance, and nothing is to be measured first.
 #[test]
-fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
+fn an_outcome_without_uncertain_parameters_says_so() {
     let setup = Setup::default();
     let density = Uncertain::normal(&setup, &Sigma::read(&setup, "air.density=1%").unwrap());
     let plan = Plan {
@@ -676,7 +676,7 @@ fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
 }
 
 #[test]
-fn exact_a_constant_that_is_off_by_rounding_is_a_constant() {
+fn a_constant_with_rounding_is_a_constant() {
     let constant = statistics(
         &[CIRCLE],
         Plan {
@@ -710,7 +710,7 @@ fn exact_a_constant_that_is_off_by_rounding_is_a_constant() {
 /// fixed values of that parameter: Gauss's three nodes of a normal distribution. 1 − S₁ alone is 0
 /// with one seed and four times too much with another.
 #[test]
-fn independent_deviation_that_is_left_where_one_parameter_dominates() {
+fn independent_remaining_deviation_where_one_parameter_dominates() {
     let mut setup = Setup::default();
     setup.set_all(LARGE_STEPS).unwrap();
     let input = |text: &str| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap());
@@ -747,7 +747,7 @@ fn independent_deviation_that_is_left_where_one_parameter_dominates() {
 
 /// An uncertainty so large that its square is no number leaves no number that is none.
 #[test]
-fn exact_uncertainties_beyond_all_measure_leave_no_infinity() {
+fn huge_uncertainties_give_no_infinity() {
     let setup = Setup::default();
     let sigma = Sigma::read(&setup, "wind.downrange=1e200 m/s").unwrap();
     let input = [Uncertain::normal(&setup, &sigma)];
@@ -789,7 +789,7 @@ fn exact_uncertainties_beyond_all_measure_leave_no_infinity() {
 
 /// σ_u/u = 1/ln(z/z₀) beside 1 m/s of the mean wind; across the wind 0.8 times that.
 #[test]
-fn exact_gusts_are_part_of_the_uncertainty_of_the_wind() {
+fn exact_gusts_in_the_uncertainty_of_the_wind() {
     let sigma = |settings: &[(&str, &str)], name: &str| {
         let mut setup = Setup::default();
         setup.set_all(settings.iter().copied()).unwrap();

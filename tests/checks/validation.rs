@@ -51,7 +51,7 @@ fn a_part_of_pictures_alone_is_left_out_of_the_text() {
 }
 
 #[test]
-fn exact_number_of_published_drives_of_every_set() {
+fn number_of_published_drives_of_every_set() {
     let counts: Vec<_> = FOUND
         .iter()
         .map(|set| (set.set.name, set.cases.len()))
@@ -111,7 +111,7 @@ fn exact_number_of_published_drives_of_every_set() {
 }
 
 #[test]
-fn independent_rows_are_the_drives_of_simulate_and_biases_their_means() {
+fn same_rows_of_a_validation_and_drives_of_simulate() {
     let rows: Vec<Vec<&str>> = ROWS
         .out
         .lines()
@@ -172,7 +172,7 @@ fn independent_rows_are_the_drives_of_simulate_and_biases_their_means() {
 }
 
 #[test]
-fn independent_mean_of_scattered_drives_is_that_of_uncertainty() {
+fn same_mean_of_scattered_drives_and_of_uncertainty() {
     let launches = [
         (171.0, 10.4, 2545.0),
         (167.0, 10.9, 2686.0),
@@ -251,7 +251,7 @@ fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
 
 /// What is said of the other clubs is what the table has.
 #[test]
-fn exact_misses_of_the_other_clubs_are_those_of_the_table() {
+fn misses_of_the_other_clubs_in_the_text_are_those_of_the_table() {
     for name in ["pga-clubs", "lpga-clubs"] {
         let set = set(name);
         assert!(

@@ -220,7 +220,7 @@ impl Functions for Twice {
 }
 
 #[test]
-fn exact_contradictions_by_very_little_are_infeasible_in_few_iterations() {
+fn contradictions_by_very_little_are_infeasible_in_few_iterations() {
     for gap in [1e-9, 1e-8, 1e-6, 1e-3] {
         for start in [0.0, 1.0, -0.3] {
             let limits = [(f64::NEG_INFINITY, 0.0), (gap, f64::INFINITY)];
@@ -255,7 +255,7 @@ impl Functions for Raised {
 }
 
 #[test]
-fn exact_minimum_under_a_large_constant() {
+fn minimum_of_a_function_with_a_large_constant() {
     for constant in [1e6, 1e9, 1e12, -1e12] {
         let found = solve(&Exact(Raised(constant)), &[FREE], &[], &[0.0]);
         assert_eq!(found.status, Status::Converged, "{}", found.message);
@@ -385,7 +385,7 @@ impl Functions for GreatestLoss {
 
 /// y ends at its bound 0.087, and x in the middle of the outer mₖ: t = c ((max m − min m)/2)².
 #[test]
-fn exact_smallest_greatest_losses_of_a_hundred_problems_from_three_starts() {
+fn exact_smallest_greatest_losses_from_three_starts() {
     for k in 0..100 {
         let part = |i: u32| {
             (f64::from(k) * (0.754_877_666 + 0.569_840_29 * f64::from(i)) + 0.1 * f64::from(i))

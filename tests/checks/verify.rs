@@ -242,7 +242,7 @@ fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
 /// A right derivative of a usual drive is not called wrong. LONGDRIVE_QUESTIONS asks more of them
 /// (docs/verification.md: how many were).
 #[test]
-fn differences_certify_random_questions_about_one_parameter() {
+fn differences_certify_random_derivatives_by_one_parameter() {
     let number = |name: &str| {
         std::env::var(name)
             .ok()
@@ -301,7 +301,7 @@ fn differences_certify_random_questions_about_one_parameter() {
 /// What was found wrong: a lateral distance of a few metres is rounded as the carry is, and an
 /// error of the time step that passes through 0 between two steps has its order.
 #[test]
-fn independent_right_derivatives_that_were_called_wrong() {
+fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     let of = [
         Outcome::Carry,
         Outcome::Lateral,
@@ -393,7 +393,7 @@ fn independent_right_derivatives_that_were_called_wrong() {
 /// centre, where both are 0, nor a thousand atoms beside it: it was taken for a remainder of order
 /// 1 and for a corner of the slope.
 #[test]
-fn exact_remainders_of_two_parts_that_cancel_keep_their_order_in_any_time_step() {
+fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
     for step in ["5 ms", "10 ms", "15 ms", "20 ms", "30 ms", "50 ms"] {
         let mut setup = Setup::default();
         setup.set("flight.step", step).unwrap();
@@ -424,7 +424,7 @@ fn exact_remainders_of_two_parts_that_cancel_keep_their_order_in_any_time_step()
 
 /// A method of order 4 that is held to order 5, and its derivatives, is found out.
 #[test]
-fn order_of_the_flight_is_found_short_of_one_more() {
+fn order_of_the_flight_is_not_one_more() {
     let mut setup = Setup::default();
     setup
         .set_all([
@@ -562,7 +562,7 @@ fn order_of_landing_in_a_logarithmic_wind() {
 
 /// A derivative over num-dual that is off by a millionth fails the certificate, with both numbers.
 #[test]
-fn exact_disagreement_with_num_dual_fails_and_is_told_with_the_numbers() {
+fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
     let setup = Setup::preset("mae494").unwrap();
     let mut found = certificate(
         &setup,
@@ -604,7 +604,7 @@ fn exact_disagreement_with_num_dual_fails_and_is_told_with_the_numbers() {
 /// In a logarithmic wind the time step leaves an error in derivatives that no check of them against
 /// differences can show: it is measured, and told; in still air there is nothing to tell.
 #[test]
-fn differences_with_the_time_step_are_told_in_a_logarithmic_wind() {
+fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
     let mut setup = Setup::default();
     let wrt = ["club.loft", "club.inertia.xx"].map(|name| setup.variable(name).unwrap());
     let of = [Outcome::Carry, Outcome::LandingSpeed];
@@ -682,7 +682,7 @@ fn differences_with_the_time_step_are_told_in_a_logarithmic_wind() {
 }
 
 #[test]
-fn differences_show_what_the_landing_term_is_worth() {
+fn differences_show_the_size_of_the_landing_term() {
     // the report's loop ends at a step: its derivative is that at a fixed time, which at attack 0°
     // has the wrong sign
     let setup = Setup::preset("mae494").unwrap();
@@ -710,7 +710,7 @@ fn differences_show_what_the_landing_term_is_worth() {
 }
 
 #[test]
-fn independent_slopes_to_both_sides_of_the_corner_at_zero_spin() {
+fn independent_one_sided_slopes_at_the_corner_at_zero_spin() {
     // mae494's global optimum on the corner: +83.7 and −29.7 m/rad to its two sides
     let mut setup = Setup::preset("mae494").unwrap();
     setup
@@ -742,7 +742,7 @@ fn independent_slopes_to_both_sides_of_the_corner_at_zero_spin() {
 }
 
 #[test]
-fn exact_limit_between_sticking_and_slipping_is_a_corner() {
+fn the_limit_between_sticking_and_slipping_is_a_corner() {
     let mut setup = Setup::default();
     setup.set("impact.friction", "1").unwrap();
     let Grip::Sticks(used) = strike(&setup).unwrap().grip else {
@@ -770,7 +770,7 @@ fn exact_limit_between_sticking_and_slipping_is_a_corner() {
 }
 
 #[test]
-fn exact_derivatives_of_a_function_of_ones_own_pass_and_slips_are_found() {
+fn derivatives_of_a_users_function_pass_and_errors_are_found() {
     // e^x sin y + x² y, and slips in its gradient and Hessian
     let f = |x: &[f64], in_gradient: f64, in_hessian: f64| {
         let (e, (sin, cos)) = (x[0].exp(), x[1].sin_cos());
@@ -848,7 +848,7 @@ fn differences_to_one_side_certify_at_the_end_of_a_range() {
 /// docs/model.md: on the report's loop a small difference sees −65 m/rad at 10° of loft, and carry
 /// goes by +337.
 #[test]
-fn paper_while_loop_has_the_wrong_sign_beside_the_certificate() {
+fn published_while_loop_has_derivatives_of_the_wrong_sign() {
     let setup = Setup::preset("mae494").unwrap();
     let loft = setup.variable("club.loft").unwrap();
     let certificate = certify(&setup, &[Outcome::Carry], &[loft], &|_, _| true).unwrap();
@@ -871,7 +871,7 @@ fn paper_while_loop_has_the_wrong_sign_beside_the_certificate() {
 /// Zero spin: carry has a corner, lateral has none, and its derivatives are right though their own
 /// slopes jump.
 #[test]
-fn exact_slopes_beside_a_corner_pass() {
+fn derivatives_beside_a_corner_pass() {
     let mut setup = Setup::preset("mae494").unwrap();
     setup
         .set_all([("club.loft", "0 deg"), ("swing.attack_angle", "10 deg")])

@@ -73,7 +73,7 @@ fn at_the_end(law: &str, parameter: &'static Parameter, end: f64) -> Option<Setu
 }
 
 #[test]
-fn differences_do_not_fail_at_either_end_of_any_range() {
+fn differences_certify_derivatives_at_both_ends_of_every_range() {
     let all = Law::NAMES.iter().flat_map(|law| {
         let mut setup = Setup::default();
         setup.set_law(law).unwrap();
@@ -136,7 +136,7 @@ fn differences_do_not_fail_at_either_end_of_any_range() {
 /// At the end of the range there is the slope of one side; the derivative, the mean of both, is not
 /// held against it.
 #[test]
-fn exact_corner_at_the_end_of_a_range_is_told_with_its_one_slope() {
+fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     let mut setup = Setup::default();
     setup.set("impact.friction", "0").unwrap();
     let carry = certificate(&setup, &[Outcome::Carry], "impact.friction");
@@ -188,7 +188,7 @@ fn differences_to_one_side_show_a_small_derivative() {
 
 /// The total spin has a corner where there is none, also with a law that makes none of it.
 #[test]
-fn exact_corner_of_the_spin_itself_is_no_failure() {
+fn a_corner_of_the_spin_itself_is_no_failure() {
     let mut setup = Setup::default();
     setup
         .set_all([("aero.law", "linear"), ("impact.friction", "0")])
@@ -211,7 +211,7 @@ fn exact_corner_of_the_spin_itself_is_no_failure() {
 
 /// Without friction there is no spin but what rounding leaves of numbers that cancel.
 #[test]
-fn exact_spin_that_cancels_has_a_right_derivative() {
+fn a_spin_that_cancels_has_a_correct_derivative() {
     let mut square = Setup::default();
     square.set("impact.friction", "0").unwrap();
     let mut oblique = square;
@@ -260,7 +260,7 @@ fn differences_at_the_landing_agree_at_coarse_steps() {
 /// Where the spin fades within any of the steps that an order is measured at, there is none to be
 /// measured.
 #[test]
-fn order_is_not_asked_for_where_the_spin_fades_within_a_step() {
+fn no_order_is_required_where_the_spin_decays_within_a_step() {
     let mut setup = Setup::default();
     for (damping, is_measured) in [("2e-5", true), ("1", false)] {
         setup.set("aero.spin_damping", damping).unwrap();

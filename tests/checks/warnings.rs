@@ -168,7 +168,7 @@ fn nothing_is_said_about_the_presets_and_their_longest_drives() {
 /// Next to no air, no decay: s = Rω/v(t) of a parabola is below 0.02 where v > v* = Rω/0.02, for 1
 /// − √(v*² − v_h²)/v_v of the time.
 #[test]
-fn exact_share_of_the_flight_outside_of_what_the_law_was_fitted_to() {
+fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     let (ahead, up, at_edge) = (50.0_f64, 30.0_f64, 53.0_f64);
     let mut setup = Setup::default();
     setup
@@ -295,7 +295,7 @@ fn a_strike_beside_the_face_is_told_on_standard_error_and_in_json() {
 
 /// s = Rω/v at launch is 0.06 at v = Rω/0.06: faster balls lie outside of the law.
 #[test]
-fn exact_count_of_a_sweep_is_the_same_for_any_threads() {
+fn same_count_of_a_sweep_for_any_threads() {
     let folder = tempfile::tempdir().unwrap();
     let setup = Setup::default();
     let edge = setup.ball.radius * 2500.0 * std::f64::consts::TAU / 60.0 / 0.06;
@@ -340,7 +340,7 @@ fn exact_count_of_a_sweep_is_the_same_for_any_threads() {
 /// Side by side as one by one: spin ratio, Reynolds number and speed by their definitions, in wind,
 /// for values and for gradients.
 #[test]
-fn exact_definitions_say_which_drives_of_a_batch_lie_beyond() {
+fn exact_validity_limits_of_a_batch_by_their_definitions() {
     let mut setup = Setup::default();
     setup
         .set_all([
@@ -564,7 +564,7 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
 /// What a warning tells is in the answer as numbers: the range, how far the flight goes, and the
 /// share outside, of an optimum too.
 #[test]
-fn exact_share_outside_of_a_law_is_in_the_answer() {
+fn share_outside_the_range_of_a_law_is_in_the_answer() {
     let slow = ["--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
     let (_, answer) = json(&[&["simulate"], &slow[..]].concat());
     let reynolds = &answer["law_range"]["reynolds"];
@@ -611,7 +611,7 @@ fn exact_share_outside_of_a_law_is_in_the_answer() {
 
 /// In no air a ball lands as it was launched; ground that rises by 4° is met 4° more steeply.
 #[test]
-fn exact_angle_of_a_ball_that_lands_flatter_than_measured_bounces() {
+fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
     let told = |settings: &[&str], of: &str| {
         let mut command = vec!["gradient", "--of", of, "--wrt", "launch.ball_speed"];
         command.extend([
@@ -683,7 +683,7 @@ fn a_flat_landing_is_told_with_the_total_and_at_an_optimum() {
 /// The share of a normal distribution of the club speed from the speed on from which the drive with
 /// the best loft leaves what the law was fitted to: the mean swing is well within it.
 #[test]
-fn exact_share_of_the_swings_that_leave_the_law_at_the_best_design() {
+fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
     let swings = "swing.speed=truncated(120mph,10mph,90mph,150mph)";
     let asked = [
         "--distribution",

@@ -32,7 +32,7 @@ const DENVER: [(&str, &str); 3] = [
 ];
 
 #[test]
-fn paper_densities_of_moist_air_are_met_within_1e_4() {
+fn published_densities_of_moist_air_within_1e_4() {
     for (temperature, pressure, humidity, published) in [
         // Gupta, Mass Metrology, the table of air densities by CIPM's equation
         ("10 degC", "730 mmHg", "40 %", 1.19569),
@@ -62,7 +62,7 @@ fn paper_densities_of_moist_air_are_met_within_1e_4() {
 /// The equation in its molar form, ρ = p M_a/(Z R T) (1 − x (1 − M_v/M_a)), with the molar masses
 /// and the gas constant of the paper.
 #[test]
-fn independent_molar_form_of_cipm_2007_agrees_in_all_its_terms() {
+fn independent_molar_form_of_cipm_2007_in_all_its_terms() {
     let (dry_air, water, gas) = (28.965_46e-3, 18.015_28e-3, 8.314_472);
     for celsius in [-20.0, 0.0, 15.0, 21.0, 27.0, 40.0_f64] {
         for pressure in [30e3, 60e3, 101_325.0, 110e3_f64] {
@@ -100,7 +100,7 @@ fn independent_molar_form_of_cipm_2007_agrees_in_all_its_terms() {
 }
 
 #[test]
-fn paper_pressures_of_the_standard_atmosphere_and_viscosities_are_met() {
+fn published_pressures_of_the_standard_atmosphere_and_viscosities() {
     // ∫ dh/T by Simpson's rule, for the barometric formula in the form p = p₀ exp(−g/R ∫ dh/T)
     let simpson = |height: f64| {
         let n = 200;
@@ -174,7 +174,7 @@ fn paper_pressures_of_the_standard_atmosphere_and_viscosities_are_met() {
 }
 
 #[test]
-fn exact_same_drive_as_in_air_of_that_density_and_in_wind_of_those_components() {
+fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
     let mut setup = with(&DENVER);
     setup
         .set_all([
@@ -271,7 +271,7 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
 }
 
 #[test]
-fn exact_drives_of_a_sweep_over_the_weather_are_those_one_by_one() {
+fn same_drives_in_a_sweep_over_the_weather_and_alone() {
     let setup = with(&[
         ("air.humidity", "50 %"),
         ("wind.speed", "4 m/s"),

@@ -40,7 +40,7 @@ mod tests {
     use super::{U32, whole};
 
     #[test]
-    fn exact_ends_of_the_ranges_are_taken_and_the_words_name_range_and_example() {
+    fn ends_of_the_ranges_are_accepted_and_messages_name_range_and_example() {
         let starts = whole::<u32>(1..=U32, "--starts 8");
         assert_eq!((starts("1"), starts("4294967295")), (Ok(1), Ok(u32::MAX)));
         for wrong in [

@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn paper_nist_reference_data() {
+    fn published_nist_reference_data() {
         for set in &SETS {
             for start in set.starts {
                 let found = fitted(set, start, f64::NEG_INFINITY, f64::INFINITY);
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn paper_nist_boxbod_within_bounds_from_its_hard_start_and_from_several() {
+    fn published_nist_boxbod_within_bounds_from_its_hard_start_and_from_several() {
         let set = &SETS[1];
         let domain = Domain::new(vec![0.0, 0.0], vec![1000.0, 10.0]).unwrap();
         let spread = starts(&domain, &[1.0, 1.0], 8).unwrap();
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_active_bound() {
+    fn exact_kkt_conditions_at_an_active_bound() {
         // with b₁ ≤ 230 the best b₂ of Misra1a solves a problem of one variable: its slope vanishes
         // there, b₁ stays on its bound
         let found = fitted(&SETS[0], &[200.0, 6e-4], 0.0, 230.0);
@@ -297,7 +297,7 @@ mod tests {
     /// As many residuals as variables, none of them linear, with a zero that the last digits miss:
     /// the cosine says nothing there.
     #[test]
-    fn exact_zero_of_as_many_residuals_as_variables_is_converged() {
+    fn exact_zero_of_a_square_system_is_converged() {
         let curve = |x: &[f64]| {
             let (a, b) = (x[0], x[1]);
             let first = 200.0 * (a.sin() * b.exp()) - 200.0 * (0.7_f64.sin() * 0.3_f64.exp());
@@ -330,7 +330,7 @@ mod tests {
     /// Only x₁ − x₂ matters: the sum of the two stays where it began, and is not walked along by
     /// rounding.
     #[test]
-    fn exact_combination_that_nothing_depends_on_stays_where_it_began() {
+    fn combination_without_effect_keeps_its_start_value() {
         let difference = |x: &[f64]| {
             let d = x[0] - x[1];
             let residuals = vec![d.sin() - 0.1, d.exp() - 1.2, d - 0.3];
@@ -353,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_residuals_too_large_to_square_are_no_start() {
+    fn residuals_that_overflow_when_squared_are_no_start() {
         let huge = |x: &[f64]| {
             Ok(Rows {
                 residuals: vec![x[0], 1e300],
@@ -371,7 +371,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_steps_into_the_undefined_are_refused_and_the_fit_goes_on() {
+    fn exact_minimum_after_rejected_steps_into_an_undefined_region() {
         // √x − 1 from 9: the first undamped step leads to −3
         let root = |x: &[f64]| match x[0] >= 0.0 {
             true => Ok(Rows {

@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_step_into_a_kink() {
+    fn exact_step_to_a_kink() {
         // ½ d² + max(−d₀, 2 d₀ − 0.3) + d₁-parabola: the max_terms meet at d₀ = 0.1
         let qp = QuadraticProgram {
             hessian: DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 1.0]),
@@ -228,7 +228,7 @@ mod tests {
     /// A solver that has solved other programs gives the bits that a new one gives: its data are
     /// updated, and nothing else is left of them.
     #[test]
-    fn regress_a_used_solver_gives_the_bits_of_a_new_one() {
+    fn same_bits_of_a_used_solver_and_of_a_new_one() {
         let mut used = QpSolver::default();
         for qp in random_programs_with_rows(200) {
             used.active_set = None;

@@ -30,7 +30,7 @@ mod tests {
     use super::is_of_numbers;
 
     #[test]
-    fn exact_columns_of_numbers_and_of_words() {
+    fn columns_of_numbers_and_of_words_are_aligned() {
         for (cells, is) in [
             (vec!["8.75°", "−0.5 deg", "–"], true),
             (

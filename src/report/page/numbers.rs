@@ -49,7 +49,7 @@ mod tests {
     use super::from_to;
 
     #[test]
-    fn exact_a_unit_is_said_once() {
+    fn a_unit_is_printed_once() {
         assert_eq!(from_to("9.5 deg", "6.70 deg"), "9.5 → 6.70 deg");
         assert_eq!(from_to("-0.9°", "5.0°"), "-0.9 → 5.0°");
         assert_eq!(from_to("3.2 yd L", "1.0 yd R"), "3.2 yd L → 1.0 yd R");

@@ -380,7 +380,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_lines_of_a_plane_lie_on_it_and_part_it_evenly() {
+    fn exact_contour_lines_of_a_plane() {
         let grounds = grounds(&field(|x, y| Some(2.0 * x - y)), System::Us);
         assert!(grounds.len() > 5, "{}", grounds.len());
         for ground in &grounds[1..] {
@@ -407,7 +407,7 @@ mod tests {
     /// A level is a whole number of times 1, 2, 2.5 or 5 times a power of ten that is large beside
     /// its distance to the next one.
     #[test]
-    fn exact_levels_are_round_and_a_flat_top_has_some() {
+    fn levels_are_round_numbers_and_a_flat_top_has_some() {
         let carry = |x: f64, y: f64| 279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2);
         for scale in [1.0, 0.9144, 0.013, 4200.0] {
             // as fine as maps are: what part of a map lies between two levels is not seen in fewer
@@ -454,7 +454,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_a_basin_is_a_hole_and_what_is_missing_bends_no_line() {
+    fn contours_of_a_basin_have_a_hole_and_missing_nodes_bend_no_line() {
         let bowl = |x: f64, y: f64| (x - 1.5).powi(2) + 4.0 * (y - 1.5).powi(2);
         let rim = grounds(&field(|x, y| Some(bowl(x, y))), System::Us);
         // the hole takes its area from the ground around it

@@ -45,7 +45,7 @@ mod tests {
 
     /// The area of a shape is the length of its hatching times the distance of the lines.
     #[test]
-    fn exact_hatching_fills_a_ring_with_a_hole_and_nothing_else() {
+    fn hatching_fills_a_ring_and_leaves_its_hole() {
         let square = |from: f64, to: f64| vec![[from, from], [to, from], [to, to], [from, to]];
         let apart = 0.01;
         for (rings, area) in [

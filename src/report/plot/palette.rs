@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_contrasts_are_enough_to_read_by() {
+    fn contrasts_are_sufficient_for_reading() {
         for palette in [LIGHT, DARK] {
             // bands hide 22 % of the ground
             let mix = |over: u8, under: u8| {
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_every_colour_of_light_pictures_has_one_for_the_dark() {
+    fn every_colour_of_light_pictures_has_a_dark_one() {
         let light = LIGHT.all();
         assert_eq!(light.len(), DARK.all().len());
         for (i, color) in light.iter().enumerate() {

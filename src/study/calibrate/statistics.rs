@@ -394,7 +394,7 @@ mod tests {
     /// Two points and a line: nothing is left over, which is another thing than a direction that
     /// the data do not determine.
     #[test]
-    fn exact_answers_without_a_value_left_over_are_determined() {
+    fn parameters_with_as_many_values_are_determined() {
         let rows = Rows {
             residuals: vec![0.0, 1e-15],
             jacobian: vec![vec![1.0, 0.0], vec![1.0, 1.0]],
@@ -426,7 +426,7 @@ mod tests {
     /// hold. And a parameter that no residual depends on is not determined on a bound of its range
     /// either.
     #[test]
-    fn exact_standard_errors_beyond_the_range_are_no_answers() {
+    fn standard_errors_beyond_the_range_are_no_answers() {
         let rows = Rows {
             residuals: vec![0.3, -0.3, 0.3, -0.3],
             jacobian: vec![

@@ -202,7 +202,7 @@ mod tests {
     /// An error of order 5 whose next terms are as large at the coarse steps, and which is rounding
     /// at all but three levels.
     #[test]
-    fn exact_terms_of_a_higher_order_at_coarse_steps_are_no_lower_order() {
+    fn higher_order_terms_at_coarse_steps_are_no_lower_order() {
         let e = |h: f64| h.powi(5) * (1.1 - 15.0 * h - 80.0 * h * h);
         let coarse: Vec<_> = samples(e)
             .into_iter()
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_orders_of_pure_powers() {
+    fn order_of_pure_powers_is_exact() {
         for p in 1..7 {
             let measured = measure(&samples(|h| 3.0 * h.powi(p)), p as u32, 0.75, 0.0).unwrap();
             assert!(
@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_an_error_that_passes_through_zero_keeps_its_order_and_a_lower_one_is_caught() {
+    fn order_of_an_error_that_passes_through_zero() {
         // h⁴ (1 − h/h₀), with its zero anywhere from far above the steps to far below them
         for k in 0..60 {
             let zero = 10.0_f64.powf(-3.0 + 0.05 * f64::from(k));
@@ -278,7 +278,7 @@ mod tests {
     /// Joins of two continuous derivatives keep order 4; those of one, order 3, are found short of
     /// 4 by about half of the sets of joins.
     #[test]
-    fn exact_order_of_the_largest_errors_across_joins() {
+    fn order_of_the_largest_errors_across_joins() {
         let mut found = 0;
         for set in 1..=200_u32 {
             let joins = 1 + set % 20;

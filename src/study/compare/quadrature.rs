@@ -147,7 +147,7 @@ mod tests {
     use std::cell::Cell;
 
     #[test]
-    fn exact_for_polynomials_of_degree_15_and_no_further() {
+    fn exact_for_polynomials_up_to_degree_15() {
         let power = |n: i32| by_rule([0.0, 1.0], &mut |x: f64| Ok(vec![x.powi(n)])).unwrap()[0];
         for n in 0..=15 {
             assert!(
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_beside_a_corner_too() {
+    fn exact_integral_of_a_function_with_a_corner() {
         let found =
             integrals([0.0, 1.0], 1.0, |x| Ok(vec![(x - 0.3).abs(), x.exp(), 1.0])).unwrap();
         for (found, exact) in found.values.iter().zip([0.29, 1_f64.exp() - 1.0, 1.0]) {
@@ -171,7 +171,7 @@ mod tests {
 
     /// |x − c|³ at hundreds of places c: each second derivative has a corner, as the derivatives of a drive have.
     #[test]
-    fn exact_beside_hundreds_of_corners_and_the_error_is_no_more_than_told() {
+    fn exact_integral_with_hundreds_of_corners_is_within_the_error_estimate() {
         let places: Vec<f64> = (0..300)
             .map(|k| (f64::from(k) * 0.618_033_988_749_895).fract())
             .collect();

@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_correlation_makes_the_measured_scatter_of_face_to_path() {
+    fn published_scatter_of_face_to_path_follows_from_the_correlation() {
         let (path, face) = (2.28_f64, 4.17_f64);
         let variance = path * path + face * face - 2.0 * PATH_WITH_FACE * path * face;
         assert!(

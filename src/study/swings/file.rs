@@ -225,7 +225,7 @@ mod tests {
     use crate::Setup;
 
     #[test]
-    fn exact_what_a_file_of_swings_says_and_what_it_must_not() {
+    fn files_of_swings_are_read_and_wrong_ones_refused() {
         let setup = Setup::default();
         let good = "[distributions]\nswing.speed = 'normal(110 mph, 3 mph)'\n'swing.path' = \
                     'uniform(-2 deg, 2 deg)'\n\

@@ -246,7 +246,7 @@ mod tests {
     use super::factored;
 
     #[test]
-    fn exact_factor_of_correlations_and_none_where_they_contradict() {
+    fn exact_factor_of_correlations_and_none_if_indefinite() {
         let a = [
             vec![1.0, 0.5, 0.2],
             vec![0.5, 1.0, -0.3],

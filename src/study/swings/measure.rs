@@ -494,7 +494,7 @@ mod tests {
 
     /// Where all drives are alike every share of them has their value, whatever the weights.
     #[test]
-    fn exact_shares_of_drives_that_are_alike() {
+    fn exact_shares_of_identical_drives() {
         let weights = [0.5, 0.25, 0.15, 0.1];
         for share in [0.05, 0.1, 0.6, 0.99] {
             for measure in [

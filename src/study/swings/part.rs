@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_few_scenarios_have_no_part() {
+    fn few_scenarios_are_not_divided() {
         assert_eq!(
             part_of(&scenarios(200)),
             ((0..200).collect(), vec![1.0; 200])

@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_c2_spline_through_its_table_and_straight_beyond() {
+    fn exact_c2_spline_through_its_table_and_linear_beyond() {
         let strokes = table();
         for (x, y) in [(0.0, 1.0), (100.0, 2.8), (450.0, 4.4)] {
             assert!((strokes.at(x)[0] - y).abs() < 1e-14);

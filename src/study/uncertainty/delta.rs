@@ -75,7 +75,7 @@ mod tests {
     use super::{Taylor, delta_method};
 
     #[test]
-    fn exact_for_a_linear_function_of_any_distributions() {
+    fn exact_moments_of_a_linear_function_of_any_distributions() {
         // 3 x − 2 y + z: variances 9·4 + 4·(6²/12) + 1·(3²+0+0−0…)/18
         let inputs = [
             Normal {
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_for_squares_and_products() {
+    fn exact_moments_of_squares_and_products() {
         // x², x normal (0, 1): mean 1, variance 2; x y: mean 0, variance 1
         let normal = Normal {
             mean: 0.0,

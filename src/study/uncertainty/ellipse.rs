@@ -69,7 +69,7 @@ mod tests {
     use super::LandingEllipse;
 
     #[test]
-    fn exact_a_flat_ellipse_holds_what_lies_on_it_and_a_point_itself_alone() {
+    fn exact_points_in_a_flat_ellipse_and_in_a_point() {
         let flat = LandingEllipse::new(0.95, [0.0, 200.0], [[0.0, 0.0], [0.0, 4.0]]);
         // 95 % of a normal distribution lie within 1.960 standard deviations, here 2
         assert!(flat.contains([0.0, 203.919]) && !flat.contains([0.0, 203.921]));

@@ -92,8 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn measured_functions_are_within_two_units_of_those_of_libm_and_tanh_in_registers_within_three()
-    {
+    fn independent_functions_are_within_two_ulp_of_libm_and_tanh_within_three() {
         for level in Level::ALL {
             let worst = level.run(Functions);
             let ([others @ .., tanh], most) = (worst, if level.width() == 1 { 2.0 } else { 3.0 });
