@@ -41,7 +41,7 @@ def test_a_picture_that_cannot_be_saved_says_why(picture: Any, path: Any, words:
         picture.save(path)
 
 
-def test_exact_a_picture_replaces_a_file_where_that_is_asked_for(picture: Any, tmp_path: Path) -> None:
+def test_a_picture_replaces_a_file_with_overwrite(picture: Any, tmp_path: Path) -> None:
     kept = tmp_path / "drive.SVG"
     kept.write_text("mine")
     with pytest.raises(InputError, match="it already exists; use overwrite=True to replace it"):
@@ -53,7 +53,7 @@ def test_exact_a_picture_replaces_a_file_where_that_is_asked_for(picture: Any, t
         picture.save(tmp_path / "folder.svg", overwrite=True)
 
 
-def test_exact_a_bare_loss_is_si_of_what_is_looked_for() -> None:
+def test_a_loss_without_a_unit_is_si() -> None:
     for goal, text, number in [
         ({}, "2 yd", 2 * YARD),
         ({"maximize": "descent_angle", "vary": "swing.attack_angle=-5deg..5deg"}, "2 deg", math.radians(2.0)),
@@ -75,7 +75,7 @@ def test_exact_a_bare_loss_is_si_of_what_is_looked_for() -> None:
         ({"maximize": "within(lateral, 20yd)", "vary": LOFT, "distribution": SPREAD}, 0.1),
     ],
 )
-def test_exact_a_bare_within_is_si_of_the_goal(goal: dict[str, Any], within: float) -> None:
+def test_a_within_without_a_unit_is_si(goal: dict[str, Any], within: float) -> None:
     found = longdrive.robust("mae494", model="aero.law=ferguson", **goal, within=within)
     assert found.reply["within"] == within
 
@@ -83,7 +83,7 @@ def test_exact_a_bare_within_is_si_of_the_goal(goal: dict[str, Any], within: flo
 @pytest.mark.parametrize(
     "goal", [{}, {"minimize": "landing_speed", "vary": "club.loft=10deg..25deg"}]
 )
-def test_exact_a_robust_design_has_the_value_of_the_goal_that_the_setup_has_there(goal: dict[str, Any]) -> None:
+def test_same_goal_at_a_robust_design_and_in_its_setup(goal: dict[str, Any]) -> None:
     found = longdrive.robust("mae494", model="aero.law=ferguson", **goal)
     outcome = goal.get("minimize", "carry")
     # within the tolerance of a search
@@ -91,7 +91,7 @@ def test_exact_a_robust_design_has_the_value_of_the_goal_that_the_setup_has_ther
     assert found.jac is None
 
 
-def test_exact_a_robust_design_over_swings_has_the_value_of_its_goal() -> None:
+def test_same_goal_at_a_robust_design_over_swings_and_in_optimize() -> None:
     goal = "mean(carry) - 0.5*std(lateral)"
     found = longdrive.robust("mae494", model="aero.law=ferguson", maximize=goal, vary=LOFT, distribution=SPREAD)
     alone = longdrive.objective("mae494", goal, ["club.loft"], distribution=SPREAD)
@@ -130,12 +130,12 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
 
 
 @pytest.mark.parametrize(("call", "words"), REFUSED)
-def test_what_is_not_taken_is_told_by_name_with_what_is(call: Callable[[], Any], words: str) -> None:
+def test_refused_arguments_are_named_with_the_accepted_ones(call: Callable[[], Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
         call()
 
 
-def test_exact_one_parameter_in_a_list_is_one() -> None:
+def test_one_parameter_in_a_list_is_one() -> None:
     def points(along: Any, at: Any) -> Any:
         return longdrive.chart("mae494", along=along, at=at).points
 
@@ -144,11 +144,11 @@ def test_exact_one_parameter_in_a_list_is_one() -> None:
 
 
 @pytest.mark.parametrize("off", [None, False, np.False_])
-def test_no_progress_is_no_progress(off: Any) -> None:
+def test_progress_none_prints_nothing(off: Any) -> None:
     assert longdrive.optimize("mae494", progress=off).success
 
 
-def test_exact_a_quantity_of_pint_is_a_loss(unit: Any) -> None:
+def test_a_quantity_of_pint_is_a_loss(unit: Any) -> None:
     asked = longdrive.optimum_sensitivity("mae494", loss=2 * unit.yard)
     assert asked.reply["window_loss"] == pytest.approx(2 * YARD, rel=1e-15)
     with pytest.raises(InputError, match="^loss: .*gram"):
@@ -165,12 +165,12 @@ DEGREES: list[Callable[[], Any]] = [
 
 
 @pytest.mark.parametrize("call", DEGREES)
-def test_degrees_without_their_unit_are_told_what_was_meant(call: Callable[[], Any]) -> None:
+def test_a_large_angle_without_a_unit_suggests_degrees(call: Callable[[], Any]) -> None:
     with pytest.raises(InputError, match=r' = 20 rad \(1145.916 deg\) is outside its range .*; a number without a unit is SI; did you mean "20 deg"\?$'):
         call()
 
 
-def test_an_angle_with_its_unit_was_meant_as_it_is() -> None:
+def test_an_angle_with_a_unit_has_no_warning() -> None:
     for low in (0.1, "4 deg"):
         with pytest.raises(InputError, match="outside its range") as raised:
             longdrive.optimize("mae494", vary={"club.loft": (low, "95 deg")})
@@ -191,7 +191,7 @@ def test_what_is_no_attribute_says_where_it_is() -> None:
     assert copy.copy(table) == pickle.loads(pickle.dumps(table)) == table
 
 
-def test_exact_quantities_of_pint_are_points_of_a_batch(unit: Any) -> None:
+def test_quantities_of_pint_are_points_of_a_batch(unit: Any) -> None:
     speeds = np.array([100.0, 110.0])
     table = longdrive.batch("mae494", {"swing.speed": speeds * unit.mph, "club.loft": 12 * unit.deg}, tolerance=1 * unit.mm)
     # a mile is 1609.344 m
@@ -212,7 +212,7 @@ def test_a_column_of_a_table_that_is_a_quantity_of_pint_says_what_names_its_unit
         longdrive.fly({"ball_speed [mph]": speeds, "launch_angle [deg]": [11.0], "spin [rpm]": [2500.0]})
 
 
-def test_exact_tables_of_a_generator_are_joined() -> None:
+def test_tables_of_a_generator_are_joined() -> None:
     tables = [longdrive.batch("mae494", {"club.loft": [loft]}) for loft in (0.1, 0.2)]
     assert longdrive.Table.concatenate(table for table in tables) == longdrive.Table.concatenate(tables)
     with pytest.raises(InputError, match="^tables is an int; expected several tables"):

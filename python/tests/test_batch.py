@@ -41,7 +41,7 @@ def table() -> Table:
     return longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points")
 
 
-def test_exact_rows_are_those_of_the_program(program: Callable[..., str]) -> None:
+def test_same_rows_as_the_program(program: Callable[..., str]) -> None:
     text = program("sweep", "--over", "club.loft=5deg..25deg:13", "--over", "swing.attack_angle=-30deg..5deg:11",
                    "--outcomes", "carry,spin,apex_height", "--gradient", "-o", "-", "--quiet")
     rows = list(csv.DictReader(io.StringIO(text)))
@@ -75,7 +75,7 @@ def test_exact_parabola_in_a_vacuum() -> None:
     np.testing.assert_allclose(table.hessians[:, 1], 0, atol=1e-9)
 
 
-def test_rows_agree_with_single_drives_at_the_same_step() -> None:
+def test_same_rows_as_single_drives_at_one_step_size() -> None:
     setup, given = Setup("modern-driver"), points(50)
     table = longdrive.batch(setup, given, ["carry", "spin"], "points", own_step=True, hessians=True)
     assert table.hessians is not None
@@ -87,7 +87,7 @@ def test_rows_agree_with_single_drives_at_the_same_step() -> None:
         np.testing.assert_allclose(table.hessians[row, 0], longdrive.hessian(one, "carry", VARY).hessian, rtol=1e-9, atol=1e-7)
 
 
-def test_exact_views_and_columns_are_one(table: Table) -> None:
+def test_views_share_the_columns(table: Table) -> None:
     assert table.values.shape == (3000, 3) and table.gradients.shape == (3000, 3, 2) and len(table) == 3000
     for i, of in enumerate(table.of):
         assert np.array_equal(table[of], table.values[:, i])
@@ -106,7 +106,7 @@ def test_exact_views_and_columns_are_one(table: Table) -> None:
         table[3]  # type: ignore[index]
 
 
-def test_exact_strides_types_and_read_only_arrays_give_the_same(table: Table) -> None:
+def test_same_rows_from_strides_types_and_read_only_arrays(table: Table) -> None:
     given = points(3000)
     wide = np.zeros((3000, 4))
     wide[:, 1], wide[:, 3] = given["club.loft"], given["swing.speed"]
@@ -129,7 +129,7 @@ def test_exact_strides_types_and_read_only_arrays_give_the_same(table: Table) ->
     assert np.array_equal(whole["carry"], longdrive.batch("tour-average", {"swing.speed": [40.0, 50.0]})["carry"])
 
 
-def test_exact_numbers_and_texts_stand_for_every_row() -> None:
+def test_numbers_and_texts_apply_to_every_row() -> None:
     loft = np.radians([8.0, 10.0, 12.0])
     each = longdrive.batch(Setup(), {"club.loft": loft, "swing.speed": np.full(3, 110 * 0.44704)})
     for speed in ("110 mph", 110 * 0.44704, np.float64(110 * 0.44704), np.array(110 * 0.44704)):
@@ -138,7 +138,7 @@ def test_exact_numbers_and_texts_stand_for_every_row() -> None:
     assert len(longdrive.batch(Setup(), {"club.loft": np.array([])})) == 0
 
 
-def test_exact_threads_do_not_change_a_bit(table: Table) -> None:
+def test_same_bits_for_any_number_of_threads(table: Table) -> None:
     for threads in (1, 2, 5):
         assert bits(longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points", threads=threads)) == bits(table)
 
@@ -159,7 +159,7 @@ def test_a_row_that_cannot_be_flown_has_a_status_and_nothing_else_is_nan() -> No
     assert table.counts() == {"landed": 1, "no-flight": 1, "no-strike": 1, "out-of-range": 4}
 
 
-def test_a_landed_drive_without_a_direction_is_undefined_not_nan_without_a_word() -> None:
+def test_a_landed_drive_without_a_direction_has_the_status_undefined() -> None:
     launch = {"launch": {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}}
     table = longdrive.batch(launch, {"launch.backspin": [250.0, 0.0]}, ["carry", "spin_axis"])
     assert table.status.tolist() == [Status.LANDED, Status.UNDEFINED]
@@ -205,7 +205,7 @@ def test_a_wrong_question_is_refused_in_words() -> None:
             longdrive.batch(Setup(), given, **asked)  # type: ignore[arg-type]
 
 
-def test_the_setup_says_how_to_integrate_where_it_is_asked() -> None:
+def test_the_step_of_the_setup_is_used_on_request() -> None:
     given = {"club.loft": np.radians([8.0, 12.0])}
     own = longdrive.batch("tour-average", given, own_step=True)
     assert own == longdrive.batch(Setup().replace({"flight.step": Setup()["flight.step"]}), given)
@@ -214,7 +214,7 @@ def test_the_setup_says_how_to_integrate_where_it_is_asked() -> None:
     assert np.abs(longdrive.batch("tour-average", given, tolerance=1e-3)["carry"] - exact["carry"]).max() < 1e-3
 
 
-def test_exact_a_table_pickles_copies_and_shows_itself(table: Table) -> None:
+def test_a_table_pickles_copies_and_prints(table: Table) -> None:
     for other in (pickle.loads(pickle.dumps(table)), copy.copy(table), copy.deepcopy(table)):
         assert other == table and bits(other) == bits(table)
         assert (other.first_row, other.warnings, other.units) == (table.first_row, table.warnings, table.units)
@@ -224,7 +224,7 @@ def test_exact_a_table_pickles_copies_and_shows_itself(table: Table) -> None:
     assert table.units["d_carry/d_club.loft"] == "m/rad"
 
 
-def test_exact_arrow_takes_the_columns_without_a_copy(table: Table) -> None:
+def test_arrow_shares_the_columns(table: Table) -> None:
     pyarrow = pytest.importorskip("pyarrow")
     lent = pyarrow.table(table)
     assert lent.column_names == table.keys()
@@ -241,14 +241,14 @@ def test_exact_arrow_takes_the_columns_without_a_copy(table: Table) -> None:
     assert pyarrow.table(table[::7]).column("carry").to_pylist() == table["carry"][::7].tolist()
 
 
-def test_exact_polars_and_pandas_take_it(table: Table) -> None:
+def test_polars_and_pandas_read_a_table(table: Table) -> None:
     polars = pytest.importorskip("polars")
     pandas = pytest.importorskip("pandas")
     assert polars.DataFrame(table)["carry"].to_list() == table["carry"].tolist()
     assert pandas.DataFrame.from_arrow(table)["carry"].tolist() == table["carry"].tolist()
 
 
-def test_progress_is_told_from_none_to_all() -> None:
+def test_progress_goes_from_none_to_all() -> None:
     told: list[tuple[int, int]] = []
     table = longdrive.batch("tour-average", points(200_000), progress=lambda done, total: told.append((done, total)))
     assert told[-1] == (200_000, 200_000) and len(table) == 200_000
@@ -267,7 +267,7 @@ def test_a_line_of_progress_ends_whole(capsys: pytest.CaptureFixture[str]) -> No
 
 
 @pytest.mark.skipif(os.name != "posix", reason="sends a signal to itself")
-def test_exact_ctrl_c_ends_a_batch_and_it_goes_on_with_the_same_bits() -> None:
+def test_same_bits_after_ctrl_c_and_another_batch() -> None:
     # in steps of 4 ms, a minute of work
     setup, given, of = Setup({"flight.step": 4e-3}), points(400_000), ["carry", "spin"]
     some_are_done = threading.Event()
@@ -301,7 +301,7 @@ def test_other_threads_of_python_run_meanwhile(at_work: threading.Event) -> None
         longdrive.batch(Setup({"flight.step": 4e-3}), points(400_000), own_step=True, progress=lambda *_: at_work.set())
 
 
-def test_exact_several_threads_may_ask_at_once(table: Table) -> None:
+def test_same_rows_in_several_threads_at_once(table: Table) -> None:
     found: list[Table] = []
 
     def ask() -> None:
@@ -321,7 +321,7 @@ def in_a_child(_: int) -> tuple[bytes, ...]:
 
 @pytest.mark.parametrize("method", [method for method in ["fork", "spawn", "forkserver"] if method in multiprocessing.get_all_start_methods()])
 @pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
-def test_exact_processes_of_every_kind_compute_the_same(method: str, table: Table) -> None:
+def test_same_rows_in_processes_of_every_kind(method: str, table: Table) -> None:
     # threads are at work when the child is made
     stop = threading.Event()
 
@@ -342,7 +342,7 @@ def test_exact_processes_of_every_kind_compute_the_same(method: str, table: Tabl
 
 
 @pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="asks Linux for one processor")
-def test_exact_no_more_threads_than_processors_that_the_process_may_use() -> None:
+def test_no_more_threads_than_allowed_processors() -> None:
     code = """
 import os
 os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})

@@ -36,7 +36,7 @@ def test_functions_are_as_the_commands_say_of_their_options():
     assert done.returncode == 0, done.stderr
 
 
-def test_exact_optimum_is_the_programs():
+def test_same_optimum_as_the_program():
     found = longdrive.optimize("tour-average", **SEARCH)
     status, said = program("optimize", "tour-average", "--vary", "club.loft=4 deg..20 deg", "--subject-to", "descent_angle >= 38 deg")
     assert status == 0
@@ -100,7 +100,7 @@ def test_an_infeasible_search_says_so_and_raises_nothing():
     assert found.message
 
 
-def test_exact_maxcv_is_what_the_constraint_is_missed_by():
+def test_exact_maxcv_is_the_constraint_violation():
     missed = longdrive.optimize(subject_to=["carry >= 500 m"])
     (row,) = missed.constraints
     assert missed.maxcv == row["violation"] == pytest.approx(500 - row["value"], abs=1e-9) and missed.maxcv > 100
@@ -162,7 +162,7 @@ def flown(cd0: float) -> list[float]:
     return [longdrive.simulate({**base, **row})["carry"] for row in launch]
 
 
-def test_exact_coefficient_is_found_again_from_shots_in_a_dict_a_file_and_a_data_frame(tmp_path):
+def test_exact_coefficient_recovered_from_shots_in_a_dict_a_file_and_a_data_frame(tmp_path):
     shots = {**SHOTS, "carry [m]": flown(0.31)}
     file = tmp_path / "shots.csv"
     file.write_text("\n".join([",".join(shots), *(",".join(map(repr, row)) for row in zip(*shots.values()))]), encoding="utf-8")

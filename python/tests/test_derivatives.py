@@ -73,7 +73,7 @@ def test_a_jacobian_has_a_row_for_each_outcome() -> None:
     assert np.isfinite(everything.jacobian).all()
 
 
-def test_exact_numbers_are_those_of_the_program(program: Callable[..., str]) -> None:
+def test_same_numbers_as_the_program(program: Callable[..., str]) -> None:
     report = json.loads(program("simulate", "modern-driver", "--set", "club.loft=11deg", "--json"))
     drive = longdrive.simulate({"preset": "modern-driver", "club.loft": "11 deg"})
     assert drive.report == report

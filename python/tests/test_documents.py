@@ -22,7 +22,7 @@ NEEDS = {"longdrive.jax": "jax", "longdrive.torch": "torch"}
 
 
 @pytest.mark.parametrize("name", ["longdrive", *MODULES])
-def test_exact_examples_in_docstrings(name: str) -> None:
+def test_examples_in_docstrings(name: str) -> None:
     if name in NEEDS:
         pytest.importorskip(NEEDS[name])
     module = importlib.import_module(name)
@@ -54,7 +54,7 @@ def blocks() -> list[Any]:
 
 
 @pytest.mark.parametrize(("name", "line", "code"), blocks())
-def test_exact_the_python_of_the_documents_runs(
+def test_the_python_of_the_documents_runs(
     name: str, line: int, code: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for library in re.findall(r"^(?:import|from) (\w+)", code, re.MULTILINE):

@@ -232,7 +232,7 @@ def test_work_that_was_left_writes_no_file(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["whole.svg"]
 
 
-def test_exact_a_sweep_in_memory_has_the_rows_that_were_done_and_says_what_a_sweep_can() -> None:
+def test_an_interrupted_sweep_in_memory_has_its_finished_rows_and_advice() -> None:
     over = {"club.loft": (0.1, 0.2, 3000), "swing.speed": (40.0, 50.0, 300)}
     with pytest.raises(Interrupted) as caught:
         longdrive.sweep("mae494", over, progress=when(lambda done: done > 0))
@@ -243,7 +243,7 @@ def test_exact_a_sweep_in_memory_has_the_rows_that_were_done_and_says_what_a_swe
     assert longdrive.batch("mae494", table.points, own_step=True)["carry"][:100] == pytest.approx(table["carry"][:100], abs=1e-3)
 
 
-def test_exact_a_sweep_into_a_file_goes_on_with_resume(tmp_path: Path) -> None:
+def test_same_file_of_an_interrupted_and_resumed_sweep(tmp_path: Path) -> None:
     asked: dict[str, Any] = {"over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 100)}, "output": tmp_path / "rows.csv"}
     with pytest.raises(Interrupted, match="rows so far are kept, and the same call with resume=True goes on") as caught:
         longdrive.sweep("mae494", **asked, progress=when(lambda done: done > 0))

@@ -70,7 +70,7 @@ def test_a_batch_is_one_call_and_equal_to_its_rows() -> None:
     agree(jax.vmap(carry, in_axes=1)(many.T), jax.vmap(carry)(many))
 
 
-def test_exact_a_batch_asks_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_batch_calls_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
     import longdrive.pointwise
 
     asked: list[int] = []
@@ -80,7 +80,7 @@ def test_exact_a_batch_asks_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> N
     assert len(asked) == 1
 
 
-def test_it_stands_in_a_function_of_ones_own() -> None:
+def test_it_can_be_part_of_a_users_function() -> None:
     carry, x = outcome(SETUP, "carry", WRT), jnp.asarray(X)
     value, gradient, hessian = longdrive.hessian(SETUP, "carry", WRT)
     agree(jax.grad(lambda x: jnp.sin(carry(2 * x) / 100))(x / 2), np.cos(value / 100) / 100 * 2 * gradient)
@@ -88,7 +88,7 @@ def test_it_stands_in_a_function_of_ones_own() -> None:
     agree(scaled, 2 * np.outer(gradient, gradient) + 2 * value * hessian)
 
 
-def test_exact_slopes_forward_and_backward_are_transposes() -> None:
+def test_same_derivatives_forward_and_backward() -> None:
     both, draw = outcome(SETUP, ["carry", "lateral", "spin"], WRT), np.random.default_rng(5)
     for _ in range(5):
         dx, dy = draw.normal(size=3), draw.normal(size=3)
@@ -128,7 +128,7 @@ def test_differences_of_hessians_make_a_symmetric_third_derivative_as_the_messag
 
 
 @pytest.mark.parametrize("of", ["carry", ["carry", "spin"]])
-def test_exact_a_function_that_was_pickled_has_the_same_values_and_derivatives(of: Any) -> None:
+def test_same_values_and_derivatives_of_a_pickled_function(of: Any) -> None:
     own = outcome(SETUP, of, WRT)
     kept = pickle.loads(pickle.dumps(own))
     for way in (lambda f: f, jax.jit, jax.jacrev, jax.hessian):
@@ -136,14 +136,14 @@ def test_exact_a_function_that_was_pickled_has_the_same_values_and_derivatives(o
     assert repr(kept) == repr(own) and kept.__doc__ == own.__doc__
 
 
-def test_exact_cloudpickle_takes_what_jit_and_grad_make() -> None:
+def test_cloudpickle_of_jit_and_grad() -> None:
     cloudpickle = pytest.importorskip("cloudpickle")
     own = outcome(SETUP, "carry", WRT)
     for function in (jax.jit(own), jax.grad(own), jax.jit(jax.hessian(own))):
         assert (np.asarray(pickle.loads(cloudpickle.dumps(function))(X)) == np.asarray(function(X))).all()
 
 
-def test_exact_processes_take_the_function() -> None:
+def test_same_values_in_other_processes() -> None:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing import get_context
 

@@ -32,7 +32,7 @@ def test_value_gradient_and_hessian_are_those_of_the_drive_in_any_order() -> Non
             carry.fun([0.2, 0.0])
 
 
-def test_exact_lists_strides_and_types_of_x_give_the_same() -> None:
+def test_same_values_from_lists_strides_and_types_of_x() -> None:
     carry = longdrive.objective("mae494", "carry", WRT)
     x = np.array([0.2, 0.01])
     wide = np.zeros(4)
@@ -46,7 +46,7 @@ def test_exact_lists_strides_and_types_of_x_give_the_same() -> None:
     assert carry(x) == expected
 
 
-def test_exact_the_sense_max_changes_every_sign() -> None:
+def test_exact_opposite_signs_with_the_sense_max() -> None:
     up, down = longdrive.objective("mae494", "carry", WRT), longdrive.objective("mae494", "carry", WRT, "max")
     assert down.fun(up.x0) == -up.fun(up.x0)
     assert down.jac(up.x0).tolist() == (-up.jac(up.x0)).tolist()
@@ -92,7 +92,7 @@ def test_an_x_of_the_wrong_shape_is_refused(x: Any, message: str) -> None:
         longdrive.objective(Setup(), "carry", WRT).fun(x)
 
 
-def test_exact_one_variable_is_a_number_too_as_scipy_gives_it() -> None:
+def test_one_variable_may_be_a_number() -> None:
     carry = longdrive.objective(Setup(), "carry", "club.loft", sense="max")
     values = [carry.fun(x) for x in (0.16, np.float64(0.16), np.array(0.16), [0.16], np.array([0.16]))]
     assert set(values) == {values[0]} and carry.jac(0.16).shape == (1,) and carry.hess(0.16).shape == (1, 1)
@@ -141,7 +141,7 @@ def test_wrong_words_are_refused() -> None:
         longdrive.objective(Setup(), "carry", WRT, invalid="zero")  # type: ignore[arg-type]
 
 
-def test_exact_it_pickles_and_copies() -> None:
+def test_it_pickles_and_copies() -> None:
     carry = longdrive.objective({"club.loft": 0.19}, "carry", WRT, "max", invalid="nan")
     for other in (pickle.loads(pickle.dumps(carry)), copy.copy(carry), copy.deepcopy(carry)):
         assert repr(other) == repr(carry) == "<longdrive.Objective carry of club.loft, swing.attack_angle, max>"
@@ -168,7 +168,7 @@ def test_independent_a_mean_over_uniform_swings_is_that_of_gauss_legendre() -> N
     assert repr(deviation) == "<longdrive.Objective std(carry) over swings of club.loft, club.mass, max>"
 
 
-def test_exact_goals_over_swings_are_those_of_the_search() -> None:
+def test_same_goals_over_swings_as_the_search() -> None:
     best = longdrive.optimize("mae494", maximize="mean(carry) - 0.5*std(carry)", vary="club.loft=4deg..20deg", **SWINGS)
     chosen = {name: best.reply["setup"][name] for name in ("flight.method", "flight.step")}
     goal = longdrive.objective({"preset": "mae494", **chosen}, "mean(carry) - 0.5*std(carry)", "club.loft", "max", **SWINGS)

@@ -41,7 +41,7 @@ def one_worker(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[dic
     return folder, [asked.write(part) for part in range(1, asked.parts + 1)]
 
 
-def test_exact_set_of_processes_is_that_of_one_worker(
+def test_same_set_from_processes_and_from_one_worker(
     one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path
 ) -> None:
     folder, rows = one_worker
@@ -55,7 +55,7 @@ def test_exact_set_of_processes_is_that_of_one_worker(
     assert [file.stat().st_mtime_ns for file in sorted(tmp_path.iterdir())] == before
 
 
-def test_exact_set_of_the_program_is_that_of_python(
+def test_same_set_from_the_program_and_from_python(
     one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path, program: Callable[..., str]
 ) -> None:
     folder, _ = one_worker
@@ -68,7 +68,7 @@ def test_exact_set_of_the_program_is_that_of_python(
     assert sha256_of_the_set(Path(asked.output)) == sha256_of_the_set(folder)
 
 
-def test_exact_hash_and_summary_of_a_check(one_worker: tuple[Path, list[dict[str, Any]]]) -> None:
+def test_independent_hash_and_summary_of_a_check(one_worker: tuple[Path, list[dict[str, Any]]]) -> None:
     folder, rows = one_worker
     found = parts.check(folder, contents=True)
     assert (found["status"], found["missing"], found["faults"]) == ("done", [], [])
@@ -147,7 +147,7 @@ def test_a_sound_question_is_asked_and_nothing_is_written(tmp_path: Path) -> Non
     assert not list(tmp_path.iterdir())
 
 
-def test_exact_a_relative_folder_is_that_of_the_caller(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_relative_folder_is_that_of_the_caller(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()

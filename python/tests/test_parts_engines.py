@@ -100,7 +100,7 @@ def empty_the_disk() -> None:
     resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
 
 
-def test_exact_set_of_dask_with_a_worker_killed_a_part_poisoned_and_a_disk_full(
+def test_same_set_from_dask_with_a_worker_killed_a_part_poisoned_and_a_disk_full(
     many: tuple[dict[str, Any], str], client: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     import longdrive.dask
@@ -144,7 +144,7 @@ def test_what_comes_back_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -
     assert abs(sizes[1] - sizes[0]) < 100 and max(sizes) < 5000, sizes
 
 
-def test_exact_set_of_processes_of_which_one_is_killed(
+def test_same_set_from_processes_one_of_which_is_killed(
     many: tuple[dict[str, Any], str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     question, whole = many
@@ -155,7 +155,7 @@ def test_exact_set_of_processes_of_which_one_is_killed(
     assert sha256_of_the_set(tmp_path / "drives") == whole
 
 
-def test_exact_set_of_spark(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:
+def test_same_set_from_spark(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:
     sql = pytest.importorskip("pyspark.sql")
     pytest.importorskip("pandas")
     pytest.importorskip("pyarrow")
@@ -176,7 +176,7 @@ def test_exact_set_of_spark(many: tuple[dict[str, Any], str], tmp_path: Path) ->
         session.stop()
 
 
-def test_exact_set_of_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:
+def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:
     ray = pytest.importorskip("ray")
     import longdrive.ray
 

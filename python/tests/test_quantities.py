@@ -13,7 +13,7 @@ import longdrive
 from longdrive import InputError
 
 
-def test_exact_a_list_of_quantities_is_a_column_of_a_batch(unit: Any) -> None:
+def test_a_list_of_quantities_is_a_column_of_a_batch(unit: Any) -> None:
     wanted = longdrive.batch("mae494", {"club.loft": np.radians([10.0, 11.0]), "swing.speed": [45.0, 50.0]})
     for angles in ([10 * unit.deg, 11 * unit.deg], (10 * unit.deg, math.radians(11)), np.array([10 * unit.deg, 11 * unit.deg], dtype=object)):
         table = longdrive.batch("mae494", {"club.loft": angles, "swing.speed": [45 * unit("m/s"), 162 * unit("km/hour") + 5 * unit("m/s")]})
@@ -29,7 +29,7 @@ def test_exact_a_list_of_quantities_is_a_column_of_a_batch(unit: Any) -> None:
         longdrive.fly({"ball_speed [mph]": [70 * unit.meter], "launch_angle [deg]": [11.0], "spin [rpm]": [2500.0]})
 
 
-def test_exact_a_difference_of_temperatures_is_in_kelvins_whatever_its_zero(unit: Any) -> None:
+def test_exact_difference_of_temperatures_in_kelvins(unit: Any) -> None:
     warm = longdrive.Setup({"air.temperature": "20 degC"})
     degrees = [unit.Quantity(2, name) for name in ("degC", "delta_degC", "kelvin")]
 
@@ -50,7 +50,7 @@ def test_exact_a_difference_of_temperatures_is_in_kelvins_whatever_its_zero(unit
     assert truncated == spread(distribution="air.temperature=truncated(293.15 K,2 K,288.15 K,298.15 K)")
 
 
-def test_exact_a_point_of_an_objective_takes_quantities(unit: Any) -> None:
+def test_a_point_of_an_objective_may_have_quantities(unit: Any) -> None:
     carry = longdrive.objective("mae494", "carry", ["club.loft", "swing.speed"])
     plain, given = [math.radians(10), 50.0], [10 * unit.deg, 180 * unit("km/hour")]
     assert carry.fun(given) == pytest.approx(carry.fun(plain), rel=1e-12)
@@ -81,7 +81,7 @@ def test_a_truth_among_numbers_is_no_number() -> None:
         longdrive.objective("mae494", "carry", ["club.loft", "swing.speed"]).fun((False, 50.0))
 
 
-def test_exact_a_correlation_is_a_number_of_any_kind(unit: Any) -> None:
+def test_a_correlation_may_be_a_number_of_any_kind(unit: Any) -> None:
     spread = {"swing.path": ("normal", 0.0, 0.02), "swing.face_angle": ("normal", 0.0, 0.02)}
     pair = ("swing.path", "swing.face_angle")
 
@@ -107,7 +107,7 @@ def test_an_angle_is_no_plain_number(call: Callable[[Any], Any], unit: Any) -> N
         call(20 * unit.deg)
 
 
-def test_exact_a_share_is_a_plain_number(unit: Any) -> None:
+def test_a_share_is_a_plain_number(unit: Any) -> None:
     assert longdrive.Setup({"impact.restitution": 80 * unit.percent})["impact.restitution"] == pytest.approx(0.8, rel=1e-15)
     with pytest.raises(InputError, match="unknown parameter 'club.lofft'"):
         longdrive.optimize("mae494", vary={"club.lofft": (4 * unit.deg, 20 * unit.deg)})

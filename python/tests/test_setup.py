@@ -16,7 +16,7 @@ import longdrive
 from longdrive import InputError, Setup
 
 
-def test_exact_texts_and_numbers_give_the_same_setup() -> None:
+def test_same_setup_from_texts_and_numbers() -> None:
     nested = Setup({"preset": "tour-average", "club": {"loft": "10.5 deg", "inertia": {"xx": "5679 g cm^2"}}})
     dotted = Setup({"preset": "tour-average", "club.loft": math.radians(10.5), "club.inertia.xx": np.float64(5.679e-4)})
     assert nested == dotted and hash(nested) == hash(dotted)
@@ -28,7 +28,7 @@ def test_a_dict_without_a_preset_starts_from_that_of_a_setup_file() -> None:
     assert Setup({}) == Setup("modern-driver") == Setup.from_toml("")
 
 
-def test_exact_quantities_of_pint_are_converted(unit: Any) -> None:
+def test_exact_conversion_of_quantities_of_pint(unit: Any) -> None:
     setup = Setup({"swing.speed": 110 * unit.mph, "club.inertia.xx": 5679 * unit("g * cm**2"), "club.mass": 0.2 * unit.kg,
                    "air.temperature": unit.Quantity(20, "degC"), "impact.restitution": 0.8 * unit.dimensionless})
     assert setup["swing.speed"] == pytest.approx(110 * 0.44704, rel=1e-15)
@@ -73,7 +73,7 @@ def random_setup(seed: int) -> Setup:
 
 
 @pytest.mark.parametrize("seed", range(40))
-def test_exact_every_way_out_and_back_keeps_every_bit(seed: int, tmp_path: Path) -> None:
+def test_same_bits_after_every_round_trip(seed: int, tmp_path: Path) -> None:
     setup = random_setup(seed)
     file = tmp_path / "setup.toml"
     file.write_text(setup.to_toml())
@@ -94,7 +94,7 @@ def test_exact_every_way_out_and_back_keeps_every_bit(seed: int, tmp_path: Path)
     assert carry is not None and all(longdrive.simulate(other)["carry"] == carry for other in same)
 
 
-def test_exact_negative_zero_survives_a_file() -> None:
+def test_negative_zero_survives_a_file() -> None:
     setup = Setup({"swing.attack_angle": -0.0})
     assert math.copysign(1, Setup.from_toml(setup.to_toml())["swing.attack_angle"]) == -1
     assert setup == Setup({"swing.attack_angle": 0.0}) and hash(setup) == hash(Setup({"swing.attack_angle": 0.0}))
@@ -126,7 +126,7 @@ def in_force(setup: Setup, name: str) -> Any:
         ({"wind.speed": "10 mph", "wind.from": "60 deg"}, ["wind.right", "wind.downrange"]),
     ],
 )
-def test_exact_what_follows_from_other_values_is_read_as_the_drive_has_it(given: dict[str, Any], follows: list[str]) -> None:
+def test_same_dependent_values_in_setup_and_drive(given: dict[str, Any], follows: list[str]) -> None:
     setup, without = Setup({"preset": "mae494", **given}), Setup("mae494")
     for name in follows:
         assert setup[name] == in_force(setup, name) != without[name] and name in setup
@@ -178,7 +178,7 @@ def test_bad_input_is_a_value_error_with_the_message_of_the_program(given: Any, 
     assert isinstance(caught.value, ValueError)
 
 
-def test_exact_a_group_of_which_nothing_is_given_changes_nothing() -> None:
+def test_an_empty_group_changes_nothing() -> None:
     assert Setup({"preset": "mae494", "club": {"inertia": {}}, "air": {}, "club.weight_1": {}, "aero": {}}) == Setup("mae494")
 
 
@@ -210,7 +210,7 @@ def test_short_and_long_descriptions() -> None:
     ).warnings())
 
 
-def test_exact_a_table_of_ones_own_pickles_by_its_file_and_a_changed_file_is_refused(tmp_path: Path) -> None:
+def test_a_users_table_pickles_by_its_file_and_a_changed_file_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "mine.csv"
     head, rows = "spin_ratio,cd,cl", [(0.0, 0.22, 0.0), (0.1, 0.24, 0.14), (0.2, 0.27, 0.21), (0.3, 0.31, 0.26)]
     file.write_text("\n".join([head, *(",".join(map(str, row)) for row in rows)]))
@@ -224,7 +224,7 @@ def test_exact_a_table_of_ones_own_pickles_by_its_file_and_a_changed_file_is_ref
 
 
 @pytest.mark.parametrize("seed", range(10))
-def test_exact_a_setup_that_does_not_say_how_to_integrate_is_asked_about_without(seed: int) -> None:
+def test_a_setup_without_a_step_lets_the_command_choose(seed: int) -> None:
     setup = random_setup(seed).replace({"swing.speed": 47.0 + seed})
     text, is_text = setup._asked()
     keys = {line.split(" = ")[0] for line in text.splitlines() if " = " in line}
@@ -236,7 +236,7 @@ def test_exact_a_setup_that_does_not_say_how_to_integrate_is_asked_about_without
     assert {"method", "step"} <= {line.split(" = ")[0] for line in chosen._asked()[0].splitlines()}
 
 
-def test_exact_how_the_club_speed_is_stated_is_kept_by_a_dict() -> None:
+def test_a_dict_keeps_the_point_of_the_club_speed() -> None:
     setup = Setup({"swing.speed_of": "face-centre", "swing.closure.z": "2000 deg/s"})
     assert setup["swing.speed_of"] == "face-centre" and "swing.speed_of" in setup
     assert Setup(setup.to_dict()) == setup != setup.replace({"swing.speed_of": "centre-of-mass"})

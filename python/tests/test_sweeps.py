@@ -20,7 +20,7 @@ def rows_of(file: Path) -> dict[str, list[str]]:
 
 
 @pytest.mark.parametrize("question", [{"over": OVER}, {"over": {name: ends[:2] for name, ends in OVER.items()}, "sample": 3000, "seed": 7}])
-def test_exact_rows_in_memory_are_those_of_the_file(question, tmp_path):
+def test_same_rows_in_memory_and_in_a_file(question, tmp_path):
     table = longdrive.sweep("mae494", **question, of=["carry", "lateral"], wrt="points")
     said = longdrive.sweep("mae494", **question, of=["carry", "lateral"], wrt="points", output=tmp_path / "rows.csv")
     rows = rows_of(tmp_path / "rows.csv")

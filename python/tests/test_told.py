@@ -44,7 +44,7 @@ def fitted(table: Any, fit: str = "aero.cd0") -> tuple[Any, list[str]]:
     return found, found.warnings
 
 
-def test_exact_the_drag_is_found_again_without_a_word(shots: dict[str, Any]) -> None:
+def test_exact_drag_recovered_without_warnings(shots: dict[str, Any]) -> None:
     found, told = fitted(shots)
     assert told == [] and found.estimates["aero.cd0"]["value"] == pytest.approx(0.27, abs=1e-6)
 
@@ -82,7 +82,7 @@ def test_a_spin_that_is_not_used_is_told(shots: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("column", ["carry [m]", "ball_speed [m/s]"])
-def test_exact_rows_without_a_value_are_left_out_and_named(shots: dict[str, Any], column: str, tmp_path: Path) -> None:
+def test_rows_without_a_value_are_omitted_and_named(shots: dict[str, Any], column: str, tmp_path: Path) -> None:
     holed = {**shots, column: np.where(np.arange(ALL) == 2, np.nan, shots[column])}
     found, told = fitted(holed)
     assert len(told) == 1 and "rows left out" in told[0] and "row 3 (" in told[0]
@@ -94,7 +94,7 @@ def test_exact_rows_without_a_value_are_left_out_and_named(shots: dict[str, Any]
     assert fitted(tmp_path / "shots.csv")[0].estimates == found.estimates
 
 
-def test_exact_a_blank_last_row_is_left_out(shots: dict[str, Any]) -> None:
+def test_a_blank_last_row_is_omitted(shots: dict[str, Any]) -> None:
     found, told = fitted({name: np.append(values, np.nan) for name, values in shots.items()})
     assert len(told) == 1 and "row 6" in told[0] and found.estimates == fitted(shots)[0].estimates
 
@@ -184,7 +184,7 @@ def test_what_looks_like_a_mistake_is_refused_with_what_is_wanted(call: Callable
     assert words in str(raised.value)
 
 
-def test_exact_an_empty_list_of_constraints_asks_for_none() -> None:
+def test_an_empty_list_of_constraints_is_no_constraint() -> None:
     assert longdrive.optimize("mae494", subject_to=[]).fun == longdrive.optimize("mae494").fun
 
 
@@ -196,7 +196,7 @@ def test_a_table_of_swings_is_told_the_columns_that_it_may_have(tmp_path: Path) 
 
 
 @pytest.mark.parametrize("swings", [{}, {"distribution": {"swing.path": ("normal", 0.0, 0.02)}}])
-def test_exact_a_search_that_finds_nothing_has_arrays_of_the_right_shape(swings: dict[str, Any]) -> None:
+def test_a_search_without_a_result_has_arrays_of_the_right_shape(swings: dict[str, Any]) -> None:
     found = longdrive.optimize({"swing.attack_angle": -1.2}, vary={"club.loft": (0.1, 0.3), "swing.face_angle": (-0.1, 0.1)}, **swings)
     assert (found.success, found.ended, found.optimum) == (False, "no-flight", None) and math.isnan(found.fun)
     # where it began: the setup's own values
@@ -205,7 +205,7 @@ def test_exact_a_search_that_finds_nothing_has_arrays_of_the_right_shape(swings:
     assert found.jac.shape == (2,) and np.isnan(found.jac).all() and found.setup["club.loft"] == setup["club.loft"]
 
 
-def test_exact_a_data_frame_of_a_table_has_its_columns() -> None:
+def test_a_data_frame_of_a_table_has_its_columns() -> None:
     pandas = pytest.importorskip("pandas")
     # by its names alone it would have one column, of these
     with pytest.raises(InputError, match=r"pandas.DataFrame\(dict\(table\)\)"):

@@ -82,7 +82,7 @@ def test_a_batch_is_equal_to_its_rows() -> None:
     agree(torch.func.vmap(carry, in_dims=1)(many.T), torch.stack([carry(x) for x in many]))
 
 
-def test_exact_a_batch_asks_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_batch_calls_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
     import longdrive.pointwise
 
     asked: list[int] = []
@@ -126,7 +126,7 @@ def test_an_optimizer_of_torch_climbs() -> None:
     assert abs(longdrive.gradient(Setup("mae494").replace({"club.loft": x.item()}), wrt="club.loft")[1][0]) < 1e-5
 
 
-def test_exact_a_function_that_was_pickled_has_the_same_values_and_derivatives() -> None:
+def test_same_values_and_derivatives_of_a_pickled_function() -> None:
     for of in ("carry", ["carry", "spin"]):
         own = outcome(SETUP, of, WRT)
         kept = pickle.loads(pickle.dumps(own))

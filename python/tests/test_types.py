@@ -18,7 +18,7 @@ def run(*arguments: str) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_exact_the_stub_file_is_what_the_module_has() -> None:
+def test_the_stub_file_matches_the_module() -> None:
     run("mypy.stubtest", "longdrive._longdrive")
 
 

@@ -50,7 +50,7 @@ def test_a_warning_may_be_an_error_and_has_the_answer(call: Callable[[], Any]) -
     assert str(other) == str(raised.value) and type(other.answer) is type(answer) and other.answer.warnings == answer.warnings
 
 
-def test_exact_the_optimum_of_a_search_whose_warning_is_an_error_is_kept() -> None:
+def test_a_warning_raised_as_an_error_has_the_optimum() -> None:
     with warnings.catch_warnings(record=True):
         warnings.simplefilter("always")
         found = longdrive.optimize(FAST)

@@ -42,7 +42,7 @@ from longdrive.wording import in_python
         ("the file 'a--vary.csv' is -0.5 m -- or not", "the file 'a--vary.csv' is -0.5 m -- or not"),
     ],
 )
-def test_exact_options_are_named_as_arguments(text: str, words: str) -> None:
+def test_options_are_named_as_arguments(text: str, words: str) -> None:
     assert in_python(text) == words
 
 
@@ -269,7 +269,7 @@ def test_what_is_empty_by_its_own_right_is_taken() -> None:
 
 
 @pytest.mark.parametrize("shape", [tuple, list, np.array])
-def test_exact_a_range_is_any_sequence_of_two_numbers(shape: Callable[[Any], Any]) -> None:
+def test_a_range_is_any_sequence_of_two_numbers(shape: Callable[[Any], Any]) -> None:
     ends = np.radians([4.0, 20.0])
     wanted = longdrive.optimize("mae494", vary=f"club.loft={float(ends[0])!r} rad..{float(ends[1])!r} rad")
     assert (longdrive.optimize("mae494", vary={"club.loft": shape(ends)}).x == wanted.x).all()
