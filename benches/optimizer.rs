@@ -11,9 +11,9 @@ use problems::Case;
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
-/// Searches of each problem; the fastest counts, for machines are shared.
+/// Searches of each problem; the fastest counts, because machines are shared.
 const TIMES: u32 = 30;
-/// Variables up to which a problem is a small one.
+/// Largest number of variables of a small problem.
 const FEW: usize = 4;
 
 struct Measured {

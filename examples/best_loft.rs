@@ -12,7 +12,7 @@ use longdrive::study::{Sense, Vary};
 use longdrive::{Outcome, Result, Setup};
 
 fn main() -> Result<()> {
-    // the spreads are assumed; yours come from a launch monitor: longdrive delivery --shots
+    // assumed spreads; a launch monitor gives yours: longdrive delivery --shots
     let beginner = [
         "swing.speed=truncated(93.4 mph, 6 mph, 81.4 mph, 105.4 mph)",
         "swing.attack_angle=truncated(-1.6 deg, 4 deg, -9.6 deg, 6.4 deg)",

@@ -11,7 +11,7 @@ use longdrive::{Result, Setup};
 
 fn main() -> Result<()> {
     let mut setup = Setup::preset("modern-driver")?;
-    // the weight is a part of the 204 g, and begins at the centre of mass of the others
+    // the weight is part of the 204 g, and starts at the centre of mass of the rest
     setup.set_all([
         ("club.loft", "12 deg"),
         ("club.mass", "189 g"),

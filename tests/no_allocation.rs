@@ -1,5 +1,5 @@
-//! No heap memory is used inside a flight, over whatever number it is computed, and little in an
-//! iteration of the optimizer. A program of its own, for it counts every allocation of the process.
+//! A flight allocates no heap memory, over any number, and an iteration of the optimizer little. A
+//! program of its own, because it counts every allocation of the process.
 
 use longdrive::flight::fly;
 use longdrive::impact::strike;
@@ -82,7 +82,7 @@ fn regress_allocations_in_an_iteration_within_bounds() {
         end.effort
     );
     assert!(end.iterations > 10, "{}", end.iterations);
-    // the first iteration makes the room that the others use, and the last writes the verdict
+    // the first iteration allocates the workspace, and the last writes the verdict
     for iterations in 2..end.iterations {
         let ((before, first), (after, second)) = (search(iterations - 1), search(iterations));
         if second.effort.clarabel > first.effort.clarabel {

@@ -1,4 +1,4 @@
-//! The program that is tested.
+//! The program under test.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 /// The folder of the project.
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// Where it is. `cargo test` builds it before any test runs.
+/// Path of the program. `cargo test` builds it before any test runs.
 pub fn path() -> &'static Path {
     static FOUND: LazyLock<Result<PathBuf, String>> = LazyLock::new(find);
     FOUND
@@ -16,16 +16,16 @@ pub fn path() -> &'static Path {
         .unwrap_or_else(|why| panic!("the program is {why}: `cargo test --no-run` builds it"))
 }
 
-/// It, in the folder of the project.
+/// A command of the program, in the folder of the project.
 pub fn command() -> Command {
     let mut program = Command::new(path());
     program.current_dir(FOLDER);
     program
 }
 
-/// It, where it is made of the present source and has all features; else what is wrong with it.
+/// The program, if it is built from the present source with all features; else the reason.
 fn find() -> Result<PathBuf, String> {
-    // the tests' own programs lie there too
+    // the tests' own programs are there too
     let deps = std::env::current_exe()
         .unwrap()
         .parent()
@@ -37,7 +37,7 @@ fn find() -> Result<PathBuf, String> {
         .join(format!("longdrive{}", std::env::consts::EXE_SUFFIX));
     let modified = |path: &Path| fs::metadata(path).and_then(|about| about.modified()).ok();
     let made = modified(&program).ok_or("missing")?;
-    // where the compiler lists what it has read for the library, and for the program
+    // the compiler's lists of the files read for the library and for the program
     let names = fs::read_dir(&deps)
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap());

@@ -1,4 +1,4 @@
-//! Constraints, many starts, what an optimum answers to, how flat it is, and charts of it.
+//! Constraints, searches from many starts, sensitivity and flatness of an optimum, and charts.
 
 use crate::common::{LARGE_STEPS, close};
 use longdrive::optimize::{Bounds, Follow, Observer, Solution, Status};
@@ -58,8 +58,8 @@ fn askew() -> Setup<f64> {
     setup
 }
 
-/// d x*/dp and d f*/dp against central differences of optima searched anew, extrapolated once
-/// (Richardson).
+/// d x*/dp and d f*/dp against central differences of new optima, with one Richardson
+/// extrapolation.
 fn differences_agree(setup: &Setup<f64>, search: &Search) {
     let best = best(setup, search);
     let parameters = best.setup.variables();
@@ -71,7 +71,7 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
     for (parameter, sensitivity) in sensitivities(&best, &wrt, &mut |_, _| ()).unwrap() {
         let exact = sensitivity.unwrap_or_else(|e| panic!("{}: {e}", parameter.name));
         let value = best.setup.value(parameter).unwrap();
-        // a change of the parameter that is small but far above rounding
+        // a small change of the parameter, far above rounding
         let unit = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
         let size = if value == 0.0 {
             0.1 * unit
@@ -105,7 +105,7 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
             )
         };
         let h = 2e-3 * size;
-        // at the end of its range a parameter has one side only
+        // at the end of its range a parameter has one-sided differences only
         let (Some(wide), Some(narrow)) = (central(h), central(0.5 * h)) else {
             continue;
         };
@@ -185,7 +185,7 @@ fn differences_confirm_the_price_of_a_constraint() {
         names(&held).last().map(String::as_str),
         Some("apex_height <= 32 m")
     );
-    // a range, an equation, and the same turned round
+    // a range, an equation, and the equation with its sides exchanged
     for (text, value) in [
         ("30 m <= apex_height <= 32 m", 32.0),
         ("apex_height == 31 m", 31.0),
@@ -221,7 +221,7 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
         message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"),
         "{message}"
     );
-    // the least sum of squares lies halfway, where γ is the same for both
+    // the least sum of squares is in the middle, where γ is the same for both
     let violations: Vec<f64> = none
         .solution
         .constraints
@@ -296,8 +296,8 @@ fn every_mistake_in_a_constraint_points_into_it() {
 #[test]
 fn independent_mae494_optimum_from_every_batch_of_sixteen() {
     let setup = Setup::preset("mae494").unwrap();
-    // the box, and one twice as wide: its maximum is the corner at zero spin (model page: 38.53°,
-    // 170.574 m)
+    // the box, and a box twice as wide, whose maximum is the corner at zero spin (model page:
+    // 38.53°, 170.574 m)
     for (vary, value) in [
         (BOX, 153.333_552_730_5),
         (
@@ -311,8 +311,8 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
         let mut values = vec![];
         for batch in 0..4 {
             let mut start = setup;
-            // another first start shifts nothing but itself; the spread is the same: so vary the
-            // box a little instead
+            // a small shift of the start in place of another seed: the spread of the starts is
+            // fixed
             start.swing.attack_angle = f64::from(batch) * 0.02;
             let found =
                 optima(&start, &search(&start, &vary, &[]), 16, &Follow::default()).unwrap();
@@ -394,7 +394,7 @@ fn exact_loss_at_the_ends_of_windows() {
         }
         for direction in &flat.directions {
             for lost in direction.losses.iter().flatten() {
-                // the quadratic is good to the third order's share at this reach
+                // the quadratic model has a relative error of third order here
                 assert!((lost / 0.9144 - 1.0).abs() < 0.35, "{direction:?}");
             }
         }
@@ -436,7 +436,7 @@ fn order_of_the_predicted_change_is_second_and_third() {
 #[test]
 fn a_change_that_moves_the_active_set_is_foreseen_and_seen() {
     let setup = Setup::default();
-    // just inside the limit: more speed lifts the apex onto it
+    // just inside the limit: more speed raises the apex to it
     let search = search(
         &setup,
         &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
@@ -492,7 +492,7 @@ fn same_optima_on_the_chart_and_in_single_searches() {
             "carry on the chart",
         );
     }
-    // the first event: the apex reaches its limit, just there
+    // the first event: the apex reaches its limit here
     let event = chart
         .points
         .iter()
@@ -518,7 +518,7 @@ fn same_optima_on_the_chart_and_in_single_searches() {
     ));
 }
 
-/// Where the largest carry without the limit is the limit, it can just be met: below, it cannot.
+/// The chart begins at the speed whose largest unconstrained carry equals the limit.
 #[test]
 fn same_begin_of_a_chart_and_of_the_feasible_range() {
     let mut setup = Setup::default();
@@ -564,7 +564,7 @@ fn same_begin_of_a_chart_and_of_the_feasible_range() {
 
 #[test]
 fn a_saddle_is_left_for_a_maximum() {
-    // by symmetry the landing speed is stationary without cross wind, and lowest there
+    // by symmetry the landing speed has its minimum at zero cross wind
     let setup = Setup::default();
     let search = Search {
         of: Outcome::LandingSpeed,
@@ -583,7 +583,7 @@ fn a_saddle_is_left_for_a_maximum() {
     );
 }
 
-/// The head is pitched by its attack angle: the impact is the same in its own frame, so that the
+/// The head pitches with its attack angle. In the frame of the head the impact is the same, so the
 /// spin depends on the loft alone.
 #[test]
 fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
@@ -614,8 +614,7 @@ fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     assert!(error.to_string().contains("not isolated"), "{error}");
 }
 
-/// Which of the points that searches from many starts end at is nearest to the constraints has
-/// nothing to do with the objective.
+/// The search with the nearest point to the constraints does not depend on the objective.
 #[test]
 fn same_nearest_point_of_many_starts_for_both_senses() {
     let setup = Setup::default();
@@ -636,7 +635,7 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
             .map(|(local, _)| &local.solution)
             .collect();
         assert!(ends.len() > 1 && ends.iter().all(|end| end.status == Status::Infeasible));
-        // each limit over its slope by the loft, which moves both
+        // each limit divided by its derivative by the loft, which changes both
         let missed = |end: &&Solution| -> f64 {
             let slope = |j: usize| {
                 ends.iter()
@@ -669,7 +668,7 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
         .for_each(|(a, b)| close(*a, *b, 1.0, 1e-6, "nearest point"));
 }
 
-/// No start and no node is nothing to answer from: neither is made one without a word.
+/// Zero starts and zero nodes are errors, not one start and one node.
 #[test]
 fn no_starts_and_no_nodes_are_refused() {
     let setup = Setup::default();

@@ -1,5 +1,5 @@
-//! Calibration: known truths found again, honest intervals, exact Jacobians, Winfield & Tan's
-//! paper, and bad input.
+//! Calibration: recovery of known truths, coverage of intervals, exact Jacobians, Winfield & Tan's
+//! paper, bad input.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::panic_of;
@@ -17,8 +17,8 @@ use std::io::Write as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// Random numbers with a fixed seed (Steele, Lea & Flood 2014), and normal ones by Box & Muller's
-/// transform.
+/// Uniform random numbers with a fixed seed (Steele, Lea & Flood 2014), and normal ones by Box &
+/// Muller's transform.
 struct Noise(u64);
 
 impl Noise {
@@ -36,7 +36,7 @@ impl Noise {
     }
 }
 
-/// A setup whose law is known.
+/// A setup with a known law.
 fn truth() -> Setup<f64> {
     let mut setup = Setup::default();
     setup
@@ -52,8 +52,7 @@ fn truth() -> Setup<f64> {
 
 const SIGMA: [f64; 2] = [2.0, 0.5];
 
-/// Shots of the truth from a launch monitor, with noise of known size in carry and apex, as a
-/// table.
+/// Shots of the true setup as a table, with noise of known size in carry and apex.
 fn shots(noise: &mut Noise, size: f64) -> String {
     let mut text =
         "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m],sigma carry [m],apex_height \
@@ -96,7 +95,7 @@ fn fitted(text: &str, setup: &Setup<f64>, names: &[&str], loss: Loss) -> Calibra
     calibrate(setup, &table, &plan, &Follow::default()).unwrap()
 }
 
-/// The ball of a shot as it leaves.
+/// Launch of the ball of a shot.
 fn launch(shot: &Shot) -> Launch<f64> {
     let mut setup = Setup::default();
     for (parameter, value) in &shot.inputs {
@@ -148,8 +147,8 @@ fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
         assert_eq!(found.statistics.degrees_of_freedom, 22);
         chi_square += found.statistics.chi_square / 200.0;
     }
-    // 95 % of 400 intervals, and the mean of χ² with 22 degrees of freedom within four of its
-    // standard errors
+    // 95 % of 400 intervals; the mean of χ² with 22 degrees of freedom within four of its standard
+    // errors
     let share = (covered[0] + covered[1]) as f64 / 400.0;
     println!("coverage {covered:?} of 200 each, mean chi-square {chi_square}");
     assert!((0.93..=0.97).contains(&share), "{covered:?}");
@@ -163,7 +162,7 @@ fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
 fn hubers_loss_limits_the_effect_of_an_outlier() {
     let text = shots(&mut Noise(7), 0.3);
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    // a carry misread by 60 m
+    // a carry with an error of 60 m
     let mut cells: Vec<String> = lines[6].split(',').map(str::to_owned).collect();
     cells[3] = format!("{}", cells[3].parse::<f64>().unwrap() + 60.0);
     lines[6] = cells.join(",");
@@ -178,8 +177,8 @@ fn hubers_loss_limits_the_effect_of_an_outlier() {
 
 #[test]
 fn confounded_parameters_are_named() {
-    // density and viscosity: the law knows no Reynolds number; drag and lift go with density, so
-    // that it trades with both
+    // density and viscosity: the law does not depend on the Reynolds number; drag and lift are
+    // proportional to density, so density trades with both
     let names = ["aero.cd", "aero.cl_slope", "air.density", "air.viscosity"];
     let found = fitted(&shots(&mut Noise(3), 1.0), &truth(), &names, Loss::Squares);
     let named: Vec<Vec<usize>> = found
@@ -204,9 +203,9 @@ fn confounded_parameters_are_named() {
     );
 }
 
-/// With as many data as parameters nothing is left over, and what a datum's standard uncertainty
-/// moves is a column of J⁻¹, of which (JᵀJ)⁻¹ is made. No derivative enters the fits that this
-/// compares the covariance with: they only have to end where nothing is left over.
+/// With as many data as parameters the residuals vanish. The change of the fit by one standard
+/// uncertainty of a datum is a column of J⁻¹, and (JᵀJ)⁻¹ is the product of these columns. The fits
+/// need no derivatives for this comparison; they only have to reach zero residuals.
 #[test]
 fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() {
     let head = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry \
@@ -278,7 +277,7 @@ fn yards(metres: f64) -> f64 {
     metres / 0.9144
 }
 
-/// Every printed number, within what one smooth law can do.
+/// Every printed number, within the accuracy of one smooth law.
 #[test]
 fn published_tables_of_winfield_and_tan_by_the_preset() {
     let (status, found) = json(&["reproduce", "winfield-tan"]);
@@ -318,7 +317,7 @@ fn published_tables_of_winfield_and_tan_by_the_preset() {
         "{carries:?}"
     );
     assert!(rms(&angles) <= 0.05 && worst(&angles) <= 0.2, "{angles:?}");
-    // the average had no part in the fit: it tells how well the law carries over
+    // the average was not fitted: it tests the law on new data
     assert!(
         yards(off("average", "carry")).abs() <= 0.5,
         "{}",
@@ -345,7 +344,7 @@ fn table(text: &str) -> tempfile::NamedTempFile {
 #[test]
 fn exact_truth_recovered_on_the_command_line_with_missing_cells() {
     let text = shots(&mut Noise(5), 0.0);
-    // the apex of one shot was not seen
+    // the apex of one shot is missing
     let mut lines: Vec<&str> = text.lines().collect();
     let cells: Vec<&str> = lines[4].split(',').collect();
     let without = [&cells[..5], &["", ""]].concat().join(",");
@@ -514,8 +513,8 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
     }
 }
 
-/// Some of a launch by dotted names and the rest without: the launch of the rows all the same, in
-/// fits and in sweeps.
+/// Some launch columns have dotted names, the others have not: fits and sweeps read the same
+/// launch.
 #[test]
 fn a_launch_by_names_of_both_kinds_is_read_whole() {
     let rest = "launch_angle [deg],backspin [rpm],carry [yd]\n150,9,2500,230\n";
@@ -539,8 +538,8 @@ fn a_launch_by_names_of_both_kinds_is_read_whole() {
     );
 }
 
-/// As Foresight writes it: a spin axis without a unit, with its side; a summary below, and a shot
-/// whose ball was not seen.
+/// An export of Foresight: a spin axis without a unit but with its side, a summary at the end, and
+/// a shot without ball data.
 #[test]
 fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees() {
     let head =
@@ -579,8 +578,8 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
             table.remarks
         );
     }
-    // nothing but a summary is no table; and of a table of one's own of which no row is left, the
-    // first says why
+    // a summary alone is no table; for a user's table without usable rows, the message gives the
+    // reason of the first row
     let error = read(&[head, below].concat()).unwrap_err().to_string();
     assert!(
         error.contains("no shot is left in it (rows left out, since they sum up other rows: "),
@@ -630,8 +629,7 @@ fn what_stands_for_an_uncertainty_has_a_source_or_says_that_it_is_assumed() {
     }
 }
 
-/// Deliveries of the default setup at several club speeds, flown exactly: carry, and with it what
-/// else is asked for.
+/// Deliveries of the default setup at several club speeds, flown exactly: carry and other outcomes.
 fn flown(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> String {
     let sigmas = |outcome: &Outcome| {
         sigma.map_or(String::new(), |_| format!(",sigma {}", with_unit(*outcome)))
@@ -685,7 +683,8 @@ fn asked(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
 
 #[test]
 fn exact_fits_without_residuals_are_converged() {
-    // the rows were flown with the setup's own step: in another nothing would be met to rounding
+    // the rows were flown with the setup's own step; with another step the residuals would not
+    // vanish
     let fit = [
         "--own-step",
         "--fit",
@@ -698,7 +697,7 @@ fn exact_fits_without_residuals_are_converged() {
         "aero.cl_max=0.4",
     ];
     for (speeds, outcomes, sigma) in [
-        // as many data as parameters, and more
+        // as many data as parameters, and more data
         (&[45.0, 50.0][..], &[Outcome::Carry][..], Some(0.5)),
         (&[45.0, 50.0], &[Outcome::Carry], None),
         (&[50.0], &[Outcome::Carry, Outcome::ApexHeight], None),
@@ -749,7 +748,8 @@ fn exact_fits_without_residuals_are_converged() {
 
 #[test]
 fn confounded_parameters_are_no_answer() {
-    // shaft lean and loft turn the face by their sum: the launch hardly sees anything else
+    // shaft lean and loft rotate the face by their sum: the launch hardly depends on their
+    // difference
     let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Spin];
     let text = flown(&[42.0, 46.0, 50.0, 54.0], &launch, Some(0.3));
     for start in ["0deg", "4deg"] {
@@ -788,8 +788,8 @@ fn confounded_parameters_are_no_answer() {
         }
         assert!(said.contains("not determined by the data"), "{said}");
     }
-    // nothing measured depends on the air's viscosity under a law without a Reynolds number, alone
-    // or on a bound of its range
+    // without a Reynolds number in the law, no measured value depends on the viscosity, also at a
+    // bound of its range
     for range in ["air.viscosity", "air.viscosity=1e-5Pas..1.837e-5Pas"] {
         let (status, said, found) = asked(
             &flown(&[45.0, 50.0], &[Outcome::Carry], None),
@@ -823,11 +823,11 @@ fn one_datum_and_parameters_all_on_bounds_are_reported() {
     let text = flown(&[50.0], &[Outcome::Carry], None);
     let (status, said, _) = asked(&text, &["--fit", "aero.cd0"]);
     assert_eq!(status, 0, "{said}");
-    // the least drag of the range still carries too short
+    // the carry is too short even with the smallest drag of the range
     let long = text.replace("\n50,2", "\n50,4");
     assert_ne!(long, text);
     let (status, said, found) = asked(&long, &["--fit", "aero.cd0=0.2..0.3"]);
-    // and misses what is measured by 85 of its standard uncertainties
+    // the residual is 85 standard uncertainties
     assert_eq!(
         (status, found["status"].as_str()),
         (1, Some("misfit")),
@@ -867,8 +867,8 @@ fn rows_that_no_sum_of_squares_can_hold_are_named() {
             assert!(said.err.contains(word), "'{word}' is not in {}", said.err);
         }
     }
-    // finite, but beside it the others vanish: the least drag possible is still 1e9 standard
-    // uncertainties off
+    // the other values are finite but negligible: with the smallest possible drag, the residual is
+    // 1e9 standard uncertainties
     let (status, said, found) = asked(&row("9e8", "1e-2"), &["--fit", "aero.cd0=0.1..0.4"]);
     assert_eq!(
         (status, found["status"].as_str()),
@@ -884,7 +884,7 @@ fn rows_that_no_sum_of_squares_can_hold_are_named() {
     );
 }
 
-/// A follower that interrupts after some iterations, of whichever fit they are.
+/// An observer that interrupts any fit after a number of iterations.
 fn interrupting(after: u64) -> Follow {
     let (interrupt, seen) = (Arc::new(AtomicBool::new(false)), AtomicU64::new(0));
     let flag = interrupt.clone();
@@ -925,7 +925,7 @@ fn interrupted_folds_are_omitted_and_counted() {
         let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
         let done = 4 - part.count(Status::Interrupted);
         assert_eq!(part.remainders.len(), 6 * done, "after {after}");
-        // what is told is what the whole would have told
+        // the result equals that of the uninterrupted fit
         for remainder in &part.remainders {
             let same = whole
                 .remainders
@@ -946,7 +946,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     );
 }
 
-/// Searches that end elsewhere are told with how they ended, and what to do about it.
+/// Searches that end elsewhere are listed with their status and with advice.
 #[test]
 fn starts_that_end_at_larger_sums_are_told() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
@@ -1017,8 +1017,8 @@ fn iterations_of_several_searches_tell_of_which_they_are() {
     );
 }
 
-/// What ended at a minimum is not called the contrary because other searches were stopped, and
-/// these are not counted as ended.
+/// A search that reached a minimum keeps its status when other searches are stopped, and stopped
+/// searches do not count as ended.
 #[test]
 fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
     let setup = elsewhere();
@@ -1058,7 +1058,7 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
         text.contains("came to their end ended at this sum") && !text.contains("not a minimum"),
         "{text}"
     );
-    // and where it stood, where it was the best that was stopped
+    // and its state, if it was the best stopped search
     let at_once = calibrate(&setup, &table, &plan, &interrupting(1)).unwrap();
     assert!(
         !at_once.is_minimum && at_once.fit.status == Status::Interrupted,
@@ -1121,8 +1121,8 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
 
 #[test]
 fn a_launch_monitors_export_is_read_as_it_is_written() {
-    // the same three shots as four makers' programs write them; the launch flies, and the rest is
-    // told
+    // the same three shots in the formats of four makers; the launch is flown, and unused columns
+    // are listed
     let trackman = "sep=;\nDate;Club Speed;Ball Speed;Smash Factor;Launch Angle;Launch \
                     Direction;Spin Rate;Spin Axis;Carry Flat - Length;\
                     Carry Flat - Side;Est. Total Flat - Length\n\
@@ -1166,8 +1166,8 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
             );
         }
     }
-    // a measured carry is the distance to the landing point, and its uncertainty that of the
-    // instruments
+    // a measured carry is the distance to the landing point; its uncertainty is that of the
+    // instrument
     let carry = expected.shots[0].measured[0];
     assert_eq!(
         (carry.outcome, carry.sigma),
@@ -1186,7 +1186,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
     ] {
         assert!(told.contains(words), "'{words}' is not in {told}");
     }
-    // without a launch the club is an input
+    // without a launch the club columns are inputs
     let club = read(
         "Club Speed (mph),Club Path (deg),Face Angle (deg),Carry (yds)\n105,2.0 L,1 \
          R,240\n103,0,0,236\n",
@@ -1201,8 +1201,8 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         (false, vec!["swing.speed", "swing.path", "swing.face_angle"])
     );
     assert!((club.shots[0].inputs[1].1 + 2.0_f64.to_radians()).abs() < 1e-15);
-    // what is spelled as here, but wrong, stays an error, as does a quantity of this program's name
-    // without a unit
+    // a misspelt name of this program stays an error, and so does one of its quantities without a
+    // unit
     for (text, words) in [
         (
             "Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm),cary_distance \
@@ -1238,8 +1238,8 @@ fn the_sample_of_shots_is_fitted() {
         (0, Some("converged")),
         "{found}"
     );
-    // made with these coefficients: the noise in launch and flight leaves the estimates within
-    // three of their standard errors
+    // made with these coefficients: with noise in launch and flight, the estimates are within three
+    // standard errors
     for name in ["aero.cd0", "aero.cl_max"] {
         let truth = Setup::default()
             .value(Setup::default().variable(name).unwrap())
@@ -1257,8 +1257,8 @@ fn the_sample_of_shots_is_fitted() {
     );
 }
 
-/// Carries of a ball whose drag is 0.27, and 40 yd more: beyond what is allowed to be fitted. The
-/// command says it on standard error and in JSON.
+/// Carries of a ball with a drag of 0.27, plus 40 yd: beyond the range of the fit. The warning is
+/// on standard error and in JSON.
 #[test]
 fn a_fit_that_describes_nothing_or_ends_on_a_bound_is_warned_of() {
     let flown = |launch: [f64; 3]| {
@@ -1331,7 +1331,7 @@ fn a_fit_that_describes_nothing_or_ends_on_a_bound_is_warned_of() {
         "{warnings}"
     );
     let (found, warnings) = told(&rows(40.0), "aero.cd0=0.25..0.6");
-    // 40 yd of 1 yd each, but for what the bound gives: √(χ²/ν) of the answer
+    // 40 yd at 1 yd each, minus the effect of the bound: √(χ²/ν) of the answer
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
     assert!(
         off > 20.0
@@ -1346,7 +1346,7 @@ fn a_fit_that_describes_nothing_or_ends_on_a_bound_is_warned_of() {
     );
 }
 
-/// What a table of shots cannot hold is refused also where it was made by hand, with its row.
+/// Shots built in code are checked like those of a table, and errors name the row.
 #[test]
 fn impossible_measured_values_are_refused_with_their_row() {
     let setup = Setup::default();
@@ -1374,8 +1374,8 @@ fn impossible_measured_values_are_refused_with_their_row() {
     }
 }
 
-/// Wrong lengths are mistakes of a program: they panic, with both lengths. What is not finite is an
-/// error.
+/// Wrong lengths are programming errors: they panic with both lengths. Non-finite numbers are an
+/// error value.
 #[test]
 fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
     let fitted = [Fitted {

@@ -1,5 +1,5 @@
-//! The point of the head whose speed, attack angle and path the swing states: its centre of mass,
-//! or the centre of its face.
+//! The point of the head that speed, attack angle and path refer to: its centre of mass, or the
+//! centre of its face.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -23,8 +23,8 @@ fn sum(parts: &[(f64, Vector)]) -> Vector {
     })
 }
 
-/// A head that turns about all axes, with its centre of mass beside the centre of the face and a
-/// weight on it.
+/// A head that rotates about all axes, with its centre of mass away from the centre of the face and
+/// a weight.
 fn turning() -> Setup<f64> {
     let mut setup = Setup::preset("tour-average").unwrap();
     let given = [
@@ -49,8 +49,8 @@ fn turning() -> Setup<f64> {
     setup
 }
 
-/// The motion of the centre of mass behind that of the face's centre, v − ω × r, with the axes and
-/// the centre of mass written out by hand.
+/// Velocity of the centre of mass from that of the face centre, v − ω × r, with axes and centre of
+/// mass written by hand.
 fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     let (swing, club) = (&stated.swing, &stated.club);
     let (sin, cos) = (swing.attack_angle - swing.shaft_lean).sin_cos();
@@ -63,7 +63,7 @@ fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
         sum(&[(cos, up), (-sin, forward)]),
         sum(&[(cos, forward), (sin, up)]),
     );
-    // from the centre of the face: up it, towards the toe, behind it
+    // from the centre of the face: up along it, towards the toe, behind it
     let [own, weight] = [
         (
             club.mass,
@@ -94,7 +94,7 @@ fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     other.swing.speed = (x * x + y * y + z * z).sqrt();
     other.swing.attack_angle = (x / other.swing.speed).asin();
     other.swing.path = y.atan2(z);
-    // the head stands as it stood: its pitch is attack angle − shaft lean
+    // the pitch of the head does not change: attack angle − shaft lean
     other.swing.shaft_lean += other.swing.attack_angle - swing.attack_angle;
     other
 }
@@ -116,7 +116,7 @@ fn exact_face_centre_moves_as_a_point_of_a_rigid_head() {
         else {
             continue;
         };
-        // the ratio is by the speed that is stated
+        // the smash factor divides by the stated speed
         let expected = if *of == Outcome::SmashFactor {
             expected * other.swing.speed / stated.swing.speed
         } else {
@@ -126,8 +126,8 @@ fn exact_face_centre_moves_as_a_point_of_a_rigid_head() {
     }
 }
 
-/// A head without loft that closes at ω, its centre of mass d behind the centre of the face, moves
-/// there ω d more from in to out.
+/// A head without loft that closes at ω has its centre of mass at the distance d behind the face
+/// centre; this point moves ω d more from in to out.
 #[test]
 fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -159,7 +159,7 @@ fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
     {
         close(*found, *expected, 70.0, 1e-13, "launch");
     }
-    // TrackMan tells of about 3° between the two points of a driver: 65 rad/s at 50 m/s and 40 mm
+    // TrackMan states about 3° between the two points of a driver: 65 rad/s at 50 m/s and 40 mm
     assert!((65.0_f64 * 0.040 / 50.0).atan().to_degrees() > 2.9);
 }
 
@@ -184,7 +184,7 @@ fn exact_both_points_coincide_if_the_head_does_not_turn() {
     assert_eq!(carries[0].to_bits(), carries[1].to_bits());
 }
 
-/// By loft, depth, closure and weight, on which the way from the one point to the other depends.
+/// By loft, depth, closure and weight, which the vector between the two points depends on.
 #[test]
 fn differences_confirm_derivatives_by_the_position_of_the_face_centre() {
     let setup = Setup {

@@ -1,4 +1,4 @@
-//! The program as a user meets it: answers, JSON, exit statuses, and messages for bad input.
+//! The program for a user: answers, JSON, exit statuses, and messages for bad input.
 
 use crate::common::close;
 use crate::program;
@@ -16,21 +16,21 @@ pub struct Said {
     pub err: String,
 }
 
-/// Waits until it is time, or the program has ended.
+/// Waits for a condition, or for the end of the program.
 pub fn wait_until(child: &mut Child, is_time: impl Fn() -> bool) {
     while !is_time() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(Duration::from_millis(2));
     }
 }
 
-/// What a command says, and the files that it writes into a new folder.
+/// Output of a command, and the files that it writes into a new folder.
 pub struct Written {
     pub said: Said,
     files: BTreeMap<String, String>,
 }
 
 impl Written {
-    /// The text of a file.
+    /// Text of a file.
     pub fn file(&self, name: &str) -> &str {
         self.files
             .get(name)
@@ -38,7 +38,7 @@ impl Written {
     }
 }
 
-/// Runs a command that writes text into a folder, a new one.
+/// Runs a command that writes text into a new folder.
 pub fn written(args: &[&str]) -> Written {
     let folder = tempfile::tempdir().unwrap();
     let into = folder.path().join("new");
@@ -64,7 +64,7 @@ pub fn longdrive(args: &[&str]) -> Said {
     }
 }
 
-/// The answer in JSON, which is as docs/schema describes it whatever was asked.
+/// The answer in JSON, checked against its schema in docs/schema.
 pub fn json(args: &[&str]) -> (i32, Value) {
     let said = longdrive(&[args, &["--json"]].concat());
     let answer = serde_json::from_str(&said.out)
@@ -823,8 +823,8 @@ fn whole_numbers_of_options_are_refused_with_option_value_range_and_example() {
     }
 }
 
-/// A flight that cannot be followed is no answer, alone as in a sweep, and the step is blamed only
-/// where it is long.
+/// A diverging flight is no answer, alone and in a sweep. The message names the step only if it is
+/// long.
 #[test]
 fn a_flight_that_diverges_ends_with_status_one_everywhere() {
     for (set, says, says_not) in [

@@ -1,4 +1,4 @@
-//! `calibrate` as a user meets it: its tolerance, rows that do not fly or decide alone, and options
+//! `calibrate` on the command line: tolerance, rows that do not fly or that dominate, and options
 //! that are refused before the work.
 
 use crate::command_line::{json, longdrive};
@@ -14,7 +14,7 @@ fn a_tolerance_is_honoured() {
         "{}",
         said.err
     );
-    // without a tolerance it is a micrometre, and a metre shows in what is left over
+    // the default tolerance is a micrometre; a tolerance of a metre shows in the residuals
     let sum = |more: &[&str]| json(&[&SHOTS[..], more].concat()).1["chi_square"].clone();
     assert_eq!(sum(&["--tolerance=1um"]), sum(&[]));
     assert!(sum(&[]) != sum(&["--tolerance=1m"]) && sum(&[]) != sum(&["--own-step"]));
@@ -30,7 +30,7 @@ fn a_tolerance_is_honoured() {
         "{}",
         said.err
     );
-    // a range that was given to the fit is flown at its ends
+    // drives at the ends of the fitted range are flown
     assert_eq!(
         with(&["--fit", "aero.cl_max=0.2..1", "--tolerance=1mm"]).status,
         0
@@ -96,7 +96,7 @@ fn a_range_of_one_value_is_refused() {
     );
 }
 
-/// A table of deliveries with stated uncertainties, the last row's carry as given.
+/// A table of deliveries with stated uncertainties; the carry of the last row is an argument.
 fn deliveries(carry: &str) -> (tempfile::TempDir, std::path::PathBuf) {
     let head = "swing.speed [mph],club.loft [deg],carry [yd],sigma carry [yd]";
     crate::sweep::table(
@@ -137,8 +137,8 @@ fn rows_that_do_not_fly_are_no_answer_and_not_bad_input() {
     );
 }
 
-/// The wind and the size of the ball change the carries of three deliveries alike: a search stalls
-/// along the direction that is left.
+/// Wind and ball size change the carries of three deliveries in the same way: a search stalls along
+/// the undetermined direction.
 #[test]
 fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
     let (_folder, path) = deliveries("262");
@@ -207,7 +207,7 @@ fn a_row_that_decides_alone_outweighs_the_others() {
             !huber
         );
     }
-    // an ordinary outlier is seen in χ², and the others still count
+    // an ordinary outlier shows in χ², and the other rows still count
     for (_folder, path) in [deliveries("300"), apexes("190")] {
         assert_eq!(
             json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]).1["status"],
@@ -268,7 +268,7 @@ fn a_parameter_that_every_row_gives_is_not_set() {
         "{}",
         said.err
     );
-    // what is fitted begins there
+    // the start of the fit
     assert_eq!(
         longdrive(&[&asked[..], &["--set", "aero.cd0=0.3"]].concat()).status,
         0
@@ -314,7 +314,7 @@ fn rows_that_do_not_fly_are_told_by_an_example_and_without_a_club_that_is_not_th
     );
 }
 
-/// A table of launches with another column, three of its rows alike, and the last as given.
+/// A table of launches with another column: three equal rows, and a last row that is an argument.
 fn launches(head: &str, usual: &str, last: &str) -> (tempfile::TempDir, std::path::PathBuf) {
     let rows = format!("150,12,2500,{usual}\n155,12,2500,{usual}\n160,12,2500,{usual}\n{last}\n");
     crate::sweep::table(
@@ -377,7 +377,7 @@ fn what_no_drive_has_is_refused_with_row_column_value_and_range() {
             said.err
         );
     }
-    // a ball that does not spin may be measured, of which an export says that nothing was
+    // a spin of 0 may be a measured value, but exports write 0 for missing values
     let (_folder, path) = launches("carry [yd]", "246", "160,20,0,200");
     let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
     assert!(said.status == 0, "{}", said.err);
@@ -414,7 +414,7 @@ fn a_table_without_a_swing_says_which_swing_all_its_rows_are_compared_with() {
         "{}",
         said.err
     );
-    // a launch without its spin is none: it is compared with the launch of the setup's swing
+    // a row without spin has no launch: it is compared with the launch of the setup's swing
     let (_folder, path) = crate::sweep::table(
         "shots.csv",
         "ball_speed [mph],launch_angle [deg],carry [yd]\n165,12,270\n170,11,280\n",

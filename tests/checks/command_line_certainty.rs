@@ -1,4 +1,4 @@
-//! verify, sensitivity and uncertainty, as a user meets them.
+//! `verify`, `sensitivity` and `uncertainty` on the command line.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -119,7 +119,7 @@ fn exact_no_deviation_once_the_only_uncertain_parameter_is_known() {
         number(&outcome["measure_first"]["standard_uncertainty"]),
         0.0
     );
-    // the carry is nearly a straight line of a normal number: the bound is nearly the whole
+    // the carry is nearly linear in a normal parameter: the upper bound is nearly 1
     let bound = &outcome["indices"][0]["bound"];
     assert!(
         number(&bound["low"]) < 1.0 && 1.0 < number(&bound["high"]),
@@ -211,8 +211,8 @@ fn effects_and_the_sensitivity_of_an_optimum_as_json() {
             .find(|effect| effect["parameter"] == name)
             .unwrap()
     };
-    // a free optimum: the envelope theorem makes the total slope that of the drive, and there is
-    // none by what is varied
+    // an unconstrained optimum: by the envelope theorem the total derivative is that of the drive,
+    // and 0 by the variables
     close(
         number(&of("swing.speed")["derivative_of_optimum"]),
         number(&of("swing.speed")["derivative"]),
@@ -406,8 +406,8 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
     }
 }
 
-/// Of a normal distribution with mean 115 and deviation 200 mph 28 % lie below 0; of the sample of
-/// seed 0, 29 %.
+/// 28 % of a normal distribution with mean 115 mph and deviation 200 mph is below 0; 29 % of the
+/// sample with seed 0.
 #[test]
 fn a_distribution_that_reaches_far_beyond_the_range_of_its_parameter_is_warned_of() {
     let said = |text| {
@@ -429,8 +429,7 @@ fn a_distribution_that_reaches_far_beyond_the_range_of_its_parameter_is_warned_o
     );
 }
 
-/// What rounding leaves of derivatives that are 0 is shown as 0, without a sign; JSON keeps its
-/// digits.
+/// Text shows rounding of zero derivatives as 0 without a sign; JSON keeps the digits.
 #[test]
 fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
     let of_zero = |word: &str| {
@@ -452,7 +451,7 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 0, "{args:?} {}", said.err);
-        // how small the residual of the search is, is no derivative
+        // the residual of the search is no derivative
         let lines = said
             .out
             .lines()

@@ -1,5 +1,5 @@
-//! What the program does to files: nothing that exists is replaced unless asked for, no input is an
-//! output, and what is written is whole.
+//! Files: existing files are replaced only on request, no input is an output, and every written
+//! file is complete.
 
 use crate::command_line::{json, longdrive, wait_until};
 use crate::program;
@@ -28,7 +28,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     fs::read_dir(folder).unwrap().map(read).collect()
 }
 
-/// A folder with inputs, and a name in it.
+/// A folder with inputs, and the path of a name in it.
 fn folder() -> (tempfile::TempDir, impl Fn(&str) -> String) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("shots.csv"), SHOTS).unwrap();
@@ -186,7 +186,7 @@ fn a_place_that_cannot_be_written_is_told_before_the_work() {
             "{args:?}: {}",
             said.err
         );
-        // one line: no iteration, no part of the work came before it
+        // one line: no iteration, so the error came before the work
         assert_eq!(said.err.lines().count(), 1, "{args:?}: {}", said.err);
     }
 }
@@ -264,7 +264,7 @@ fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
     let (folder, name) = folder();
     let out = name("out.csv");
     fs::write(&out, "the old one").unwrap();
-    // a cell that is no number is met after some rows: nothing of it reaches the file
+    // a cell without a number follows some good rows: no row reaches the file
     let bad = format!("{POINTS}ten,100\n");
     fs::write(folder.path().join("bad.csv"), bad).unwrap();
     let said = longdrive(&[
@@ -310,14 +310,14 @@ fn a_file_that_is_made_while_a_command_runs_stays() {
         .spawn()
         .unwrap();
     let mut input = child.stdin.take().unwrap();
-    // enough that it need not wait for the head
+    // a file long enough that it does not wait for the head
     let rows = "150,12,2700\n".repeat(20_000);
     input
         .write_all(
             format!("Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n{rows}").as_bytes(),
         )
         .unwrap();
-    // where it may write has been looked at by then
+    // the permission to write is checked by now
     let is_begun = || {
         files(folder.path())
             .keys()
@@ -385,7 +385,7 @@ fn a_file_through_a_link_is_replaced_and_keeps_its_permissions() {
     );
 }
 
-/// A misspelt path is told, and no folder is made on the way to an output, whatever the command.
+/// A misspelt path is reported, and no command creates the folder of an output.
 #[test]
 fn the_folder_that_an_output_is_in_must_exist() {
     let (folder, name) = folder();
@@ -410,7 +410,7 @@ fn the_folder_that_an_output_is_in_must_exist() {
         );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
-    // the folder that is named is made
+    // the folder that the option names is created
     assert_eq!(longdrive(&["man", "-o", &name("pages")]).status, 0);
 }
 

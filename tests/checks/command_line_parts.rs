@@ -1,5 +1,5 @@
-//! `longdrive sweep` in parts as a user meets it: the same bytes from whoever writes a part, kills,
-//! full disks, and what a check of a folder finds.
+//! `longdrive sweep` in parts: the same bytes from any process, kills, full disks, and the check of
+//! a folder.
 
 use crate::command_line::{json, longdrive, number};
 use crate::program;
@@ -22,7 +22,7 @@ const NAMES: [&str; 4] = [
     "part-00004.parquet",
 ];
 
-/// Eight thousand drives in steps so coarse that they take no time, of which some do not fly.
+/// Eight thousand drives in coarse steps, which are fast; some do not fly.
 const DRIVES: [&str; 10] = [
     "sweep",
     "--set",
@@ -48,7 +48,7 @@ fn question() -> Vec<&'static str> {
     [&DRIVES[..], &SUMMARY[..]].concat()
 }
 
-/// Writes a part; what it answers.
+/// Writes a part and returns its answer.
 fn write(question: &[&str], part: u64, parts: u64, folder: &Path, more: &[&str]) -> (i32, Value) {
     let part = format!("{part}/{parts}");
     json(
@@ -85,7 +85,7 @@ impl Set {
         self.folder.path()
     }
 
-    /// A copy that a test may spoil.
+    /// A copy that a test may damage.
     fn copy(&self) -> tempfile::TempDir {
         let copy = tempfile::tempdir().unwrap();
         for name in NAMES {
@@ -104,7 +104,7 @@ fn bytes(folder: &Path) -> Vec<Vec<u8>> {
         .collect()
 }
 
-/// The rows of a file: numbers as their bits.
+/// Rows of a file as the bits of their numbers.
 fn rows(path: &Path) -> Vec<Vec<Option<String>>> {
     let file = SerializedFileReader::new(fs::File::open(path).unwrap()).unwrap();
     let cell = |field: &Field| match field {
@@ -188,9 +188,9 @@ fn same_rows_of_all_parts_and_of_one_file() {
     assert!(parts == rows(&whole));
 }
 
-/// Sums in whole and halves, so that the mean is exact to the last digit but one.
+/// Sums of integers and halves, so that the mean is exact to the last digit.
 fn mean_and_squares(values: &[f64]) -> (f64, f64) {
-    // pairwise, in another order than the program's
+    // pairwise summation in another order than the program's
     fn sum(values: &[f64]) -> f64 {
         match values {
             [] => 0.0,
@@ -273,7 +273,7 @@ fn independent_summary_of_a_set_by_its_rows() {
     assert_eq!(histogram["below"], within(f64::NEG_INFINITY, 150.0));
     assert_eq!(histogram["above"], within(290.0, f64::INFINITY));
     for bin in 0..7 {
-        // edges 150, 170, … are exact, and no carry is on one
+        // the edges 150, 170, … are exact, and no carry equals one
         let low = 150.0 + 20.0 * f64::from(bin);
         assert_eq!(
             histogram["counts"][bin as usize],
@@ -301,7 +301,7 @@ fn independent_summary_of_a_set_by_its_rows() {
             );
         }
     }
-    // merged from what the parts answered, in any order and one of them twice
+    // merged from the answers of the parts, in any order and with one of them twice
     let mut manifests: Vec<Manifest> = SET
         .answers
         .iter()
@@ -396,7 +396,7 @@ fn a_part_that_is_there_stays_and_one_of_another_question_is_refused() {
         &["--highest", "launch_angle:2"],
         "different histograms or best rows",
     );
-    // no part is written beside those of another sweep either
+    // no part is written into the folder of another sweep
     fs::remove_file(copy.path().join(NAMES[1])).unwrap();
     refused(
         &["--set", "swing.speed=100mph"],
@@ -416,7 +416,7 @@ fn a_part_that_is_there_stays_and_one_of_another_question_is_refused() {
     assert!(bytes(copy.path()) == bytes(SET.path()));
 }
 
-/// The file as another version of longdrive would have written it.
+/// The file as another version of longdrive would write it.
 fn of_other_version(path: &Path) {
     let text = fs::read(path).unwrap();
     let find = |text: &[u8], part: &str| {
@@ -524,7 +524,7 @@ fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
         answer["message"].as_str().unwrap().contains(versions),
         "{answer}"
     );
-    // a bit of a row: only a look at the rows finds it
+    // one bit of a row: only reading the rows finds it
     let flipped = |folder: &Path| {
         let mut bytes = fs::read(place(folder)).unwrap();
         bytes[5000] ^= 1;
@@ -535,7 +535,7 @@ fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
     assert_eq!(checked(copy.path(), &[]).0, 0);
     assert_eq!(spoilt(&flipped, &["--hash"]).1, fault(NAMES[2], "damaged"));
 
-    // held against a question
+    // compared with the arguments of a sweep
     let folder = SET.path().to_str().unwrap();
     let (status, answer) = json(&[&question()[..], &["--check", folder]].concat());
     assert_eq!((status, &answer["rows"]), (0, &8200.into()), "{answer}");
@@ -587,7 +587,7 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     );
     assert_eq!(fs::read_dir(copy.path()).unwrap().count(), 3);
 
-    // killed at several moments of its short life
+    // killed at several moments of a short run
     for wait in [5, 50, 100, 200, 300] {
         let mut program = program::command();
         let quiet = program
@@ -605,7 +605,7 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     }
     assert_eq!(write(&question(), 3, PARTS, copy.path(), &[]).0, 0);
     assert!(bytes(copy.path()) == bytes(SET.path()));
-    // what a kill left counts for nothing, and is told
+    // the temporary files of a killed process do not count, and are reported
     fs::write(copy.path().join(".longdrive-abc"), "PAR1").unwrap();
     let (status, answer) = checked(copy.path(), &[]);
     assert_eq!(status, 0, "{answer}");
@@ -639,7 +639,7 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
                 .map(|name| rows(&set.path().join(name)))
                 .collect(),
         );
-        // a mixture is refused where it would be made, and found where it was
+        // a mixture is refused at writing, and found by the check
         if instructions < most {
             fs::remove_file(set.path().join(NAMES[3])).unwrap();
             let (status, answer) = write(&question(), 4, PARTS, set.path(), &[]);
@@ -689,13 +689,13 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
     }
 }
 
-/// The C library has variants of its functions for processors with FMA, which round differently: a
-/// machine that has others computes another question, even with the same instructions.
+/// The C library has functions for processors with FMA that round differently: machines with
+/// different functions compute different rows, even at the same level.
 #[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
 #[test]
 fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
-    // angles far beyond 46°, whose sines are the C library's
+    // angles far beyond 46°, whose sines come from the C library
     let asked = [
         "sweep",
         "--over",
@@ -723,7 +723,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has
     let without = "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F";
     let ((_, here), (_, there)) = (of("", "1/2", "here"), of(without, "1/2", "there"));
     if here["question"] == there["question"] {
-        // a library, or a processor, without such variants
+        // a library or a processor without such variants
         assert_eq!(here["sha256"], there["sha256"]);
         return;
     }
@@ -736,7 +736,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has
         status == 2 && answer["message"].as_str().unwrap().contains("C libraries"),
         "{answer}"
     );
-    // a machine of each kind agrees with its like
+    // machines of one kind agree
     let again = of(without, "1/2", "again").1;
     assert_eq!(
         (&again["question"], &again["sha256"]),
@@ -757,7 +757,7 @@ fn a_question_that_cannot_be_divided_is_refused_with_what_can() {
         );
         assert!(!into.exists());
     };
-    // 8200 rows are eight blocks and a bit
+    // 8200 rows are eight blocks and a remainder
     refused(&["--part", "1/10"], "divide it into at most 9 parts");
     refused(&["--part", "0/4"], "from 1");
     refused(&["--part", "5/4"], "give one from 1/4 to 4/4");
@@ -804,7 +804,7 @@ fn a_question_that_cannot_be_divided_is_refused_with_what_can() {
         "{}",
         said.err
     );
-    // the names sort in the order of the parts
+    // the file names sort in the order of the parts
     let names: Vec<_> = [9, 10, 99_999]
         .map(|part| file_name(part, 123_456))
         .to_vec();

@@ -1,5 +1,4 @@
-//! The commands that search, as a user meets them: constraints, many starts, sensitivities, charts,
-//! and bad input.
+//! Commands that search: constraints, many starts, sensitivities, charts, and bad input.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -67,7 +66,7 @@ fn constraints_and_starts_as_json() {
     );
 }
 
-/// What is set and varied too is where the search begins, within its range.
+/// A parameter that is set and varied has the set value as its start, within its range.
 #[test]
 fn a_value_that_is_set_of_a_variable_is_told_as_the_start() {
     let notes = |args: &[&str]| -> Vec<String> {
@@ -90,7 +89,7 @@ fn a_value_that_is_set_of_a_variable_is_told_as_the_start() {
                 "note: club.loft is varied; the search from the setup begins at {start}{moved}"
             )]
         );
-        // the first line of the progress has the point that the search begins at
+        // the first line of the progress has the start point
         let first = format!("club.loft {}.000000°", start.trim_end_matches('°'));
         assert!(longdrive(&args).err.contains(&first), "{set}");
     }
@@ -144,7 +143,7 @@ fn a_value_that_is_set_of_a_variable_is_told_as_the_start() {
     }
 }
 
-/// The one of two that belong together may be what is varied.
+/// One of two parameters that belong together may be varied.
 #[test]
 fn a_wind_is_whole_whose_direction_is_varied() {
     let range = "--vary=wind.from=0deg..180deg";
@@ -170,7 +169,7 @@ fn a_wind_is_whole_whose_direction_is_varied() {
     );
 }
 
-/// An equation that nothing moves has no price: lateral is 0 for every straight drive.
+/// An equation that no variable changes has no multiplier: lateral is 0 for every straight drive.
 #[test]
 fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
     let told = |limit: &str| {
@@ -238,10 +237,10 @@ fn infeasible_is_an_answer_with_status_1_and_says_by_what() {
             && message.contains(", outside by "),
         "{message}"
     );
-    // no optimum, no sensitivity
+    // without an optimum there is no sensitivity
     let (status, found) = json(&[&["optimum-sensitivity"], limits.as_slice()].concat());
     assert_eq!((status, &found["status"]), (1, &Value::from("infeasible")));
-    // nor a price in the text
+    // and no price in the text
     assert!(
         !longdrive(&[&["optimize"], limits.as_slice()].concat())
             .out
@@ -368,7 +367,7 @@ fn chart_as_json_csv_and_table() {
         text.contains("<- apex height ≤ 35 yd begins") && text.contains("launch_angle"),
         "{text}"
     );
-    // the ball at an optimum leaves as that drive's does
+    // the launch at an optimum is the launch of that drive
     let [loft, attack] =
         ["club.loft", "swing.attack_angle"].map(|name| number(&points[0]["optimum"][name]));
     let set = [
@@ -395,7 +394,7 @@ fn chart_as_json_csv_and_table() {
         );
     }
 
-    // part of the range without an optimum: what there is, and status 1
+    // part of the range has no optimum: the other points are printed, with status 1
     let low = [
         "chart",
         "--along",
@@ -427,9 +426,9 @@ fn chart_as_json_csv_and_table() {
 
 const VARYING: [&str; 2] = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
 
-/// A changed optimum is that of a search of its own there, with the step that such a search
-/// chooses: that of the drive as set up would be too long for a drive more than three times as
-/// fast.
+/// A changed optimum equals that of a new search of the changed setup, with the step that such a
+/// search chooses: the step of the original drive would be too long for a drive more than three
+/// times as fast.
 #[test]
 fn same_changed_optimum_and_search_of_the_changed_setup() {
     for (change, set) in [
@@ -676,8 +675,8 @@ fn a_full_disk_is_an_error() {
 
 #[test]
 fn exact_price_of_the_bound_of_a_minimum() {
-    // ball speed falls with loft all the way: the least is at the upper bound, and its price is the
-    // slope there
+    // ball speed decreases with loft: the minimum is at the upper bound, and its multiplier is the
+    // derivative there
     let vary = ["--vary", "club.loft=4deg..20deg"];
     let (status, found) = json(
         &[
@@ -744,7 +743,7 @@ fn exact_price_of_the_bound_of_a_minimum() {
 
 #[test]
 fn differences_of_minima_are_their_sensitivities() {
-    // the landing speed is least at a descent between flat and steep
+    // the landing speed has its minimum between a flat and a steep descent
     let asked = [
         "--minimize",
         "landing_speed",
@@ -781,7 +780,7 @@ fn differences_of_minima_are_their_sensitivities() {
         let (_, drive) = json(&["simulate", "modern-driver", "--set", &loft]);
         number(&drive["flight"]["landing_speed"]) - number(&found["value"])
     };
-    // the optimum stands at the upper bound: there nothing is lost but rounding
+    // the optimum is at the upper bound: a change of the bound loses only rounding
     assert!(
         loss("low") > 0.1 && found["window"]["club.loft"]["high_limit"] == "bound",
         "{found}"
@@ -819,7 +818,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
     ] {
         assert!(text.contains(words), "no '{words}' in {text}");
     }
-    // method and step were chosen for the search: who reads the file may choose others, within a
+    // method and step were chosen for the search; a reader of the file may choose others, within a
     // micrometre
     assert!(
         !text.contains("\nmethod = ") && !text.contains("\nstep = "),
@@ -827,7 +826,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
     );
     let carry = || number(&json(&["simulate", &file]).1["flight"]["carry"]);
     close(carry(), number(&found["value"]), 1.0, 1e-6, "carry");
-    // those that were stated are in it, and give the same drive to the last digits
+    // stated ones are in the file, and give the same drive to the last digits
     for stated in [&["--own-step"][..], &["--set", "flight.step=0.02s"]] {
         let (_, found) = json(&[&asked[..], stated].concat());
         close(
@@ -838,8 +837,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
             "carry",
         );
     }
-    // those of a tolerance serve this search alone: in place of them it has those that the setup
-    // states, or none
+    // the step of a tolerance serves this search alone: the file has the setup's own step, or none
     let within = |setup: &str, file: &str| {
         let asked = [
             "optimize",
@@ -1019,8 +1017,8 @@ fn a_setup_that_is_not_written_is_told_even_where_it_is_to_be_quiet() {
     assert!(!file.exists());
 }
 
-/// A value that another option gives for every drive would not be used; one that is a start, a mean
-/// or needed at all is.
+/// A value that another option gives for every drive is refused; a start value, a mean or a
+/// necessary value is not.
 #[test]
 fn a_setting_that_has_no_effect_is_refused() {
     let folder = tempfile::tempdir().unwrap();

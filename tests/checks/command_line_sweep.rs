@@ -1,5 +1,4 @@
-//! `longdrive sweep` as a user meets it: files, kills and resumes, full disks, closed pipes, and
-//! bad input.
+//! `longdrive sweep`: files, kills and resumes, full disks, closed pipes, and bad input.
 
 use crate::command_line::{json, longdrive, wait_until};
 use crate::program;
@@ -12,8 +11,8 @@ use std::sync::OnceLock;
 
 const FORMATS: [&str; 3] = ["csv", "jsonl", "parquet"];
 
-/// Some sixty thousand drives with steps so coarse that they take half a second, of a table so wide
-/// that they are three row groups. Some of them do not fly.
+/// Some sixty thousand drives in coarse steps, which take half a second, with so many columns that
+/// they are three row groups. Some do not fly.
 fn many() -> Vec<&'static str> {
     let over = [
         "--over",
@@ -48,7 +47,7 @@ fn start(args: &[&str], file: &Path, more: &[&str]) -> Child {
         .unwrap()
 }
 
-/// Runs to the end: exit status, and what it said on standard error.
+/// Runs to the end: exit status and standard error.
 fn finish(child: Child) -> (Option<i32>, String) {
     let output = child.wait_with_output().unwrap();
     (
@@ -61,22 +60,22 @@ fn sidecar(file: &Path) -> PathBuf {
     PathBuf::from(format!("{}.resume", file.display()))
 }
 
-/// Where the rows are until all of them are there.
+/// The unfinished file of the rows.
 fn so_far(file: &Path) -> PathBuf {
     PathBuf::from(format!("{}.part", file.display()))
 }
 
-/// Waits until some rows are safe, or the program has ended.
+/// Waits until some rows are written, or the program ends.
 fn wait_for_rows(child: &mut Child, file: &Path) {
     wait_until(child, || promises(file) > 1);
 }
 
-/// How many whole lines the sidecar has.
+/// Number of complete lines of the sidecar.
 fn promises(file: &Path) -> usize {
     fs::read_to_string(sidecar(file)).map_or(0, |text| text.matches('\n').count())
 }
 
-/// The same, of the points of a table.
+/// The sweep over the points of a table.
 fn many_of(table: &str) -> Vec<&str> {
     vec![
         "sweep",
@@ -90,8 +89,7 @@ fn many_of(table: &str) -> Vec<&str> {
     ]
 }
 
-/// A sweep that nothing disturbs: its file, and how many drives it says lie beyond what the law was
-/// fitted to.
+/// An uninterrupted sweep: its file, and its number of drives beyond the fitted range of the law.
 struct Whole {
     bytes: Vec<u8>,
     beyond: String,
@@ -110,7 +108,7 @@ impl Whole {
         }
     }
 
-    /// That of `many`, computed once for all tests.
+    /// The result of `many`, computed once for all tests.
     fn of_many(format: &'static str) -> &'static Self {
         static WHOLE: [OnceLock<Whole>; FORMATS.len()] = [const { OnceLock::new() }; FORMATS.len()];
         let at = FORMATS.iter().position(|known| *known == format).unwrap();
@@ -133,7 +131,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
     child.wait().unwrap();
     let mut promised = None;
     if sidecar(&part).exists() {
-        // what a kill may cut short: a row, a row group, a line of the sidecar
+        // a kill may truncate a row, a row group or a line of the sidecar
         let append = |path: &Path, bytes: &[u8]| {
             fs::OpenOptions::new()
                 .append(true)
@@ -146,7 +144,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
         append(&so_far(&part), b"0.1,0.2,lan");
         append(&sidecar(&part), b"{\"rows\":99");
 
-        // it is not gone on with by mistake, as another question, or over
+        // refused without --resume, and with other arguments
         let (status, said) = finish(start(many, &part, &[]));
         assert_eq!(status, Some(2));
         assert!(said.contains("--resume continues it"), "{said}");
@@ -164,7 +162,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
         assert_eq!(status, Some(2));
         assert!(said.contains("the derivatives differ"), "{said}");
 
-        // Ctrl-C once more rows are safe, as far as it has not ended before
+        // Ctrl-C after more rows are written, unless it has ended
         let before = promises(&part);
         let mut child = start(many, &part, &["--resume"]);
         wait_until(&mut child, || promises(&part) > before);
@@ -180,7 +178,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
                 said.contains("--resume") && said.contains("stopped: "),
                 "{said}"
             );
-            // what it promises to continue after is what it continues after
+            // it continues after the rows that it announced
             promised = said
                 .split("continues after ")
                 .nth(1)
@@ -215,7 +213,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
     assert!(said.contains("nothing to resume"), "{said}");
 }
 
-/// How many rows a file holds, all of them whole.
+/// Number of rows of a file, all of them complete.
 fn readable(path: &Path, format: &str) -> usize {
     match format {
         "csv" => {
@@ -263,7 +261,7 @@ fn same_rows_of_an_arrow_table_killed_and_resumed() {
     use arrow_array::{ArrayRef, Float64Array, RecordBatch};
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("points.arrow");
-    // batches of another size than the chunks that are computed
+    // record batches of another size than the computed chunks
     let batches: Vec<_> = (0..64)
         .map(|loft| {
             let lofts: Float64Array = (0..1024).map(|_| 0.01 + 0.0045 * f64::from(loft)).collect();
@@ -287,7 +285,7 @@ fn same_rows_of_an_arrow_table_killed_and_resumed() {
     killed_and_resumed(&many, "csv", &Whole::new(&many, "csv"));
 }
 
-/// Tables of the same points that pyarrow wrote in each format, and by Python in CSV.
+/// Tables of the same points, written by pyarrow in each format and by Python in CSV.
 #[test]
 fn independent_tables_in_every_format_give_the_same_bytes() {
     let table = |name: &str| format!("{}/data/tables/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -347,7 +345,7 @@ fn independent_tables_in_every_format_give_the_same_bytes() {
         "{}",
         said.err
     );
-    // a row without a value is none of the others' business
+    // a row without a value does not affect the others
     let said = longdrive(&[
         "sweep",
         "--points",
@@ -381,8 +379,7 @@ fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
             &Whole::of_many(format).bytes,
             folder.path().join(format!("part.{format}")),
         );
-        // a file may not grow beyond this many KiB; the signal that says so is ignored, and writing
-        // fails
+        // a file must not grow beyond this number of KiB; the signal is ignored, and writing fails
         let most = whole.len() / 1024 * 3 / 5;
         let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
         let mut program = Command::new("bash");
@@ -536,7 +533,7 @@ fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
             1,
             "{first:?} {second:?}"
         );
-        // it met the other at work, or its file
+        // it found the other process, or its file
         assert!(
             said.contains("another sweep is writing it") || said.contains("already exists"),
             "{said}"
@@ -553,7 +550,7 @@ fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
     let mut child = start(&many(), &file, &[]);
     wait_until(&mut child, || so_far(&file).exists());
     fs::write(&file, "theirs").unwrap();
-    // a sweep that comes later is told what is at work
+    // a later sweep reports the running one
     let (status, said) = finish(start(
         &["sweep", "--over", "club.loft=5deg..15deg:3"],
         &file,
@@ -668,7 +665,7 @@ fn same_table_and_sample_on_the_command_line() {
     let at = ["--set", "club.loft=10deg", "--set", "swing.speed=110mph"];
     let (_, drive) = json(&[&["gradient", "--wrt", "club.loft,swing.speed"], &at[..]].concat());
     let drive = &drive["outcomes"][0];
-    // drives side by side round otherwise than one alone
+    // drives in lanes round differently than a drive alone
     for (ours, theirs) in [
         (&rows[0]["carry"], &drive["value"]),
         (
@@ -681,7 +678,7 @@ fn same_table_and_sample_on_the_command_line() {
     }
     assert!(rows[1]["carry"].is_null() && rows[1]["status"] == "no-flight");
 
-    // the same rows on standard output are counted beside them
+    // rows on standard output are counted on standard error
     let said = longdrive(&["sweep", "--own-step", "--points", &file("points.csv")]);
     assert!(
         said.status == 0 && said.err.ends_with("2 drives: 1 landed, 1 no-flight\n"),
@@ -826,7 +823,7 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
         answer["message"].as_str().unwrap().contains(told),
         "{answer}"
     );
-    // the ball's speed is there though it does not fly, and one drive that lands is an answer
+    // the ball speed exists though the ball does not fly, and one drive that lands is an answer
     assert_eq!(
         longdrive(&[&command[..], &["--outcomes", "ball_speed"]].concat()).status,
         0
@@ -835,8 +832,8 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
     assert_eq!(longdrive(&some).status, 0);
 }
 
-/// A tolerance holds in every row of a table, however far it lies from the setup: beside the same
-/// rows by `dp8` in steps of 20 ms.
+/// A tolerance holds in every row of a table, however far it is from the setup: compared with the
+/// same rows by `dp8` in steps of 20 ms.
 #[test]
 fn same_rows_of_a_table_in_shorter_steps_within_the_tolerance() {
     let carries = |more: &[&str]| {

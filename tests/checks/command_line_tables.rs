@@ -1,4 +1,4 @@
-//! Tables that `sweep --points` and `calibrate` both read: the same heads, and what is not read.
+//! Tables that `sweep --points` and `calibrate` read: the same heads, and notes on ignored columns.
 
 use crate::command_line::{json, longdrive};
 use crate::common::close;
@@ -24,7 +24,7 @@ fn a_table_of_a_head_alone_is_refused() {
     );
 }
 
-/// The same launch, however a table writes it, with and without what was measured of it.
+/// One launch in several spellings, with and without measured values.
 #[test]
 fn same_points_for_every_spelling_of_the_head() {
     let setup = Setup::default();
@@ -136,7 +136,7 @@ fn what_a_sweep_writes_is_read_again_and_what_is_not_read_is_told() {
             let csv = std::fs::read(file(&format!("{name}-1.csv"))).unwrap();
             assert!(csv == std::fs::read(&second).unwrap(), "{name}.{ending}");
         }
-        // and what it computed can be taken for what was measured
+        // and computed values may serve as measured ones
         let args = [
             "calibrate",
             &file(&format!("{name}-1.csv")),
@@ -211,8 +211,8 @@ fn a_parameter_of_every_drive_is_not_set_beside_them() {
     }
 }
 
-/// A table whose cells may have a decimal comma: a point in `2.500` is one thing beside `160,5`,
-/// and another beside `160.5`.
+/// A table that may have decimal commas: the point of `2.500` has another meaning beside `160,5`
+/// than beside `160.5`.
 #[test]
 fn numbers_of_two_meanings_are_refused_with_both_cells() {
     let table = |cells: [&str; 4]| {
@@ -239,7 +239,7 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
             ["160.5", "11", "2,500", "250"],
             Some(["'2,500' (row 1, column spin)", "'160.5'"]),
         ),
-        // one mark alone, and marks that cannot separate thousands
+        // one mark alone, and marks that cannot be thousands separators
         (["160.5", "11.2", "2500.125", "250"], None),
         (["160,5", "11,2", "2500", "250,3"], None),
         (["160,5", "11.25", "2500", "0.250"], None),

@@ -1,12 +1,12 @@
-//! The units that were asked for, in every text: studies, messages, warnings and notes; and remarks
-//! that fit a terminal.
+//! Chosen units in every text (studies, messages, warnings, notes), and remarks that fit a
+//! terminal.
 
 use crate::command_line::longdrive;
 use crate::reproduce::{FOUND, PAPER, PAPER_WRITTEN};
 use longdrive::report::{mae494_document, winfield_tan_document};
 use longdrive::units::System;
 
-/// The words of a text, however it is broken into lines.
+/// The words of a text, without its line breaks.
 fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -18,8 +18,7 @@ fn widest(text: &str) -> usize {
         .unwrap_or(0)
 }
 
-/// The numbers with one of these units, without those that have the other system's beside them in
-/// parentheses.
+/// The numbers with one of these units, without the other system's numbers in parentheses.
 fn alone<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
     let all: Vec<&str> = text.split_whitespace().collect();
     let is_number =
@@ -256,7 +255,7 @@ fn notes_of_plots_are_in_the_chosen_system() {
             } else {
                 [" yd ", " yd.", " mph"]
             };
-            // a limit is told as it was typed
+            // a limit is printed as it was typed
             let told = words(&said.err).replace("apex_height <= 30 yd", "");
             assert!(
                 !other.iter().any(|unit| told.contains(unit)),
@@ -312,12 +311,12 @@ fn remarks_and_warnings_fit_a_terminal() {
             .iter()
             .position(|line| line.starts_with(begin))
             .unwrap_or_else(|| panic!("{}", said.err));
-        // what does not fit is continued on an indented line
+        // the rest of a long line is on an indented line
         assert!(lines[at + 1].starts_with("  "), "{args:?}: {}", said.err);
     }
 }
 
-/// The remark at the line of a setup file that begins so, and the value before it.
+/// The remark at the line of a setup file with this beginning, and its value.
 fn remark<'a>(file: &'a str, begin: &str) -> (&'a str, &'a str) {
     let line = file
         .lines()
@@ -342,7 +341,7 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&file).unwrap();
     let (loft, about) = remark(&text, "loft = ");
-    // in degrees where a text in degrees is exact
+    // in degrees if a text in degrees is exact
     let degrees = loft
         .strip_suffix(" deg")
         .map_or_else(
@@ -395,7 +394,7 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
     );
 }
 
-/// What a calibration remarks about instruments is in the units asked for, too.
+/// Remarks of a calibration about instruments have the chosen units too.
 #[test]
 fn remarks_of_a_calibration_have_no_yards_where_metres_are_asked_for() {
     let table = "club.loft [deg],carry [yd],ball_speed [mph],lateral [yd],apex_height \

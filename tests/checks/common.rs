@@ -1,5 +1,4 @@
-//! Drives computed independently of this project, random drives, and how to hold numbers against
-//! each other.
+//! Independently computed drives, random drives, and comparison of numbers.
 
 use longdrive::number::{Jet, Mixed};
 use longdrive::parameters::Law;
@@ -22,8 +21,7 @@ pub fn data(name: &str) -> Value {
 }
 
 /// A setup from its JSON form: every parameter by dotted name, `null` for unset, `"inf"` for a flat
-/// face. What the file does not name is as in Winfield & Tan: rolling at exit, calm, no friction
-/// limit.
+/// face. Missing parameters are those of Winfield & Tan: rolling at exit, calm, no friction limit.
 pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
     let mut setup = Setup::preset("winfield-tan").unwrap();
     setup.set_law(json["aero.law"].as_str().unwrap()).unwrap();
@@ -71,8 +69,8 @@ pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// An outcome of a JSON drive; of the distance to the landing the files have the two components,
-/// and in their drives the ball embeds.
+/// An outcome of a JSON drive. The files have both components of the landing position, and their
+/// balls embed.
 pub fn outcome_of(outcomes: &Value, of: Outcome) -> f64 {
     match of {
         Outcome::CarryDistance => number(&outcomes["carry"]).hypot(number(&outcomes["lateral"])),
@@ -94,16 +92,16 @@ pub fn close(ours: f64, theirs: f64, scale: f64, tolerance: f64, what: &str) {
     );
 }
 
-/// Runs a check on so many random setups, the same ones every time.
+/// Runs a check on a number of random setups, always the same ones.
 pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
     random_setups(cases).for_each(check);
 }
 
-/// Steps with which a carry is good to about 1e-8 m, and a drive takes a tenth of the time.
+/// Steps with an error of about 1e-8 m of carry, which take a tenth of the time.
 pub const LARGE_STEPS: [(&str, &str); 2] = [("flight.method", "dp8"), ("flight.step", "400 ms")];
 
-/// The drive in large steps, by each method by turns: what holds of the drive as it is computed
-/// holds in any steps.
+/// The drive in large steps, with alternating methods: properties of the discrete drive hold in any
+/// steps.
 pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
     let (method, step) = if place % 2 == 1 {
         ("dp8", "400 ms")
@@ -116,8 +114,7 @@ pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
     setup
 }
 
-/// Those of so many random drives that land, in large steps: nearly all of them, for else a check
-/// of them would be of little.
+/// Random drives that land, in large steps. Nearly all land; else the check would cover little.
 #[track_caller]
 pub fn landing(cases: u32) -> Vec<Setup<f64>> {
     let lands = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
@@ -134,7 +131,7 @@ pub fn landing(cases: u32) -> Vec<Setup<f64>> {
     landing
 }
 
-/// So many random setups, the same ones every time.
+/// A number of random setups, always the same ones.
 pub fn random_setups(cases: u32) -> impl Iterator<Item = Setup<f64>> {
     let mut runner = TestRunner::deterministic();
     (0..cases).map(move |_| any_setup().new_tree(&mut runner).unwrap().current())
@@ -225,8 +222,8 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
         ) = air;
         [s.wind.up, s.wind.right, s.wind.downrange] = air.3;
         s.wind.up *= 0.1;
-        // a shaft that bends and droops, and a restitution that falls with the speed, in half of
-        // the drives
+        // in half of the drives the shaft bends and droops, and the restitution decreases with the
+        // speed
         if s.club.face_semi_axis.is_some() {
             (s.swing.shaft_bend, s.swing.shaft_droop) =
                 (Some(0.5 * s.swing.shaft_lean), Some(s.swing.path));
@@ -238,7 +235,7 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
     })
 }
 
-/// What a piece of a program says as it panics.
+/// The message of a panic.
 pub fn panic_of<T>(work: impl FnOnce() -> T) -> String {
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work))
         .err()

@@ -1,4 +1,4 @@
-//! Two drives beside each other, and what their difference is made of.
+//! Comparison of two drives, and the causes of their difference.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::{LARGE_STEPS, close, random_setups};
@@ -36,8 +36,8 @@ const LAUNCH: [(&str, &str); 3] = [
 
 #[test]
 fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
-    // where a law is C² in pieces, shares are integrated to 1e-8, with a few more between the
-    // parameters
+    // for laws that are C² in pieces, shares are integrated to 1e-8, with a few more nodes between
+    // the parameters
     let smooth = [
         "launch-monitor",
         "linear",
@@ -46,7 +46,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
         "winfield-tan",
     ];
     let is_compared = |pair: &[Setup<f64>]| {
-        // a drive between two random ones may not fly
+        // a drive between two random drives may not fly
         let Ok(there) = Comparison::new(&pair[0], &pair[1])
             .unwrap()
             .of(Outcome::Carry)
@@ -68,7 +68,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
             let bar = if is_smooth { 1e-9 } else { 1e-7 };
             for split in [there, &back] {
                 let laws = [0, 1].map(|i| pair[i].law.name());
-                // and no more than is told
+                // and at most the printed error
                 let told = split.error.min(bar * most);
                 assert!(
                     split.remainder.abs() < told,
@@ -96,7 +96,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
         );
         true
     };
-    // in steps of every kind: the shares are of the drives as they are computed
+    // in steps of every kind: the shares belong to the drives as computed
     for steps in [
         LARGE_STEPS,
         [("flight.method", "rk4"), ("flight.step", "100 ms")],
@@ -116,8 +116,8 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
     }
 }
 
-/// The law with the largest corners in its derivatives, in hundreds of places between two drives:
-/// in large steps 1e-6 of the carry was left, and said to be a corner.
+/// The law with the largest kinks in its derivatives, at hundreds of positions between two drives:
+/// in large steps, 1e-6 of the carry remained and was reported as a kink.
 #[test]
 fn exact_shares_of_a_law_in_pieces_add_up_in_large_steps() {
     let law =
@@ -151,8 +151,7 @@ fn exact_shares_of_a_law_in_pieces_add_up_in_large_steps() {
     assert!(!said.out.contains("corner of the model"), "{}", said.out);
 }
 
-/// What one outcome lacks between two drives does not keep back the others, and does not change
-/// them.
+/// An outcome that is undefined between the drives does not suppress or change the others.
 #[test]
 fn same_shares_of_several_outcomes_at_once_and_of_each_alone() {
     let a = changed(
@@ -168,7 +167,7 @@ fn same_shares_of_several_outcomes_at_once_and_of_each_alone() {
             ("aero.law", "lyu"),
         ],
     );
-    // topspin in b: on the way the spin is 0, and has no axis
+    // topspin in b: between the drives the spin is 0 and has no axis
     let still = [
         ("club.loft", "0 deg"),
         ("swing.attack_angle", "0 deg"),
@@ -332,7 +331,7 @@ fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share
             .fold(0.0, f64::max);
         for name in names {
             let parameter = a.parameter(name).unwrap();
-            // from a on, and back from b: the mean is right to third order
+            // from a forwards and from b backwards: the mean is right to third order
             let flown = [(0, 1), (1, 0)].map(|(here, there)| {
                 let mut setup = split.setups[here];
                 setup
@@ -378,7 +377,7 @@ fn exact_sum_of_shares_between_a_club_and_a_launch_and_between_two_forms_of_spin
             && share(&found.by_parameter, "launch.spin").abs() < 5.0
     );
 
-    // topspin: the axis would turn by half a turn, so that backspin and sidespin go straight
+    // topspin: the axis would turn by 180°, so backspin and sidespin change linearly
     let top = changed(
         &given,
         &[("launch.backspin", "-300 rpm"), ("swing.speed", "100 mph")],
@@ -760,7 +759,7 @@ fn exact_shares_of_air_and_wind_given_by_the_same_parameters() {
         ("wind.speed", "10 mph"),
         ("wind.from", "45 deg"),
     ];
-    // the densities of the two presets differ, and are replaced in both
+    // the densities of the two presets differ, and both are replaced
     let [a, b] = ["winfield-tan", "tour-average"]
         .map(|name| changed(&Setup::preset(name).unwrap(), &settings));
     assert!(a.air.density != b.air.density);
@@ -809,7 +808,7 @@ fn exact_shares_of_air_and_wind_changed_at_once_change_sign_on_the_way_back() {
             close(share(&there, name), -share(&back, name), 100.0, 1e-9, name);
         }
     }
-    // the rest being the same, all of the difference is that of the wind
+    // the other parameters are equal, so that the wind has the whole difference
     let b = changed(
         &Setup::default(),
         &[("air.density", "1.2 kg/m^3"), other[1], other[2]],

@@ -1,4 +1,4 @@
-//! The delivery that explains a measured launch.
+//! The delivery behind a measured launch.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -82,7 +82,7 @@ fn exact_delivery_recovered_from_its_own_prior() {
             .all(|explained| explained.residual().abs() < 1e-9),
         "{found:?}"
     );
-    // five numbers tell at most five
+    // five numbers identify at most five parameters
     let told: f64 = found.known.iter().filter_map(|known| known.told).sum();
     assert!((4.0..5.0).contains(&told), "{told}");
 }
@@ -102,7 +102,7 @@ fn exact_delivery_recovered_from_far_starts() {
         .iter()
         .map(|range| Vary::read(&start, range).unwrap())
         .collect();
-    // what is known before has next to no weight
+    // the prior has nearly no weight
     let sigma = |vary: &Vary| Sigma {
         parameter: vary.parameter,
         value: 1e6 * (vary.high - vary.low),
@@ -134,9 +134,9 @@ fn exact_delivery_recovered_from_far_starts() {
     assert!(found.untold.is_empty());
 }
 
-/// The answer moves with each measured value and with each value before; the squares of these
-/// movements, each for one standard uncertainty, add up to the variance that is stated. The
-/// movements are taken by differences, nothing of the formula is in them.
+/// The answer changes with each measured value and with each prior value. The squares of these
+/// changes, each for one standard uncertainty, sum to the stated variance. The changes are finite
+/// differences and use nothing of the formula.
 #[test]
 fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
     let setup = struck(&OFF_CENTRE);
@@ -215,7 +215,7 @@ fn an_unidentified_change_does_not_change_the_launch() {
                     slopes[wrt.iter().position(|row| row == parameter).unwrap()] * change
                 })
                 .sum();
-            // parts below a tenth are not shown; of the whole direction nothing is told
+            // the changes omit parts below a tenth; nothing of the whole direction is identified
             let sigma = instrument(outcome).unwrap().1;
             assert!(
                 untold.told < 1e-9 && change.abs() < 1.5 * sigma,

@@ -1,5 +1,5 @@
-//! From the shots of a launch monitor to the swings of a golfer, and to the design that is best
-//! over them.
+//! From the shots of a launch monitor to the swings of a golfer, and to the best design over these
+//! swings.
 
 use crate::command_line::{json, longdrive, number};
 use longdrive::parameters::Parameter;
@@ -12,7 +12,7 @@ use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const MPH: f64 = 0.44704;
 
-/// What the swings are: mean and standard deviation, SI; path and face are correlated.
+/// The swings: mean and standard deviation, SI; path and face are correlated.
 const TRUTH: [(&str, f64, f64); 4] = [
     ("swing.speed", 104.0 * MPH, 2.5 * MPH),
     ("swing.attack_angle", 1.0 * DEGREE, 1.5 * DEGREE),
@@ -31,7 +31,7 @@ const SOUGHT: [&str; 8] = [
     "swing.face_angle=-12deg..12deg",
 ];
 
-/// Normal numbers, the same ones every time.
+/// Normal random numbers with a fixed seed.
 struct Chance(Xoshiro256PlusPlus);
 
 impl Chance {
@@ -41,7 +41,7 @@ impl Chance {
     }
 }
 
-/// Shots of such swings as a launch monitor writes them, with its errors.
+/// Shots of such swings in an export, with the errors of the launch monitor.
 fn shots(count: usize, seed: u64) -> String {
     let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(seed));
     let swing = |chance: &mut Chance| {
@@ -52,7 +52,7 @@ fn shots(count: usize, seed: u64) -> String {
     shots_of(&TRUTH, count, &mut chance, swing)
 }
 
-/// The same of other swings, whose scores are drawn by `scores`.
+/// Shots of other swings, whose scores come from `scores`.
 fn shots_of(
     truth: &[(&str, f64, f64)],
     count: usize,
@@ -86,8 +86,8 @@ fn shots_of(
     text
 }
 
-/// Means, deviations and the correlation of the swings within three of their stated uncertainties,
-/// and the files give them to `optimize`.
+/// Means, deviations and the correlation of the swings are within three of their stated
+/// uncertainties, and `optimize` reads the files.
 #[test]
 fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
     let folder = tempfile::tempdir().unwrap();
@@ -124,7 +124,7 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
             off.iter().all(|off| off.abs() < 3.0),
             "{name}: {off:?} {spread}"
         );
-        // the uncertainties are those of so many swings, not an excuse
+        // the uncertainties are no larger than this number of swings justifies
         assert!(
             stated("deviation") < 0.25 * deviation && number(&spread["told"]) > 0.6,
             "{name}: {spread}"
@@ -138,7 +138,7 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
         "{correlation}"
     );
 
-    // the distribution reads back as what was found
+    // the distribution reads back as found
     let own = Setup::from_file(setup.as_ref()).unwrap();
     let swings = Swings::open(&own, distribution.as_ref()).unwrap();
     for (parameter, mean) in swings.parameters().iter().zip(swings.means()) {
@@ -179,9 +179,8 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
     );
 }
 
-/// Seven numbers of a swing from the five of its launch: what is not told keeps what was assumed,
-/// with an uncertainty that says so, and the launches of the swings found scatter as those of the
-/// golfer.
+/// Seven parameters of a swing from the five of its launch: unidentified ones keep their prior,
+/// with its uncertainty, and the launches of the recovered swings scatter as those of the golfer.
 #[test]
 fn sampled_swings_are_within_their_stated_uncertainties() {
     let truth = [
@@ -231,8 +230,8 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             told[30]
         );
     }
-    // path, face and the strike towards the toe are not told together, nor attack, lean and the
-    // height of the strike
+    // neither path, face and strike towards the toe nor attack angle, lean and height of the strike
+    // are identified together
     let assumed =
         |i: usize| number(&answer["population"]["spread"][i]["deviation_standard_uncertainty"]);
     assert!(
@@ -241,7 +240,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
         answer["population"]
     );
     are_given_back(&answer);
-    // the scatter of launches, of the swings found and of the golfer's own
+    // the scatter of launches, of the recovered swings and of the golfer
     let setup = Setup::preset("tour-average").unwrap();
     let found = Swings::open(&setup, distribution.as_ref()).unwrap();
     let scenarios = Scenarios::new(
@@ -307,7 +306,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             of.name(),
             found / own
         );
-        // of 60 shots a deviation is known to 9 %
+        // 60 shots determine a deviation to 9 %
         assert!(
             (found / own - 1.0).abs() < 0.3,
             "{}: {found} {own}",
@@ -326,8 +325,8 @@ fn are_given_back(answer: &serde_json::Value) {
     }
 }
 
-/// A robot's swings hardly vary: the spread that is assumed of what its shots do not tell must not
-/// scatter the launches.
+/// A robot's swings hardly vary: the prior spread of unidentified parameters must not scatter the
+/// launches.
 #[test]
 fn a_robots_swings_keep_less_of_the_prior_spread() {
     let folder = tempfile::tempdir().unwrap();
@@ -351,7 +350,7 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
     let file = at("shots.csv");
-    // as the last one no ball can leave
+    // no drive can have the launch of the last row
     std::fs::write(&file, shots(3, 2) + "115,0.2,0,250,0\n").unwrap();
     let run = |swings: &str| {
         longdrive(
@@ -376,7 +375,7 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
             .count(),
         4
     );
-    // the command that follows has the setup that the swings are of
+    // the next command has the setup of the swings
     let follows = |ran: &crate::command_line::Said| {
         let told = words(&ran.err);
         told.split("the design that is best over them: longdrive ")
@@ -421,7 +420,7 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
         distribution.err
     );
     assert!(!folder.path().join("swings.toml").exists());
-    // all of them found, and still not what was asked for
+    // all of them found, but the request was for a distribution
     std::fs::write(&file, shots(7, 2)).unwrap();
     let few = run("swings.toml");
     assert!(

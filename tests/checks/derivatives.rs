@@ -1,5 +1,5 @@
-//! Derivatives: the number types against each other, against differences, and independent of how
-//! they are asked for.
+//! Derivatives: the number types compared with each other and with differences, and independent of
+//! the other requested outcomes.
 
 use crate::common::{close, landing, mixed, panic_of};
 use longdrive::batch::Batch;
@@ -13,7 +13,7 @@ use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
-/// Outcomes of a setup seen over another number, with loft and attack angle as its variables.
+/// Outcomes of a setup over another number, with loft and attack angle as its variables.
 fn over<D: Number, const N: usize>(
     setup: &Setup<f64>,
     of: [Outcome; N],
@@ -84,7 +84,7 @@ fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
             let (h, values) = differences(&setup, parameter, value, &of);
             for (taylor, [below, above]) in exact.iter().zip(values) {
                 let difference = (above - below) / (2.0 * h);
-                // rounding of the values over the step, and the step's own truncation
+                // rounding of the values divided by the step, plus truncation of the difference
                 let allowed = 1e-6 * difference.abs() + 1e-11 * taylor.value.abs().max(1.0) / h;
                 assert!(
                     (taylor.gradient[k] - difference).abs() <= allowed,
@@ -107,8 +107,8 @@ fn differences(
     let h = 1e-5 * value.abs().max(1e-6);
     let at = |value: f64| {
         let mut moved = *setup;
-        // past the range of a parameter the formulas still hold, and the difference is wanted at
-        // its end too
+        // the formulas hold beyond the range of a parameter, and the difference is needed at its
+        // end too
         moved = moved.map(|row, old| if row == parameter { value } else { old });
         let drive = Drive::new(&moved).unwrap();
         of.iter()
@@ -168,9 +168,9 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
     }
 }
 
-/// Ten parameters change no flight where weights have no mass, the strike is central and the shaft
-/// is straight: so many that derivatives are chained from those of the impact and of the flight,
-/// which then has no variable. Where the launch is given, the ball's inertia changes none either.
+/// Ten parameters change no flight if weights have no mass, the strike is central and the shaft is
+/// straight. With so many, derivatives are chained from those of the impact and of the flight,
+/// which then has no variable. For a given launch the ball's inertia has no effect either.
 #[test]
 fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
     let idle = [
@@ -237,8 +237,8 @@ fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
     }
 }
 
-/// By many parameters a Hessian is chained from those of the impact and of the flight; by few it is
-/// one of both together.
+/// A Hessian by many parameters is chained from those of impact and flight; by few it is computed
+/// at once.
 #[test]
 fn same_hessian_by_all_parameters_and_by_a_few() {
     let mut setup = Setup::default();
@@ -299,8 +299,8 @@ fn same_hessian_by_all_parameters_and_by_a_few() {
     }
 }
 
-/// What the ball lands on changes its run alone: carry has the same derivatives, and zeros by the
-/// ground, whether the run is asked for or not.
+/// The ground changes the run alone: carry has the same derivatives, and zeros by the ground, with
+/// and without the run.
 #[test]
 fn exact_carry_does_not_depend_on_the_ground() {
     let setup = Setup::default();
@@ -460,7 +460,7 @@ fn zero_spin_is_reported_as_a_corner_of_the_laws_whose_drag_grows_with_spin() {
     assert!(drive.corners(&setup).is_empty());
 }
 
-/// Derivatives that are missing would be parameters that are left out without a word.
+/// Missing derivatives would silently omit parameters.
 #[test]
 fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers() {
     let setup = Setup::default();
@@ -508,7 +508,7 @@ fn exact_tanh_is_finite_for_large_arguments_and_precise_near_zero() {
     assert!((small.re / 1e-9 - 1.0).abs() < 1e-15 && (small.eps - 1.0).abs() < 1e-15);
 }
 
-/// A parameter that is unset has no value and no derivative; the drive is what it is.
+/// An unset parameter has no value and no derivative; the drive does not change.
 #[test]
 fn exact_zero_derivative_by_an_unset_parameter() {
     let setup = Setup::default();
@@ -552,7 +552,7 @@ fn derivatives_need_little_stack() {
         .unwrap();
 }
 
-/// xᵃ with its first two derivatives, over every number: whole exponents at any base, others at 4
+/// xᵃ with its first two derivatives, over every number: integer exponents at any base, others at 4
 /// and at 0.
 #[test]
 fn exact_powers_of_negative_numbers_and_of_zero() {

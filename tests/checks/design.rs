@@ -1,4 +1,4 @@
-//! The design of head and face: what holds it, what that costs, and what is refused.
+//! Design of head and face: active limits, their multipliers, and refused questions.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -15,7 +15,7 @@ const GOLFER: [&str; 5] = [
     "--distribution=strike.high=truncated(0mm,6mm,-12mm,12mm)",
 ];
 
-/// A weight that is moved back.
+/// A weight that moves backwards.
 const WEIGHT: [&str; 6] = [
     "--set=club.mass=189g",
     "--set=club.weight_1.mass=15g",
@@ -43,8 +43,8 @@ fn held<'a>(found: &'a Value, name: &str) -> &'a Value {
         .unwrap_or_else(|| panic!("{name}: {found}"))
 }
 
-/// The price of the limit on the moment of inertia is the slope of the best goal over the limit, by
-/// differences of searches without the rule.
+/// The multiplier of the limit on the moment of inertia is the derivative of the best goal by the
+/// limit, by differences of searches without the rule.
 #[test]
 fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
     let found = designed(&WEIGHT);
@@ -70,7 +70,7 @@ fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
         1e-10,
         "the rule is this limit",
     );
-    // without the rule the weight goes further back
+    // without the rule the weight moves further back
     let free = designed(&[&WEIGHT[..], &["--rules=none"]].concat());
     assert!(
         number(&free["optimum"]["club.weight_1.depth"])
@@ -81,8 +81,8 @@ fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
     );
 }
 
-/// A rule about a parameter is a bound of it: its price is that of the bound, and a bound of one's
-/// own that is closer leaves it none.
+/// A rule about a parameter is a bound: its multiplier is that of the bound, and 0 if a tighter
+/// bound of the user is active.
 #[test]
 fn a_rule_about_a_parameter_is_a_bound_of_it() {
     let vary = "--vary=impact.restitution=0.78..0.9";
@@ -109,7 +109,7 @@ fn a_rule_about_a_parameter_is_a_bound_of_it() {
     );
 }
 
-/// Inertia that is varied stays that of a rigid body.
+/// Varied inertia stays that of a rigid body.
 #[test]
 fn varied_inertia_stays_that_of_a_rigid_body() {
     let vary = [
@@ -128,8 +128,8 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
         body.len() == 3 && body.iter().all(|minor| *minor > -1e-10),
         "{body:?}"
     );
-    // less about the axis to the target than about heel and toe is good, and only a body sets an
-    // end to it
+    // the goal improves with less inertia about the axis to the target than about heel and toe;
+    // only the condition of a rigid body limits it
     assert!(number(&held(&found, "a rigid body")["value"]) > 0.0);
     assert!(
         found["design"]["held"]
@@ -138,7 +138,7 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
             .iter()
             .any(|held| held["name"] == "a rigid body" && !held["price"].is_null())
     );
-    // the program has no word about such a tensor
+    // the program has no warning about this tensor
     let setup: Vec<String> = ["club.inertia.xx", "club.inertia.yy", "club.inertia.zz"]
         .iter()
         .map(|name| format!("{name}={} kg m^2", number(&found["setup"][*name])))
@@ -152,7 +152,7 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
     );
 }
 
-/// A mass that is varied has a budget: the mass as set up, or one that is stated.
+/// A varied mass has a budget: the mass of the setup, or a stated one.
 #[test]
 fn varied_mass_has_a_budget() {
     let vary = ["--vary=club.mass=180g..230g"];
@@ -195,7 +195,7 @@ fn varied_mass_has_a_budget() {
     );
 }
 
-/// A relation that the user states: its value, and its price as the slope over its limit.
+/// A relation of the user: its value, and its multiplier as the derivative by its limit.
 #[test]
 fn differences_certify_the_price_of_a_relation() {
     let of = |limit: f64| {
@@ -433,8 +433,7 @@ fn same_bits_of_a_resumed_design() {
     );
 }
 
-/// Where nothing is said, what is taken in its place is told; and what rigid bodies miss is said
-/// beside.
+/// Defaults that replace missing statements are printed, and so is the error of rigid bodies.
 #[test]
 fn what_a_design_assumes_is_told() {
     let said = longdrive(&["design", "--scenarios", "64"]);

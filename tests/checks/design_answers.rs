@@ -1,5 +1,4 @@
-//! What a design says of what was not asked, of parameters that are unset, of limits that no design
-//! meets, and of questions that make no sense.
+//! Design: other swings, unset parameters, limits that no design meets, and wrong questions.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -21,7 +20,7 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Swings that were not asked about take no answer away.
+/// Swings outside the request do not suppress the answer.
 #[test]
 fn a_design_stands_where_other_swings_do_not_fly() {
     let mut setup = Setup::default();
@@ -35,8 +34,8 @@ fn a_design_stands_where_other_swings_do_not_fly() {
         let middle = 0.5 * (down + up);
         *(if flies(middle) { &mut up } else { &mut down }) = middle;
     }
-    // the lowest of 32 nodes lies above the lowest attack angle that flies, and the lowest of the
-    // 48 that the error is read from below
+    // the lowest of 32 nodes is above the lowest attack angle with a flight, and the lowest of the
+    // 48 nodes of the error estimate is below it
     let low = (up - 0.001 * 5.0) / 0.999;
     let distribution = format!("--distribution=swing.attack_angle=uniform({low}deg, 5deg)");
     for command in ["design", "optimize"] {
@@ -71,7 +70,7 @@ fn a_design_stands_where_other_swings_do_not_fly() {
     }
 }
 
-/// Unset is what `parameters` says that it means: no weight, and not the middle of its range.
+/// An unset parameter has the meaning in `parameters`: no weight, not the middle of its range.
 #[test]
 fn as_set_up_is_the_setup_without_what_is_unset() {
     let base = json(&[&TWO[..], &["--vary=club.loft=10deg..11deg"]].concat()).1;
@@ -124,8 +123,8 @@ fn a_relation_is_shown_in_the_unit_of_its_limit() {
     );
 }
 
-/// The message of an infeasible search has the least violation found, and says which limits nothing
-/// varied changes.
+/// The message of an infeasible search has the least violation found, and names limits that no
+/// variable changes.
 #[test]
 fn the_nearest_design_is_no_further_than_the_one_set_up() {
     let weight = [
@@ -137,7 +136,7 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
         "--vary=club.weight_1.depth=0mm..110mm",
         "--vary=club.weight_1.toe=-50mm..50mm",
         "--subject-to=head_moi <= 5500 g cm^2",
-        // both designs are told in the same large steps
+        // both designs are computed in the same large steps
         "--set=flight.method=dp8",
         "--set=flight.step=1s",
     ];
@@ -158,7 +157,7 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
     );
 }
 
-/// A bound that is reached without any effect is told as such, and not as an optimum.
+/// An active bound without effect is reported as such, not as an optimum.
 #[test]
 fn a_variable_without_an_effect_is_named() {
     let swings = ["optimize", "modern-driver", TWO[2]];
@@ -250,7 +249,7 @@ fn what_makes_no_design_is_refused_in_plain_words() {
     );
 }
 
-/// What the rules were not checked for, and what a weight without mass does.
+/// Unchecked rules, and the effect of a weight without mass.
 #[test]
 fn what_is_not_checked_and_what_has_no_effect_is_said() {
     let swings = "--distribution=club.inertia.xx=normal(5700 g cm^2,10 g cm^2)";

@@ -1,5 +1,5 @@
-//! Differences of functions of which everything is known: `derivative::check`, from its samples to
-//! its verdict on remainders.
+//! Finite differences of known functions: `derivative::check`, from its samples to its verdict on
+//! remainders.
 
 use longdrive::derivative::check::{Ladder, STEPS, Side, taylor_slopes};
 
@@ -58,8 +58,8 @@ fn exact_truth_is_within_the_error_estimates_of_differences() {
     }
 }
 
-/// A function whose last digits are noise, at the end of its range: the noise is seen from one side
-/// as from both.
+/// A function with noise in its last digits, at the end of its range: one-sided differences detect
+/// the noise as central ones do.
 #[test]
 fn rounding_is_detected_from_one_side() {
     let noise = |x: f64| 1e-12 * ((x * 1e15).sin() * 43_758.545_3).fract();
@@ -80,7 +80,7 @@ fn rounding_is_detected_from_one_side() {
     assert!(smooth.rounding() < 5e-15, "{}", smooth.rounding());
 }
 
-/// sin x as what two parts leave, each of them a hundred thousand times as large: at 0 neither is
+/// sin x as the difference of two parts, each a hundred thousand times as large: at 0 neither is
 /// rounded.
 #[test]
 fn rounding_of_cancelling_parts_is_no_remainder_and_a_wrong_slope_is() {

@@ -1,5 +1,5 @@
-//! Outcomes that are directions: 180° and −180° are the same, and differences and means do not
-//! cross the jump between them.
+//! Outcomes that are directions: 180° equals −180°, and differences and means do not cross the jump
+//! between them.
 
 use crate::command_line::{json, number};
 
@@ -54,7 +54,7 @@ fn changes_of_a_direction_are_taken_the_short_way_round() {
     let effect = &found["outcomes"][0]["effects"][0];
     let [below, above] = [0, 1].map(|side| number(&effect["flown"][side]).to_degrees());
     assert_eq!(status, 0);
-    // atan(100/500) to either side
+    // atan(100/500) to both sides
     let turned = 0.2_f64.atan().to_degrees();
     assert!(
         (below - turned).abs() < 1e-9 && (above + turned).abs() < 1e-9,
@@ -90,7 +90,7 @@ fn a_measured_direction_is_compared_the_short_way_round() {
     let head = "club.loft [deg],swing.attack_angle [deg],swing.path [deg],spin_axis [deg],sigma \
                 spin_axis [deg],\
                 ball_speed [mph],sigma ball_speed [mph]";
-    // the spin axis is computed as −177.2°: 3.8° from 179°
+    // the computed spin axis is −177.2°: 3.8° from 179°
     let (_folder, path) =
         crate::sweep::table("directions.csv", format!("{head}\n-2,12,0.1,179,1,160,1\n"));
     let (status, found) = json(&[

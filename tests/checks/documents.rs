@@ -1,4 +1,4 @@
-//! Numbers in README and docs, held against what the program prints now.
+//! Numbers in README and docs, compared with the output of the program.
 
 use crate::command_line::longdrive;
 use crate::reproduce::FOUND;
@@ -10,7 +10,7 @@ fn document(name: &str) -> String {
     std::fs::read_to_string(format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
-/// The rows of the table under this head, without the head and the line below it.
+/// The rows of the table below a head line, without that line and the rule below it.
 fn table(text: &str, head: &str) -> Vec<Vec<String>> {
     let lines = text
         .lines()
@@ -30,7 +30,7 @@ fn table(text: &str, head: &str) -> Vec<Vec<String>> {
     rows
 }
 
-/// The number that a text begins with.
+/// The number at the beginning of a text.
 fn first_number(text: &str) -> f64 {
     let digits: String = text
         .chars()
@@ -149,8 +149,8 @@ fn the_costs_and_slopes_in_validation_md_are_those_of_the_program() {
     }
 }
 
-/// The ratios of README are those of the times in docs/performance.md, and its times are the same
-/// ones.
+/// The ratios of README are those of the times in docs/performance.md, and its times are equal to
+/// those.
 #[test]
 fn the_costs_in_the_readme_are_those_of_performance_md() {
     let (readme, performance) = (
@@ -296,7 +296,7 @@ fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
     }
 }
 
-/// docs/design.md: the rules as the program has them, and the numbers of its examples.
+/// docs/design.md: the rules of the program, and the numbers of its examples.
 #[test]
 fn rules_and_numbers_of_design_md_are_the_programs() {
     let text = document("docs/design.md");
@@ -445,8 +445,8 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     );
 }
 
-/// Every outcome by every parameter of every preset: with one more of these, the page is to be
-/// written again.
+/// Every outcome by every parameter of every preset: after a new one, the page must be written
+/// again.
 #[test]
 fn number_of_certified_derivatives_in_verification_md() {
     let rows = table(
@@ -469,7 +469,7 @@ fn number_of_certified_derivatives_in_verification_md() {
     assert_eq!(rows.len(), PRESETS.len());
 }
 
-/// What docs/scale.md reckons follows from the rate and size that docs/performance.md has measured.
+/// The estimates of docs/scale.md follow from the measured rate and size of docs/performance.md.
 #[test]
 fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
     let measured = table(
@@ -537,7 +537,7 @@ fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
     );
 }
 
-/// A drive with the parameter unset is the one where it has the value that it counts as.
+/// A drive with an unset parameter equals the drive with its documented default.
 #[test]
 fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
     let with = |settings: &[(&str, &str)]| {

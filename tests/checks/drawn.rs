@@ -1,5 +1,4 @@
-//! What is drawn of drives is what flies: regions, landings, launches, strikes, and lengths at true
-//! scale.
+//! Pictures compared with drives: regions, landings, launches, strikes, and true scales.
 
 use crate::command_line::longdrive;
 use crate::common::close;
@@ -24,15 +23,15 @@ fn setup() -> Setup<f64> {
     Setup::preset("tour-average").unwrap()
 }
 
-/// The same with a tenth of the evaluations: a map and the drives that it is held against are
-/// computed alike.
+/// The problem with a tenth of the evaluations: the map and the drives that it is compared with use
+/// the same steps.
 fn in_large_steps() -> Setup<f64> {
     let mut setup = setup();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     setup
 }
 
-/// An outcome with these parameters in place of the setup's.
+/// An outcome of the setup with some parameters changed.
 pub fn flown(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
     let mut moved = *setup;
     for (name, value) in values {
@@ -43,7 +42,7 @@ pub fn flown(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
     of.value(&Drive::new(&moved).unwrap()).unwrap()
 }
 
-/// An optimum with the map around it, as it is drawn.
+/// An optimum with its map, as drawn.
 fn mapped(
     setup: &Setup<f64>,
     vary: [&str; 2],
@@ -91,7 +90,7 @@ fn mapped(
     (best, region, figure)
 }
 
-/// The rings of a figure's regions: those that are tinted, or those that are hatched.
+/// The rings of a figure's regions: tinted or hatched ones.
 fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
     let of = |layer: &Layer| match layer {
         Layer::Region {
@@ -102,7 +101,7 @@ fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
     figure.layers.iter().flat_map(of).collect()
 }
 
-/// Whether a place lies within rings, by the even-odd rule.
+/// Even-odd rule: whether a point is inside rings.
 fn lies_in(rings: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
     let edges = rings
         .iter()
@@ -151,7 +150,7 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
                     .unwrap();
                 let short = (constraint.low - value(constraint.outcome))
                     .max(value(constraint.outcome) - constraint.high);
-                // 0.01 deg, 0.01 yd, 1 rpm: the map is straight between its nodes
+                // 0.01 deg, 0.01 yd, 1 rpm: the map is linear between its nodes
                 let fine = if constraint.outcome == Outcome::Backspin {
                     unit
                 } else {
@@ -173,8 +172,8 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
     }
 }
 
-/// Where a constraint holds an optimum the outcome has a slope, and an ellipse of the quadratic
-/// model would be untrue.
+/// At an active constraint the outcome has a gradient, and an ellipse of the quadratic model would
+/// be wrong.
 #[test]
 fn no_ellipse_is_told_where_a_constraint_holds_the_optimum() {
     let (best, ..) = mapped(
@@ -207,7 +206,7 @@ fn only_the_infeasible_region_is_hatched() {
                 Outcome::DescentAngle,
             )
             .to_degrees();
-            // near its line a map is straight between nodes
+            // near its line a map is linear between nodes
             if (descent - 33.0).abs() > 0.05 && (descent - 38.0).abs() > 0.05 {
                 let is_forbidden = !(33.0..=38.0).contains(&descent);
                 assert_eq!(lies_in(&hatched, at), is_forbidden, "{at:?}: {descent}");
@@ -256,7 +255,7 @@ fn an_equation_keeps_the_part_of_its_line_with_small_loss() {
     }
 }
 
-/// A straight drive stays straight whatever the loft: the equation forbids nothing.
+/// A straight drive stays straight for every loft: the equation forbids nothing.
 #[test]
 fn an_equation_that_holds_everywhere_leaves_the_region_as_it_is() {
     let [with, without] = [&["lateral == 0 m"][..], &[]]
@@ -530,7 +529,7 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
         folder.path().join("page"),
     );
     let straight = folder.path().join("straight");
-    // a straight drive lands on the target line, whatever its loft, but for rounding
+    // a straight drive lands on the target line for every loft, to rounding
     let said = longdrive(&["plot", "contour", "-o", &file, "--minimize", "lateral"]);
     assert!(
         said.status == 2 && said.err.contains("lateral is the same all over the map"),
@@ -538,7 +537,7 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
         said.err
     );
     assert!(!std::path::Path::new(&file).exists());
-    // neither air nor wind change how fast the ball leaves
+    // air and wind do not change the ball speed
     let air = [
         "--vary",
         "air.density=1..1.3 kg/m^3",
@@ -564,7 +563,7 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
         "{}",
         said.err
     );
-    // derivatives that are 0 in every drive have no curve, and the page stands
+    // derivatives that are 0 in every drive have no curve, and the page is complete
     let said = longdrive(&[
         "report",
         "-o",
@@ -672,9 +671,9 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
             "{note}"
         );
     }
-    // the picture's points lie on the ellipse, and its landing where the drive lands
+    // the picture's points are on the ellipse, and its landing is the drive's
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);
-    // the run is the drive's own line, and the legend names it
+    // the run is the drive's line, and the legend names it
     let run = figure
         .layers
         .iter()
@@ -736,7 +735,7 @@ fn same_flights_in_a_launch_map_and_alone() {
             Outcome::Carry,
         )
     };
-    // its own launch flies as its own strike does
+    // its launch flies as its strike does
     let [yours, others] = [0, 1].map(|i| &map.launched[i]);
     close(
         carry(yours.launch_angle, yours.backspin),

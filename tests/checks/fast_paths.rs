@@ -1,5 +1,5 @@
-//! The ways that are fast against the one that is general: directions in lanes, drives side by
-//! side, the chain rule between impact and flight, methods of higher order.
+//! Fast paths compared with the general one: directions in lanes, drives in lanes, the chain rule
+//! between impact and flight, methods of higher order.
 
 use crate::common::{close, landing, mixed};
 use longdrive::batch::{Axis, Grid, Run, Sequence, Status, gradient_batch};
@@ -28,7 +28,7 @@ fn fast(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter], order: Orde
         .remove(0)
 }
 
-/// The general way: whatever number, in space, every law called.
+/// The general path: any number, in space, with every law.
 fn general<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
     let lifted = setup.map(
         |row, value| match TWO.iter().position(|name| *name == row.name) {
@@ -39,7 +39,7 @@ fn general<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, us
     of.of(&Drive::new(&lifted).unwrap()).unwrap()
 }
 
-/// Setups that stay in the plane and setups that do not, with every law and method.
+/// Setups in the plane and in space, with every law and method.
 fn for_every_way(check: impl Fn(&Setup<f64>)) {
     let sideways = [
         ("swing.path", "2 deg"),
@@ -67,7 +67,7 @@ fn for_every_way(check: impl Fn(&Setup<f64>)) {
     }
 }
 
-/// Asserts that the fast ways agree with the general one.
+/// Asserts that the fast paths agree with the general one.
 fn agrees(setup: &Setup<f64>) {
     let wrt = variables(setup, &TWO);
     for of in [
@@ -121,7 +121,7 @@ fn same_derivatives_by_the_fast_paths_and_the_general_one() {
     for_every_way(agrees);
 }
 
-/// From a spin that does not fade to one that is gone in a tenth of a second.
+/// From a spin without decay to one that decays within a tenth of a second.
 #[test]
 fn same_derivatives_for_any_spin_decay() {
     let mut setup = Setup::default();
@@ -171,8 +171,7 @@ fn same_derivatives_for_any_spin_decay() {
 
 #[test]
 fn same_derivatives_by_the_chain_rule_between_impact_and_flight() {
-    // by all parameters at once, which goes through the flight's inputs, and two by two, which does
-    // not
+    // by all parameters at once, through the inputs of the flight, and in pairs, without them
     for setup in landing(25) {
         let all = setup.variables();
         for of in [
@@ -206,8 +205,8 @@ fn same_derivatives_by_the_chain_rule_between_impact_and_flight() {
 
 #[test]
 fn same_derivatives_by_the_chain_rule_between_launch_and_flight() {
-    // Hessians by more parameters of club and swing than a launch has quantities, which go through
-    // these, and pair by pair, which do not
+    // Hessians by more parameters of club and swing than a launch has components, which are chained
+    // through these, and in pairs, which are not
     let groups = ["swing.", "club.", "strike.", "impact."];
     let of_strike =
         |row: &&'static Parameter| groups.iter().any(|group| row.name.starts_with(group));
@@ -394,7 +393,8 @@ fn order_of_each_method_is_its_own_in_value_and_gradient() {
             Method::Rk4 => 0.1,
             Method::DormandPrince8 => 0.8,
         };
-        // averaged over some halvings: where in its last step the ball lands changes the constant
+        // averaged over some halvings: the position of the landing within the last step changes the
+        // constant
         let error = |step: f64| {
             let all: Vec<f64> = (0..8)
                 .map(|k| {

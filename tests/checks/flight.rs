@@ -1,5 +1,5 @@
-//! The flight: closed forms, the order of the integration, its accuracy at the default step, and
-//! how flights that are none end.
+//! The flight: closed forms, order of the integration, accuracy at the default step, and drives
+//! without a flight.
 
 use crate::common::close;
 use longdrive::batch::{Batch, Status};
@@ -96,7 +96,7 @@ fn exact_terminal_fall_from_a_hill() {
         * (100.0 * setup.flight.gravity / terminal.powi(2))
             .exp()
             .acosh();
-    // |v_r| is kept from zero by 1e-6 m/s
+    // |v_r| has a lower clamp of 1e-6 m/s
     close(landed.flight_time, time, time, 1e-11, "time");
     close(
         landed.velocity.x,
@@ -110,8 +110,8 @@ fn exact_terminal_fall_from_a_hill() {
 
 #[test]
 fn exact_uniform_wind_is_a_moving_frame() {
-    // seen from the air, the ball is launched at v − w; a wind across only shifts the landing by w
-    // t
+    // in the frame of the air, the ball is launched at v − w; a cross wind only shifts the landing
+    // by w t
     let mut setup = Setup::default();
     let still = Launch {
         velocity: Vector::new(15.0, -6.0, 55.0),
@@ -167,8 +167,8 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
             ]
         };
         let (coarse, fine) = (error(0.08), error(0.02));
-        // the flight crosses lines of a grid where the law has but two continuous derivatives, and
-        // the gradient one less
+        // the flight crosses grid lines where the law has two continuous derivatives, and the
+        // gradient one less
         let of_gradient = if *law == "bearman-harvey" { 3.0 } else { 4.0 };
         for ((coarse, fine), exact) in coarse.into_iter().zip(fine).zip([4.0, of_gradient]) {
             let order = (coarse / fine).log(4.0);
@@ -195,7 +195,7 @@ fn same_carry_in_shorter_steps_within_a_micrometre() {
                 (wind, wind, roughness);
             let coarse = carry(&setup);
             setup.flight.step /= 8.0;
-            // the error falls by 4096: what is left of it is the default step's
+            // the error decreases by 4096, so the difference is the error of the default step
             let error = (coarse - carry(&setup)).abs();
             assert!(
                 error < 1e-6,
@@ -286,7 +286,7 @@ fn a_flight_without_end_stops_at_the_time_limit() {
     ));
 }
 
-/// Whatever the steps: the limit need not be at the end of one. Alone and side by side.
+/// For any step size: the limit may be within a step. Alone and in lanes.
 #[test]
 fn exact_time_limit_between_aloft_and_landed() {
     for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {
@@ -347,8 +347,8 @@ fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
     );
 }
 
-/// Still air knows no direction: aimed elsewhere, the same drive goes as far, and `carry` is the
-/// part of it along the target line.
+/// Still air is isotropic: aimed elsewhere, the drive has the same distance, and `carry` is its
+/// component along the target line.
 #[test]
 fn exact_carry_distance_is_the_same_in_every_direction() {
     let mut setup = Setup::default();
@@ -387,8 +387,8 @@ fn exact_carry_distance_is_the_same_in_every_direction() {
     }
 }
 
-/// The way behind the landing leads to where the ball rests, and comes back to the plane of the
-/// ground after each bounce; a ball that embeds has none.
+/// The trajectory after the landing leads to the rest, and returns to the plane of the ground after
+/// each bounce; an embedding ball has none.
 #[test]
 fn same_total_by_the_trajectory_and_by_the_drive() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -417,7 +417,7 @@ fn same_total_by_the_trajectory_and_by_the_drive() {
         1e-9,
         "lateral total",
     );
-    // n · way is the height above the plane with n ∝ (1, −tan β_y, −tan β_z)
+    // n · position is the height above the plane with n ∝ (1, −tan β_y, −tan β_z)
     let (side, along) = (setup.ground.side_slope.tan(), setup.ground.slope.tan());
     let heights: Vec<f64> = path
         .run
@@ -439,8 +439,8 @@ fn same_total_by_the_trajectory_and_by_the_drive() {
     );
 }
 
-/// A step of nothing, a negative one, one that is no number and one of which 1e8 are not enough:
-/// none of these flights would end in a time that anyone waits for.
+/// Steps of 0, negative steps, NaN, and steps that need more than 1e8 for a flight: no such flight
+/// would end in acceptable time.
 #[test]
 fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
     let setup = Setup::default();
@@ -480,7 +480,7 @@ fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
     ));
 }
 
-/// The shortest step that can be set makes the most steps that are flown within the default time
+/// The shortest step that can be set needs the largest number of steps within the default time
 /// limit: 1e8.
 #[test]
 fn every_step_size_that_can_be_set_is_flown() {
@@ -498,7 +498,7 @@ fn every_step_size_that_can_be_set_is_flown() {
     }
     setup.set("flight.step", "6e-6 s").unwrap();
     setup.validate().unwrap();
-    // a longer limit makes more steps of it
+    // a longer time limit needs more steps
     setup.set("flight.time_limit", "601 s").unwrap();
     let [said, flown] = [
         setup.validate().unwrap_err(),
@@ -567,7 +567,7 @@ fn what_is_out_of_the_ordinary_of_a_flight_that_diverges_is_named_and_the_step_o
     }
 }
 
-/// A lift that turns the ball within hundredths of a second.
+/// Lift that turns the ball within hundredths of a second.
 fn steep() -> Law<f64> {
     let Law::Linear(linear) = Law::named("linear").unwrap() else {
         unreachable!()

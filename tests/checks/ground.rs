@@ -1,5 +1,5 @@
-//! Bounces and rolling: against an independent computation, closed forms and papers; smooth where
-//! the number of bounces changes.
+//! Bounces and rolling: compared with an independent computation, closed forms and papers; smooth
+//! across numbers of bounces.
 
 use crate::common::{close, data, number, random_setups};
 use longdrive::derivative::check::Verdict;
@@ -11,12 +11,12 @@ use longdrive::{Drive, Outcome, Setup};
 
 const OF_THE_RUN: [Outcome; 3] = [Outcome::Total, Outcome::Run, Outcome::LateralTotal];
 
-/// A ball in a vacuum, which lands as it was launched.
+/// A ball in a vacuum, which lands at its launch speed.
 fn thrown(speed: f64, degrees: f64, backspin: f64) -> Setup<f64> {
     let mut setup = Setup::default();
     setup.air.density = 0.0;
     setup.aero.spin_decay = 0.0;
-    // a parabola is one in any steps
+    // a parabola is exact in any steps
     setup.flight.step = 0.1;
     setup.launch.ball_speed = Some(speed);
     setup.launch.launch_angle = Some(degrees.to_radians());
@@ -102,7 +102,7 @@ fn exact_ball_embeds_in_wet_ground() {
     }
 }
 
-/// Whatever is asked of the run, the flight before it stays the same to the last bit.
+/// The run does not change the flight before it, to the last bit.
 #[test]
 fn same_flight_with_and_without_the_run() {
     let all = |of: &Outcome| !of.is_of_the_run() && *of != Outcome::SmashFactor;
@@ -122,8 +122,8 @@ fn same_flight_with_and_without_the_run() {
     }
 }
 
-/// Ground that gives nothing back and does not yield: 2/7 of the velocity along the slope is lost
-/// to the spin, and the ball rolls v²/(2 (ρ_g g cos β + 5/7 g sin β)).
+/// Ground without restitution and compliance: 2/7 of the velocity along the slope goes into spin,
+/// and the ball rolls v²/(2 (ρ_g g cos β + 5/7 g sin β)).
 #[test]
 fn exact_roll_on_a_slope() {
     for degrees in [0.0_f64, 4.0, -4.0] {
@@ -176,7 +176,7 @@ fn runs_of_random_drives_are_finite() {
         };
         let Ok(landed) = drive.landed() else { continue };
         let rest = landed.rest.unwrap();
-        // a ball that rolls as far as it can loses all it has
+        // a ball at the largest roll-out loses all its energy
         let most = landed.velocity.dot(landed.velocity)
             / (2.0 * setup.ground.rolling * setup.flight.gravity);
         let [run, right] = [rest.downrange - landed.carry, rest.right - landed.lateral];
@@ -354,7 +354,7 @@ fn penner(speed: f64, degrees: f64) -> Setup<f64> {
     setup
 }
 
-/// The loft, from 8° on, at which a distance is longest.
+/// The loft with the longest distance, searched from 8° up.
 fn best_loft(distance: impl Fn(f64) -> f64) -> f64 {
     let lofts = (0..=120).map(|k| 8.0 + 0.1 * f64::from(k));
     lofts
@@ -363,8 +363,8 @@ fn best_loft(distance: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Penner (2001): the longest carry at 45 m/s has 14.9°, the longest totals at 35, 45 and 55 m/s
-/// have 16.5, 13.1 and 10.7°. His own run gives these within 0.4°; the ground of this program, in
-/// which a flat ball keeps more of its speed, lofts that are 1.5 to 2° lower.
+/// have 16.5, 13.1 and 10.7°. His own run gives these within 0.4°; the ground of this program, on
+/// which a flat ball keeps more speed, has lofts lower by 1.5 to 2°.
 #[test]
 fn published_lofts_of_the_longest_totals() {
     let carry = best_loft(|loft| value(&penner(45.0, loft), Outcome::Carry));
@@ -374,7 +374,7 @@ fn published_lofts_of_the_longest_totals() {
             let setup = penner(speed, loft);
             let drive = Drive::new(&setup).unwrap();
             let landed = drive.landed().unwrap();
-            // eq. 16: the spin fades with the way, some 10 % more than the carry
+            // eq. 16: the spin decays with the distance, which is some 10 % more than the carry
             let backspin =
                 drive.launch.backspin() * (-2e-5 * 1.1 * landed.carry / setup.ball.radius).exp();
             landed.carry + penner_2001(landed.velocity, backspin, setup.ball.radius)
@@ -391,7 +391,7 @@ fn published_lofts_of_the_longest_totals() {
 
 /// Runs of TrackMan's chart of 2010 (60 drives, the output of its model): on firm ground within 7
 /// yd, rms, without bias; on average ground some 9 yd shorter. The drive of the PGA tour runs 25 yd
-/// there; on soft ground it runs the 10 yd that FlightScope has.
+/// there; on soft ground it runs the 10 yd of FlightScope.
 #[test]
 fn published_runs_of_launch_monitors() {
     let table = include_str!("../data/trackman_totals_2010.csv");

@@ -1,4 +1,4 @@
-//! The head with its movable weights, and what is asked of it alone.
+//! The head with its movable weights, and its outcomes.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -93,7 +93,7 @@ fn exact_two_halves_of_a_weight_are_one() {
     }
 }
 
-/// On a flat face a centre of mass that lies higher is a strike that lies lower.
+/// On a flat face, a higher centre of mass is a lower strike.
 #[test]
 fn exact_a_centre_of_mass_beside_the_centre_of_a_flat_face() {
     let flat = [("club.bulge_radius", "inf"), ("club.roll_radius", "inf")];
@@ -115,8 +115,8 @@ fn exact_a_centre_of_mass_beside_the_centre_of_a_flat_face() {
     }
 }
 
-/// Places and masses of the weights and the centre of mass: every derivative of impact, flight and
-/// head beside differences.
+/// Positions and masses of the weights and the centre of mass: every derivative of impact, flight
+/// and head, compared with differences.
 #[test]
 fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     let other = [
@@ -143,7 +143,7 @@ fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     assert!(wrt.len() > 18, "{}", wrt.len());
     let certificate = certify(&setup, &of, &wrt, &|_, _| true).unwrap();
     assert!(certificate.passed(), "{:?}", certificate.failures());
-    // two ways through the chain rule
+    // two paths of the chain rule
     let one_by_one = |of: Outcome| {
         wrt.iter()
             .map(|row| gradient(&setup, of, &[row]).unwrap().gradient[0])
@@ -158,7 +158,7 @@ fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     }
 }
 
-/// The signs of the minors say what the eigenvalues say of second moments.
+/// The signs of the minors agree with the eigenvalues of second moments.
 #[test]
 fn exact_minors_of_the_second_moments() {
     for (xz, is_body) in [
@@ -237,7 +237,7 @@ fn outcomes_of_the_head_are_asked_for_by_name() {
         (number(&limit["value"]) - 5e-4).abs() < 1e-12 && number(&limit["multiplier"]) > 0.0,
         "{found}"
     );
-    // no club, no head
+    // without a club there is no head
     let launch = "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm";
     let given = longdrive(&[
         "gradient",

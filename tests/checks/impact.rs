@@ -1,5 +1,4 @@
-//! The collision: its two forms, the laws of mechanics it must keep, its symmetry, the paper's
-//! printed shot.
+//! The collision: its two forms, the laws of mechanics, its symmetry, the paper's printed shot.
 
 use crate::common::{close, for_random_setups};
 use longdrive::impact::{Collision, Delivery, Grip, Rebound, strike};
@@ -22,7 +21,7 @@ fn turned(inertia: [[f64; 3]; 3], spin: Vector<f64>) -> Vector<f64> {
     Vector::from_array(inertia.map(|row| Vector::from_array(row).dot(spin)))
 }
 
-/// Velocity of a body's material point.
+/// Velocity of a material point of a body.
 fn contact_velocity(velocity: Vector<f64>, spin: Vector<f64>, arm: Vector<f64>) -> Vector<f64> {
     velocity + spin.cross(arm)
 }
@@ -167,7 +166,7 @@ fn exact_laws_of_mechanics() {
 
 #[test]
 fn exact_loss_of_energy_where_both_restitutions_are_equal() {
-    // K J = (1 + e) u⁻ then, and the bodies lose ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J; nothing at e
+    // then K J = (1 + e) u⁻, and the bodies lose ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J; nothing at e
     // = 1
     for_random_setups(1000, |mut setup| {
         for e in [0.0, 0.4, 1.0] {
@@ -362,7 +361,7 @@ fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() 
         );
         same(bent.spin, leaned.spin, norm(leaned.spin), "spin");
     }
-    // without growth it is the same at every speed, and the growth alone is nothing
+    // without growth it does not depend on the speed, and growth alone has no effect
     let mut setup = Setup::default();
     setup.swing.shaft_growth = Some(power);
     let unbent = strike(&setup).unwrap().launch.velocity;
@@ -401,7 +400,7 @@ fn exact_droop_of_the_shaft_turns_the_toe_down_and_the_loft_towards_it() {
         impact.launch.velocity.y > 0.0,
         "the ball starts to the right"
     );
-    // the head frame stays one
+    // the axes of the head stay orthonormal
     setup.swing.face_angle = 0.1;
     setup.swing.attack_angle = -0.05;
     let [x, y, z] = Delivery::new(&setup.swing).axes;
@@ -413,8 +412,8 @@ fn exact_droop_of_the_shaft_turns_the_toe_down_and_the_loft_towards_it() {
 
 #[test]
 fn published_plate_of_penner_loses_restitution_with_speed() {
-    // Penner (2001): e = 0.86 − 0.0029 V cos θ, v_n = (1 + e) V cos θ/(1 + m/M) of a face behind
-    // whose contact lies the centre of mass
+    // Penner (2001): e = 0.86 − 0.0029 V cos θ, v_n = (1 + e) V cos θ/(1 + m/M) for a strike in
+    // front of the centre of mass
     let mut setup = Setup::default();
     setup.club.cg_depth = 0.0;
     setup.swing.attack_angle = 0.0;
@@ -498,8 +497,8 @@ fn exact_derivatives_by_bend_droop_growth_and_slope_are_those_of_lean_and_restit
     );
 }
 
-/// With and without the elimination of the speeds after impact, at any scale; and at a scale of 1
-/// as rigid bodies.
+/// With and without elimination of the speeds after impact, at any scale; a scale of 1 gives rigid
+/// bodies.
 #[test]
 fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
     for_random_setups(500, |setup| {
@@ -524,9 +523,9 @@ fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
     });
 }
 
-/// Square to a flat face without loft, the impulse along the face over that along its normal is in
-/// proportion to the scale: the ball has no spin at 0, and the derivative by the scale is that of
-/// this line.
+/// Square to a flat face without loft, the ratio of the impulse along the face to that along its
+/// normal is proportional to the scale: the ball has no spin at 0, and the derivative by the scale
+/// is that of this line.
 #[test]
 fn exact_gear_effect_of_a_square_strike_is_in_proportion_to_its_scale() {
     let mut setup = Setup::default();

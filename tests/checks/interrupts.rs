@@ -1,4 +1,4 @@
-//! Ctrl-C, under one rule for every command.
+//! Ctrl-C: one rule for every command.
 
 #![cfg(unix)]
 
@@ -19,13 +19,14 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 use tempfile::TempDir;
 
-/// Computed before the interruption, in hundredths of a second: enough that work is under way.
+/// Processor time before the interruption, in hundredths of a second: enough that work is in
+/// progress.
 const UNDER_WAY: u64 = 20;
 
-/// The most that may be computed after it, in hundredths of a second: the works here take longer.
+/// The most processor time after it, in hundredths of a second: the work here takes longer.
 const LAST: u64 = 1000;
 
-/// A program at work. What it says goes into files, so that it can be read meanwhile.
+/// A running program. Its output goes into files, so that it can be read meanwhile.
 struct AtWork {
     child: Child,
     folder: TempDir,
@@ -46,12 +47,11 @@ impl AtWork {
         String::from_utf8_lossy(&std::fs::read(self.folder.path().join(name)).unwrap()).into_owned()
     }
 
-    /// Whether it has ended, and for how long it has computed, in hundredths of a second; None
-    /// where no /proc tells that. It is not waited for before its end is seen here: the system
-    /// would forget it.
+    /// Its processor time in hundredths of a second if it has ended; `None` without /proc. It must
+    /// not be waited for before this: the system would forget the time.
     fn used(&self) -> Option<(bool, u64)> {
         let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).ok()?;
-        // behind the name: the state, ten numbers, and the time in the program and in the system
+        // after the name: the state, ten numbers, and the time in user mode and in the kernel
         let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
         let used = fields[11..13]
             .iter()
@@ -60,7 +60,7 @@ impl AtWork {
         Some((fields[0] == "Z", used))
     }
 
-    /// Waits until it is time, or the program has ended.
+    /// Waits for a condition, or for the end of the program.
     fn wait_until(&mut self, is_time: impl Fn(&Self) -> bool) {
         let has_ended = |program: &mut Self| match program.used() {
             Some((has_ended, _)) => has_ended,
@@ -71,7 +71,7 @@ impl AtWork {
         }
     }
 
-    /// Whether it has said this on standard error.
+    /// Whether standard error has this text.
     fn has_said(&self, text: &str) -> bool {
         self.read("err").contains(text)
     }
@@ -90,7 +90,7 @@ impl AtWork {
         }
     }
 
-    /// Presses Ctrl-C: what it says, which it may not compute for long.
+    /// Presses Ctrl-C and returns the output; little processor time is allowed after it.
     fn interrupted(mut self) -> Said {
         let before = self.used();
         assert!(
@@ -119,19 +119,19 @@ impl AtWork {
     }
 }
 
-/// What a command says that is interrupted once it is at work.
+/// Output of a command that is interrupted once it works.
 pub fn interrupted(args: &[&str]) -> Said {
     let mut program = AtWork::new(args);
     program.wait_until(AtWork::has_computed);
     program.interrupted()
 }
 
-/// The same in JSON, as docs/schema describes it.
+/// The JSON output, checked against its schema in docs/schema.
 fn interrupted_json(args: &[&str]) -> Value {
     interrupted_json_once(args, AtWork::has_computed)
 }
 
-/// The same, once something has happened that the test needs.
+/// The same, interrupted after an event that the test needs.
 fn interrupted_json_once(args: &[&str], is_time: impl Fn(&AtWork) -> bool) -> Value {
     let mut program = AtWork::new(&[args, &["--json"]].concat());
     program.wait_until(is_time);
@@ -162,7 +162,7 @@ fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
         vec!["report", "-o", &page, slow[0], slow[1]],
         vec!["reproduce", "mae494", "-o", &study],
     ] {
-        // the study takes a second or two, and tells what it computes
+        // the study takes a second or two, and prints its progress
         let is_told = args[0] == "reproduce";
         let is_time = |program: &AtWork| {
             if is_told {
@@ -219,7 +219,7 @@ fn what_is_done_of_a_certificate_and_of_a_chart_is_told_as_interrupted() {
         "--points",
         "1000",
     ];
-    // both ends of the front take four searches; how many there were is told every second
+    // both ends of the front take four searches; their number is printed every second
     let searches = |text: &str| {
         text.rsplit("following the front: ")
             .next()?
@@ -287,8 +287,7 @@ fn stopped_work_writes_no_fit_lists_no_optimum_and_names_its_file() {
     assert!(!said.out.contains(" of 5000  interrupted"), "{}", said.out);
 }
 
-/// The best of the searches that ended may have converged: that the others did not end is told
-/// beside it.
+/// The best of the searches that ended may have converged: stopped searches are reported beside it.
 #[test]
 fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<()> {
     let setup = Setup::default();
@@ -349,7 +348,7 @@ fn shots_that_are_flown_before_are_counted_and_no_file_is_written() {
         format!("ball_speed [mph],launch_angle [deg],backspin [rpm]\n{rows}"),
     )
     .unwrap();
-    // rows that were flown stand in a file of another name until all are
+    // rows are in a file of another name until all are flown
     let names = || -> Vec<_> {
         std::fs::read_dir(folder.path())
             .unwrap()
@@ -410,7 +409,7 @@ fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation()
             });
             (found["message"].as_str().unwrap().to_owned(), found)
         };
-        // where Ctrl-C came before the search, later
+        // a later Ctrl-C if it came before the search
         let mut within = [1, 2, 4, 8, 16, 32]
             .map(|times| times * UNDER_WAY)
             .into_iter()
@@ -419,7 +418,7 @@ fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation()
             .find(|(message, _)| !message.contains("before there was an answer"))
             .unwrap();
         assert!(message.contains("stopped"), "{found:#}");
-        // a point that was not finished is none
+        // an unfinished point does not count
         assert_eq!(
             found["optimum"].is_object(),
             found["value"].is_number(),
@@ -463,8 +462,7 @@ fn same_answer_over_swings_after_repeated_ctrl_c() {
     };
     let alone = crate::command_line::longdrive(&asked(&alone));
     assert_eq!(alone.status, 0, "{}", alone.err);
-    // before the first iteration is kept, then each time within the one that follows the next that
-    // is
+    // before the first iteration is kept, then within the iteration after the next one that is kept
     for round in 0..4 {
         let kept = || std::fs::read(&stopped).ok();
         let before = kept();

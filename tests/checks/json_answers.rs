@@ -1,5 +1,4 @@
-//! Answers in JSON: one object whatever is asked, as docs/json.md and the schemas of docs/schema
-//! describe it.
+//! Answers in JSON: always one object, as in docs/json.md and the schemas of docs/schema.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -11,7 +10,7 @@ use longdrive::drive::Part;
 use serde_json::Value;
 use std::fs;
 
-/// Shots that three drives give by the preset's own law, carry to a tenth of a metre.
+/// Shots of three drives by the preset's own law, carry to a tenth of a metre.
 fn shots() -> String {
     let mut table = "club.loft [deg],carry [m]\n".to_owned();
     for loft in ["9", "11", "13"] {
@@ -33,8 +32,8 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
         file("rows.jsonl"),
     );
     let flown = file("flown.jsonl");
-    // `json` itself holds each answer against its schema; `reproduce`, which takes long, has its
-    // own tests
+    // `json` checks each answer against its schema; `reproduce`, which takes long, has its own
+    // tests
     for (args, ends) in [
         (vec!["simulate"], "landed"),
         (
@@ -363,7 +362,7 @@ fn same_setup_launch_and_flight_with_an_optimum_and_by_simulate() {
     for key in ["setup", "launch", "flight"] {
         assert_eq!(best[key], drive[key], "{key}");
     }
-    // the value was computed with its derivatives, which rounds otherwise
+    // the value was computed with its derivatives, which rounds differently
     close(
         number(&best["value"]),
         number(&best["flight"]["carry"]),
@@ -447,8 +446,7 @@ fn every_example_of_the_documentation_is_what_the_program_prints() {
     assert!(shown >= 6, "{shown} examples");
 }
 
-/// Whether an answer says what an example shows of it: numbers to the digits shown; "…" stands for
-/// what is left out.
+/// Whether an answer has the values of an example: numbers to the digits shown; "…" is an omission.
 fn is_part(shown: &Value, printed: &Value) -> bool {
     match (shown, printed) {
         (Value::Object(shown), Value::Object(printed)) => shown.iter().all(|(key, value)| {

@@ -1,4 +1,4 @@
-//! Balls that leave as a launch monitor reports, without a club.
+//! Balls launched with the values of a launch monitor, without a club.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -54,7 +54,7 @@ fn exact_parabola_and_its_derivatives_by_the_launch() {
         1e-9,
         "by launch angle",
     );
-    // a spin without air does nothing, and a club that is not there has no derivative
+    // without air a spin has no effect, and a missing club has no derivative
     assert!(carry.gradient[2].abs() < 1e-12);
     assert!(
         setup
@@ -302,8 +302,7 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
     }
 }
 
-/// What is set of a club that does not strike the ball would change nothing, and is refused by its
-/// name wherever a launch is given.
+/// Club settings would have no effect on a given launch, and are refused by name.
 #[test]
 fn a_club_beside_a_launch_is_refused_by_name() {
     let launch = "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm";
@@ -369,7 +368,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
             assert_eq!(said.status, 0, "{command:?}: {}", said.err);
         }
     }
-    // what is swept or fitted of a club, likewise; a setup file is told of
+    // swept or fitted club parameters, likewise; settings of a setup file are reported
     let both =
         "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
     std::fs::write(&points, both).unwrap();
@@ -414,8 +413,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
     assert!(!longdrive(&["simulate", &mine]).err.contains("not used"));
 }
 
-/// A report tells of a launch what there is without a club, and of its optimum where something is
-/// to be varied.
+/// A report of a launch has no club, and an optimum if something is varied.
 #[test]
 fn a_report_of_a_launch_says_what_it_leaves_out() {
     let folder = tempfile::tempdir().unwrap();
@@ -498,7 +496,7 @@ fn what_another_form_of_the_spin_takes_the_place_of_is_told() {
     );
     assert!(!told(&["--launch", "spin=2400rpm"]).contains("replaced"));
     assert!(!told(&[]).contains("replaced"));
-    // every condition that is given, the tilt of the axis too
+    // every given condition, also the tilt of the axis
     let by = json(&["gradient", &file]).1.to_string();
     for name in ["ball_speed", "launch_angle", "spin", "spin_axis"] {
         assert!(by.contains(&format!("launch.{name}\"")), "{name}: {by}");
@@ -537,7 +535,7 @@ fn without_a_club_the_defaults_are_those_of_the_launch_or_the_message_says_what_
         }
         assert!(!err.contains("club.loft"), "{args:?}: {err}");
     }
-    // calibrate takes launches from the table
+    // calibrate reads launches from the table
     let said = longdrive(
         &[
             &["calibrate", "shots.csv", "--fit", "aero.cd0"],
@@ -552,7 +550,7 @@ fn without_a_club_the_defaults_are_those_of_the_launch_or_the_message_says_what_
     ] {
         assert!(said.status == 2 && said.err.contains(words), "{}", said.err);
     }
-    // and the page is not about the club of the preset
+    // and the page does not describe the club of the preset
     let page = file("page");
     let said = longdrive(&[&["report", "-o", &page], &CONDITIONS[..]].concat());
     assert_eq!(said.status, 0, "{}", said.err);
@@ -615,7 +613,7 @@ fn same_drives_of_a_swept_launch_condition_and_alone() {
             close(*ours, theirs, theirs, 1e-12, "carry");
         }
     }
-    // what is still missing is told, and what is given twice
+    // missing conditions are named, and so are duplicate ones
     for (args, says) in [
         (
             ["--over", "launch.spin_axis=0deg..5deg:2"],

@@ -1,4 +1,4 @@
-//! The laws of drag and lift: values from their sources, joins, and what `laws` says of them.
+//! The laws of drag and lift: values of their sources, joins, and the text of `laws`.
 
 use crate::command_line::{json, longdrive, number};
 use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
@@ -29,7 +29,7 @@ fn stream<D: Number>([s, reynolds, speed]: [D; 3]) -> Stream<D> {
     )
 }
 
-/// The rows of a table of numbers under a head, cells beyond the fourth left out.
+/// The rows of a table of numbers below a head, without cells after the fourth.
 fn rows(table: &str) -> Vec<[f64; 4]> {
     let row = |line: &str| {
         let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
@@ -38,7 +38,7 @@ fn rows(table: &str) -> Vec<[f64; 4]> {
     table.lines().skip(1).map(row).collect()
 }
 
-/// 46 and 33.4 feet a second over the speed, whatever the spin.
+/// 46 and 33.4 feet a second divided by the speed, for any spin.
 #[test]
 fn exact_forces_of_macdonald_and_hanzely_grow_with_the_speed() {
     for speed in [20.0, 50.0, 80.0] {
@@ -65,7 +65,7 @@ fn published_values_of_naruo_mizota() {
     }
 }
 
-/// Both parabolas as printed where they stand alone; between them C_D lies between them. The drag
+/// Both parabolas as printed where they hold alone; between them C_D is between them. The drag
 /// measured on the ball, and the mean lift of 13 balls within their spread.
 #[test]
 fn published_values_of_lyu() {
@@ -112,8 +112,8 @@ fn published_values_of_lyu() {
 
 /// The worksheet's own drive: 160 mph, 11°, 3000 rpm at 70 °F and 50 % humidity (1.1944 kg/m³)
 /// lands at 259.3 yd after 4.99 s, with its apex near 19.7 yd; its spin decays by dω/dt = −2e-5 ω
-/// v/R. It integrates by coarse steps: an independent RK4 with the corners as they are gives 258.98
-/// yd, 19.64 yd, 4.972 s.
+/// v/R. It integrates in coarse steps: an independent RK4 with unsmoothed corners gives 258.98 yd,
+/// 19.64 yd, 4.972 s.
 #[test]
 fn published_drive_of_nathans_calculator() {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -171,8 +171,8 @@ fn published_drive_of_nathans_calculator() {
     assert!((amid.drag - (0.5 * (1.9451114 + 0.13248) + 0.02087217)).abs() < 1e-12);
 }
 
-/// The 42 shots of the patent's table: Re, s, C_D, C_L. The formula is a fit of them: it lies amid
-/// them.
+/// The 42 shots of the patent's table: Re, s, C_D, C_L. The formula is their fit: they scatter
+/// about it.
 #[test]
 fn published_shots_of_the_usga_scatter_about_its_law() {
     let off = rows(include_str!("../data/usga_itr_test_ball.csv"))
@@ -209,8 +209,7 @@ fn published_values_of_bearman_and_harvey() {
     }
 }
 
-/// On both sides of every line of the grid, of its edges, and of where speed and spin begin to stay
-/// as they are.
+/// On both sides of every grid line, of the edges, and of the clamps of speed and spin.
 #[test]
 fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
     let speeds = [
@@ -241,7 +240,7 @@ fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
         for (a, b) in sides[0].iter().flatten().zip(sides[1].iter().flatten()) {
             assert!((a - b).abs() < 1e-7, "{variable} at {line}: {sides:?}");
         }
-        // natural at the edges of the grid
+        // a natural spline at the edges of the grid
         let is_edge = [13.7, 88.1].contains(&line)
             || [2000.0, 6000.0]
                 .iter()
@@ -253,7 +252,7 @@ fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
     }
 }
 
-/// What is joined in the spin ratio (0), Reynolds number (1) or speed (2), and where.
+/// Joins in the spin ratio (0), Reynolds number (1) or speed (2), and their positions.
 const JOINS: [(&str, usize, f64); 19] = [
     ("ferguson", 0, 0.02),
     ("ferguson", 0, 0.75),
@@ -294,8 +293,8 @@ fn exact_c2_at_every_join_of_a_law() {
     }
 }
 
-/// Reynolds numbers, each with the speed that a ball of 42.68 mm has there in air of 1.184 kg/m³
-/// and 1.85e-5 Pa s.
+/// Reynolds numbers, each with the speed of a ball of 42.68 mm in air of 1.184 kg/m³ and 1.85e-5 Pa
+/// s.
 fn streams() -> impl Iterator<Item = (f64, f64)> {
     (1..=60)
         .map(|k| 5e3 * f64::from(k))
@@ -318,8 +317,8 @@ fn every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
     }
 }
 
-/// Within the measured spin ratios the law is its printed polynomials, to the last bit; from 0.95
-/// on it is what they are at 0.85.
+/// Within the measured spin ratios the law equals its printed polynomials to the last bit; from
+/// 0.95 on it has their values at 0.85.
 #[test]
 fn exact_polynomials_of_ferguson_within_their_fitted_range() {
     let drag = |s: f64| (-0.8259 * s + 0.9287) * s + 0.1304;
@@ -344,8 +343,7 @@ fn exact_polynomials_of_ferguson_within_their_fitted_range() {
     }
 }
 
-/// First and second derivatives by the spin ratio, through where it begins to be held and where it
-/// is held.
+/// First and second derivatives by the spin ratio, across the clamp.
 #[test]
 fn differences_of_ferguson_at_the_clamp_of_the_spin_ratio() {
     let h = 1e-4;
@@ -397,7 +395,7 @@ fn no_law_has_lift_without_spin_or_unbounded_forces() {
                 "{law}: {none:?}"
             );
         }
-        // a ball that nearly stands still in the air: the forces, v² C, are finite
+        // a ball nearly at rest in the air: the forces, v² C, are finite
         let slow: Coefficients<f64> = at(law, [1e6, 1e-1, 1e-4]);
         assert!(
             (slow.drag * 1e-8).abs() < 1e6 && (slow.lift * 1e-8).abs() < 1e6,
@@ -452,7 +450,7 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
     );
 }
 
-/// A law whose range has no upper end says so.
+/// The text of a law names an open end of its range.
 #[test]
 fn a_range_without_an_upper_end_is_told_as_at_least() {
     let slow = [
@@ -480,7 +478,7 @@ fn drawn(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) 
     assert_eq!(status, 0, "{answer}");
     let text = std::fs::read_to_string(&file).unwrap();
     let row = |line: &str| {
-        // a name may hold a comma
+        // a name may have a comma
         let cells: Vec<&str> = line.rsplitn(3, ',').collect();
         let (kind, name) = cells[2].split_once(',').unwrap();
         let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
@@ -494,8 +492,8 @@ fn drawn(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) 
     (text.lines().skip(1).map(row).collect(), answer)
 }
 
-/// Every curve is its law, solid within what it was fitted to and dashed beyond; points are the
-/// table of the source.
+/// Every curve is its law, solid within its fitted range and dashed beyond; points are the table of
+/// the source.
 #[test]
 fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
     let (rows, _) = drawn(&["--laws", "ferguson,naruo-mizota,linear", "--show", "cl"]);
@@ -537,7 +535,7 @@ fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
         .count();
     // three colours are three names
     assert_eq!((names("dots").len(), names("mark").len()), (table, 0));
-    // the drag of Lyu over the Reynolds number, whatever the spin
+    // the drag of Lyu over the Reynolds number, for any spin
     let (rows, answer) = drawn(&["--laws", "lyu", "--over", "reynolds", "--spin-ratio", "0.2"]);
     for (_, _, reynolds, drag) in rows
         .iter()
@@ -586,7 +584,7 @@ fn cells_of_lyu() -> Vec<[Option<f64>; 4]> {
         .collect()
 }
 
-/// Lift of 13 balls, which differ among each other by 0.02 to 0.03, and drag of one.
+/// Lift of 13 balls, which differ by 0.02 to 0.03, and drag of one.
 #[test]
 fn published_points_of_lyu_scatter_about_its_law() {
     let points = cells_of_lyu();
@@ -608,7 +606,7 @@ fn rows_of_naruo() -> Vec<[f64; 4]> {
     rows(include_str!("../data/naruo_2004.csv"))
 }
 
-/// All published laws and one's own table, as a picture too; what is not used or unknown is
+/// All published laws and a user's table, also as a picture; unused and unknown options are
 /// refused.
 #[test]
 fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
@@ -636,7 +634,7 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
         .map(|row| (row.2, row.3))
         .collect();
     assert_eq!(mine, [(0.0, 0.2), (0.1, 0.25)]);
-    // a table is held beyond its nodes, and so is a law where its variable is held
+    // a table is clamped beyond its nodes, and a law at the clamp of its variable
     std::fs::write(file("mine.csv"), "s,cd,cl\n0.1,0.25,0.15\n0.2,0.27,0.2\n").unwrap();
     let (rows, _) = drawn(&["--set", &own, "--laws", "table,lyu,launch-monitor"]);
     for name in [
@@ -648,7 +646,7 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
     }
     let said = longdrive(&["plot", "laws", "--show", "cl", "-o", &file("laws.svg")]);
     let svg = std::fs::read_to_string(file("laws.svg")).unwrap();
-    // what is drawn, without what a pointer is told
+    // the drawn text, without hover texts
     let told = |part: &str| {
         part.split_once("</title>")
             .map_or(part, |(_, rest)| rest)

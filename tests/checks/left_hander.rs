@@ -1,4 +1,4 @@
-//! A left-hander's drive is the mirror image of a right-hander's with the same numbers; wind and
+//! A left-hander's drive is the mirror image of a right-hander's with equal numbers; wind and
 //! ground are not mirrored.
 
 use crate::command_line::{json, longdrive, number};
@@ -22,7 +22,7 @@ const SIDED: [Outcome; 5] = [
     Outcome::SpinAxis,
 ];
 
-/// The same numbers of the other hand, in a mirrored wind over mirrored ground.
+/// The numbers of the other hand, in a mirrored wind over mirrored ground.
 fn mirrored(setup: &Setup<f64>) -> Setup<f64> {
     let mut other = Setup {
         golfer: Golfer::Left,
@@ -133,8 +133,7 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str]) -> (f64, Vec<f64>) {
     (best.value().unwrap(), best.solution.x)
 }
 
-/// A head and a golfer without a favoured side, of either hand: the drives to the right and to the
-/// left cancel.
+/// A symmetric head and golfer of either hand: drives to the right and to the left cancel.
 #[test]
 fn exact_zero_lateral_mean_of_a_symmetric_head_and_strikes() {
     for golfer in Golfer::ALL {
@@ -147,8 +146,7 @@ fn exact_zero_lateral_mean_of_a_symmetric_head_and_strikes() {
     }
 }
 
-/// The best head of a left-hander is the mirror image of a right-hander's, whose wind comes from
-/// the other side.
+/// The best head of a left-hander is the mirror image of a right-hander's in a mirrored wind.
 #[test]
 fn exact_mirror_image_of_the_best_design() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -165,7 +163,7 @@ fn exact_mirror_image_of_the_best_design() {
     for (left, right) in left.1.iter().zip(&right.1) {
         close(*left, *right, *right, 1e-7, "design");
     }
-    // in the same wind the two are not each other's image
+    // in the same wind they are no mirror images
     let same_wind = searched(
         &Setup {
             golfer: Golfer::Left,
@@ -213,7 +211,7 @@ fn the_hand_is_read_written_and_compared() {
         "lateral",
     );
     assert!(number(&right["flight"]["lateral"]).abs() > 0.1 && right["setup"]["golfer"] == "right");
-    // what is found for a left-hander is written down as a left-hander's
+    // the design of a left-hander is written for a left-hander
     let best = folder.path().join("best.toml").display().to_string();
     assert_eq!(longdrive(&["optimize", &file, "-o", &best]).status, 0);
     assert_eq!(
@@ -272,8 +270,8 @@ fn the_hand_is_read_written_and_compared() {
     );
 }
 
-/// The monitor has path and face + to the right for every golfer; the delivery behind its launch is
-/// in the golfer's own terms.
+/// The monitor has path and face + to the right for every golfer; the recovered delivery is in the
+/// golfer's own terms.
 #[test]
 fn the_delivery_of_a_left_hander_is_in_the_golfers_own_terms() {
     let folder = tempfile::tempdir().unwrap();

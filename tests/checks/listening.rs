@@ -1,4 +1,4 @@
-//! Shots that are sent over TCP, as messages of GSPro Open Connect.
+//! Shots over TCP, as messages of GSPro Open Connect.
 
 #![cfg(unix)]
 
@@ -14,7 +14,7 @@ const SHOT: &str = r#"{"DeviceID":"A","Units":"Yards","ShotNumber":1,"APIversion
 const HEARTBEAT: &str =
     r#"{"DeviceID":"A","ShotDataOptions":{"ContainsBallData":false,"IsHeartBeat":true}}"#;
 
-/// The program, listening, with its port.
+/// The listening program, with its port.
 fn listening(more: &[&str]) -> (Child, u16) {
     let mut child = program::command()
         .args(["fly", "--listen", "0"])
@@ -35,7 +35,7 @@ fn listening(more: &[&str]) -> (Child, u16) {
     (child, port)
 }
 
-/// Ends it as Ctrl-C does: its exit status and what it says.
+/// Ends it by Ctrl-C: exit status and output.
 fn ended(child: Child) -> (Option<i32>, String) {
     assert!(
         Command::new("kill")
@@ -113,7 +113,7 @@ fn every_message_is_answered_and_the_connection_stays() {
             "{sent}: {answer}"
         );
     }
-    // two in one piece, and one in two pieces
+    // two messages in one piece, and one message in two pieces
     client.send(&format!("{SHOT}{SHOT}"));
     let (head, tail) = SHOT.split_at(70);
     assert_eq!(

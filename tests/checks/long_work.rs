@@ -1,4 +1,4 @@
-//! Searches that are stopped, kept and resumed.
+//! Searches that are stopped, saved and resumed.
 
 use crate::command_line::{Said, wait_until};
 use crate::program;
@@ -14,7 +14,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Rosenbrock's valley within a disc: curved, constrained, and some twenty iterations long.
+/// Rosenbrock's valley within a disc: curved, constrained, about twenty iterations.
 struct Valley;
 
 impl Functions for Valley {
@@ -49,7 +49,7 @@ fn whole() -> Solution {
     whole
 }
 
-/// A search that keeps its snapshots, and ends itself after `most` iterations.
+/// A search that saves its snapshots, and stops after `most` iterations.
 fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
     let kept = Rc::new(RefCell::new(None));
     let (keeper, flag) = (Rc::clone(&kept), Arc::new(AtomicBool::new(most == 0)));
@@ -60,7 +60,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
             stop.store(iteration.number >= most, Ordering::Relaxed)
         }),
         keep: Some(Box::new(move |snapshot| {
-            // through the text that a file would hold
+            // through the text of a file
             let text = serde_json::to_string(snapshot).unwrap();
             *keeper.borrow_mut() = Some(serde_json::from_str(&text).unwrap());
             Ok(())
@@ -106,11 +106,11 @@ fn same_end_of_a_search_stopped_and_resumed_anywhere() {
     }
 }
 
-/// An evaluation in ten blocks, each of which looks at the flag first, as one over many drives
-/// does; in one block of them the flag is raised.
+/// An evaluation in ten blocks, each of which reads the cancellation flag first, as an evaluation
+/// over many drives does; one block sets the flag.
 struct InBlocks {
     flag: Arc<AtomicBool>,
-    /// The block that raises it, counted from 1.
+    /// The block that sets it, counted from 1.
     raised_in: usize,
     blocks: Cell<usize>,
     finished: RefCell<Vec<Vec<f64>>>,
@@ -338,7 +338,7 @@ fn same_answer_of_the_program_after_repeated_kills() {
     };
     let alone = run(&folder.path().join("alone.json"));
     let killed = folder.path().join("killed.json");
-    // at once, then each time once one more iteration is kept
+    // at once, then each time after one more saved iteration
     for _ in 0..4 {
         let before = std::fs::read(&killed).ok();
         let mut child = program::command()
@@ -355,8 +355,8 @@ fn same_answer_of_the_program_after_repeated_kills() {
     assert_eq!(run(&killed), alone);
 }
 
-/// Of ten thousand searches those that had not begun are told together: one by one they would be
-/// compared with all others.
+/// Of ten thousand searches, those that had not begun are one entry: as single entries they would
+/// be compared with all others.
 #[test]
 fn searches_that_had_not_begun_are_one_entry_with_all_their_starts() {
     let (domain, options) = (disc(), Options::default());
@@ -405,7 +405,7 @@ fn what_cannot_be_kept_is_an_error_before_the_search() {
         matches!(&error, Error::Checkpoint { reason, .. } if reason.contains("cannot be written")),
         "{error}"
     );
-    // and a keeper that fails ends the search with its own error
+    // a failing save ends the search with its own error
     let setup = Setup::default();
     let search = longdrive::study::Search::longest_drive(&setup).unwrap();
     let observer = Observer {
@@ -418,8 +418,8 @@ fn what_cannot_be_kept_is_an_error_before_the_search() {
     assert!(error.to_string().contains("the disk is full"), "{error}");
 }
 
-/// Ctrl-C is answered where no start has been found yet, and what is done there is told: balls that
-/// never land take long.
+/// Ctrl-C also stops the search for a start, and the message describes it: balls that never land
+/// take long.
 #[cfg(unix)]
 #[test]
 fn a_chart_is_interrupted_in_its_first_search() {

@@ -1,11 +1,10 @@
-//! Messages that name the thing, its value, what is allowed, and what to do; numbers of things with
-//! the words that fit them.
+//! Messages with name, value, allowed range and advice; singular and plural.
 
 use crate::command_line::{json, longdrive};
 use longdrive::{Error, Setup};
 use std::fs;
 
-/// Both streams of the program, in one line.
+/// Both output streams of the program, in one line.
 fn said(args: &[&str]) -> (i32, String) {
     let said = longdrive(args);
     (
@@ -73,7 +72,7 @@ fn one_thing_is_in_the_singular() {
         let (ended, text) = said(args);
         assert_eq!(ended, status, "{args:?}: {text}");
         assert!(text.contains(says), "{args:?}: no '{says}': {text}");
-        // " 1 rows" and the like, in whatever is said
+        // " 1 rows" and the like, in all output
         let words: Vec<_> = text.split(' ').collect();
         let wrong = words.windows(2).find(|pair| {
             pair[0] == "1"
@@ -247,7 +246,7 @@ fn a_launch_on_the_command_line_replaces_that_of_the_setup_file() {
     let faster = launch(&["--launch", "ball_speed=70m/s"]);
     assert!((faster["ball_speed"].as_f64().unwrap() - 70.0).abs() < 1e-12);
     assert!((faster["launch_angle"].as_f64().unwrap() - 10.9_f64.to_radians()).abs() < 1e-12);
-    // a spin in its other form replaces that of the file, with what belongs to it
+    // the other form of the spin replaces that of the file, with its conditions
     let other = launch(&["--launch", "spin=200rad/s"]);
     assert!(
         (other["spin"].as_f64().unwrap() - 200.0).abs() < 1e-9
@@ -310,7 +309,7 @@ fn a_plain_number_is_asked_for_without_a_unit() {
     }
 }
 
-/// Loft and shaft lean do the same to the face: no optimum in both is isolated.
+/// Loft and shaft lean have one effect on the face: no optimum in both is isolated.
 #[test]
 fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
     let ridge = [
@@ -342,7 +341,7 @@ fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
             && warnings.contains("gravity"),
         "{warnings}"
     );
-    // the sources of default uncertainties likewise
+    // the sources of default uncertainties, likewise
     let (_, text) = said(&["sensitivity"]);
     assert!(
         text.contains("default of wind.downrange, wind.right: assumed"),

@@ -1,4 +1,4 @@
-//! The optimizer on drives with known optima and on functions that are hard in a known way.
+//! The optimizer on drives with known optima and on functions with known difficulties.
 
 use crate::common::{close, data, number, setup_of};
 use longdrive::optimize::{
@@ -47,9 +47,9 @@ fn mae494(attack: f64, loft: f64, ranges: [&str; 2]) -> Optimum {
     optimum(&setup, search, Observer::default()).unwrap()
 }
 
-/// An even spread of starts over a box.
+/// Evenly spread starts over a box.
 fn starts(count: u32, low: [f64; 2], high: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
-    // multiples of powers of the plastic number's inverse
+    // multiples of powers of the inverse plastic number
     (0..count).map(move |k| {
         let part =
             |step: f64, i: usize| low[i] + (f64::from(k) * step + 0.5).fract() * (high[i] - low[i]);
@@ -237,8 +237,8 @@ fn independent_corner_at_zero_spin_from_every_start_in_a_wide_box() {
                 [loft_range, "swing.attack_angle=-10deg..60deg"],
             );
             let solution = &best.solution;
-            // inside the box the corner is a status of its own; on its bound it is an optimum with
-            // a price
+            // inside the box the corner has the status stalled-at-kink; on its bound it is an
+            // optimum with a multiplier
             let is_inside = loft_range.contains("-10");
             let status = if is_inside {
                 Status::StalledAtKink
@@ -362,12 +362,12 @@ fn differences_confirm_optimum_and_price_of_the_default_search() {
         Drive::new(&moved).unwrap().landed().unwrap().carry
     };
     let [loft, attack] = [best.solution.x[0], best.solution.x[1]];
-    // the optimizer's numbers are the general path's to their rounding
+    // the optimizer's value is that of the general path, to rounding
     assert!((carry(loft, attack) / best.value().unwrap() - 1.0).abs() < 1e-13);
     for (d_loft, d_attack) in [(0.01, 0.0), (-0.01, 0.0), (0.0, -0.01)] {
         assert!(carry(loft + d_loft, attack + d_attack) < best.value().unwrap());
     }
-    // the multiplier is the price of the bound
+    // the multiplier is the derivative by the bound
     let gain = carry(loft, attack + 1e-6) - carry(loft, attack - 1e-6);
     close(
         best.solution.upper_multipliers[1],
@@ -441,7 +441,7 @@ fn exact_minima_of_indefinite_functions_lie_in_corners_of_the_box() {
             2.0
         );
     }
-    // cos 3x has its minimum where it curves up
+    // cos 3x has its minimum where its curvature is positive
     let wave = |v: &[f64]| {
         let (sin, cos) = (3.0 * v[0]).sin_cos();
         Ok(plain(cos, vec![-3.0 * sin], vec![vec![-9.0 * cos]]))
@@ -485,7 +485,7 @@ fn a_search_at_the_corner_of_an_absolute_value_ends_as_a_kink() {
 
 #[test]
 fn exact_minimum_next_to_an_undefined_region() {
-    // x − ln x, not defined for x ≤ 0: the first steps from far right leap there
+    // x − ln x, undefined for x ≤ 0: the first steps from the far right lead there
     let f = |v: &[f64]| {
         if v[0] <= 0.0 {
             return Err(format!("ln {} does not exist", v[0]));
@@ -529,7 +529,7 @@ fn exact_minimum_next_to_an_undefined_region() {
 
 #[test]
 fn exact_badly_scaled_quadratic() {
-    // curvatures 1e-9 and 1e9, in variables of the sizes that go with them
+    // curvatures 1e-9 and 1e9, in variables of matching sizes
     let f = |v: &[f64]| {
         let (a, b) = (v[0] - 2e4, v[1] - 3e-5);
         Ok(plain(
@@ -753,7 +753,7 @@ fn exact_minima_far_away_are_not_unbounded() {
         "{}",
         found.message
     );
-    // −x³ + 1e-8 x⁴: the least at x = 3/4 · 1e8
+    // −x³ + 1e-8 x⁴: the minimum at x = 3/4 · 1e8
     let late = |v: &[f64]| {
         let x = v[0];
         let (f, slope) = (
@@ -765,7 +765,7 @@ fn exact_minima_far_away_are_not_unbounded() {
     let found = solve(late, &[FREE], &[1.0]);
     assert_eq!(found.status, Status::Converged, "{}", found.message);
     assert!((found.x[0] / 0.75e8 - 1.0).abs() < 1e-9, "{:?}", found.x);
-    // e⁻ˣ has no minimum, but its infimum 0 is met to any tolerance
+    // e⁻ˣ has no minimum, but reaches its infimum 0 to any tolerance
     let flat = |v: &[f64]| {
         let e = (-v[0]).exp();
         Ok(plain(e, vec![-e], vec![vec![e]]))
@@ -790,7 +790,7 @@ fn objectives_unbounded_along_constraints_are_detected() {
         found.message,
         found.x
     );
-    // −x above the parabola y ≥ x²: unbounded, along a curve; with y ≤ 9 the minimum is −3
+    // −x above the parabola y ≥ x²: unbounded along a curve; with y ≤ 9 the minimum is −3
     let parabola = |v: &[f64]| {
         vec![
             taylor(-v[0], [-1.0, 0.0], FLAT),
@@ -839,7 +839,7 @@ fn exact_minima_from_stationary_points_of_the_violation() {
             ),
         ]
     };
-    // by x = 10 cos t, y = 0.1 sin t, searched to the last digit by bisection of the slope
+    // by x = 10 cos t, y = 0.1 sin t and bisection of the derivative to the last digit
     let slope = |t: f64| {
         let (sin, cos) = t.sin_cos();
         -20.0 * sin * (10.0 * cos - 20.0) + 0.2 * cos * (0.1 * sin + 20.0)
@@ -869,7 +869,7 @@ fn exact_minima_from_stationary_points_of_the_violation() {
             found.value
         );
     }
-    // x + y with x³ ≥ 1 from 0, where slope and curvature of the violation vanish together
+    // x + y with x³ ≥ 1 from 0, where gradient and curvature of the violation vanish together
     let cubic = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         vec![
@@ -880,8 +880,8 @@ fn exact_minima_from_stationary_points_of_the_violation() {
     let found = solve_subject_to(cubic, &[(1.0, f64::INFINITY)], [(-5.0, 5.0); 2], [0.0, 0.0]);
     assert_eq!(found.status, Status::Converged, "{}", found.message);
     assert!((found.x[0] - 1.0).abs() < 1e-8, "{:?}", found.x);
-    // a local minimum of the violation that is not zero: (x² − 1)² + x/4 ≤ −0.1 has its other
-    // valley, at x ≈ 1, above that
+    // a positive local minimum of the violation: (x² − 1)² + x/4 ≤ −0.1 has a second valley at x ≈
+    // 1, above −0.1
     let valleys = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         let (w, slope) = (x * x - 1.0, 4.0 * x * (x * x - 1.0) + 0.25);
@@ -939,8 +939,8 @@ fn exact_minima_from_starts_with_zero_gradients() {
                 found.x
             );
         };
-    // y² − x² on the unit circle: from its centre, where all slopes vanish, and from its maximum on
-    // the circle
+    // y² − x² on the unit circle: from its centre, where all gradients vanish, and from its maximum
+    // on the circle
     let saddle = |v: &[f64]| {
         vec![
             taylor(v[1] * v[1] - v[0] * v[0], [-2.0 * v[0], 2.0 * v[1]], hill),
@@ -949,9 +949,9 @@ fn exact_minima_from_starts_with_zero_gradients() {
     };
     ends(&saddle, &[(1.0, 1.0)], [0.0, 0.0], -1.0);
     ends(&saddle, &[(1.0, 1.0)], [0.0, 1.0], -1.0);
-    // the same within the circle, where the start meets the constraint
+    // the function within the circle, where the start is feasible
     ends(&saddle, &[(f64::NEG_INFINITY, 1.0)], [0.0, 0.0], -1.0);
-    // x y on x² = y², from the crossing of the two lines: −4 in a corner of the box
+    // x y on x² = y², from the intersection of the two lines: −4 in a corner of the box
     let lines = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         vec![
@@ -960,8 +960,8 @@ fn exact_minima_from_starts_with_zero_gradients() {
         ]
     };
     ends(&lines, &[(0.0, 0.0)], [0.0, 0.0], -4.0);
-    // y with x − y² = 0 and x + y² = 2, from y = 0, where the two depend on each other and
-    // contradict: both hold at x = 1, y = ±1
+    // y with x − y² = 0 and x + y² = 2, from y = 0, where the two are dependent and contradictory:
+    // both hold at x = 1, y = ±1
     let parabolas = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         let bend = |bend: f64| {
@@ -1026,9 +1026,9 @@ fn contradicting_constraints_are_infeasible() {
     assert_eq!(found.status, Status::Infeasible, "{}", found.message);
 }
 
-/// Without curvature the minimum is a corner. x + y on the unit square with 1 − gap ≤ x has it at
-/// (1 − gap, 0), where the limit and the lower bound of y each cost 1 for each unit; the start lies
-/// on the bound beside the limit.
+/// Without curvature the minimum is a vertex. x + y on the unit square with 1 − gap ≤ x has it at
+/// (1 − gap, 0), where the limit and the lower bound of y have multiplier 1; the start is on the
+/// bound beside the limit.
 #[test]
 fn exact_vertex_beside_a_bound_without_curvature() {
     for exponent in 1..=12 {

@@ -1,4 +1,4 @@
-//! The optimizer asked for what cannot be: an error, and no panic.
+//! Wrong use of the optimizer: an error, and no panic.
 
 use longdrive::number::Number;
 use longdrive::optimize::least_squares::{self, Rows, fit};
@@ -102,7 +102,7 @@ fn a_search_that_was_kept_of_another_problem_is_refused() {
     );
 }
 
-/// Every array of a search that was kept, with one entry less.
+/// Every array of a saved search, with one entry less.
 #[test]
 fn a_damaged_search_is_refused_and_nothing_panics() {
     fn arrays(value: &Value, path: &str, found: &mut Vec<String>) {
@@ -179,7 +179,7 @@ fn a_checkpoint_of_another_problem_is_refused() {
     }
 }
 
-/// The fields of a domain are open: what its constructors refuse is refused where it is used.
+/// The fields of a domain are public: values that its constructors refuse are refused at its use.
 #[test]
 fn ends_that_were_changed_to_nonsense_are_refused() {
     for (low, high) in [(f64::NAN, 1.0), (3.0, 1.0), (f64::INFINITY, f64::INFINITY)] {

@@ -1,7 +1,7 @@
-//! Every outcome, its derivative by every parameter and Hessians over six, against
-//! `data/independent_drives.json`: 40 drives computed in quadruple precision by
-//! `oracle/oracle.cpp`, a program that shares nothing with this one. Laws, decay laws, log wind,
-//! slip, light and heavy heads, hills, near-zero spin.
+//! Every outcome, its derivative by every parameter and Hessians over six, compared with
+//! `data/independent_drives.json`: 40 drives in quadruple precision by `oracle/oracle.cpp`, a
+//! program without common code. Laws, decay laws, log wind, slip, light and heavy heads, hills,
+//! near-zero spin.
 
 use crate::common::{close, drives, number, outcome_of, setup_of};
 use longdrive::derivative::{Order, evaluate};
@@ -13,11 +13,11 @@ use std::collections::BTreeMap;
 
 const FILE: &str = "independent_drives.json";
 
-/// How a derivative is held. On smooth drives: relative to itself, or, where terms nearly cancel,
-/// to a hundredth of the outcome per size of the parameters. Two kinds of drive are less smooth on
-/// the scale of a step, and held at `ROUGH` relative to the outcome per size of the parameters: in
-/// a logarithmic wind, which varies within half a metre of the ground, and where the spin ratio
-/// falls through the join of a law, which is C² only.
+/// Scale of the error of a derivative. On smooth drives: the derivative, or, if terms nearly
+/// cancel, a hundredth of the outcome per size of the parameters. Two kinds of drive are less
+/// smooth at the scale of a step, and have the tolerance `ROUGH` relative to the outcome per size
+/// of the parameters: a logarithmic wind, which varies within half a metre of the ground, and a
+/// spin ratio that decreases through the join of a law, which is only C².
 struct Bar {
     tolerance: f64,
     floor: f64,
@@ -54,7 +54,7 @@ impl Bar {
     }
 }
 
-/// The size of a parameter, or of a sensible change of one that is small.
+/// The size of a parameter, or of a typical change of a small one.
 fn size(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     setup.value(parameter).unwrap().abs().max(0.1)
 }

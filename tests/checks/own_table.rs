@@ -1,4 +1,4 @@
-//! A user's own table of drag and lift (`aero.table`).
+//! A user's table of drag and lift (`aero.table`).
 
 use crate::command_line::{json, longdrive, number};
 use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
@@ -46,7 +46,7 @@ fn at<D: Number>(law: Law<f64>, [s, reynolds, speed]: [D; 3]) -> Coefficients<D>
 fn table_of(law: &str, spin_ratios: &[f64], reynolds: &[f64]) -> String {
     let law = Law::named(law).unwrap();
     let mut text = "spin_ratio,Re,cd,cl\n".to_owned();
-    // any order will do
+    // any order of rows
     for re in reynolds.iter().rev() {
         for s in spin_ratios {
             let c: Coefficients<f64> = at(law, [*s, *re, 50.0]);
@@ -62,8 +62,8 @@ fn evenly(low: f64, high: f64, steps: u32) -> Vec<f64> {
         .collect()
 }
 
-/// The grid of Bearman & Harvey as a table of one's own: the same splines, by speed and spin, in
-/// other units too.
+/// The grid of Bearman & Harvey as a user's table: equal splines, by speed and spin, also in other
+/// units.
 #[test]
 fn same_drives_by_a_table_of_bearman_and_harvey_and_by_their_law() {
     let grid = include_str!("../data/bearman_harvey_1976.csv");
@@ -110,8 +110,8 @@ fn same_drives_by_a_table_of_bearman_and_harvey_and_by_their_law() {
     }
 }
 
-/// Twice as many nodes, a sixteenth of the error, away from the edges, where the natural spline is
-/// of the second order.
+/// Twice as many nodes give a sixteenth of the error, away from the edges, where the natural spline
+/// has second order.
 #[test]
 fn order_of_a_table_of_a_smooth_law_is_four() {
     let law = Law::named("winfield-tan").unwrap();
@@ -136,8 +136,8 @@ fn order_of_a_table_of_a_smooth_law_is_four() {
     );
 }
 
-/// Value, slope and curvature on both sides of every line of a table, of its edges, of where it
-/// begins to stay as it is, and of no spin.
+/// Value, first and second derivative on both sides of every grid line, of the edges, of the
+/// clamps, and of zero spin.
 #[test]
 fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     let spin_ratios = [0.05, 0.08, 0.15, 0.2, 0.31];
@@ -164,7 +164,7 @@ fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
             assert!((a - b).abs() < 1e-8, "{variable} at {line}: {sides:?}");
         }
     }
-    // held: nothing changes far out, and no lift without spin
+    // clamped: constant far out, and no lift without spin
     let far = at(
         law,
         [Dual2_64::from(0.5).derivative(), 1e5.into(), 40.0.into()],
@@ -178,7 +178,8 @@ fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     assert!(none.re == 0.0 && none.v1 > 0.0 && none.v2.is_finite());
 }
 
-/// One axis alone, of either kind; without one of the spin the lift still vanishes with it.
+/// A table with one axis, of either kind; without a spin axis the lift still vanishes with the
+/// spin.
 #[test]
 fn exact_a_table_along_one_axis_and_no_lift_without_spin() {
     for (text, place) in [
@@ -391,8 +392,7 @@ fn bad_tables_are_refused_with_file_line_and_what_to_do() {
     );
 }
 
-/// In a setup file the table is named from its folder, and a setup that is written names it from
-/// anywhere.
+/// A setup file names its table relative to its folder; a written setup names it from anywhere.
 #[test]
 fn a_setup_with_a_table_is_written_and_read_again() {
     let (folder, name) = written(&table_of("ferguson", &evenly(0.02, 0.4, 10), &[5e4, 2.5e5]));
@@ -416,7 +416,7 @@ fn a_setup_with_a_table_is_written_and_read_again() {
         number(&found["flight"]["carry"])
     );
     assert_eq!(number(&again["setup"]["aero.cd_factor"]), 0.9);
-    // nor is it written over
+    // and the table is not overwritten
     let over = longdrive(&["optimize", &mine, "-o", &name, "--overwrite"]);
     assert!(
         over.status == 2 && over.err.contains("also an input"),
@@ -440,7 +440,7 @@ fn a_setup_with_a_table_is_written_and_read_again() {
     );
 }
 
-/// Kept work of a table that has changed is not gone on with.
+/// Saved work is not resumed after a change of its table.
 #[test]
 fn a_table_that_has_changed_is_another_question() {
     let table = |drag: f64| format!("s,cd,cl\n0,0.2,0\n0.1,{drag},0.15\n0.5,0.3,0.3\n");
@@ -448,7 +448,7 @@ fn a_table_that_has_changed_is_another_question() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (set, kept) = (format!("{TABLE}={name}"), file("kept.json"));
     let search = || longdrive(&["optimize", "--set", &set, "--checkpoint", &kept]);
-    // sweeps, too, tell setups apart by their debug form
+    // sweeps, too, distinguish setups by their debug form
     let told = || {
         let mut setup = Setup::default();
         setup.set(TABLE, &name).unwrap();
@@ -464,7 +464,7 @@ fn a_table_that_has_changed_is_another_question() {
         "{}",
         said.err
     );
-    // two tables are two laws, also by the same name
+    // two tables are two laws, also with one name
     std::fs::write(file("other.csv"), table(0.25)).unwrap();
     for (setup, table) in [("a.toml", "mine.csv"), ("b.toml", "other.csv")] {
         std::fs::write(file(setup), format!("[aero]\ntable = '{table}'\n")).unwrap();
@@ -478,8 +478,8 @@ fn a_table_that_has_changed_is_another_question() {
     );
 }
 
-/// The curve through these nodes has a negative drag below their first: no ball gets there, unless
-/// it has some spin there.
+/// The spline through these nodes has a negative drag below their first node. No ball has so little
+/// spin, unless it starts with it.
 #[test]
 fn drag_of_a_table_is_not_checked_below_zero_spin() {
     let law = of_table("s,cd,cl\n0,0.02,0\n0.05,0.3,0.1\n0.1,0.32,0.2\n0.2,0.33,0.3\n");

@@ -1,4 +1,4 @@
-//! Pages: the answer first, what was asked, and one frame for all of them.
+//! Pages: the answer first, then the arguments, and one frame for all pages.
 
 use crate::command_line::{Written, json, longdrive, number};
 use crate::program;
@@ -26,7 +26,7 @@ fn report(args: &[&str]) -> (i32, String) {
     page(&tempfile::tempdir().unwrap(), &[&["report"], args].concat())
 }
 
-/// A part of a page, from here to there.
+/// A part of a page, from one text to another.
 fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
     let (_, rest) = page
         .split_once(from)
@@ -36,7 +36,7 @@ fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
         .0
 }
 
-/// What stands between the marks, in one system of units.
+/// The text between the marks, in one system of units.
 fn words(html: &str, system: &str) -> String {
     let other = if system == "us" { "metric" } else { "us" };
     let mut text = String::new();
@@ -69,7 +69,7 @@ fn the_answer_is_the_first_thing_on_the_page() {
     let yard = 0.9144;
     let [yours, best_carry] =
         [&yours["flight"]["carry"], &best["value"]].map(|value| number(value) / yard);
-    // the line adds up as it is printed
+    // the printed line adds up
     let [yours, best_carry] = [yours, best_carry].map(|value| (10.0 * value).round() / 10.0);
     let said = words(answer(&page), "us");
     assert!(
@@ -98,8 +98,7 @@ fn the_answer_is_the_first_thing_on_the_page() {
     );
 }
 
-/// An error that is the same in both drives moves both: of two that differ in nothing the change is
-/// known exactly.
+/// A common error changes both drives: between two equal drives the change has no uncertainty.
 #[test]
 fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
     use longdrive::study::{effects, with_defaults};
@@ -117,7 +116,7 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
     let mut other = setup;
     other.set("club.loft", "14 deg").unwrap();
     let there = of(&other);
-    // by hand: √Σ(σ times the difference of the slopes)²
+    // by hand: √Σ(σ times the difference of the derivatives)²
     let slope = |of: &longdrive::study::Effects, name: &str| {
         of.effects
             .iter()
@@ -292,7 +291,7 @@ fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
         !page.contains("for a loss of 1.00 yd")
             && page.contains("the loss that is allowed is 1 % of this carry")
     );
-    // 0.5 mph of 3 mph is known, 0.5 mph of 1 mph is not
+    // 0.5 mph of 3 mph is determined, 0.5 mph of 1 mph is not
     assert!(page.contains("The inner and the outer ellipse"));
     assert!(page.contains("at the edge of the searched face"));
     let (_, page) = report(&["--set", "swing.speed=1mph"]);
@@ -305,7 +304,7 @@ fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
 #[test]
 fn the_setup_file_of_a_report_flies_its_best_drive() {
     let folder = tempfile::tempdir().unwrap();
-    // a table of drag and lift is found from wherever the file is
+    // a table of drag and lift is found in any folder
     let table = folder.path().join("mine.csv");
     std::fs::write(
         &table,
@@ -349,7 +348,7 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
             "the best carry",
         );
     }
-    // without a best drive it is the one as set up
+    // without a best drive it is the drive of the setup
     let (status, page) = page(
         &folder,
         &[
@@ -492,7 +491,7 @@ fn all_pages_have_one_frame() {
         ] {
             assert_eq!(page.matches(once).count(), 1, "{asked:?}: {once}");
         }
-        // a table may be wider than a phone: keys move it, and it has a name of its own
+        // a table may be wider than a phone: keys scroll it, and it has a name
         let tables = page.matches("<table").count();
         let labels: Vec<&str> = page
             .split("<section class=\"wide\" tabindex=\"0\" aria-label=\"")

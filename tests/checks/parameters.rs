@@ -1,5 +1,4 @@
-//! Parameters as they are given to a library: of the law that is set, each once, and equal to
-//! themselves alone.
+//! Parameters in library calls: of the chosen law, without duplicates, comparable.
 
 use longdrive::batch::Batch;
 use longdrive::derivative::{Evaluator, Order, gradient, hessian};
@@ -14,8 +13,8 @@ use longdrive::study::{
 use longdrive::{Drive, Error, Outcome, Result, Setup};
 use std::collections::HashSet;
 
-/// A parameter that is given twice has two derivatives that no one can tell apart: it is refused
-/// wherever derivatives are asked for.
+/// A duplicate parameter would have two equal derivatives: every function of derivatives refuses
+/// it.
 #[test]
 fn a_parameter_given_twice_is_refused_by_name_wherever_derivatives_are_asked_for() {
     let setup = Setup::default();
@@ -61,8 +60,8 @@ fn a_parameter_given_twice_is_refused_by_name_wherever_derivatives_are_asked_for
     assert!(gradient(&setup, Outcome::Carry, &twice[..2]).is_ok());
 }
 
-/// Two laws have a `aero.cd0` each. That of another law has no place in the setup: the drive does
-/// not change with it, and a derivative of 0 would be wrong.
+/// Two laws have an `aero.cd0` each. The coefficient of another law has no place in the setup: the
+/// drive does not change with it, and a derivative of 0 would be wrong.
 #[test]
 fn a_coefficient_of_another_law_is_refused_wherever_a_parameter_is_taken() {
     let mut setup = Setup::default();
@@ -182,7 +181,7 @@ fn a_coefficient_of_another_law_is_refused_wherever_a_parameter_is_taken() {
     assert_eq!(setup, before);
 }
 
-/// The derivative by the coefficient of the law that is set is that of its drives.
+/// The derivative by the coefficient of the chosen law is that of its drives.
 #[test]
 fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change_of_the_law() {
     let mut setup = Setup::default();
@@ -201,8 +200,7 @@ fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change
     );
 }
 
-/// Equal rows have equal hashes, and every row has one of its own: name and law tell it from all
-/// others.
+/// Equal rows have equal hashes, and different rows different ones: name and law identify a row.
 #[test]
 fn parameters_and_outcomes_are_keys_and_have_names() {
     let rows: Vec<&Parameter> = Setup::default()
@@ -242,7 +240,7 @@ fn parameters_and_outcomes_are_keys_and_have_names() {
     ));
 }
 
-/// A range made by hand is told by the name of its parameter, before a search sees its number.
+/// A wrong range built in code is refused by the name of its parameter, before a search uses it.
 #[test]
 fn ranges_made_by_hand_that_are_none_are_refused_by_the_name_of_the_parameter() {
     let setup = Setup::default();

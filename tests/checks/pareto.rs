@@ -1,4 +1,4 @@
-//! Fronts between two functions or goals, beside those that are known.
+//! Fronts between two functions or goals, compared with known fronts.
 
 use crate::common::close;
 use longdrive::number::Number;
@@ -21,7 +21,7 @@ impl Functions for Distances {
     }
 }
 
-/// x² + (y − 3)², and (x − 1)², which does not know y.
+/// x² + (y − 3)², and (x − 1)², which does not depend on y.
 struct Blind;
 
 impl Functions for Blind {
@@ -33,8 +33,8 @@ impl Functions for Blind {
     }
 }
 
-/// 1 − exp(−|x − p|²) and 1 − exp(−|x + p|²), p = (1, 1)/√2, whose front bends away from the best
-/// (Fonseca & Fleming 1995).
+/// 1 − exp(−|x − p|²) and 1 − exp(−|x + p|²), p = (1, 1)/√2, a concave front (Fonseca & Fleming
+/// 1995).
 struct Hollow;
 
 impl Functions for Hollow {
@@ -47,7 +47,7 @@ impl Functions for Hollow {
     }
 }
 
-/// x + y and −x: a straight front, with ends at corners.
+/// x + y and −x: a straight front, with ends at vertices.
 struct Straight;
 
 impl Functions for Straight {
@@ -149,8 +149,8 @@ fn exact_front_of_two_distances() {
     );
 }
 
-/// Stopped in whichever evaluation: none is begun after it, before the first end is known that is
-/// said, and from then on there are points, all of them on the front.
+/// Stopped in any evaluation: no evaluation begins after it. Before the first end is found the
+/// result says so; afterwards it has points, all on the front.
 #[test]
 fn same_points_of_a_front_stopped_within_any_evaluation() {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
@@ -218,7 +218,7 @@ fn same_points_of_a_front_stopped_within_any_evaluation() {
     assert!(most > 3, "{most} of {}", whole.points.len());
 }
 
-/// With x ≤ 1 the front leaves the line between the two at (1, ½) and goes up along the bound.
+/// With x ≤ 1 the front leaves the line between the two at (1, ½) and follows the bound upwards.
 #[test]
 fn exact_event_where_a_bound_becomes_active_on_a_front() {
     let found = between(Distances, [-5.0; 2], [1.0, 5.0], 9);
@@ -255,7 +255,7 @@ fn exact_end_of_a_front_among_equal_minima() {
 fn concave_and_straight_fronts_have_no_knee() {
     let hollow = between(Hollow, [-2.0; 2], [2.0; 2], 11);
     assert_eq!((hollow.points.len(), hollow.knee), (11, None));
-    // it bends the right way only close to its ends
+    // it is convex only close to its ends
     assert!(hollow.bend < 1e-3, "{}", hollow.bend);
     for point in &hollow.points {
         close(point.x[0], point.x[1], 1.0, 1e-7, "on the diagonal");
@@ -276,7 +276,7 @@ fn concave_and_straight_fronts_have_no_knee() {
     }
 }
 
-/// Where both have one minimum there is one point.
+/// If both functions have one minimum there is one point.
 #[test]
 fn no_front_if_one_point_is_best_for_both_goals() {
     struct Both;

@@ -1,4 +1,4 @@
-//! Fronts between two goals of a golfer, and the command that finds them.
+//! Fronts between two goals of a golfer, and the command `pareto`.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -56,8 +56,8 @@ fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<GoalLimit>) -> SwingsOpti
     best
 }
 
-/// The spin depends on the loft alone: of all drives with the least of it, the end of the front is
-/// the one that carries farthest.
+/// The spin depends on the loft alone: among all drives with the smallest spin, the end of the
+/// front has the longest carry.
 #[test]
 fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -103,13 +103,13 @@ fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     }
 }
 
-/// Each end is that of a search for its goal alone; every point is what a search finds that holds
-/// the other goal there, whose multiplier is the slope, as are differences of optima beside it; and
-/// none is better than another in both.
+/// Each end is that of a search for its goal alone. Every point is that of a search with the other
+/// goal as a constraint, whose multiplier is the slope of the front, as are differences of
+/// neighbouring optima. No point is better than another in both goals.
 #[test]
 fn same_front_of_carry_and_dispersion_by_single_searches() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    // the front and the single searches are of the same drives, in large steps
+    // the front and the single searches use the same drives, in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let options = Options::default();
     let search = ParetoSearch {
@@ -151,7 +151,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
         let best = held(spread);
         close(best.value().unwrap(), carry, 200.0, 1e-8, "carry");
         let price = best.solution.constraints[0].multiplier;
-        // where one bound begins to hold as another ends there is no one slope
+        // where one bound becomes active as another becomes inactive, there is no single slope
         let Some(slope) = point.slope else { continue };
         told += 1;
         close(slope, price, 1.0, 1e-5, "multiplier");
@@ -181,8 +181,8 @@ const SWINGS: [&str; 3] = [
     "--points=4",
 ];
 
-/// Where designs with little dispersion are not connected to those that carry far, both parts are
-/// found from their own end.
+/// If designs with little dispersion are not connected to those with a long carry, both parts are
+/// found from their ends.
 #[test]
 fn a_front_of_two_parts_says_where_other_designs_are_better() {
     let more = [
@@ -230,8 +230,7 @@ fn a_front_of_two_parts_says_where_other_designs_are_better() {
     }
 }
 
-/// The setup of a point has the outcomes that the table says, also where both goals are of one
-/// drive.
+/// The setup of a point has the outcomes of the table, also if both goals belong to one drive.
 #[test]
 fn same_front_in_text_json_csv_and_setups() {
     let folder = tempfile::tempdir().unwrap();
@@ -396,7 +395,7 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
             "{args:?}: {told}"
         );
     }
-    // as optimize says which limits cannot be kept, and by how much
+    // `optimize` names the limits that cannot be met, and by how much
     let limits = [
         "--subject-to",
         "descent_angle >= 80 deg",
@@ -410,7 +409,7 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
         ("descent_angle >= 80 deg", 80.0),
         ("carry >= 400 yd", 400.0),
     ] {
-        // the value, and how far it is outside
+        // the value, and its distance from the range
         let said = told
             .split(&format!("{expression} (it is "))
             .nth(1)

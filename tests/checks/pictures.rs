@@ -1,5 +1,5 @@
-//! Pictures and words as people see them: nothing is cut or hidden at any width, and numbers, units
-//! and signs have one spelling.
+//! Pictures and printed text: nothing is cut or hidden at any width, and numbers, units and signs
+//! have one spelling.
 
 use crate::command_line::longdrive;
 use longdrive::Error;
@@ -7,7 +7,7 @@ use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, figure_svg};
 
 const WIDTHS: [u32; 10] = [240, 280, 320, 340, 380, 420, 480, 640, 800, 1200];
 
-/// A plot of each kind; those with the most words.
+/// A plot of each kind: those with the most words.
 const KINDS: &[&[&str]] = &[
     &["tornado"],
     &["tornado", "--show", "model", "--units", "metric"],
@@ -66,14 +66,14 @@ const KINDS: &[&[&str]] = &[
     &["laws", "--show", "cl", "--over", "reynolds"],
 ];
 
-/// Words of a picture and the place they take, pixels: left, top, right, bottom.
+/// Words of a picture and their box, pixels: left, top, right, bottom.
 struct Words {
     text: String,
     size: f64,
     place: [f64; 4],
 }
 
-/// The width of words in a wide font, about.
+/// Approximate width of words in a wide font.
 fn width(text: &str, size: f64, is_bold: bool) -> f64 {
     let of = |c: char| match c {
         'i' | 'j' | 'l' | '.' | ',' | ':' | '\'' | 'I' | '|' => 0.30,
@@ -96,7 +96,7 @@ fn words(svg: &str) -> Vec<Words> {
         let text = node.text()?.trim().to_owned();
         let size = of("font-size");
         let wide = width(&text, size, node.attribute("font-weight") == Some("bold"));
-        // a view beside or below another one is moved
+        // a view beside or below another one is translated
         let moved = |axis: usize| -> f64 {
             let to = node
                 .ancestors()
@@ -118,7 +118,7 @@ fn words(svg: &str) -> Vec<Words> {
                 Some("end") => wide,
                 _ => 0.0,
             };
-        // letters reach 0.76 of their size above the line that they stand on, and 0.24 below it
+        // letters reach 0.76 of their size above the baseline, and 0.24 below it
         let top = match node.attribute("dy") {
             Some("0.76em") => of("y"),
             Some("0.5ex") => of("y") - 0.5 * size,
@@ -272,7 +272,7 @@ fn what_you_control_and_what_the_model_does_not_know_are_pictures_of_their_own()
             found.iter().all(|(bar, _)| !bar.contains(has_not)),
             "{found:?}"
         );
-        // the value of each bar stands at its end, in yards with the sign of print
+        // the value of each bar is at its end, in yards with the sign of print
         let picture = drawn(&["tornado", "--show", show], &svg, 480);
         let texts: Vec<String> = words(&picture)
             .into_iter()
@@ -294,8 +294,8 @@ fn what_you_control_and_what_the_model_does_not_know_are_pictures_of_their_own()
     }
 }
 
-/// A square face and a straight path are the longest: both bars go to the left, and neither hides
-/// the other.
+/// A square face and a straight path are the longest drive: both bars point to the left, and
+/// neither hides the other.
 #[test]
 fn two_bars_on_one_side_are_both_seen() {
     let folder = tempfile::tempdir().unwrap();
@@ -337,7 +337,7 @@ fn two_bars_on_one_side_are_both_seen() {
 
 #[test]
 fn a_price_says_which_way_it_counts_and_a_constraint_is_in_the_units_asked_for() {
-    // lines are broken where they do not fit
+    // long lines are broken
     let text = |args: &[&str]| {
         longdrive(&[&["optimize"], args].concat())
             .out
@@ -397,7 +397,7 @@ fn a_price_says_which_way_it_counts_and_a_constraint_is_in_the_units_asked_for()
     );
 }
 
-/// What of a page is read, without its tags.
+/// The text of a page, without its tags.
 fn visible(page: &str) -> String {
     let body = page.split_once("<body").unwrap().1;
     let mut text = String::new();
@@ -487,7 +487,7 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
         .find(|(file, _)| file.ends_with("index.html"))
         .unwrap()
         .1;
-    // the switch of units reaches the setup and the limits
+    // the switch of units applies to the setup and the limits
     for words in [
         "110 mph",
         "49.1744 m/s",
@@ -499,7 +499,7 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     ] {
         assert!(page.contains(words), "no '{words}'");
     }
-    // a terminal has the same, with hyphens that can be copied; a file has what is typed
+    // a terminal has the same text, with hyphens that can be copied; a file has the typed text
     let said = longdrive(&["simulate", "--set", "swing.path=-2deg"]);
     assert!(
         said.out.contains('°') && !said.out.contains(" deg") && !said.out.contains('−'),
@@ -519,7 +519,7 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     );
 }
 
-/// A straight drive ends to the side of the target line by what rounding leaves.
+/// A straight drive ends beside the target line by rounding.
 #[test]
 fn what_rounding_leaves_is_shown_as_no_value() {
     let folder = tempfile::tempdir().unwrap();

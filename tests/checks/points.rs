@@ -1,4 +1,4 @@
-//! Points of one's own that are not what they say, and blocks of another batch.
+//! Sources of points with wrong lengths or parameters, and blocks of another batch.
 
 use crate::common::panic_of;
 use longdrive::batch::{Batch, Points, Run, Status, gradient_batch, simulate_batch};
@@ -6,8 +6,8 @@ use longdrive::parameters::{Parameter, Vary};
 use longdrive::report::{SweepCsv, SweepJsonLines, SweepParquet};
 use longdrive::{Error, Outcome, Result, Setup};
 
-/// Rows of some parameters. `appended` values of each row are handed on, and `more` rows than were
-/// asked for.
+/// Rows of some parameters. `appended` values of each row are passed on, and `more` rows than
+/// requested.
 struct Mine {
     parameters: Vec<&'static Parameter>,
     rows: Vec<[f64; 2]>,
@@ -60,7 +60,7 @@ fn loft_and_speed(setup: &Setup<f64>) -> [&'static Parameter; 2] {
     ["club.loft", "swing.speed"].map(|name| setup.variable(name).unwrap())
 }
 
-/// Values of one parameter taken for those of another make drives that no one asked for.
+/// Values of one parameter in place of another would give wrong drives.
 #[test]
 fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
     let setup = Setup::default();
@@ -104,7 +104,7 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
     );
 }
 
-/// Where values are missing all that follow stand in the place of others.
+/// Missing values would shift all following ones.
 #[test]
 fn points_that_append_other_numbers_of_values_than_they_say_are_refused_after_the_rows_before() {
     let setup = Setup::default();
@@ -138,7 +138,7 @@ fn points_that_append_other_numbers_of_values_than_they_say_are_refused_after_th
         let error = error.unwrap_err().to_string();
         assert!(error.contains(says), "{error}");
     }
-    // only the last chunk is short of a value
+    // only the last chunk lacks a value
     struct Late(Mine);
     impl Points for Late {
         fn parameters(&self) -> &[&'static Parameter] {
@@ -183,7 +183,8 @@ fn points_that_append_other_numbers_of_values_than_they_say_are_refused_after_th
     );
 }
 
-/// What is not there is not handed on: the row that comes back is the one that was to be the first.
+/// A block that does not exist is not delivered: the row that returns is the row that should have
+/// been first.
 #[test]
 fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
     let setup = Setup::default();
@@ -201,7 +202,7 @@ fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
     );
 }
 
-/// Wrong lengths are mistakes of a program: they panic, with both lengths.
+/// Wrong lengths are programming errors: they panic, with both lengths.
 #[test]
 fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
     let setup = Setup::default();

@@ -1,18 +1,18 @@
-//! Bounds and limits as answers tell them: which are active, at what price, and which designs break
-//! one.
+//! Bounds and limits in answers: which are active, their multipliers, and designs that violate
+//! them.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use serde_json::Value;
 
-/// The words of an answer, one space between two.
+/// The words of an answer, with single spaces.
 fn told(args: &[&str]) -> String {
     let said = longdrive(args);
     assert_eq!(said.status, 0, "{args:?}: {} {}", said.out, said.err);
     said.out.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The number that stands between these words.
+/// The number between these words.
 fn between(text: &str, before: &str, after: &str) -> f64 {
     let rest = text
         .split(before)
@@ -53,7 +53,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
         5e-3,
         "yards of carry for a yard of scatter",
     );
-    // the mean swing's design and the one set up break it
+    // the design of the mean swing and that of the setup violate it
     assert_eq!(text.matches("(broken)").count(), 2, "{text}");
     assert!(
         text.contains("the design as set up breaks a limit"),
@@ -136,7 +136,7 @@ fn as_text(args: &[String]) -> Vec<&str> {
 
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_the_active_limits_of_a_robust_design() {
-    // one model limits it by its apex
+    // one model is limited by its apex
     let limited = |limit: &str| robust(&["--subject-to", limit]);
     let (args, tight, loose) = (
         limited("apex_height <= 30 yd"),

@@ -1,5 +1,5 @@
-//! The presets of averages beside the averages that are published: `docs/sources.md` says what of
-//! each is chosen to agree.
+//! Presets of averages compared with the published averages: `docs/sources.md` says which values
+//! the presets were fitted to.
 
 use longdrive::optimize::Observer;
 use longdrive::parameters::Vary;
@@ -31,8 +31,8 @@ const LPGA: Average = Average {
 };
 
 impl Average {
-    /// Holds the preset to the bounds: 1 % of ball speed, 0.5°, 5 % of spin, 2 % of carry, 2 yd of
-    /// apex, 2° of descent.
+    /// Asserts the bounds: 1 % of ball speed, 0.5°, 5 % of spin, 2 % of carry, 2 yd of apex, 2° of
+    /// descent.
     fn hold(&self) {
         let setup = Setup::preset(self.preset).unwrap();
         let [speed, attack] = self.delivery;
@@ -72,8 +72,9 @@ fn published_average_of_the_lpga_tour_is_met_by_its_preset() {
     LPGA.hold();
 }
 
-/// TrackMan's chart states the loft at impact: with it the club that strikes as the chart's has its
-/// ball, whatever flies it. The difference to the average of the PGA TOUR is one of the impact.
+/// TrackMan's chart states the loft at impact: with it a club that strikes as the chart's has the
+/// chart's launch, for any law of flight. The difference to the average of the PGA TOUR is one of
+/// the impact.
 #[test]
 fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_average() {
     let rows = include_str!("../data/trackman_chart_impacts.csv")
@@ -90,7 +91,8 @@ fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_averag
             let mut setup = Setup::preset(preset).unwrap();
             (setup.swing.shaft_bend, setup.swing.shaft_growth) = (None, None);
             (setup.swing.speed, setup.swing.attack_angle) = (speed * MPH, attack * DEGREE);
-            // loft at impact: club.loft + attack angle, and above the sweet spot what the roll adds
+            // loft at impact: club.loft + attack angle, and above the sweet spot the angle of the
+            // roll
             setup.club.loft = (loft - attack) * DEGREE - setup.strike.high / setup.club.roll_radius;
             let drive = Drive::new(&setup).unwrap();
             [
@@ -113,8 +115,8 @@ fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_averag
     assert_eq!(count, 60);
 }
 
-/// The misses of a club's optima in the rows of longest carry of TrackMan's chart: of launch angle,
-/// deg, of spin, rpm, and of carry, as a part of it.
+/// Differences between a club's optima and the rows of longest carry of TrackMan's chart: launch
+/// angle, deg; spin, rpm; carry, relative.
 fn misses_of_optima(club: &Setup<f64>) -> Vec<[f64; 3]> {
     let rows = include_str!("../data/trackman_optimal_driver.csv")
         .lines()
@@ -150,8 +152,8 @@ fn misses_of_optima(club: &Setup<f64>) -> Vec<[f64; 3]> {
     misses
 }
 
-/// At the loft of its longest carry the preset is the chart's within 1° of launch angle, 250 rpm
-/// and 2 % of carry, on average over the 30 rows.
+/// At the loft of its longest carry the preset is within 1° of launch angle, 250 rpm and 2 % of
+/// carry of the chart, on average over the 30 rows.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_by_the_lpga_average() {
     let misses = misses_of_optima(&Setup::preset("lpga-average").unwrap());
@@ -163,8 +165,8 @@ fn published_optima_of_trackmans_chart_are_met_by_the_lpga_average() {
     );
 }
 
-/// With the chart's impact and Ferguson's law the default club's optima are the chart's within the
-/// same bounds in each of the 30 rows.
+/// With the chart's impact and Ferguson's law, the default club's optima are within the same bounds
+/// of the chart in each of the 30 rows.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_row_by_row_with_its_impact_and_fergusons_law() {
     let mut club = Setup::preset("modern-driver").unwrap();
@@ -186,9 +188,9 @@ fn published_launch_and_carry_of_the_average_amateur_are_met_by_its_preset() {
         (Outcome::BallSpeed, MPH, 132.6, 0.1),
         (Outcome::LaunchAngle, DEGREE, 12.6, 0.1),
         (Outcome::Spin, RPM, 3275.0, 10.0),
-        // 2 %; the preset was made without it
+        // 2 %; the preset was not fitted to it
         (Outcome::CarryDistance, YARD, 204.0, 4.08),
-        // what docs/sources.md says of the rest: 37.5° for 34.8°
+        // docs/sources.md on the others: 37.5° for 34.8°
         (Outcome::DescentAngle, DEGREE, 37.5, 0.05),
     ] {
         let ours = outcome.value(&drive).unwrap() / unit;
@@ -216,6 +218,6 @@ fn published_edition_of_2019_is_met_but_for_the_launch_angle() {
     assert!((of(Outcome::ApexHeight, YARD) - 32.0).abs() <= 2.0);
     assert!((of(Outcome::DescentAngle, DEGREE) - 38.0).abs() <= 2.0);
     assert!((of(Outcome::Spin, RPM) - 2686.0).abs() <= 0.05 * 2686.0);
-    // what docs/sources.md says of the rest: 10.2° for 10.9°
+    // docs/sources.md on the others: 10.2° for 10.9°
     assert_eq!(format!("{:.1}", of(Outcome::LaunchAngle, DEGREE)), "10.2");
 }

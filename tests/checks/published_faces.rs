@@ -1,6 +1,6 @@
-//! Published cases of strikes beside the centre and of a golfer's scatter, beside what this model
-//! gives; docs/swings.md has the numbers. A rigid impact is known to miss the side spin of such
-//! strikes by 30 to 50 % (Caldwell 2023): what is held here is what each case tells.
+//! Published cases of off-centre strikes and of a golfer's scatter, compared with this model;
+//! docs/swings.md has the numbers. A rigid impact is known to differ from the side spin of such
+//! strikes by 30 to 50 % (Caldwell 2023): each case is tested for its own claim.
 
 use longdrive::derivative::gradient;
 use longdrive::optimize::{Follow, Options};
@@ -26,7 +26,7 @@ fn value(setup: &Setup<f64>, of: Outcome) -> f64 {
     of.value(&Drive::new(setup).unwrap()).unwrap()
 }
 
-/// McNally et al. (2016): the nominal head, of which the ball leaves the face rolling.
+/// McNally et al. (2016): the nominal head; the ball leaves its face rolling.
 fn mcnally() -> Setup<f64> {
     changed(
         &Setup::default(),
@@ -48,7 +48,7 @@ fn mcnally() -> Setup<f64> {
     )
 }
 
-/// The bulge with which strikes spread evenly over ± 25 mm of the face land nearest to the target
+/// The bulge for which strikes spread evenly over ± 25 mm of the face land nearest to the target
 /// line.
 fn best_bulge(setup: &Setup<f64>) -> f64 {
     let strikes = Uncertain::read(setup, "strike.toe=uniform(-25 mm, 25 mm)").unwrap();
@@ -77,8 +77,7 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
             .gradient[0];
     println!("side spin by depth: {per_mm:.3} rad/s for each mm; McNally: -4.2");
     assert!((per_mm / -4.2 - 1.0).abs() < 0.1, "{per_mm}");
-    // how the measure of the best bulge was made is not known to us: ours, under four laws of drag
-    // and lift
+    // their criterion of the best bulge is unknown: ours, under four laws of drag and lift
     for law in [
         "launch-monitor",
         "smits-smith",
@@ -93,7 +92,7 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
         );
         assert!((0.30..0.33).contains(&bulge), "{law}: {bulge}");
     }
-    // it goes with the gear effect: 15 % less depth, and so 15 % less of it, brings 36 cm
+    // it is proportional to the gear effect: 15 % less depth gives 15 % less gear effect and 36 cm
     let shallow = best_bulge(&changed(&setup, &[("club.cg_depth", "29.5 mm")]));
     println!(
         "best bulge with 29.5 mm of depth: {:.1} cm",
@@ -145,13 +144,13 @@ fn published_table_of_bulge_and_gear_effect() {
             (by_bulge.0 - direction).abs() < 0.2 && (by_bulge.1 / slice - 1.0).abs() < 0.06,
             "{by_bulge:?}"
         );
-        // his ball takes all of the face's speed aside as spin; a solid ball that may move aside
-        // too takes 5/7 of it
+        // his ball takes all of the face's lateral speed as spin; a solid ball that may also move
+        // sideways takes 5/7 of it
         assert!(
             (without.1 / (5.0 / 7.0 * hook) - 1.0).abs() < 0.06,
             "{without:?}"
         );
-        // where it lands differs by what that hook and the turn of the head make
+        // the landing differs by the effects of that hook and of the rotation of the head
         let yards = value(&bulged, Outcome::Lateral) / YARD;
         assert!((yards + left).abs() < 13.0 && yards > 0.0, "{yards}");
     }
@@ -192,7 +191,7 @@ fn scatter(
     )
 }
 
-/// The same over swings.
+/// Mean and standard deviation over swings.
 fn scatter_over(setup: &Setup<f64>, swings: &Swings, of: &[Outcome]) -> Vec<(f64, f64)> {
     let scenarios = Scenarios::new(
         swings,
@@ -227,7 +226,7 @@ fn scatter_over(setup: &Setup<f64>, swings: &Swings, of: &[Outcome]) -> Vec<(f64
         .collect()
 }
 
-/// The correlation of path and face that the three published deviations leave no choice about.
+/// The correlation of path and face that follows from the three published deviations.
 fn of_path_and_face() -> f64 {
     (PATH * PATH + FACE * FACE - FACE_TO_PATH * FACE_TO_PATH) / (2.0 * PATH * FACE)
 }
@@ -282,13 +281,13 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         (carry / CARRY - 1.0).abs() < 0.2 && (direction / DIRECTION - 1.0).abs() < 0.05,
         "{carry} {direction}"
     );
-    // a rigid head tilts the axis 4° for each degree of face to path; of this golfer it was 2°
+    // a rigid head tilts the axis by 4° for each degree of face to path; for this golfer it was 2°
     assert!(
         (axis / AXIS - 2.0).abs() < 0.15 && (lateral / LATERAL - 1.5).abs() < 0.15,
         "{axis} {lateral}"
     );
-    // strikes that go with the face (r = 0.6 with face to path, as of other golfers) by 8.2 mm: the
-    // measured face is that at the strike
+    // strikes correlated with the face (r = 0.6 with face to path, as for other golfers) by 8.2 mm:
+    // the measured face is that at the strike
     let toe = 8.2;
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
     let with_face = 0.62 * toe * FACE_TO_PATH;
@@ -314,12 +313,12 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         (0.7..0.9).contains(&(off_axis / axis)) && off_lateral > 1.2 * LATERAL,
         "{off_axis} {off_lateral}"
     );
-    // no correlation of path and face brings 28.2 yd
+    // no correlation of path and face gives 28.2 yd
     assert!(scattered(0.0)[1] > lateral && scattered(0.95)[1] > 1.15 * LATERAL);
 }
 
-/// The same golfer's loft at impact, and the launch: means and standard deviations of ball speed,
-/// mph; launch angle and direction, °; spin, rpm; its axis, °.
+/// The golfer's loft at impact, and the launch: means and standard deviations of ball speed, mph;
+/// launch angle and direction, °; spin, rpm; its axis, °.
 const LOFT: f64 = 2.91;
 #[expect(clippy::approx_constant, reason = "a speed of 6.28 mph, and no angle")]
 const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
@@ -330,18 +329,18 @@ const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
     (Outcome::SpinAxis, DEGREE, 5.82, AXIS),
 ];
 
-/// The deviations of carry and of the lateral at rest, yd, with strikes of a mean and a deviation
-/// to the toe and up, mm, and a correlation of the measured face with the strike to the toe; and
-/// what each number of the launch is off by, in standard errors of 58 drives, its mean and its
-/// deviation.
+/// Deviations of carry and of the lateral at rest, yd, for strikes with a mean and a deviation to
+/// the toe and up, mm, and a correlation of the measured face with the strike to the toe; and the
+/// difference of each number of the launch, its mean and its deviation, in standard errors of 58
+/// drives.
 fn struck_beside_the_middle(
     toe: (f64, f64),
     high: (f64, f64),
     with_toe: f64,
 ) -> ([(f64, f64); 2], Vec<[f64; 2]>) {
     let setup = changed(&Setup::default(), &[("swing.attack_angle", "2.73 deg")]);
-    // face and loft are measured at the strike, where bulge and roll have turned them by so many
-    // degrees for each mm
+    // face and loft are measured at the strike, where bulge and roll have rotated them by this many
+    // degrees per mm
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
     let yaw = (FACE * FACE - 2.0 * turn * with_toe * toe.1 * FACE + (turn * toe.1).powi(2)).sqrt();
     let lean = LOFT.hypot(turn * high.1);
@@ -403,10 +402,9 @@ fn struck_beside_the_middle(
     )
 }
 
-/// Where this golfer struck the ball was not measured. Five numbers of the strikes, found by least
-/// squares from the launch alone, give all ten published numbers of the launch back within the
-/// error of 58 drives; carry and lateral, of which the fit knows nothing, then scatter as published
-/// too.
+/// The strikes of this golfer were not measured. Five numbers of the strikes, by least squares from
+/// the launch alone, reproduce all ten published numbers of the launch within the error of 58
+/// drives; carry and lateral, which the fit does not use, then scatter as published too.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {
     let ([carry, rest], off) = struck_beside_the_middle((4.6, 13.8), (-7.3, 5.2), 0.85);
@@ -434,7 +432,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         (carry.0 / 249.4 - 1.0).abs() < 0.03 && (rest.0 - 7.28).abs() < 2.0,
         "{carry:?} {rest:?}"
     );
-    // strikes in the middle do not
+    // central strikes do not
     let ([_, centred], off) = struck_beside_the_middle((0.0, 0.01), (0.0, 0.01), 0.0);
     println!(
         "struck in the middle: at rest ± {:.1} yd; off {off:.1?}",
@@ -444,7 +442,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         centred.1 > 1.6 * LATERAL && off[4][1] > 8.0,
         "{centred:?} {off:?}"
     );
-    // how far they must go with the face, by how far they scatter
+    // the necessary correlation with the face, by the scatter of the strikes
     for (toe, with_toe) in [(12.0, 0.88), (16.0, 0.80), (20.0, 0.78)] {
         let ([_, rest], _) = struck_beside_the_middle((4.6, toe), (-7.3, 5.2), with_toe);
         println!(
@@ -458,7 +456,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
     assert!(rest.1 > 1.1 * LATERAL, "{rest:?}");
 }
 
-/// The same golfer as a file of swings, in docs/swings.md.
+/// The golfer as a file of swings, in docs/swings.md.
 #[test]
 fn published_golfer_of_the_documents_scatters_as_published() {
     let document = include_str!("../../docs/swings.md");
@@ -506,7 +504,7 @@ fn published_golfer_scatters_as_published_where_the_launch_is_given_as_measured(
         "launch.spin=normal(3171 rpm, 694 rpm)",
         "launch.spin_axis=normal(5.82 deg, 8.17 deg)",
     ];
-    // the direction goes with the face, the axis with the face to path
+    // the direction follows the face, the axis the face to path
     let (face, path) = (0.85, 0.15);
     let shared = face * (FACE * FACE - of_path_and_face() * FACE * PATH)
         + path * (of_path_and_face() * FACE * PATH - PATH * PATH);

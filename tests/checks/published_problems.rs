@@ -4,7 +4,7 @@
 use crate::problems::{self, Case};
 use longdrive::optimize::{Domain, Options, Solution, Status, minimize};
 
-/// Problems that end at another of their local minima than the published one, with that value.
+/// Problems that end at another local minimum than the published one, with its value.
 const OTHER_MINIMA: [(&str, f64); 8] = [
     ("HS2", 4.941_229_318),
     ("HS16", 23.144_660_94),
@@ -17,10 +17,10 @@ const OTHER_MINIMA: [(&str, f64); 8] = [
 ];
 
 /// HS13 has no multipliers at its solution x₁ = 1, so that no residual can vanish there. Its
-/// constraint (1 − x₁)³ ≥ 0 is met to 1e-10 up to x₁ = 1 + 4.6e-4, where f = 1 − 9.3e-4.
+/// constraint (1 − x₁)³ ≥ 0 holds to 1e-10 up to x₁ = 1 + 4.6e-4, where f = 1 − 9.3e-4.
 const UNSOLVED: &str = "HS13";
 
-/// The KKT residual a problem is held to: 1e-8, but for MGH10 (Meyer): its residuals are
+/// The largest KKT residual of a problem: 1e-8, but for MGH10 (Meyer): its residuals are
 /// differences of 3e4, rounded by 4e-12, and its gradient multiplies sixteen of them by 6e6.
 fn tolerance(case: &Case) -> f64 {
     if case.name == "MGH10" { 1e-4 } else { 1e-8 }
@@ -36,9 +36,9 @@ fn solve(case: &Case, start: &[f64]) -> Solution {
     minimize(&case.evaluate, &domain(case), start, &Options::default()).unwrap()
 }
 
-/// What the KKT conditions are missed by, reckoned here from the functions and the multipliers:
-/// stationarity relative to the largest of the terms that balance and of |f| (and at least 1),
-/// violations relative to the limits (and at least 1).
+/// The KKT residual, computed here from the functions and the multipliers: stationarity relative to
+/// the largest of the balancing terms and of |f| (and at least 1), violations relative to the
+/// limits (and at least 1).
 fn kkt_residual(case: &Case, solution: &Solution) -> f64 {
     let at = (case.evaluate)(&solution.x).unwrap();
     let mut worst = 0.0_f64;
@@ -133,7 +133,7 @@ fn check(case: &Case) {
         .find(|(name, _)| *name == case.name)
         .map(|(_, value)| *value);
     let expected = other.unwrap_or(case.optimum);
-    // as far as the publication prints digits
+    // to the printed digits
     let off = (value - expected).abs() / expected.abs().max(1e-3);
     assert!(
         off <= 4e-6,
@@ -142,7 +142,8 @@ fn check(case: &Case) {
     );
 }
 
-/// README, the table of solvers and the table of problems in tests/problems, beside the searches.
+/// README, the table of solvers and the table of problems in tests/problems, compared with the
+/// searches.
 #[test]
 fn documents_count_the_problems_that_are_solved() {
     let cases: Vec<_> = problems::hock_schittkowski()
@@ -194,7 +195,7 @@ fn documents_count_the_problems_that_are_solved() {
     );
     let problems = rows(&table, "| problem | n | m |");
     assert_eq!(problems.len(), tried);
-    // a status stands behind the name of a problem that did not converge
+    // a status after the name of a problem that did not converge
     let missed = problems
         .iter()
         .filter(|row| row[5].parse::<f64>().unwrap() > 1e-8);
@@ -218,8 +219,8 @@ fn published_optima_of_more_garbow_and_hillstrom() {
     cases.iter().for_each(check);
 }
 
-/// The published points themselves, where printed, meet the constraints and have the published
-/// value: a check of how the problems are coded, not of the optimizer.
+/// Printed published points meet the constraints and have the published value: a check of the coded
+/// problems, not of the optimizer.
 #[test]
 fn published_points_have_the_published_values() {
     for case in problems::hock_schittkowski()
@@ -255,8 +256,8 @@ fn published_points_have_the_published_values() {
     }
 }
 
-/// Eight other starts around each published one: a search ends at a KKT point, or says that it does
-/// not.
+/// Eight other starts around each published one: a search ends at a KKT point, or reports that it
+/// does not.
 #[test]
 fn few_searches_fail_from_other_starts() {
     let (mut failed, mut tried) = (vec![], 0);
@@ -298,7 +299,7 @@ fn few_searches_fail_from_other_starts() {
     );
 }
 
-/// The same problems without their Hessians, to a residual of 1e-8: the search builds its own.
+/// The problems without their Hessians, to a residual of 1e-8: the search builds its own.
 #[test]
 fn published_problems_are_solved_from_gradients_alone_but_for_four() {
     let cases = problems::hock_schittkowski()

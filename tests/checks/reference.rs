@@ -1,5 +1,5 @@
-//! Values, gradients, Hessians and optima against `data/reference_drives.json`, computed
-//! independently of this project and checked there to 34 digits; the file prints 12.
+//! Values, gradients, Hessians and optima compared with `data/reference_drives.json`, which was
+//! computed independently of this project and checked there to 34 digits; the file prints 12.
 
 use crate::common::{close, drives, number, outcome_of, setup_of};
 use longdrive::flight::Flight;
@@ -77,8 +77,7 @@ fn independent_gradients_by_every_parameter() {
             let ours = derivative::gradient(&setup, of, &wrt).unwrap();
             for (parameter, derivative) in wrt.iter().zip(ours.gradient) {
                 let expected = number(&theirs[parameter.name]);
-                // relative, but not finer than 1e-12 of the outcome per sensible change of the
-                // parameter
+                // relative, but at least 1e-12 of the outcome per typical change of the parameter
                 let change = setup.value(parameter).unwrap().abs().max(1e-3);
                 let scale = expected
                     .abs()

@@ -1,5 +1,5 @@
-//! Plots and the page: what is drawn is what was computed, files are whole and need nothing else,
-//! and bad input is told.
+//! Plots and the page: pictures agree with the computed data, files are complete in themselves, and
+//! bad input is refused.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -15,7 +15,7 @@ use std::path::Path;
 
 const XMLNS: &str = "http://www.w3.org/2000/svg";
 
-/// Parses a picture: it is well formed, names no other file, and nothing in it is not a number.
+/// Parses a picture: well-formed, without references to other files, and without NaN.
 pub fn whole(svg: &str) -> roxmltree::Document<'_> {
     assert_eq!(svg.matches("http").count(), 1, "the name space alone");
     assert!(
@@ -25,7 +25,7 @@ pub fn whole(svg: &str) -> roxmltree::Document<'_> {
     roxmltree::Document::parse(svg).unwrap_or_else(|error| panic!("{error}: {svg}"))
 }
 
-/// The places of each line that is drawn, pixels from the left and the top.
+/// The points of each drawn line, pixels from the left and the top.
 pub fn polylines(svg: &roxmltree::Document<'_>) -> Vec<Vec<[f64; 2]>> {
     let lines = svg
         .descendants()
@@ -118,7 +118,7 @@ fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
         csv.starts_with("kind,name,downrange [m],height [m]\n"),
         "{csv}"
     );
-    // the line without a name is the path, that of the ground has one
+    // the line without a name is the path, and the ground has a name
     let points = rows(&csv, "line,");
     assert_eq!(points.len(), path.points.len());
     for (row, point) in points.iter().zip(&path.points) {
@@ -130,8 +130,7 @@ fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
     }
 }
 
-/// Seen from above with the target to the right of the picture, right of the target line is below
-/// it.
+/// From above with the target to the right of the picture, right of the target line is below it.
 #[test]
 fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
     let ends = |face_angle: &str| {
@@ -158,7 +157,7 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
             rows(&csv, "line").last().unwrap()[1],
         )
     };
-    // pixels count down from the top
+    // pixels count downwards from the top
     let (tee, landing, right) = ends("3 deg");
     assert!(
         right > 5.0 && landing[1] > tee[1] + 20.0 && landing[0] > tee[0] + 100.0,
@@ -173,8 +172,8 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
 
 #[test]
 fn same_positions_in_the_picture_and_in_the_data() {
-    // a line from corner to corner of exact axes ends in the corners of the frame, in metres as in
-    // yards
+    // a line between opposite corners of exact axes ends in the corners of the frame, in metres as
+    // in yards
     let length = || Axis::linear(Measure::outcome(Outcome::Carry)).exactly(0.0, 91.44);
     let figure = Figure::new("n", "t", length(), length()).with(Layer::line(
         "",
@@ -218,7 +217,7 @@ fn same_positions_in_the_picture_and_in_the_data() {
     );
 }
 
-/// A digit of the widest usual font (DejaVu Sans, Verdana) is 0.636 of its size wide.
+/// A digit of the widest common font (DejaVu Sans, Verdana) is 0.636 of its size wide.
 #[test]
 fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
     for (low, high) in [(4e4, 2.4e5), (0.0, 12.0), (1e6, 3e6), (0.0, 0.0004)] {
@@ -389,7 +388,7 @@ fn limits_on_a_map_are_where_the_outcome_reaches_them() {
         .filter(|row| row.starts_with("line,descent angle ≥ 38°,"))
         .collect();
     assert!(line.len() > 20, "{csv}");
-    // pieces are parted by rows without numbers
+    // rows without numbers separate pieces
     for row in line.iter().filter(|row| !row.contains("°,,")).step_by(7) {
         let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
         let set = [
@@ -397,7 +396,7 @@ fn limits_on_a_map_are_where_the_outcome_reaches_them() {
             format!("swing.attack_angle={}rad", at[1]),
         ];
         let (_, drive) = json(&["simulate", "--set", &set[0], "--set", &set[1]]);
-        // between nodes a map is straight
+        // between nodes a map is linear
         close(
             number(&drive["flight"]["descent_angle"]).to_degrees(),
             38.0,
@@ -436,7 +435,7 @@ fn same_tornado_bars_and_drives() {
         "the bar of a slower swing",
     );
 
-    // the error falls as the square of the step, then rises as one over it
+    // the error decreases as the square of the step, then grows as its inverse
     let curve = rows(&figure_csv(&all[4]).unwrap(), "line");
     let error = |step: f64| {
         curve
@@ -608,7 +607,7 @@ fn a_png_has_its_size_and_its_words() {
             600_u32.to_be_bytes().as_slice()
         )
     );
-    // with its text it takes more room than without: a missing font would leave blanks
+    // its text needs more width than an empty one: a missing font would give blanks
     let setup = Setup::default();
     let figure =
         trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
@@ -708,7 +707,7 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
         [count("-us.svg"), count("-metric.svg"), count(".csv")],
         [figures; 3]
     );
-    // two widths, and two systems but for the plots without units
+    // two widths, and two systems except for plots without units
     let drawn = |class: &str| page.matches(&format!("<div class=\"{class}")).count();
     assert!(
         pictures.len() == drawn("broad") + drawn("narrow") && drawn("broad us") + 1 == figures,

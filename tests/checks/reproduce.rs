@@ -1,4 +1,4 @@
-//! Published studies, reproduced.
+//! The published studies, reproduced.
 
 use crate::command_line::{Written, json, longdrive, number, written};
 use crate::common::close;
@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 pub static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
 pub static PAPER: LazyLock<WinfieldTan> = LazyLock::new(|| winfield_tan(|_| ()).unwrap());
-/// What the program says and writes of the report and of the paper, which takes it seconds.
+/// Output and files of the program for the report and the paper, which takes seconds.
 pub static REPORT: LazyLock<Written> = LazyLock::new(|| written(&["reproduce", "mae494"]));
 pub static PAPER_WRITTEN: LazyLock<Written> =
     LazyLock::new(|| written(&["reproduce", "winfield-tan"]));
@@ -23,7 +23,7 @@ fn carry(loft: f64, attack: f64) -> f64 {
 #[test]
 fn published_optimum_is_the_peak_of_the_regression_with_its_slip() {
     let regression = &FOUND.regression;
-    // Table 1, at elevation 10°, to the four decimals printed
+    // Table 1, at elevation 10°, to the four printed decimals
     close(
         regression.slipped.loft.to_degrees(),
         4.4166,
@@ -38,7 +38,7 @@ fn published_optimum_is_the_peak_of_the_regression_with_its_slip() {
         5e-3,
         "as fitted",
     );
-    // the same data and no other: a search that slips finds nothing near what the fit itself finds
+    // from the same data, the regression with its slip is off by far more
     assert!(regression.slipped.distance > 1000.0 && regression.as_fitted.distance < 300.0);
 }
 
@@ -71,7 +71,7 @@ fn independent_bounds_are_active_at_eight_of_thirteen_lofts_and_all_attack_angle
             1e-12,
             "carry flown again",
         );
-        // no delivery of the row's own range carries farther: by brute force over it
+        // no delivery of the row's range carries farther: by brute force
         for part in 0..=40 {
             let along =
                 |low: f64, high: f64| (low + f64::from(part) / 40.0 * (high - low)).to_radians();
@@ -194,8 +194,7 @@ fn independent_derivatives_of_the_loop_have_the_wrong_sign_at_every_loft() {
     close(ten.exact, 336.769_746_388_603, 1.0, 1e-8, "exact");
     close(ten.overshot, -65.0, 1.0, 1.0, "the loop's");
     for at in &noise.slopes {
-        // what the loop sees is the slope at fixed time; what interpolation mends is the slope at
-        // landing
+        // the loop has the derivative at fixed time; interpolation gives the derivative at landing
         close(
             at.overshot,
             at.at_fixed_time,
@@ -220,7 +219,7 @@ fn independent_derivatives_of_the_loop_have_the_wrong_sign_at_every_loft() {
             "a shorter step does not help",
         );
     }
-    // a tooth is as high as the ball flies downrange in a step, or less
+    // a tooth is at most as high as the downrange distance of a step
     assert!(noise.teeth.count > 10 && (0.1..0.6).contains(&noise.teeth.height));
 }
 
@@ -282,7 +281,7 @@ fn sensitivities_of_the_parametric_study_predict_the_new_optimum() {
 fn published_third_study_ends_before_its_optimum() {
     let average = &FOUND.average;
     assert_eq!(average.printed.to_degrees().round(), 16.0);
-    // carry grows to the last of the lofts that the report looks at, 18°
+    // carry increases to the last loft of the report, 18°
     assert!(average.rows.windows(2).all(|pair| pair[0].1 < pair[1].1));
     assert!(average.best.0.to_degrees() > 18.0);
     assert!(

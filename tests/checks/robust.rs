@@ -1,4 +1,5 @@
-//! One design for several models: beside the best of each, and beside a search of every design.
+//! One design for several models: compared with the best design of each model, and with a search of
+//! every design.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -37,8 +38,8 @@ fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
     .unwrap()
 }
 
-/// Two models whose best lofts differ: at the design that loses least both lose the same, and a
-/// fine grid of lofts has none that loses less.
+/// Two models with different best lofts: at the minimax design both lose the same, and no loft of a
+/// fine grid loses less.
 #[test]
 fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -116,7 +117,7 @@ fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     }
 }
 
-/// A model that never loses more than another does not hold the design.
+/// A model whose loss is never the largest does not limit the design.
 #[test]
 fn exact_zero_loss_for_a_model_equal_to_the_setup() {
     let setup = Setup::preset("mae494").unwrap();
@@ -244,8 +245,8 @@ fn bad_models_say_what_is_wrong() {
     assert!(matches!(alone, Err(Error::Unreadable { .. })));
 }
 
-/// A goal that grows to either side has two best designs, of which the setup's own is nearer to the
-/// worse: from several starts the better one is found for every model, and for all of them.
+/// A goal that grows to both sides has two best designs, and the setup is nearer to the worse:
+/// several starts find the better one for every model, and for all of them.
 #[test]
 fn several_starts_find_the_better_end_for_every_model() {
     let args = [
@@ -271,8 +272,8 @@ fn several_starts_find_the_better_end_for_every_model() {
     close(face(&["--starts", "8"]), -5.0, 1.0, 1e-9, "the better end");
 }
 
-/// Ctrl-C in the search for all models ends interrupted, whatever the searches that had ended
-/// found, and says how many they are; before it, in which model's search.
+/// Ctrl-C in the search for all models gives the status interrupted and the number of finished
+/// searches; before it, the name of the model in progress.
 #[test]
 fn a_search_that_is_stopped_says_how_far_it_was() {
     let setup = Setup::preset("mae494").unwrap();
@@ -295,7 +296,7 @@ fn a_search_that_is_stopped_says_how_far_it_was() {
         ];
         robust(models, search(&setup), &Scenarios::one_drive(), 4, &follow)
     };
-    // the loft and the greatest loss
+    // the loft and the largest loss
     let found = stopping_at(2).unwrap();
     assert!(
         found.stopped > 0 && !found.is_found() && found.status() == "interrupted",
@@ -323,8 +324,8 @@ fn a_search_that_is_stopped_says_how_far_it_was() {
     );
 }
 
-/// The price of a bound and of a limit: what the greatest loss falls by where it is moved, with the
-/// best of each model moving too.
+/// The multiplier of a bound and of a limit: the decrease of the largest loss as it moves, with the
+/// best design of each model moving too.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let asked = |attack: f64, limit: &str| {
@@ -347,7 +348,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let price = number(&asked(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
     let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
     close(price, falls, falls.abs(), 1e-5, "bound");
-    // the bests gain more by it, so that the greatest loss rises
+    // the best designs gain more by it, so that the largest loss increases
     assert!(price < 0.0, "{price}");
     for (limit, unit, relaxed) in [
         ("apex_height <= 33", "m", 1.0),
@@ -366,7 +367,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
             .map(|model| number(&model["constraints"][0]["multiplier"]))
             .sum();
         if unit == "deg" {
-            // the text has the part of the model that keeps to the limit at its own best alone
+            // the text names the model whose own optimum has the limit active
             let bests: Vec<_> = found["models"]
                 .as_array()
                 .unwrap()

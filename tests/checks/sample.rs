@@ -1,4 +1,4 @@
-//! The sample of the ranges that each optimum is compared with.
+//! The random sample of the ranges that each optimum is compared with.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::LARGE_STEPS;
@@ -10,7 +10,7 @@ use longdrive::{Outcome, Setup};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
-/// Random numbers, the same in every run.
+/// Random numbers with a fixed seed.
 struct Random(Xoshiro256PlusPlus);
 
 impl Random {
@@ -23,7 +23,7 @@ impl Random {
     }
 }
 
-/// Parameters with the widest ranges that are searched, SI.
+/// Parameters with the widest searched ranges, SI.
 const VARIED: [(&str, f64, f64); 10] = [
     ("club.loft", 0.0, 0.45),
     ("swing.attack_angle", -0.2, 0.2),
@@ -65,7 +65,7 @@ struct Generated {
 }
 
 /// A search over random ranges with up to two constraints, each met by at least one of 760 random
-/// points; `None` where no point meets them all.
+/// points; `None` if no point meets them all.
 fn generated(random: &mut Random) -> Option<Generated> {
     let mut setup = Setup::preset(PRESETS[random.below(PRESETS.len())].name).unwrap();
     setup
@@ -104,7 +104,7 @@ fn generated(random: &mut Random) -> Option<Generated> {
         let mut values: Vec<f64> = flown.iter().map(|values| values[1 + j]).collect();
         values.sort_by(f64::total_cmp);
         let (least, most) = (*values.first()?, *values.last()?);
-        // the constraint of an outcome that nothing varied changes is met, or not, by rounding
+        // a constraint of an outcome that no variable changes is met, or not, by rounding
         if most - least < 1e-6 * most.abs().max(1.0) {
             return None;
         }
@@ -145,8 +145,8 @@ fn generated(random: &mut Random) -> Option<Generated> {
     })
 }
 
-/// Few generated searches end more than half a metre below the best of 760 random points of the
-/// same ranges, and none says that no point meets the constraints.
+/// Few generated searches end more than half a metre below the best of 760 random points of their
+/// ranges, and none reports that no point meets the constraints.
 #[test]
 fn sampled_points_are_rarely_better_than_optima() {
     let mut random = Random(Xoshiro256PlusPlus::seed_from_u64(51));
@@ -227,7 +227,7 @@ fn a_small_feasible_region_is_found() {
     );
 }
 
-/// `infeasible` says how many points were tried, and not that there is no other.
+/// `infeasible` gives the number of tried points and claims no more.
 #[test]
 fn infeasible_says_how_many_points_were_tried() {
     let asked = [

@@ -1,5 +1,4 @@
-//! Tables as people have them, after real exports: each shot is the same as one that is written
-//! plainly.
+//! Tables in users' formats, after real exports: each shot equals one in a plain table.
 
 use crate::command_line::longdrive;
 use crate::common::close;
@@ -28,8 +27,8 @@ fn landed(flown: &[Flown]) -> Vec<[f64; 2]> {
     flown.iter().flat_map(of).collect()
 }
 
-/// The same of launches that are written plainly: ball speed in mph, launch angle, direction and
-/// axis in degrees, spin in rpm.
+/// Results of launches in a plain table: ball speed in mph, launch angle, direction and axis in
+/// degrees, spin in rpm.
 fn plain(launches: &[[f64; 5]]) -> Vec<[f64; 2]> {
     let mut text = String::from(
         "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis \
@@ -70,7 +69,7 @@ fn same_launches_in_number_formats_of_spreadsheets_and_countries() {
 fn same_launches_with_heads_in_other_spellings() {
     same("heads-camel-case.csv", &[FIRST]);
     same("line-break-in-heads.csv", &[STRAIGHT]);
-    // by German heads; its speed is 257.495 km/h, and its air 1.184 kg/m³ as a column states it
+    // with German heads; its speed is 257.495 km/h, and a column states its air as 1.184 kg/m³
     let (shots, found, _) = case("garmin-german.csv");
     assert_eq!(shots.maker(), Some("Garmin"));
     close(
@@ -82,8 +81,7 @@ fn same_launches_with_heads_in_other_spellings() {
     );
 }
 
-/// A dot in a head is no decimal point: `61,468` has decimals, as the other numbers of its table
-/// have.
+/// A dot in a head is no decimal point: `61,468` has decimals, as the other numbers of its table.
 #[test]
 fn same_launches_with_decimal_commas_below_heads_with_dots() {
     let text = "Ball Speed [m/s];Launch Ang. [deg];Launch Dir. [deg];Spin Rate [rpm];Spin Axis \
@@ -104,7 +102,7 @@ fn same_launches_with_units_in_cells() {
     same("units-in-cells.csv", &[STRAIGHT]);
     let launches = [[123.0, 17.1, 4.6, 0.0, 0.0], [126.4, 15.3, -2.0, 0.0, 0.0]];
     let spins = [[2878.0_f64, 422.0], [2650.0, -210.0]];
-    // its spin is the total beside backspin and sidespin: 2909 rpm with the tilt of these
+    // its spin is the total beside backspin and sidespin: 2909 rpm with their tilt
     let launches = [0, 1].map(|row: usize| {
         let [back, side] = spins[row];
         let mut launch = launches[row];
@@ -118,7 +116,7 @@ fn same_launches_with_units_in_cells() {
         told.iter().any(|told| told.contains("Windows-1252")),
         "{told:?}"
     );
-    // a cell beside them without a unit, and one that contradicts its head
+    // a cell without a unit among them, and a cell that contradicts its head
     for (text, says) in [
         (
             "Ball Speed,Launch Angle,Spin Rate\n160 mph,12,2500\n70,12,2500\n",
@@ -189,7 +187,7 @@ fn same_launches_in_sections_with_their_own_heads_and_units() {
     let (_, found, tally) = case("sections-with-heads.csv");
     let kinds: Vec<&str> = tally.refused.keys().copied().collect();
     assert_eq!(kinds, ["sums up other rows", "title"]);
-    // what is written is read again, with the same carries
+    // the written file is read again, with equal carries
     let setup = Setup::default();
     for name in ["two-exports-mph-then-kmh.csv", "sections-with-heads.csv"] {
         let (shots, first, _) = case(name);
@@ -271,7 +269,7 @@ fn published_signs_of_garmin_are_turned() {
             .any(|told| told.contains("Sidespin is read with + to the left")),
         "{told:?}"
     );
-    // beside an axis of the other sign, nothing contradicts
+    // an axis of the other sign: nothing contradicts it
     let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
                 Distance [yd]\n150,12,0,2500,10,2462,-434,12\n";
@@ -296,8 +294,7 @@ fn published_signs_of_garmin_are_turned() {
     );
 }
 
-/// In the second section the columns stand in another order: its signs and units come from its own
-/// rows.
+/// The second section has another order of columns: its signs and units come from its own rows.
 #[test]
 fn a_section_is_interpreted_by_its_own_rows() {
     let text = "Ball Speed,Launch Angle,Launch Direction,Spin Rate,Spin Axis,Sidespin,Carry \
@@ -370,7 +367,7 @@ fn every_shot_is_explained_with_what_it_states() {
     assert!(told.iter().any(|told| told == says), "{told:?}");
 }
 
-/// The same 12 drives with heads, units, sides and marks of many kinds.
+/// Twelve launches with heads, units, sides and decimal marks of many kinds.
 #[test]
 fn same_launches_in_generated_tables_and_in_a_plain_one() {
     let launches: Vec<[f64; 5]> = (0..12)
@@ -437,7 +434,7 @@ fn same_launches_in_generated_tables_and_in_a_plain_one() {
                             let bytes: Vec<u8> = match encoding {
                                 0 => text.clone().into_bytes(),
                                 1 => text.encode_utf16().flat_map(u16::to_le_bytes).collect(),
-                                // Latin-1, which Windows-1252 contains
+                                // Latin-1, a subset of Windows-1252
                                 _ => text
                                     .chars()
                                     .map(|c| u8::try_from(u32::from(c)).unwrap())
@@ -459,7 +456,7 @@ fn same_launches_in_generated_tables_and_in_a_plain_one() {
     assert_eq!(tables, 270);
 }
 
-/// Carries are those that are predicted, written in one unit under the head of another.
+/// Carries equal the predicted ones, but are written in another unit than their head.
 #[test]
 fn implausible_units_are_warned_of() {
     let launches: Vec<[f64; 5]> = (0..6)

@@ -1,5 +1,5 @@
-//! Shots of launch monitors: the exports of each maker, what is refused and kept, what is predicted
-//! and compared, and the formats that are written.
+//! Shots of launch monitors: the exports of each maker, kept and refused rows, predictions and
+//! comparisons, and output formats.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -31,7 +31,7 @@ fn path(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// All that was flown of a text.
+/// All flown shots of a text.
 pub fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, Tally) {
     let setup = Setup::default();
     let mut shots = Shots::read(&setup, "shots.csv", text).unwrap();
@@ -55,7 +55,7 @@ fn file(name: &str) -> (Shots, Flown, Tally) {
     (shots, all.remove(0), tally)
 }
 
-/// The shot that is in every sample: 160 mph, 12°, 1.5° left, 2500 rpm, axis 3° right.
+/// The shot of every sample: 160 mph, 12°, 1.5° left, 2500 rpm, axis 3° right.
 fn sample(direction: f64, axis: f64) -> Drive<f64> {
     let mut setup = Setup::default();
     for (name, value) in [
@@ -120,7 +120,7 @@ fn same_flight_of_a_shot_in_every_makers_export() {
             name,
         );
     }
-    // without a direction nothing sideways is compared, and the row says what is assumed
+    // without a direction nothing sideways is compared, and the row states the assumption
     let (_, flown, _) = file("mevo.csv");
     let straight = Outcome::CarryDistance.of(&sample(0.0, 0.0)).unwrap();
     close(
@@ -329,7 +329,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
     );
     let counted: u64 = tally.refused.values().map(|refused| refused.count).sum();
     assert_eq!(counted, rows as u64 / 2);
-    // in every format there is a line for every row, and the table can be read again
+    // every format has a line for every row, and the table can be read again
     for format in [
         ShotFormat::Csv,
         ShotFormat::LaunchMonitor,
@@ -375,7 +375,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
             );
         }
     }
-    // what was measured and cannot be is no reason not to fly
+    // an impossible measured value does not prevent the flight
     let odd = format!("{HEAD}160,12,2500,3,5000\n160,12,2500,3,far\n160,12,2500,3,0\n");
     let (_, all, tally) = crate::shots::flown(io::Cursor::new(odd));
     assert_eq!((tally.flown, tally.noted, tally.all[0].count), (3, 3, 0));
@@ -508,7 +508,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
         ),
         "{error}"
     );
-    // of two columns of the same the first is used, and the other is named
+    // of two columns with one meaning the first is used, and the other is named
     let text =
         "Ball Speed [mph],Ball Speed [m/s],Launch Angle [deg],Spin Rate [rpm]\n165,73.8,11,2500\n";
     let (shots, ..) = flown(text.as_bytes());
@@ -517,7 +517,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
         told,
         ["given twice; the first is used, and not 'Ball Speed [m/s]' beside 'Ball Speed [mph]'"]
     );
-    // columns that are not used are told, with the head that may have been meant
+    // unused columns are listed, with the nearest known head
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carri [yds]\n160,12,2500,262\n";
     let (shots, ..) = flown(text.as_bytes());
     assert!(
@@ -534,7 +534,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
 
 #[test]
 fn decimals_and_thousands_that_cannot_be_told_apart_are_refused() {
-    // a comma that parts no thousands, in a table whose cells it separates
+    // a comma that separates no thousands, in a table with commas as separators
     let quoted =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
     let (_, all, _) = flown(quoted.as_bytes());
@@ -552,7 +552,7 @@ fn decimals_and_thousands_that_cannot_be_told_apart_are_refused() {
         "{refusal:?}"
     );
     let rows = |text: &'static str| crate::shots::flown(text.as_bytes());
-    // points are decimals here, so that a comma is between thousands
+    // points are decimals here, so that a comma separates thousands
     let (_, all, _) = rows(
         "Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160.5;12.1;2,500\n160.5;12.1;2500\n",
     );
@@ -563,7 +563,7 @@ fn decimals_and_thousands_that_cannot_be_told_apart_are_refused() {
 
 #[test]
 fn exact_bias_and_errors_by_ball_speed() {
-    // measured carries that are off by known lengths
+    // measured carries with known errors
     let speeds = [110.0, 150.0, 155.0, 165.0, 190.0];
     let off = [-1.0, 2.0, -4.0, 3.0, 0.5];
     let row = |speed: f64, carry: f64| format!("{speed},12,2500,3,{carry:?}\n");
@@ -610,7 +610,7 @@ fn exact_bias_and_errors_by_ball_speed() {
     assert_eq!(bands.len(), 4);
 }
 
-/// A text of many rows that counts how many it has handed on.
+/// A text of many rows that counts the rows read from it.
 struct Many {
     rows: usize,
     given: Arc<AtomicUsize>,
@@ -646,8 +646,7 @@ impl Read for Many {
 #[test]
 fn same_streamed_rows_for_any_number_of_threads() {
     let mut setup = Setup::default();
-    // the fewer steps to a flight, the more of the time is the reading and writing that is looked
-    // at
+    // few steps a flight, so that most of the time is reading and writing
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let rows = 60_000;
     let written = [1, 3].map(|threads| {
@@ -680,8 +679,8 @@ fn same_streamed_rows_for_any_number_of_threads() {
             )
             .unwrap();
         assert_eq!(taken, rows);
-        // what was read and not written yet: the beginning of the file and a few chunks, however
-        // long it is
+        // read but not yet written: the beginning of the file and a few chunks, for any length of
+        // the file
         assert!(
             most < 24_000,
             "{most} rows at a time with {threads} threads"
@@ -735,7 +734,7 @@ fn the_command_writes_rows_and_says_how_well_they_are_predicted() {
             "{name}"
         );
     }
-    // the rows of the export, to the letter, and what is predicted beside them
+    // the rows of the export, unchanged, and the predictions beside them
     let (own, written) = (
         fs::read_to_string(&shots).unwrap(),
         fs::read_to_string(to("a.csv")).unwrap(),

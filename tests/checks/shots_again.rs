@@ -1,4 +1,4 @@
-//! Shots that this program wrote, read again; totals; and the same files in `calibrate`, `delivery`
+//! Shots written by this program and read again; totals; and their files in `calibrate`, `delivery`
 //! and `sweep`.
 
 use crate::command_line::{json, longdrive, number};
@@ -48,7 +48,7 @@ fn same_json_lines_after_reading_and_writing() {
         let (first, second) = (lines(&first), lines(&second));
         assert!(!first.is_empty() && first.len() == second.len(), "{name}");
         for (at, (mut one, mut other)) in first.into_iter().zip(second).enumerate() {
-            // the line is that of the file that is read
+            // the line is that of the input file
             assert_eq!(other["line"], at + 1);
             (one["line"], other["line"]) = (Value::Null, Value::Null);
             assert_eq!(one, other, "{name}");
@@ -77,7 +77,7 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
         lines(&place("shots.jsonl"))[0]["predicted"],
         lines(&place("again.jsonl"))[0]["predicted"]
     );
-    // in a table every row has a value of the same parameters
+    // in a table every row has values of the same parameters
     let first = fs::read_to_string(place("shots.jsonl")).unwrap();
     let other = first.replace("air.density", "ball.mass");
     let said = longdrive(&[
@@ -128,7 +128,7 @@ fn totals_are_compared_on_a_ground_that_is_named_alone() {
         0
     );
     let first = &lines(&place)[0];
-    // 283.0 yd in the export, estimated as its head says
+    // 283.0 yd in the export, estimated according to its head
     let stated = number(&first["stated"]["total"]);
     assert!(
         (stated / 0.9144 - 283.0).abs() < 1e-9 && first["origins"]["total"] == "estimated",
@@ -211,13 +211,13 @@ fn same_rows_of_a_table_flown_again() {
             fs::read_to_string(&second).unwrap()
         );
     }
-    // a row that was put right is flown
+    // a corrected row is flown
     let mended = fs::read_to_string(place("1.csv.csv"))
         .unwrap()
         .replace("150,abc", "150,11");
     let (_, told) = json(&["fly", &written(folder.path(), "mended.csv", &mended)]);
     assert_eq!(told["flown"], 2, "{told}");
-    // columns of the same names that a launch monitor has are its own
+    // columns with the names of a launch monitor are its own
     let own =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
     assert_eq!(

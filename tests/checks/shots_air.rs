@@ -1,4 +1,4 @@
-//! The air of each shot, where an export states it.
+//! The air of each shot, if an export states it.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -77,7 +77,7 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
         "{}",
         notes(2)
     );
-    // what states no unit may be of any
+    // values without a unit may have any unit
     let (shots, all, _) = flown(Cursor::new(text.replace("[g/L]", "")));
     close(
         all[0].predicted(0, 0).unwrap(),

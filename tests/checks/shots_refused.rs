@@ -1,5 +1,5 @@
-//! Rows of an export that are no drives, and exports without units: `calibrate` and
-//! `delivery --shots` read them as `fly` does.
+//! Rows of an export that are no drives, and exports without units: `calibrate` and `delivery
+//! --shots` read them as `fly` does.
 
 use crate::command_line::json;
 use crate::shots::flown;
@@ -119,7 +119,7 @@ fn delivery_leaves_out_the_rows_without_a_whole_launch_that_fly_refuses() {
             remarks(&table)
         );
     }
-    // a table that states no spin has no whole launch: what it states is explained
+    // a table without spin has no complete launch: its stated values are explained
     let file = place(
         folder.path(),
         "slow.csv",
@@ -164,7 +164,7 @@ fn a_measured_value_that_no_drive_has_is_not_compared() {
         "{}",
         remarks(&table)
     );
-    // where nothing else is measured there is nothing to fit
+    // without other measured values there is nothing to fit
     let alone = read(
         "Ball Speed [mph],Launch Angle [deg],Total Spin [rpm],Carry \
          [yd]\n150,12,2600,245\n150,12,2600,9999\n",
@@ -235,7 +235,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
             "{text}: {refusal:?}"
         );
     }
-    // a ball that spins about the vertical alone has no backspin, and spins
+    // a ball that spins about the vertical alone has spin, but no backspin
     assert_eq!(
         of_fly(&of_cells("Back Spin [rpm],Side Spin [rpm]", "0,800")).0,
         [1, 2]

@@ -1,5 +1,5 @@
-//! What rows of shots state: a spin in several ways, values that are missing, columns that are
-//! known and not used.
+//! Values stated by rows of shots: a spin in several forms, missing values, known but unused
+//! columns.
 
 use crate::common::close;
 use crate::shots::flown;
@@ -10,7 +10,7 @@ use longdrive::units::System;
 use longdrive::{Outcome, Setup};
 use std::io::Cursor;
 
-/// What is flown of these rows.
+/// The flown shots of these rows.
 fn rows(text: &str) -> Flown {
     flown(Cursor::new(text.to_owned())).1.remove(0)
 }
@@ -194,7 +194,7 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
         told.contains("lateral is not compared in rows without") && told.contains(": row 2, row 3"),
         "{told}"
     );
-    // without their columns too; and nothing is said of an uncertainty that is not used
+    // without their columns too; and an unused uncertainty is not mentioned
     let table = read(
         "ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd],lateral \
               [yd]\n150,12,2500,240,5\n",

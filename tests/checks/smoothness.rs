@@ -1,11 +1,11 @@
 //! Continuity of value, gradient and Hessian along lines of lofts that cross many changes of the
-//! number of steps, measured at each change on the two adjacent floating-point lofts.
+//! number of steps, measured at each change between the two adjacent floating-point lofts.
 
 use longdrive::derivative::{Order, Taylor, evaluate, hessian};
 use longdrive::flight::Flight;
 use longdrive::{Drive, Outcome, Setup};
 
-/// The number of steps of a flight, and how long it is, s.
+/// The number of steps of a flight, and its time, s.
 fn flight(setup: &Setup<f64>) -> (usize, f64) {
     match Drive::new(setup).unwrap().flight {
         Flight::Landed(landed) => (landed.steps, landed.flight_time),
@@ -34,7 +34,7 @@ fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
             ends[usize::from(found.1.0 != few)] = found;
         }
     };
-    // close to where the flight time, nearly straight in the loft, is a whole number of steps
+    // near the lofts whose flight time, nearly linear in the loft, is an integer number of steps
     for _ in 0..4 {
         let [(low, (_, first)), (high, (_, last))] = ends;
         let whole = setup.flight.step
@@ -58,7 +58,7 @@ fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
 }
 
 /// The largest relative jumps of value, gradient and Hessian of each outcome at the changes along a
-/// line of lofts, and how many changes there were.
+/// line of lofts, and the number of changes.
 fn jumps(setup: &Setup<f64>, of: &[Outcome], degrees: (f64, f64)) -> (usize, Vec<[f64; 3]>) {
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
     let (mut changes, mut worst) = (0, vec![[0.0_f64; 3]; of.len()]);
@@ -80,7 +80,7 @@ fn jumps(setup: &Setup<f64>, of: &[Outcome], degrees: (f64, f64)) -> (usize, Vec
     (changes, worst)
 }
 
-/// By how much value, gradient and Hessian differ, relative to their sizes.
+/// Differences of value, gradient and Hessian, relative to their sizes.
 fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
     let size = |values: &[f64]| {
         values

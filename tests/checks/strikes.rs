@@ -1,4 +1,4 @@
-//! Maps of strikes all over the face, of one design and of two.
+//! Maps of strikes over the face, of one design and of two.
 
 use crate::command_line::longdrive;
 use crate::common::close;
@@ -11,8 +11,8 @@ use longdrive::study::Face;
 use longdrive::units::System;
 use longdrive::{Outcome, Setup};
 
-/// Each node of the maps of strikes is a drive; designs beside each other share their levels, and
-/// the data name every view.
+/// Each node of the maps of strikes is a drive; designs side by side share their levels, and the
+/// data name every view.
 #[test]
 fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -54,8 +54,8 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
             }
         }
     }
-    // the gear effect: towards the toe the axis tilts to the hook of a right-hander, and the other
-    // way of a left-hander
+    // the gear effect: towards the toe the axis tilts to the hook of a right-hander, and to the
+    // other side for a left-hander
     let slopes = faces.each_ref().map(|face| face.by_toe.unwrap()[3]);
     assert!(slopes[0] < 0.0 && slopes[1] > 0.0, "{slopes:?}");
     let by_difference = [1e-4, -1e-4].map(|toe| {
@@ -87,8 +87,8 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     }
 }
 
-/// Where the centre of mass is not behind the centre of the face, strikes are measured from there,
-/// and the sweet spot is another place.
+/// If the centre of mass is not behind the centre of the face, strikes are measured from the face
+/// centre, and the sweet spot is another point.
 #[test]
 fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -111,7 +111,7 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
         point.position.cross(point.normal).norm() < 1e-13,
         "{point:?}"
     );
-    // beyond the centre of mass, as the face is curved
+    // beyond the centre of mass, because the face is curved
     assert!(
         toe > 5.5e-3 && toe < 8e-3 && high > 4.2e-3 && high < 6e-3,
         "{toe} {high}"
@@ -153,7 +153,7 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
             .note
             .contains("The strike is at the centre of the face")
     );
-    // a movable weight moves it too, and without either it is where strikes are measured from
+    // a movable weight moves it too; without weights and offsets it is the origin of strikes
     let mut weighted = Setup::preset("tour-average").unwrap();
     assert_eq!(Face::of(&weighted).unwrap().sweet_spot, Some([0.0; 2]));
     weighted

@@ -1,5 +1,5 @@
-//! Batches as a library: points in order, values against single drives, statuses, tables, and the
-//! bytes of the formats.
+//! Batches in the library: points in order, values compared with single drives, statuses, tables,
+//! and the bytes of the formats.
 
 use crate::common::close;
 use longdrive::batch::{Axis, Batch, Block, CHUNK, Grid, Points, Run, Sequence, Status, Tally};
@@ -154,7 +154,7 @@ fn drives_of_every_kind_have_a_status_and_no_nan() {
             (Status::Landed, vec![true; 4])
         ]
     );
-    // 89° of loft against the ball: the face slides by without approaching it
+    // 89° of loft against the ball: the face slides past without approaching it
     assert_eq!(
         status(&setup, "swing.face_angle=0deg..89.9deg:2")[0].0,
         Status::Landed
@@ -207,7 +207,7 @@ fn blocks(run: &Run<'_>) -> Vec<Block> {
     blocks
 }
 
-/// What tells blocks apart, to the last bit, missing values included.
+/// The content of blocks, to the last bit, missing values included.
 fn bits(blocks: &[Block]) -> String {
     format!("{blocks:?}")
 }
@@ -266,7 +266,7 @@ fn a_batch_stops_when_asked_and_ends_with_what_the_sink_refuses() {
         stop.store(true, Ordering::Relaxed);
         Ok(())
     });
-    // the chunks under way when it was stopped, and no more
+    // the chunks in progress when it was stopped, and no more
     assert_eq!(done.unwrap(), rows);
     assert!(rows >= CHUNK as u64 && rows <= 10 * CHUNK as u64, "{rows}");
 
@@ -673,11 +673,11 @@ mod in_parquet {
         assert_eq!(file.metadata().file_metadata().num_rows(), 0);
     }
 
-    /// A table of three columns and two row groups; a missing value where asked for.
+    /// A table of three columns and two row groups, with an optional missing value.
     fn write(path: &Path, is_missing: bool) {
         let schema = "message points \
                       { required double club.loft; optional float air.density; required int32 swing.speed; }";
-        // the parser takes no dots in names
+        // the parser accepts no dots in names
         let schema = parse_message_type(&schema.replace('.', "_")).unwrap();
         let fields = schema.get_fields().iter().map(|field| {
             let kind = field.get_physical_type();

@@ -1,4 +1,4 @@
-//! Goals over many swings, and the designs that are best for them.
+//! Goals over many swings, and their best designs.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -38,8 +38,8 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str], scenarios: Scenarios)
     swings_optimum(setup, search, scenarios, &Follow::default()).unwrap()
 }
 
-/// Value, gradient and Hessian of a mean at the optimum beside the weighted sums of single drives,
-/// one by one.
+/// Value, gradient and Hessian of a mean at the optimum, compared with the weighted sums of single
+/// drives.
 #[test]
 fn same_mean_and_derivatives_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
@@ -80,13 +80,13 @@ fn same_mean_and_derivatives_by_sums_over_single_drives() {
         close(*found, *sum, 1e3, 1e-12, "gradient");
     }
     for (found, sum) in best.solution.hessian.concat().iter().zip(&second) {
-        // that of what is minimised
+        // that of the minimised function
         close(-found, *sum, sum.abs().max(1.0), 1e-11, "Hessian");
     }
 }
 
-/// Winfield & Tan's average over attack angles of 0 to 10°, all alike: the mean over 2001 drives by
-/// Simpson's rule, whose best loft is found here by the zero of the mean slope.
+/// Winfield & Tan's average over attack angles of 0 to 10° with equal weights: the mean over 2001
+/// drives by Simpson's rule, whose best loft is the zero of the mean derivative.
 #[test]
 fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
     let setup = Setup::preset("winfield-tan").unwrap();
@@ -122,8 +122,8 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
     let slope = (mean(loft + h) - mean(loft - h)) / (2.0 * h);
     let bend = (mean(loft + h) - 2.0 * mean(loft) + mean(loft - h)) / (h * h);
     assert!((slope / bend).abs() < 1e-6, "{} rad off", slope / bend);
-    // their polynomial through five lofts has its top at 10.68°; the average itself is highest a
-    // third of a degree below
+    // their polynomial through five lofts has its maximum at 10.68°; the average itself is highest
+    // a third of a degree below
     assert!(
         (loft.to_degrees() - 10.32).abs() < 0.01,
         "{}",
@@ -135,7 +135,7 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
 #[test]
 fn order_of_quadrature_and_of_sequences() {
     let mut setup = Setup::preset("mae494").unwrap();
-    // every mean is of drives as they are computed
+    // every mean is of drives as computed
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,
@@ -160,7 +160,7 @@ fn order_of_quadrature_and_of_sequences() {
         errors[1] < 1e-3 * errors[0] && errors[2] < 1e-8,
         "{errors:?}"
     );
-    // the root of the mean square over seeds, with 16 times as many points
+    // the root mean square over seeds, with 16 times as many points
     let off = |count: usize| {
         let squares = (0..4).map(|seed| (mean(Rule::Sequence { count, seed }).0 - exact).powi(2));
         (squares.sum::<f64>() / 4.0).sqrt()
@@ -169,7 +169,7 @@ fn order_of_quadrature_and_of_sequences() {
     assert!(many < few / 8.0, "{few} {many}: no better than 1/√n");
 }
 
-/// A symmetric head and golfer: no lateral mean, and no loft that favours a side.
+/// A symmetric head and golfer: no lateral mean, and no loft with a side.
 #[test]
 fn exact_zero_lateral_mean_of_symmetric_swings() {
     let setup = Setup::preset("tour-average").unwrap();
@@ -198,7 +198,7 @@ fn exact_zero_lateral_mean_of_symmetric_swings() {
     assert!(best.value().unwrap().abs() < 1e-9, "{:?}", best.value());
 }
 
-/// Correlated normal numbers have the moments that were asked for, and keep their distributions.
+/// Correlated normal numbers have the given moments, and keep their distributions.
 #[test]
 fn exact_correlation_of_normal_swings() {
     let setup = Setup::default();
@@ -220,7 +220,7 @@ fn exact_correlation_of_normal_swings() {
             .map(|(point, weight)| weight * f(point[0].to_degrees(), point[1].to_degrees()))
             .sum::<f64>()
     };
-    // what a normal distribution keeps of its variance between ± 4 σ: 1 − 8 φ(4)/(2 Φ(4) − 1)
+    // a normal distribution between ± 4 σ keeps this part of its variance: 1 − 8 φ(4)/(2 Φ(4) − 1)
     let kept = 0.9989292903724738;
     close(moment(&|x, _| x), 1.0, 1.0, 1e-12, "mean path");
     close(
@@ -246,8 +246,8 @@ fn exact_correlation_of_normal_swings() {
     );
 }
 
-/// A normal distribution between two ends: its quantiles are where its moments say, and
-/// `uncertainty` samples it.
+/// A normal distribution between two ends: its quantiles agree with its moments, and `uncertainty`
+/// samples it.
 #[test]
 fn independent_moments_of_a_truncated_distribution_by_its_quantiles() {
     let read = |text: &str| Uncertain::read(&Setup::default(), text);
@@ -281,7 +281,7 @@ fn independent_moments_of_a_truncated_distribution_by_its_quantiles() {
     assert!(read("swing.speed=truncated(110 mph, 1e-9 mph, 1 mph, 2 mph)").is_err());
 }
 
-/// Recorded swings that are a sample of known ones: the interval of the best loft holds the loft
+/// Recorded swings that are a sample of known ones: the interval of the best loft contains the loft
 /// that is best for all, and more swings make it narrower.
 #[test]
 fn sampled_interval_of_the_best_loft_from_recorded_swings() {
@@ -297,7 +297,7 @@ fn sampled_interval_of_the_best_loft_from_recorded_swings() {
     );
     let parameter = setup.variable("swing.attack_angle").unwrap();
     let widths = [12, 108].map(|count| {
-        // a fixed stride through the unit interval, not more even than chance
+        // a fixed stride through the unit interval, no more even than random numbers
         let rows = (0..count)
             .map(|k| vec![((f64::from(k * k) * 0.618_034).fract() * 12.0 - 6.0).to_radians()]);
         let recorded = Swings::recorded(vec![parameter], rows.collect()).unwrap();
@@ -363,7 +363,7 @@ fn the_best_loft_over_swings_is_told_with_its_price_and_its_doubt() {
         "{answer}"
     );
     assert!(number(&swings["quadrature_error"]) < 1e-3);
-    // the same swings, the same answer to the last bit
+    // the same swings give the same answer, to the last bit
     let many = [&args[..], &["--scenarios", "64", "--seed", "7"]].concat();
     assert_eq!(json(&many), json(&many));
     let (_, sampled) = json(&many);
@@ -397,9 +397,8 @@ fn same_bits_of_a_resumed_search_over_swings() {
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
 }
 
-/// A goal that grows to either side has a local best at each end of the range: from one side one
-/// search finds the nearer end alone. Of a range that is turned about, the best is the mirror
-/// image.
+/// A goal that grows to both sides has a local optimum at each end of the range: one search finds
+/// the nearer end alone. In a mirrored range, the optimum is the mirror image.
 #[test]
 fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     let asked = |set: &str, vary: &str, starts: &str| {
@@ -512,8 +511,8 @@ fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     );
 }
 
-/// Value, gradient and Hessian of goals as functions beside the searched problem's own and beside
-/// sums over single drives; without swings that vary, beside the drive.
+/// Value, gradient and Hessian of goals as functions, compared with those of the searched problem
+/// and with sums over single drives; without varying swings, with the drive.
 #[test]
 fn same_goals_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
@@ -556,7 +555,7 @@ fn same_goals_by_sums_over_single_drives() {
     let carry = mean(&|drive| drive.value);
     let slope = [0, 1].map(|i| mean(&|drive| drive.gradient[i]));
     let deviation = mean(&|drive| (drive.value - carry).powi(2)).sqrt();
-    // of σ² = E f² − (E f)² the derivatives, and of its root
+    // derivatives of σ² = E f² − (E f)², and of its root
     let of_variance =
         [0, 1].map(|i| 2.0 * mean(&|drive| (drive.value - carry) * (drive.gradient[i] - slope[i])));
     let bent = |i: usize, j: usize| {
@@ -704,13 +703,13 @@ fn bad_swings_and_goals_say_what_is_wrong() {
     );
 }
 
-/// The strokes to the hole after a drive: nearer is better, so that the best loft for strokes is
-/// one for carry where the hole is straight ahead and out of reach.
+/// Strokes to the hole after a drive decrease with a shorter remaining distance: with a straight
+/// hole out of reach, the best loft for strokes is the best for carry.
 #[test]
 fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("strokes.csv");
-    // the strokes rise in proportion to the distance: the goal is the distance that is left
+    // strokes proportional to the distance: the goal is the remaining distance
     std::fs::write(&file, "distance [yd],strokes\n0,0\n1000,10\n").unwrap();
     let file = file.display().to_string();
     let speed = ["--distribution", "swing.speed=normal(100mph,2mph)"];
@@ -745,8 +744,8 @@ fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     );
 }
 
-/// The example of the README, correlations that leave one swing, and a normal distribution at its
-/// full reach: each has an answer.
+/// The example of the README, correlations that leave one free swing, and a normal distribution at
+/// its full range: each has an answer.
 #[test]
 fn swings_that_reach_far_have_an_answer() {
     let attack = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
@@ -768,7 +767,7 @@ fn swings_that_reach_far_have_an_answer() {
             json(&[&["optimize"][..], &both, &["--correlation", &correlation]].concat());
         assert_eq!(status, 0, "{coefficient}: {found}");
     }
-    // what is shown lies in its own interval, and a share between 0 and 1
+    // a printed value is within its own interval, and a share between 0 and 1
     let goals = [
         "lowest(carry, 10%)",
         "within(lateral, 15m)",
@@ -863,7 +862,7 @@ fn what_swings_do_not_tell_is_said() {
         said.contains("side spin of strikes off the centre by 30 to 50 %"),
         "{said}"
     );
-    // a setup file says what it is best for
+    // a setup file names its goal
     let best = folder.path().join("best.toml").display().to_string();
     assert_eq!(
         longdrive(&[&["optimize", "-o", &best][..], &speed].concat()).status,

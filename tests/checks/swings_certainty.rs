@@ -1,4 +1,4 @@
-//! Goals over swings are told by their definitions, with an error that contains the truth.
+//! Goals over swings follow their definitions, with an error estimate that contains the truth.
 
 use crate::command_line::{json, number};
 use longdrive::batch::Batch;
@@ -108,7 +108,7 @@ fn has_edge(goal: &Goal) -> bool {
     goal.terms.iter().any(|(_, measure)| is_edge(measure))
 }
 
-/// The best design for the first goal, with the others beside it.
+/// The best design for the first goal, with the other goals.
 fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> SwingsOptimum {
     let mut goals = goals.iter().map(|text| Goal::read(text, None).unwrap());
     let search = SwingsSearch {
@@ -128,10 +128,10 @@ fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Swing
     swings_optimum(setup, search, scenarios, &Follow::default()).unwrap()
 }
 
-/// Of 117 generated goals over one to five distributions, taken by Gauss's rules and by sequences,
-/// the error told contains the truth in 95 % or more, and is small beside the scatter of the
-/// outcome. Truth is what 65,536 swings of another sequence say; of goals without an edge over few
-/// parameters, Gauss's rules with two and a half times as many nodes.
+/// For 117 generated goals over one to five distributions, by Gauss's rules and by sequences, the
+/// error estimate contains the truth in 95 % or more, and is small compared with the scatter of the
+/// outcome. The truth is the value over 65,536 swings of another sequence; for goals without an
+/// edge over few parameters, Gauss's rules with two and a half times as many nodes.
 #[test]
 fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     let mut chance = Xoshiro256PlusPlus::seed_from_u64(51);
@@ -250,9 +250,9 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     assert!(parts[parts.len() / 2] < 0.01, "{}", parts[parts.len() / 2]);
 }
 
-/// Three goals whose smoothing was told as their value: a descent angle of 9.440° for 9.254°, a
-/// launch angle of 12.11° where every drive has 12.71°, and a carry of 224.743 m for 224.628 m,
-/// each by sorting 16,384 drives.
+/// Three goals whose smoothed value was once printed as their value: a descent angle of 9.440° for
+/// 9.254°, a launch angle of 12.11° for 12.71° of every drive, and a carry of 224.743 m for 224.628
+/// m, each by sorting 16,384 drives.
 #[test]
 fn independent_shares_of_sorted_drives_are_within_the_error_estimate() {
     let distributions = [

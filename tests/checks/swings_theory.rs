@@ -1,5 +1,5 @@
-//! What theory says of goals over many swings: their derivatives, and how fast the optimum over a
-//! sample comes to that over all swings.
+//! Theory of goals over many swings: their derivatives, and the convergence of the optimum over a
+//! sample to that over all swings.
 
 use crate::common::close;
 use longdrive::Setup;
@@ -23,11 +23,11 @@ fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
     .unwrap()
 }
 
-/// The derivatives of every goal beside differences of the goal's values and slopes.
+/// The derivatives of every goal, compared with differences of the goal's values and gradients.
 #[test]
 fn differences_certify_every_goal_and_their_weighted_sum() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    // a derivative is that of the drive as it is computed, in large steps too
+    // derivatives belong to the drive as computed, in large steps too
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,
@@ -136,8 +136,8 @@ fn order(points: &[(f64, f64)]) -> f64 {
         / logs.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
 }
 
-/// The best loft over a sample of swings: its error falls as the root of the number of random
-/// swings, and faster for the sequence.
+/// The best loft over a sample of swings: its error decreases as the inverse root of the number of
+/// random swings, and faster for the sequence.
 #[test]
 fn order_of_the_error_of_the_optimum_over_a_sample() {
     let mut setup = Setup::preset("mae494").unwrap();

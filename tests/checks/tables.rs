@@ -1,6 +1,6 @@
-//! Tables of points in Arrow IPC files and streams that pyarrow wrote
-//! (`tests/data/tables/make.py`), beside the same in CSV and Parquet; what is refused, cut short or
-//! damaged.
+//! Tables of points in Arrow IPC files and streams written by pyarrow
+//! (`tests/data/tables/make.py`), compared with CSV and Parquet; refused, truncated and damaged
+//! files.
 
 use crate::sweep::{all, table};
 use arrow_array::{ArrayRef, Float32Array, Float64Array, Int16Array, RecordBatch};
@@ -112,7 +112,7 @@ fn independent_ends_of_every_kind_of_number() {
         ("swing.path", -128.0, 127.0),
         ("swing.face_angle", -32_768.0, 32_767.0),
         ("swing.shaft_lean", -2_147_483_648.0, 2_147_483_647.0),
-        // the nearest that a f64 can be, as for the same digits in CSV
+        // the nearest f64, as for these digits in CSV
         (
             "swing.attack_angle",
             -9_223_372_036_854_775_808.0,
@@ -156,8 +156,8 @@ fn independent_tables_without_rows_are_read() {
     }
 }
 
-/// NaN of NumPy, as an empty cell and null: the row says that it has no value, and the others are
-/// flown.
+/// NaN of NumPy counts as an empty cell and null: the row reports a missing value, and the others
+/// are flown.
 #[test]
 fn rows_with_a_nan_value_have_no_drive() {
     let (_folder, path) = table(
@@ -272,7 +272,7 @@ fn bad_files_say_what_is_wrong_with_them() {
     );
 }
 
-/// Whether a message is the program's alone.
+/// Whether a message has this program's words alone.
 fn is_in_own_words(message: &str) -> bool {
     let words = [
         "Parquet error",
@@ -328,7 +328,7 @@ fn bad_parquet_files_say_what_is_wrong_with_them_in_own_words() {
     );
 }
 
-/// The same columns, said to be compressed by GZIP, which this program has no reader for.
+/// The columns with a claimed GZIP compression, which this program cannot read.
 #[test]
 fn a_compression_that_is_not_read_is_named_with_those_that_are() {
     use parquet::basic::Compression;
@@ -367,8 +367,8 @@ fn a_compression_that_is_not_read_is_named_with_those_that_are() {
     assert!(message.contains(says), "{message}");
 }
 
-/// Changes one byte of a file, in its place: a file that is written anew thousands of times keeps
-/// the disk busy.
+/// Changes one byte of a file in place: rewriting the file thousands of times would keep the disk
+/// busy.
 fn put(path: &Path, at: usize, byte: u8) {
     let mut file = OpenOptions::new().write(true).open(path).unwrap();
     file.seek(SeekFrom::Start(at as u64)).unwrap();
@@ -428,7 +428,7 @@ fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
                 };
                 let values = all(points.as_mut());
                 let count = points.rows() as usize * points.parameters().len();
-                // NaN is a value that is missing
+                // NaN is a missing value
                 assert_eq!(values.len(), count, "{name}, byte {at}");
             }
         }
@@ -436,7 +436,7 @@ fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
     assert!(refused > 1000, "{refused}");
 }
 
-/// Rows by arrow-ipc in batches of 1 to 997 of them, and what they are.
+/// Rows by arrow-ipc in batches of 1 to 997, and their status.
 fn long(rows: usize) -> (Vec<RecordBatch>, Vec<f64>) {
     let expected: Vec<f64> = (0..rows)
         .flat_map(|i| {

@@ -1,4 +1,5 @@
-//! The tolerance of many drives: every length of every row, beside flights in much shorter steps.
+//! The tolerance of many drives: every length of every row, compared with flights in much shorter
+//! steps.
 
 use crate::common::random_setups;
 use longdrive::batch::{Batch, Block, Points, Sequence, Status};
@@ -17,7 +18,7 @@ const LENGTHS: [Outcome; 5] = [
     Outcome::ApexDownrange,
 ];
 
-/// The rows of a sweep by so many points of these ranges.
+/// The rows of a sweep with this many points over these ranges.
 fn rows(batch: &Batch, ranges: &[Vary], count: u64) -> Block {
     let mut points = vec![];
     Sequence::new(ranges.to_vec(), count, 7)
@@ -31,10 +32,10 @@ fn rows(batch: &Batch, ranges: &[Vary], count: u64) -> Block {
 #[derive(Clone, Copy, Debug, Default)]
 struct Errors {
     landed: usize,
-    /// Rows that are flown again, in shorter steps than the sweep's.
+    /// Rows flown again, in shorter steps than the sweep's.
     again: usize,
-    /// Rows of which a length is off by more than a micrometre, and the largest error, m: in the
-    /// steps of the sweep alone, and as the sweep gives them.
+    /// Rows with an error above a micrometre, and the largest error, m: with the step of the sweep
+    /// alone, and in the result of the sweep.
     unchecked: (usize, f64),
     checked: (usize, f64),
 }
@@ -51,7 +52,7 @@ impl Errors {
     }
 }
 
-/// The errors of a sweep within a micrometre. Nothing where no step is found.
+/// The errors of a sweep within a micrometre; `None` without a step.
 fn sweep(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], count: u64) -> Option<Errors> {
     let found = match accuracy(setup, ranges, of, MICROMETRE) {
         Ok(found) => found,
@@ -82,7 +83,7 @@ fn errors(
         method: Method::DormandPrince8,
         ..*setup
     };
-    // in a wind that grows with height; steps of 5 ms change no length by 2e-8 m
+    // in a wind that increases with height; steps of 5 ms change no length by 2e-8 m
     let step: f64 = if setup.wind.roughness.is_some() {
         0.02
     } else {
@@ -123,9 +124,9 @@ fn range(setup: &Setup<f64>, name: &str, low: f64, high: f64) -> Vary {
     Vary::new(setup.variable(name).unwrap(), low, high).unwrap()
 }
 
-/// Random setups in space, of all laws, some in a wind that grows with height; each swept over one
-/// to four parameters, by a fifth or a half of their values to both sides. `LONGDRIVE_SWEEPS` is
-/// how many. What is found is printed, and stands in docs/model.md, 16a.
+/// Random setups in space, of all laws, some in a wind that increases with height; each swept over
+/// one to four parameters, by a fifth or a half of their values to both sides. `LONGDRIVE_SWEEPS`
+/// sets their number. docs/model.md (16a) has the printed results.
 #[test]
 fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
     let names = [
@@ -140,7 +141,7 @@ fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
     let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(100, |text| text.parse().unwrap());
     let setups: Vec<_> = random_setups(sweeps).collect();
     let look = |(n, setup): (usize, &Setup<f64>)| {
-        // a stride of 1 to 6 meets none of seven twice
+        // a stride of 1 to 6 visits each of seven once
         let by: Vec<_> = (0..=n % 4)
             .map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7])
             .collect();
@@ -191,8 +192,8 @@ fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
     assert_eq!(checked.0, 0, "{checked:?}");
 }
 
-/// Two of the drives of which the step alone, chosen by others, was off by up to 266 times the
-/// tolerance: far out, and next to no flight.
+/// Two drives with errors of up to 266 times the tolerance by the step alone, which was chosen from
+/// other drives: at the ends of the ranges, and near a drive without a flight.
 #[test]
 fn same_rows_in_shorter_steps_after_a_retry() {
     let mut far = Setup::default();
@@ -242,9 +243,9 @@ fn same_rows_in_shorter_steps_after_a_retry() {
     );
 }
 
-/// Flights of half a second in one step, that come down at half a degree: the path within the last
-/// step is off more than the steps are. Among 4000 rows some were off by 5 µm before the defect of
-/// the last step counted more.
+/// Flights of half a second in one step, with a descent of half a degree: the interpolation within
+/// the last step has a larger error than the steps. Among 4000 rows some had an error of 5 µm
+/// before the defect of the last step got a larger weight.
 #[test]
 fn same_short_and_flat_flights_in_shorter_steps_after_a_retry() {
     let setup = Setup::default();
@@ -260,8 +261,8 @@ fn same_short_and_flat_flights_in_shorter_steps_after_a_retry() {
     );
 }
 
-/// Low shots whose path is nearly straight at the top, where lift carries most of the weight: an
-/// error of the velocity moves the place of the top by up to a hundred times as much as usual.
+/// Low shots whose path is nearly straight at the apex, where lift carries most of the weight: an
+/// error of the velocity moves the apex by up to a hundred times as much as usual.
 #[test]
 fn same_positions_of_flat_apexes_in_shorter_steps_within_a_micrometre() {
     let setup = Setup::default();
@@ -283,9 +284,9 @@ fn same_positions_of_flat_apexes_in_shorter_steps_within_a_micrometre() {
     );
 }
 
-/// A light ball whose airspeed falls to 0.5 m/s at its top, where |v| v bends within a step. The
-/// step that others chose is off by 8.6 µm there; the square of Hermite's defect is too small to
-/// show it.
+/// A light ball whose airspeed decreases to 0.5 m/s at its apex, where |v| v varies within a step.
+/// The step chosen from other drives has an error of 8.6 µm there; the square of Hermite's defect
+/// is too small to show it.
 #[test]
 fn same_row_that_nearly_stops_at_its_apex_in_shorter_steps_after_a_retry() {
     let setup = random_setups(158).last().unwrap();
@@ -306,7 +307,7 @@ fn same_row_that_nearly_stops_at_its_apex_in_shorter_steps_after_a_retry() {
     );
 }
 
-/// A row that no step follows as closely as is asked has no outcomes.
+/// A row that no step follows within the tolerance has no outcomes.
 #[test]
 fn a_row_beyond_the_tolerance_in_every_step_diverges() {
     let setup = Setup::default();
@@ -328,7 +329,7 @@ fn a_row_beyond_the_tolerance_in_every_step_diverges() {
     }
 }
 
-/// NaN would switch the check off, and no drive has a defect of 0 or less.
+/// NaN would disable the check, and no drive has a defect of 0 or less.
 #[test]
 fn a_largest_defect_that_no_drive_meets_is_refused() {
     let setup = Setup::default();
@@ -352,7 +353,7 @@ fn a_largest_defect_that_no_drive_meets_is_refused() {
     }
 }
 
-/// Where nothing varies one drive is looked at, and gets the step of a range too narrow to matter.
+/// Without ranges one drive is checked, and has the step of a very narrow range.
 #[test]
 fn one_drive_alone_is_checked_once() {
     let setup = Setup::preset("modern-driver").unwrap();
@@ -378,7 +379,7 @@ fn one_drive_alone_is_checked_once() {
     );
 }
 
-/// What cannot be reached says which drive is off, and by how much.
+/// A tolerance out of reach names the drive with the error, and the error.
 #[test]
 fn a_tolerance_out_of_reach_names_the_drive() {
     let setup = Setup::default();
@@ -396,8 +397,8 @@ fn a_tolerance_out_of_reach_names_the_drive() {
     );
 }
 
-/// A tolerance is about lengths. How far derivatives by loft, attack angle, speed and density are
-/// from those in much shorter steps, beside the largest, is what docs/limitations.md says.
+/// A tolerance is about lengths. docs/limitations.md states the differences of derivatives by loft,
+/// attack angle, speed and density to those in much shorter steps, relative to the largest.
 #[test]
 fn same_derivatives_in_shorter_steps_within_the_documented_error() {
     let sizes = [
@@ -422,10 +423,10 @@ fn same_derivatives_in_shorter_steps_within_the_documented_error() {
             let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE)
                 .unwrap()
                 .applied_to(&setup);
-            // its derivatives differ from those at 1 ms by at most a thousandth of the bar
+            // its derivatives differ from those at 1 ms by at most a thousandth of the bound
             let mut fine = setup;
             (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
-            // each derivative by the size of its parameters
+            // each derivative times the size of its parameter
             let sized = |Taylor {
                              gradient, hessian, ..
                          }: Taylor| {

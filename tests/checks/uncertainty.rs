@@ -118,7 +118,7 @@ fn sampled_shares_of_the_g_function_lie_within_their_intervals() {
         close(indices.first.value, first, 1.0, 0.03, "first");
         close(indices.total.value, total, 1.0, 0.03, "total");
     }
-    // of ten intervals of 95 % one may miss
+    // one of ten intervals of 95 % may miss
     assert!(
         held.iter().filter(|is_within| !**is_within).count() <= 1,
         "{held:?} {found:?}"
@@ -158,14 +158,13 @@ fn sampled_coverage_of_95_percent_intervals_of_shares() {
             all += 1;
         });
     }
-    // 480 of them, some depend on each other: three standard deviations of 480 independent ones are
-    // 3 %
+    // 480 intervals, some dependent: three standard deviations of 480 independent ones are 3 %
     let share = f64::from(u32::try_from(within).unwrap()) / f64::from(u32::try_from(all).unwrap());
     assert!((0.92..=0.98).contains(&share), "{within} of {all}");
 }
 
-/// C E(∂f/∂xᵢ)²/V with C = (b − a)²/π² = 4, by hand for Ishigami's function, and 1 for a straight
-/// line of a normal number, whose variance is the Poincaré constant.
+/// C E(∂f/∂xᵢ)²/V with C = (b − a)²/π² = 4, by hand for Ishigami's function; C = 1 for a linear
+/// function of a normal number, whose variance is its Poincaré constant.
 #[test]
 fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
     let (variance, _, total) = ishigami_shares();
@@ -241,13 +240,13 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
         within += held.iter().filter(|is_within| **is_within).count();
         all += held.len();
     }
-    // 240 of them: three standard deviations are 4 %
+    // 240 intervals: three standard deviations are 4 %
     let share = within as f64 / all as f64;
     assert!((0.91..=0.99).contains(&share), "{within} of {all}");
 }
 
-/// All variance is of the one number, whatever the function and the sample: no estimate of it is
-/// better.
+/// A single uncertain parameter has the whole variance, for any function and sample: no estimate
+/// can be better.
 #[test]
 fn exact_share_of_a_single_uncertain_parameter_is_one() {
     for seed in 0..5 {
@@ -307,8 +306,8 @@ fn sampled_moments_are_those_of_the_distributions() {
             indices.first.contains(1.0) || (indices.first.value - 1.0).abs() < 0.02,
             "{indices:?}"
         );
-        // Poincaré: the variance of x itself is below the constant, that of a normal distribution
-        // at it
+        // Poincaré: the variance of x itself is below the constant; that of a normal distribution
+        // equals it
         assert!(
             distribution.deviation().powi(2) <= distribution.poincare() * (1.0 + 1e-15),
             "{distribution:?}"
@@ -402,7 +401,7 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
             outcome.of.name()
         );
         for (indices, slopes) in sampled.indices.iter().zip(&outcome.slopes) {
-            // a bound, but for the sampling of both
+            // an upper bound, except for the sampling error of both
             let (total, bound) = (indices.unwrap().total, slopes.unwrap().bound);
             assert!(
                 bound.high >= total.low,
@@ -434,7 +433,7 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
         6 * 2048
     );
 
-    // the same seed, the same bits; another, others
+    // one seed gives one set of bits, another seed another
     let again = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
     assert_eq!(
         format!("{:?}", again.outcomes),
@@ -524,7 +523,7 @@ fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
             1e-13,
             effect.parameter.name,
         );
-        // flown: what two terms of Taylor's series say, to the third
+        // compared with two terms of Taylor's series, to third order
         let third = 0.1 * (bar.first_order.abs() + bar.second_order.unwrap().abs()) * 0.2 + 1e-9;
         for (flown, sign) in bar.flown.into_iter().zip([-1.0, 1.0]) {
             close(
@@ -536,7 +535,7 @@ fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
             );
         }
     }
-    // ball speed is in proportion to club speed: an elasticity of 1
+    // ball speed is proportional to club speed: an elasticity of 1
     let speed = effects(&setup, &[Outcome::BallSpeed], &given, &mut |_, _| ())
         .unwrap()
         .remove(0);
@@ -623,8 +622,8 @@ fn mistakes_in_uncertainties_are_named() {
     ));
 }
 
-/// Ball speed does not depend on the air: it is the same in every drive, has no share of a
-/// variance, and nothing is to be measured first.
+/// Ball speed does not depend on the air: it is equal in every drive, has no shares of a variance,
+/// and no measurement would improve it.
 #[test]
 fn an_outcome_without_uncertain_parameters_says_so() {
     let setup = Setup::default();
@@ -706,9 +705,9 @@ fn a_constant_with_rounding_is_a_constant() {
     assert!(varies.indices[0].is_some() && varies.deviation.value > 0.0);
 }
 
-/// What is left of an outcome that one parameter dominates, beside the mean of its variance at
-/// fixed values of that parameter: Gauss's three nodes of a normal distribution. 1 − S₁ alone is 0
-/// with one seed and four times too much with another.
+/// Remaining deviation of an outcome that one parameter dominates, compared with the mean of its
+/// variance at fixed values of that parameter: Gauss's three nodes of a normal distribution. 1 − S₁
+/// is 0 with one seed and four times too large with another.
 #[test]
 fn independent_remaining_deviation_where_one_parameter_dominates() {
     let mut setup = Setup::default();
@@ -745,7 +744,7 @@ fn independent_remaining_deviation_where_one_parameter_dominates() {
     }
 }
 
-/// An uncertainty so large that its square is no number leaves no number that is none.
+/// An uncertainty whose square overflows gives no NaN and no infinity.
 #[test]
 fn huge_uncertainties_give_no_infinity() {
     let setup = Setup::default();
@@ -810,7 +809,7 @@ fn exact_gusts_in_the_uncertainty_of_the_wind() {
     let head = [("wind.downrange", "-8 m/s")];
     assert!((sigma(&head, "wind.downrange") - 1.0_f64.hypot(open)).abs() < 1e-14);
     assert!((sigma(&head, "wind.right") - 1.0_f64.hypot(0.8 * open)).abs() < 1e-14);
-    // calm, and over ground as rough as the wind is high
+    // calm, and over ground with a roughness equal to the reference height
     assert_eq!(sigma(&[], "wind.downrange"), 1.0);
     let rough = [
         polar[0],
@@ -834,8 +833,8 @@ fn an_unset_wind_is_refused_with_what_gives_it() {
     }
 }
 
-/// What `Uncertain::read` refuses is refused also where it was made by hand, before any drive is
-/// flown.
+/// Distributions built in code are checked as those that `Uncertain::read` reads, before any drive
+/// is flown.
 #[test]
 fn distributions_made_by_hand_that_are_none_are_refused() {
     let setup = Setup::default();
@@ -998,8 +997,8 @@ fn distributions_made_by_hand_that_are_none_are_refused() {
 }
 
 /// The tail of a normal distribution from 9 to 10 standard deviations above its mean, and from 9 to
-/// 10 below: mean, central moments and quantiles by mpmath with 40 digits. The upper tail lies
-/// where the distribution function is 1 but for rounding.
+/// 10 below: mean, central moments and quantiles by mpmath with 40 digits. In the upper tail the
+/// distribution function rounds to 1.
 #[test]
 fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_digits() {
     let setup = Setup::default();
@@ -1027,7 +1026,7 @@ fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_dig
             high,
         };
         tail.check().unwrap();
-        // a share of the tail is known to 1e-10 of itself, and the central moments are small
+        // a probability in the tail has a relative error of 1e-10, and central moments are small
         // differences of moments about 0
         close(tail.mean(), side * mean, 1.0, 1e-9, "mean");
         let [second, third, fourth] = tail.central_moments();
@@ -1048,8 +1047,8 @@ fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_dig
     }
 }
 
-/// Wrong lengths are mistakes of a program: they panic, with both lengths. A value that is not
-/// finite is one that is missing.
+/// Wrong lengths are programming errors: they panic, with both lengths. A non-finite value is a
+/// missing one.
 #[test]
 fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
     let inputs = [Distribution::Normal {

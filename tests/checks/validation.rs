@@ -1,5 +1,5 @@
-//! `validate`: every law beside published drives, its numbers computed another way, and what the
-//! documents say of them.
+//! `validate`: every law compared with published drives, its numbers computed in another way, and
+//! their statements in the documents.
 
 use crate::command_line::{Said, Written, json, longdrive, written};
 use crate::common::{close, number};
@@ -11,8 +11,7 @@ use serde_json::Value;
 use std::sync::LazyLock;
 
 static FOUND: LazyLock<Vec<SetScores>> = LazyLock::new(|| validation(None).unwrap());
-/// What the program says and writes of it, which takes it seconds: in a folder, as rows, and in
-/// JSON.
+/// Output and files of the program, which take it seconds: in a folder, as rows, and in JSON.
 pub static VALIDATED: LazyLock<Written> =
     LazyLock::new(|| written(&["validate", "--units", "metric"]));
 static ROWS: LazyLock<Said> = LazyLock::new(|| longdrive(&["validate", "--csv"]));
@@ -89,7 +88,7 @@ fn number_of_published_drives_of_every_set() {
             set.set.name
         );
         assert_eq!(set.laws.len(), longdrive::parameters::Law::NAMES.len());
-        // what is published is computed, by every law
+        // every published value is computed, by every law
         for law in &set.laws {
             for score in &law.scores {
                 let published = set
@@ -222,8 +221,8 @@ fn same_mean_of_scattered_drives_and_of_uncertainty() {
     );
 }
 
-/// The chart's bounds on average: 1° of launch angle, 250 rpm, 2 % of carry. `published.rs` holds
-/// the preset to them too.
+/// The bounds on average: 1° of launch angle, 250 rpm, 2 % of carry. `published.rs` has these
+/// bounds for the preset too.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
     let of = set("chart-optima-impact");
@@ -240,8 +239,8 @@ fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
         carry < 0.02 * carries && launch < 1.0 && spin < 250.0,
         "{carry} m, {launch} deg, {spin} rpm"
     );
-    // the default club has too little spin at the impact: its optimum launches as the chart's and
-    // spins less
+    // the default club has too little spin at the impact: its optimum has the chart's launch angle
+    // and less spin
     let of = set("chart-optima");
     let of_default = |compared| differences(of, "launch-monitor", compared);
     let mean = |of: Vec<f64>| of.iter().sum::<f64>() / 30.0;
@@ -249,7 +248,7 @@ fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
     assert!(mean(of_default(Compared::Spin)) * 60.0 / std::f64::consts::TAU < -500.0);
 }
 
-/// What is said of the other clubs is what the table has.
+/// The text about the other clubs agrees with the table.
 #[test]
 fn misses_of_the_other_clubs_in_the_text_are_those_of_the_table() {
     for name in ["pga-clubs", "lpga-clubs"] {

@@ -360,8 +360,8 @@ fn exact_minima_on_oblique_corners() {
     }
 }
 
-/// The greatest loss t of three models: c (x − mₖ)² − sₖ (y − 0.087) − t, each the difference of
-/// two numbers near 275 as losses of carry are.
+/// The largest loss t of three models: c (x − mₖ)² − sₖ (y − 0.087) − t, each the difference of two
+/// numbers near 275, as losses of carry are.
 struct GreatestLoss {
     curvature: f64,
     bests: [f64; 3],

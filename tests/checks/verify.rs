@@ -1,4 +1,4 @@
-//! Certificates of derivatives: right ones pass, wrong ones are caught, corners are named.
+//! Certificates of derivatives: correct ones pass, wrong ones fail, kinks are named.
 
 use crate::common::{close, in_large_steps, random_setups};
 use longdrive::derivative::check::{Verdict, check};
@@ -106,8 +106,7 @@ fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_
         }
         assert_eq!(certificate.landing.len(), 3 * setup.variables().len());
         assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
-        // the slopes of Taylor's remainders: no less than 1 and 2 wherever there is more than
-        // rounding
+        // the orders of Taylor's remainders: at least 1 and 2 where they exceed rounding
         let slopes = |k: usize| certificate.rows.iter().filter_map(move |row| row.slopes[k]);
         assert!(slopes(0).count() > 200 && slopes(0).all(|slope| slope > 0.9));
         assert!(slopes(1).count() > 200 && slopes(1).all(|slope| slope > 1.9));
@@ -135,7 +134,7 @@ fn differences_certify_a_launch_without_a_club() {
 
 #[test]
 fn differences_certify_two_hundred_random_drives() {
-    // so many parameters of each drive, others for the next; all of them were looked at once
+    // this many parameters of each drive, others for the next; all of them were checked once
     // (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
@@ -164,8 +163,8 @@ fn differences_certify_two_hundred_random_drives() {
     );
 }
 
-/// Questions as a user may ask them: usual drives with every law, some in wind, some where a
-/// parameter is at the end of its range, by one parameter each.
+/// Questions of users: usual drives with every law, some in wind, some with a parameter at the end
+/// of its range, each by one parameter.
 fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
     let deg = std::f64::consts::PI / 180.0;
     let swing = (27.0..58.0, -8.0..8.0, -8.0..8.0, -10.0..10.0);
@@ -178,7 +177,7 @@ fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
         prop::option::weighted(0.1, 0.003..0.03),
     );
     let at_an_end = prop::option::weighted(0.2, 0..7_usize);
-    // some without a grip, some in long steps, of every method
+    // some without a friction limit, some in long steps, of every method
     let how = (
         prop::option::weighted(0.3, 0.0..0.3),
         of_half(-3.0..-1.0),
@@ -230,7 +229,7 @@ fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
                 s.set(name, value).unwrap();
             }
             let all = s.variables();
-            // what is at the end of its range is asked about more often than the others
+            // parameters at the end of their ranges are more frequent than others
             let at_the_end = end
                 .filter(|_| parameter % 2 == 0)
                 .and_then(|end| all.iter().position(|row| row.name == end.0));
@@ -239,8 +238,8 @@ fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
     )
 }
 
-/// A right derivative of a usual drive is not called wrong. LONGDRIVE_QUESTIONS asks more of them
-/// (docs/verification.md: how many were).
+/// A correct derivative of a usual drive passes. LONGDRIVE_QUESTIONS sets their number
+/// (docs/verification.md has the number of the largest run).
 #[test]
 fn differences_certify_random_derivatives_by_one_parameter() {
     let number = |name: &str| {
@@ -290,7 +289,7 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         asked.len(),
         failed.join("\n")
     );
-    // errors were planted in most of them, and caught
+    // errors were injected into most of them, and found
     assert!(asked.len() > count / 2);
     let caught = |which: usize| asked.iter().filter(|(_, caught)| caught[which] > 0).count();
     assert!(
@@ -298,8 +297,8 @@ fn differences_certify_random_derivatives_by_one_parameter() {
     );
 }
 
-/// What was found wrong: a lateral distance of a few metres is rounded as the carry is, and an
-/// error of the time step that passes through 0 between two steps has its order.
+/// Earlier errors of the check: a lateral distance of a few metres is rounded as the carry is, and
+/// an error of the time step that passes through 0 between two steps has its order.
 #[test]
 fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     let of = [
@@ -334,8 +333,8 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
         assert!(certificate.passed(), "{:?}", failures(&certificate));
         assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
     }
-    // the angle of descent of a parabola does not depend on gravity: what is left is the rounding
-    // of the longest of the flights
+    // the descent angle of a parabola does not depend on gravity: the difference is the rounding of
+    // the longest flight
     let mut vacuum = Setup::default();
     vacuum
         .set_all([
@@ -350,8 +349,8 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
         &[vacuum.variable("gravity").unwrap()],
     );
     assert!(certificate.passed(), "{:?}", failures(&certificate));
-    // at the end of the range of spin decay, on a flight so high that it makes much of the rounding
-    // of its beginning
+    // at the end of the range of spin decay, on a flight so high that it amplifies the rounding of
+    // its beginning
     let mut high = Setup::default();
     let settings = [
         ("aero.law", "linear"),
@@ -388,10 +387,9 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     }
 }
 
-/// A symmetric drive: the run takes back what the flight goes to the side, 127 m and −131 m for
-/// each metre that the ball is struck off the centre. The rounding of these does not show at the
-/// centre, where both are 0, nor a thousand atoms beside it: it was taken for a remainder of order
-/// 1 and for a corner of the slope.
+/// A symmetric drive: the run cancels the lateral of the flight, 127 m and −131 m per metre of
+/// off-centre strike. Their rounding does not show at the centre, where both are 0, nor a thousand
+/// atoms beside it: an earlier check took it for a remainder of order 1 and for a kink.
 #[test]
 fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
     for step in ["5 ms", "10 ms", "15 ms", "20 ms", "30 ms", "50 ms"] {
@@ -422,7 +420,7 @@ fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
     }
 }
 
-/// A method of order 4 that is held to order 5, and its derivatives, is found out.
+/// A method of order 4, and its derivatives, fail a test for order 5.
 #[test]
 fn order_of_the_flight_is_not_one_more() {
     let mut setup = Setup::default();
@@ -444,8 +442,8 @@ fn order_of_the_flight_is_not_one_more() {
     }
 }
 
-/// Right drives that were called wrong: their errors change sign from step to step, since their
-/// steps cross the joins of the spline of `bearman-harvey`.
+/// Correct drives that an earlier version rejected: their errors change sign from step to step,
+/// since their steps cross the joins of the spline of `bearman-harvey`.
 #[test]
 fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
     type Settings = &'static [(&'static str, &'static str)];
@@ -497,7 +495,7 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
             found.convergence.iter().all(|it| it.expected == [4, 3]),
             "{preset} by {by}"
         );
-        // held to one order more, most outcomes are found short
+        // with one order more, most outcomes fail
         let shown = found
             .convergence
             .iter()
@@ -519,9 +517,9 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
     }
 }
 
-/// docs/model.md, eq. 17: landing speed and angle in the logarithmic wind fall with h⁷ once a step
-/// is shorter than the way through its lowest half metre, and with h² where the error of the jerk
-/// is left, which does not fall with h.
+/// docs/model.md, eq. 17: in the logarithmic wind the errors of landing speed and angle decrease
+/// with h⁷ once a step is shorter than the path through its lowest half metre, and with h² where
+/// the error of the jerk dominates, which does not decrease with h.
 #[test]
 fn order_of_landing_in_a_logarithmic_wind() {
     let mut setup = Setup::default();
@@ -560,7 +558,8 @@ fn order_of_landing_in_a_logarithmic_wind() {
     }
 }
 
-/// A derivative over num-dual that is off by a millionth fails the certificate, with both numbers.
+/// A derivative over num-dual with a relative error of a millionth fails the certificate, with both
+/// numbers.
 #[test]
 fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
     let setup = Setup::preset("mae494").unwrap();
@@ -571,7 +570,7 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
     );
     assert!(found.passed());
     let agreement = &mut found.rows[0].num_dual;
-    // both rest on the same equations, and differ by rounding
+    // both have the same equations, and differ by rounding
     close(agreement.num_dual, 336.769746388603, 1.0, 1e-8, "num-dual");
     (agreement.num_dual, agreement.difference) = (336.770083, 3.37e-4);
     assert!(!found.passed() && found.rows[0].verdict() == Verdict::Fail);
@@ -601,8 +600,9 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
     );
 }
 
-/// In a logarithmic wind the time step leaves an error in derivatives that no check of them against
-/// differences can show: it is measured, and told; in still air there is nothing to tell.
+/// In a logarithmic wind the time step leaves an error in derivatives that no comparison with
+/// differences can show: the certificate measures and reports it; in still air there is none to
+/// report.
 #[test]
 fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
     let mut setup = Setup::default();
@@ -711,7 +711,7 @@ fn differences_show_the_size_of_the_landing_term() {
 
 #[test]
 fn independent_one_sided_slopes_at_the_corner_at_zero_spin() {
-    // mae494's global optimum on the corner: +83.7 and −29.7 m/rad to its two sides
+    // mae494's global optimum at the kink: one-sided slopes +83.7 and −29.7 m/rad
     let mut setup = Setup::preset("mae494").unwrap();
     setup
         .set_all([("club.loft", "0 deg"), ("swing.attack_angle", "38.53 deg")])
@@ -732,12 +732,12 @@ fn independent_one_sided_slopes_at_the_corner_at_zero_spin() {
     let [below, above] = carry("club.loft").first.sides.unwrap().map(Option::unwrap);
     close(below, 83.7, 1.0, 0.1, "below");
     close(above, -29.7, 1.0, 0.1, "above");
-    // what does not turn the spin has no corner
+    // parameters that do not rotate the spin have no kink
     assert_eq!(carry("swing.speed").verdict(), Verdict::Pass);
     assert_eq!(carry("ball.mass").verdict(), Verdict::Pass);
     assert!(certificate.passed(), "{:?}", failures(&certificate));
     assert_eq!(certificate.corners.len(), 1);
-    // an axis without spin has no direction: left out, with the reason
+    // an axis without spin has no direction: omitted, with the reason
     assert_eq!(certificate.missing[0].0, Outcome::SpinAxis);
 }
 
@@ -760,7 +760,7 @@ fn the_limit_between_sticking_and_slipping_is_a_corner() {
             row.first.best
         );
         let [below, above] = row.first.sides.unwrap().map(Option::unwrap);
-        // more friction than is used changes nothing
+        // a higher friction limit changes nothing while the ball sticks
         assert!(
             below.abs() > 1.0 && above.abs() < 1e-6 * below.abs(),
             "{}: {below} {above}",
@@ -771,7 +771,7 @@ fn the_limit_between_sticking_and_slipping_is_a_corner() {
 
 #[test]
 fn derivatives_of_a_users_function_pass_and_errors_are_found() {
-    // e^x sin y + x² y, and slips in its gradient and Hessian
+    // e^x sin y + x² y, and errors in its gradient and Hessian
     let f = |x: &[f64], in_gradient: f64, in_hessian: f64| {
         let (e, (sin, cos)) = (x[0].exp(), x[1].sin_cos());
         let cross = e * cos + 2.0 * x[0];
@@ -808,7 +808,7 @@ fn derivatives_of_a_users_function_pass_and_errors_are_found() {
             .all(|check| check.verdict == Verdict::Pass)
     );
     assert_eq!(wrong.hessian[0][1].verdict, Verdict::Fail);
-    // |x| at 0 has a corner, a function without values is certified by nothing
+    // |x| at 0 has a kink; a function without values cannot be certified
     let corner = check(
         &|x| {
             Some(Taylor {
@@ -845,8 +845,8 @@ fn differences_to_one_side_certify_at_the_end_of_a_range() {
     );
 }
 
-/// docs/model.md: on the report's loop a small difference sees −65 m/rad at 10° of loft, and carry
-/// goes by +337.
+/// docs/model.md: on the report's loop a small difference gives −65 m/rad at 10° of loft, and the
+/// derivative of carry is +337.
 #[test]
 fn published_while_loop_has_derivatives_of_the_wrong_sign() {
     let setup = Setup::preset("mae494").unwrap();
@@ -862,14 +862,14 @@ fn published_while_loop_has_derivatives_of_the_wrong_sign() {
         "{small}"
     );
     assert!(row.has_wrong_sign() && row.check.verdict != Verdict::Pass);
-    // what the loop does not know it is not asked
+    // parameters that the loop does not have are not compared
     let mut windy = setup;
     windy.set("wind.downrange", "3 m/s").unwrap();
     assert!(longdrive::reproduce::while_loop(&windy, &certificate.rows).is_empty());
 }
 
-/// Zero spin: carry has a corner, lateral has none, and its derivatives are right though their own
-/// slopes jump.
+/// Zero spin: carry has a kink and lateral has none; its derivatives are correct though their own
+/// derivatives jump.
 #[test]
 fn derivatives_beside_a_corner_pass() {
     let mut setup = Setup::preset("mae494").unwrap();

@@ -1,5 +1,5 @@
-//! Certificates at the ends of ranges, at coarse steps and where numbers cancel: right derivatives
-//! are not called wrong.
+//! Certificates at the ends of ranges, at coarse steps and where numbers cancel: correct
+//! derivatives pass.
 
 use crate::common::close;
 use longdrive::derivative::check::Verdict;
@@ -20,7 +20,7 @@ fn certificate(setup: &Setup<f64>, of: &[Outcome], by: &str) -> Certificate {
     certify(setup, of, &[setup.variable(by).unwrap()], &|_, _| true).unwrap()
 }
 
-/// What failed, if anything did.
+/// The failures of a certificate, if any.
 fn faults(certificate: &Certificate) -> String {
     let Certificate {
         rows,
@@ -47,7 +47,7 @@ fn faults(certificate: &Certificate) -> String {
 fn at_the_end(law: &str, parameter: &'static Parameter, end: f64) -> Option<Setup<f64>> {
     let mut setup = Setup::default();
     setup.set_law(law).unwrap();
-    // a derivative is that of the drive as it is computed, in large steps too
+    // derivatives belong to the drive as computed, in large steps too
     setup.set("flight.step", "50 ms").unwrap();
     if parameter.is_of_launch() {
         let spin = if parameter.name.contains("launch.spin") {
@@ -77,7 +77,7 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
     let all = Law::NAMES.iter().flat_map(|law| {
         let mut setup = Setup::default();
         setup.set_law(law).unwrap();
-        // those of every law once, with the law that is there by default
+        // the coefficients of every law once, with its defaults
         let is_asked = |row: &&&Parameter| {
             row.law
                 .map_or(*law == Setup::default().law.name(), |owner| owner == *law)
@@ -118,7 +118,7 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
         failed.join("\n")
     );
     assert!(judged.len() > 40, "{} ends were looked at", judged.len());
-    // zero spin is a corner, also where the range ends with it
+    // zero spin is a kink, also as the end of a range
     for name in [
         "impact.friction",
         "impact.tangential_restitution",
@@ -133,8 +133,8 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
     }
 }
 
-/// At the end of the range there is the slope of one side; the derivative, the mean of both, is not
-/// held against it.
+/// The end of a range has a one-sided slope; it is not compared with the derivative, the mean of
+/// both sides.
 #[test]
 fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     let mut setup = Setup::default();
@@ -148,7 +148,7 @@ fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     let [None, Some(above)] = carry.rows[0].first.sides.unwrap() else {
         panic!("{:?}", carry.rows[0].first.sides)
     };
-    // by hand: the carry of a little friction
+    // by hand: the carry with a little friction
     let at = |friction: f64| {
         setup.impact.friction = Some(friction);
         Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap()
@@ -158,8 +158,8 @@ fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     close(above, (little - none) / 1e-6, above, 1e-4, "slope");
 }
 
-/// A lateral distance that hardly goes by the parameter at the end of its range: one-sided
-/// differences show it as well as central ones do.
+/// A lateral distance that hardly depends on the parameter at the end of its range: one-sided
+/// differences are as accurate as central ones.
 #[test]
 fn differences_to_one_side_show_a_small_derivative() {
     let mut setup = Setup::default();
@@ -186,7 +186,7 @@ fn differences_to_one_side_show_a_small_derivative() {
     assert!(found.rows[0].first.exact.abs() < 0.01 && found.rows[0].first.curve.is_empty());
 }
 
-/// The total spin has a corner where there is none, also with a law that makes none of it.
+/// The total spin has a kink at zero spin, also with a law without one.
 #[test]
 fn a_corner_of_the_spin_itself_is_no_failure() {
     let mut setup = Setup::default();
@@ -209,7 +209,7 @@ fn a_corner_of_the_spin_itself_is_no_failure() {
     );
 }
 
-/// Without friction there is no spin but what rounding leaves of numbers that cancel.
+/// Without friction there is no spin except the rounding of cancelling numbers.
 #[test]
 fn a_spin_that_cancels_has_a_correct_derivative() {
     let mut square = Setup::default();
@@ -232,8 +232,8 @@ fn a_spin_that_cancels_has_a_correct_derivative() {
     }
 }
 
-/// At a coarse step the landing of a flight lies elsewhere than with the step that was made to end
-/// there: the differences are of the one that does.
+/// At a coarse step the landing of a flight differs from that with the step adjusted to end there:
+/// the differences are of the former.
 #[test]
 fn differences_at_the_landing_agree_at_coarse_steps() {
     let mut setup = Setup::preset("winfield-tan").unwrap();
@@ -247,7 +247,7 @@ fn differences_at_the_landing_agree_at_coarse_steps() {
         setup.set("flight.step", step).unwrap();
         let found = certificate(&setup, &[Outcome::Carry], "swing.face_angle");
         assert!(found.passed(), "{step}: {}", faults(&found));
-        // better than the bar asks by far: what is left is rounding
+        // far better than the tolerance: the difference is rounding
         let worst = found
             .landing
             .iter()
@@ -257,8 +257,7 @@ fn differences_at_the_landing_agree_at_coarse_steps() {
     }
 }
 
-/// Where the spin fades within any of the steps that an order is measured at, there is none to be
-/// measured.
+/// Where the spin decays within each step of the order measurement, no order can be measured.
 #[test]
 fn no_order_is_required_where_the_spin_decays_within_a_step() {
     let mut setup = Setup::default();
@@ -288,7 +287,7 @@ fn a_drive_without_any_outcome_asked_for_says_why() {
         asked(&[Outcome::Carry, Outcome::Lateral]),
         Err(Error::NoFlight { .. })
     ));
-    // what there is of it is certified
+    // the remaining derivatives are certified
     let found = asked(&[Outcome::Carry, Outcome::BallSpeed]).unwrap();
     assert!(
         found.passed() && found.missing.len() == 1,

@@ -1,5 +1,5 @@
-//! What deserves a word about a drive: a law beyond what it was fitted to, a strike beside the
-//! face; and nothing about usual drives.
+//! Warnings about a drive: a law beyond its fitted range, a strike beside the face; and none about
+//! usual drives.
 
 use crate::command_line::{json, longdrive};
 use longdrive::atmosphere::WindField;
@@ -47,7 +47,7 @@ fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
     }
     let sound = said(&["wind.roughness=30mm", blows]);
     assert!(!sound.contains("wind."), "{sound}");
-    // where the wind or its profile varies, both have an effect
+    // with wind or a varied profile, both have an effect
     let (rough, high) = ("wind.roughness=30mm", "wind.reference_height=3m");
     for args in [
         &[
@@ -102,7 +102,7 @@ fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
     }
 }
 
-/// The shift is that between two drives, one in steps of half the length.
+/// The printed shift is the difference between two drives, one in steps of half the length.
 #[test]
 fn a_step_so_long_that_the_landing_depends_on_it_is_told_with_the_shift() {
     let carry = |step: &str| {
@@ -153,7 +153,7 @@ fn nothing_is_said_about_the_presets_and_their_longest_drives() {
             .map(ToString::to_string)
             .collect();
         for said in [warnings(preset.name, &[]), at_best] {
-            // an amateur's ball is slower than those that the law was fitted to
+            // an amateur's ball is slower than the fitted range of the law
             let of_the_law =
                 said.len() == 1 && said[0].contains("fitted to a Reynolds number of 70000");
             assert!(
@@ -165,8 +165,8 @@ fn nothing_is_said_about_the_presets_and_their_longest_drives() {
     }
 }
 
-/// Next to no air, no decay: s = Rω/v(t) of a parabola is below 0.02 where v > v* = Rω/0.02, for 1
-/// − √(v*² − v_h²)/v_v of the time.
+/// Nearly no air, no decay: s = Rω/v(t) of a parabola is below 0.02 while v > v* = Rω/0.02, for 1 −
+/// √(v*² − v_h²)/v_v of the time.
 #[test]
 fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     let (ahead, up, at_edge) = (50.0_f64, 30.0_f64, 53.0_f64);
@@ -232,7 +232,7 @@ fn each_law_names_what_it_was_fitted_to() {
         found.iter().any(|it| it.contains("the law smits-smith")),
         "{found:?}"
     );
-    // no air, no law; and what is fitted to nothing that is known says nothing
+    // without air no law applies; a law without a known fitted range gives no warning
     assert!(
         warnings(
             "modern-driver",
@@ -293,7 +293,7 @@ fn a_strike_beside_the_face_is_told_on_standard_error_and_in_json() {
     }
 }
 
-/// s = Rω/v at launch is 0.06 at v = Rω/0.06: faster balls lie outside of the law.
+/// s = Rω/v at launch is 0.06 at v = Rω/0.06: faster balls are outside the range of the law.
 #[test]
 fn same_count_of_a_sweep_for_any_threads() {
     let folder = tempfile::tempdir().unwrap();
@@ -318,7 +318,7 @@ fn same_count_of_a_sweep_for_any_threads() {
     for threads in ["1", "2"] {
         let output = folder.path().join(format!("{threads}.csv"));
         let (table, output) = (table.to_str().unwrap(), output.to_str().unwrap());
-        // air so thick that the Reynolds number stays within the law
+        // air so dense that the Reynolds number stays within the law
         let thick = [
             "--set",
             "air.viscosity=3e-5 Pa.s",
@@ -337,8 +337,8 @@ fn same_count_of_a_sweep_for_any_threads() {
     }
 }
 
-/// Side by side as one by one: spin ratio, Reynolds number and speed by their definitions, in wind,
-/// for values and for gradients.
+/// In lanes as alone: spin ratio, Reynolds number and speed by their definitions, in wind, for
+/// values and for gradients.
 #[test]
 fn exact_validity_limits_of_a_batch_by_their_definitions() {
     let mut setup = Setup::default();
@@ -455,7 +455,7 @@ fn charts_and_calibrations_count_what_leaves_the_law() {
     );
 }
 
-/// Drives that are launched down have no carry, and a ball speed.
+/// Drives launched downwards have no carry, but a ball speed.
 #[test]
 fn drives_without_a_landing_are_warned_of_where_their_flight_is_asked_for() {
     let spread = [
@@ -498,8 +498,8 @@ fn a_warning_of_a_chart_names_each_part_that_it_is_of() {
     assert!(err.contains("; swing.speed = 70 mph, and 130 mph"), "{err}");
 }
 
-/// The optima of plots and pages are looked at as those of `chart` are, each kind of warning once,
-/// with where it holds.
+/// The optima of plots and pages are checked as those of `chart`: one warning of each kind, with
+/// its positions.
 #[test]
 fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     let folder = tempfile::tempdir().unwrap();
@@ -561,8 +561,8 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     );
 }
 
-/// What a warning tells is in the answer as numbers: the range, how far the flight goes, and the
-/// share outside, of an optimum too.
+/// The answer has the numbers of a warning: the range, the extremes of the flight, and the share
+/// outside, of an optimum too.
 #[test]
 fn share_outside_the_range_of_a_law_is_in_the_answer() {
     let slow = ["--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
@@ -609,7 +609,7 @@ fn share_outside_the_range_of_a_law_is_in_the_answer() {
     }
 }
 
-/// In no air a ball lands as it was launched; ground that rises by 4° is met 4° more steeply.
+/// Without air a ball lands at its launch angle; ground that rises by 4° adds 4°.
 #[test]
 fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
     let told = |settings: &[&str], of: &str| {
@@ -680,8 +680,8 @@ fn a_flat_landing_is_told_with_the_total_and_at_an_optimum() {
     }
 }
 
-/// The share of a normal distribution of the club speed from the speed on from which the drive with
-/// the best loft leaves what the law was fitted to: the mean swing is well within it.
+/// Share of a normal distribution of the club speed above the speed from which the drive with the
+/// best loft leaves the range of the law: the mean swing is well within it.
 #[test]
 fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
     let swings = "swing.speed=truncated(120mph,10mph,90mph,150mph)";
@@ -733,7 +733,7 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
         expected > 2.0 && (share - expected).abs() < 1.0,
         "{share} beside {expected}"
     );
-    // swings within it say nothing
+    // swings within it give no warning
     let slower = [
         "--distribution",
         "swing.speed=truncated(110mph,2mph,105mph,115mph)",
@@ -830,7 +830,7 @@ fn designs_models_and_fronts_beyond_the_law_are_told() {
         told.contains(" points of the front, with 1 % of the swings or more: in 1 % of the flight"),
         "{told}"
     );
-    // at usual speeds none of them says anything
+    // at usual speeds there is no warning
     let usual = json(&[&front[..], &["--vary", "club.loft=8deg..11deg"]].concat()).1;
     assert_eq!(usual["warnings"], serde_json::json!([]));
     assert_eq!(json(&models).1["warnings"], serde_json::json!([]));

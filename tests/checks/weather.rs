@@ -1,5 +1,5 @@
-//! Air from the weather, and wind by its speed and direction: published densities and pressures,
-//! the drive that they make, and what does not go together.
+//! Air from the weather, and wind by speed and direction: published densities and pressures, their
+//! drives, and contradictory settings.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -154,7 +154,7 @@ fn published_pressures_of_the_standard_atmosphere_and_viscosities() {
             temperature,
         );
     }
-    // what is not given: 25 degC, sea level, dry, which is the air of the default drive
+    // the defaults: 25 degC, sea level, dry, which is the air of the default drive
     let usual = state(&[("air.humidity", "0")]);
     close(usual.density, 1.184, 1.184, 3e-4, "density of the default");
     close(
@@ -199,7 +199,7 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
         close(ours, theirs, theirs.abs().max(1.0), 1e-13, of.name());
     }
     assert_eq!(in_effect(&setup).wind.right, given.wind.right);
-    // thin air carries farther; a head wind less far, and from the right to the left
+    // thin air carries farther; a head wind less far, and a wind from the right to the left
     let carry = |settings: &[(&str, &str)]| {
         let high = with(&[&[("club.loft", "14 deg")], settings].concat());
         Outcome::Carry.of(&Drive::new(&high).unwrap()).unwrap()
@@ -237,8 +237,8 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
             certificate.passed() && certificate.rows.len() == 4 * wrt.len(),
             "{weather:?}"
         );
-        // by all parameters the derivatives go over the inputs of the flight, by these few they do
-        // not
+        // derivatives by all parameters are chained through the inputs of the flight; by these few
+        // they are not
         let (all, found) = (
             setup.variables(),
             evaluate(&setup, &of, &wrt, Order::Second).unwrap(),
@@ -277,7 +277,7 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
         ("wind.speed", "4 m/s"),
         ("wind.from", "30 deg"),
     ]);
-    // temperature and altitude have a value in each drive only
+    // temperature and altitude have values in each drive only
     let over = [
         "air.temperature=0..35degC:4",
         "air.altitude=0..2000m:3",
@@ -576,7 +576,7 @@ fn what_replaces_something_else_is_refused_beside_it() {
             said.status
         );
     }
-    // each remedy names what was given first, and is taken
+    // each remedy names the existing setting, and is accepted
     let presets = longdrive(&["presets", "tour-average"]).out;
     let printed = file("printed.toml", &presets);
     let (air, wind) = (
@@ -631,7 +631,7 @@ fn what_replaces_something_else_is_refused_beside_it() {
         let back = remedy.split(" or ").last().unwrap().split(' ');
         let followed = longdrive(&args.iter().copied().chain(back).collect::<Vec<_>>());
         assert_eq!(followed.status, 0, "{args:?}: {}", followed.err);
-        // and it is the drive in that air and wind, with nothing of the other way
+        // and it is the drive in that air and wind, without the other form
         if *setup == printed {
             let asked: Vec<&str> = ["simulate"]
                 .into_iter()
@@ -668,7 +668,7 @@ fn what_replaces_something_else_is_refused_beside_it() {
     let says = "air.density: it cannot be unset; give it a value, or give what it follows from as \
                 well: density and viscosity follow from";
     assert!(said.status == 2 && said.err.contains(says), "{}", said.err);
-    // of a sweep each drive has the weather
+    // each drive of a sweep has the weather
     let over = [
         "sweep",
         &dense,
@@ -708,7 +708,7 @@ fn what_replaces_something_else_is_refused_beside_it() {
         longdrive(&[&vary[..], &["--set", "air.density=none"]].concat()).status,
         0
     );
-    // the other way round, and with the one unset, it is allowed
+    // with the roles exchanged, or one unset, it is allowed
     for args in [
         &[
             "simulate",

@@ -1,5 +1,5 @@
-//! The checks that run on any processor: drives and derivatives beside independent ones, and drives
-//! in vector registers beside drives alone. CONTRIBUTING.md says how to run them for another
+//! Checks that run on any processor: drives and derivatives compared with independent ones, and
+//! drives in vector registers with scalar ones. CONTRIBUTING.md says how to run them for another
 //! processor.
 
 #[path = "../checks/common.rs"]

@@ -1,4 +1,4 @@
-//! A question asked in a folder of its own, and what is wrong with the answer.
+//! Runs a question in a folder of its own, and lists the faults of the answer.
 
 use crate::program;
 use crate::questions::Question;
@@ -10,16 +10,16 @@ use std::path::Path;
 use std::process::{Child, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-/// No question takes longer, on a slow machine among others.
+/// Time limit of a question, s, on a slow machine with other work.
 const LONGEST: Duration = Duration::from_secs(120);
 
-/// Endings of names that the program writes beside a file that is named.
+/// Endings of files that the program writes beside a named file.
 const COMPANIONS: [&str; 2] = [".part", ".resume"];
 
-/// Statuses in JSON of an answer that is all that was asked for.
+/// Statuses in JSON of a complete answer.
 const FOUND: [&str; 4] = ["done", "landed", "converged", "passed"];
 
-/// Asks; the exit status and the faults of what came back.
+/// Runs a question: exit status and faults of the output.
 pub fn ask(question: &Question) -> (Option<i32>, Vec<String>) {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("here");
@@ -57,7 +57,7 @@ pub fn ask(question: &Question) -> (Option<i32>, Vec<String>) {
     if status.code() == Some(2) && err.trim().is_empty() {
         wrong.push("status 2 without a message".into());
     }
-    // a message quotes what it was given
+    // a message quotes its input
     if status.code() != Some(2) {
         wrong.extend(numbers(question, &out));
     }
@@ -83,15 +83,15 @@ fn wait(child: &mut Child) -> Option<ExitStatus> {
     None
 }
 
-/// Words that are no number, and infinities where there is nothing infinite.
+/// Non-finite numbers where none is meant.
 fn numbers(question: &Question, out: &str) -> Option<String> {
     let words = |line: &str| -> Vec<String> {
         line.split(|c: char| !(c.is_alphanumeric() || c == '_'))
             .map(str::to_lowercase)
             .collect()
     };
-    // a flat face, and the ranges of parameters, are infinite; names of files and texts that are
-    // quoted say what they will
+    // a flat face and ranges of parameters are infinite; quoted names of files and texts may
+    // contain anything
     let has_infinities = matches!(
         question.command(),
         "parameters" | "presets" | "laws" | "compare"
@@ -120,7 +120,7 @@ fn numbers(question: &Question, out: &str) -> Option<String> {
         .map(|line| format!("no number: {line}"))
 }
 
-/// What is wrong with an answer in JSON.
+/// Faults of an answer in JSON.
 fn json(question: &Question, out: &str, status: ExitStatus) -> Vec<String> {
     if question
         .args
@@ -148,7 +148,7 @@ fn json(question: &Question, out: &str, status: ExitStatus) -> Vec<String> {
     wrong
 }
 
-/// Every file beneath a folder, by its path.
+/// Every file below a folder, by its path.
 fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     let mut folders = vec![folder.to_owned()];
@@ -166,7 +166,7 @@ fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-/// Files that were written without being named, and what was there before and is lost.
+/// Files written without being named, and lost files.
 fn touched(
     question: &Question,
     before: &BTreeMap<String, Vec<u8>>,
@@ -185,7 +185,7 @@ fn touched(
         };
         question.outputs.iter().any(of)
     };
-    // the program may go on with its own files, and replace what it is told to
+    // the program may continue its own files, and replace named ones
     let may_replace = |name: &str| {
         let is_told = question.args.iter().any(|arg| arg == "--overwrite");
         let through = question

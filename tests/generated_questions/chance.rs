@@ -1,18 +1,17 @@
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
-/// Choices that a seed decides.
+/// Choices determined by a seed.
 pub struct Chance {
     random: Xoshiro256PlusPlus,
-    /// Whether whoever asks makes mistakes: with one in every word of a question it would get no
-    /// further than the first.
+    /// Whether the question may have mistakes: with one in every word, it would fail at the first.
     is_careless: bool,
     /// Whether the drives of the question are given by their launch.
     pub is_launched: bool,
 }
 
 impl Chance {
-    /// The choices of a question: the same for the same seed and number.
+    /// The choices of a question: determined by seed and number.
     pub fn new(seed: u64, number: u64) -> Self {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
         let random = Xoshiro256PlusPlus::seed_from_u64(random.next_u64() ^ number);
@@ -25,23 +24,23 @@ impl Chance {
         chance
     }
 
-    /// Whether a mistake is made here.
+    /// Whether to make a mistake here.
     pub fn slips(&mut self) -> bool {
         self.is_careless && self.is(0.1)
     }
 
-    /// One of some; where a mistake is made, one of others.
+    /// One of some; with a mistake, one of others.
     pub fn of_or<T: Clone>(&mut self, good: &[T], bad: &[T]) -> T {
         let all = if self.slips() { bad } else { good };
         self.of(all)
     }
 
-    /// Evenly between 0 and 1.
+    /// Uniform between 0 and 1.
     pub fn part(&mut self) -> f64 {
         (self.random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// True so often.
+    /// True with this probability.
     pub fn is(&mut self, probability: f64) -> bool {
         self.part() < probability
     }
@@ -61,7 +60,7 @@ impl Chance {
         all[self.below(all.len())].clone()
     }
 
-    /// The place of one of some weights, each as often as it weighs.
+    /// An index, with a probability proportional to its weight.
     pub fn weighted(&mut self, weights: &[f64]) -> usize {
         let mut left = self.part() * weights.iter().sum::<f64>();
         let found = weights.iter().position(|weight| {

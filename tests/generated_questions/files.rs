@@ -1,4 +1,4 @@
-//! Files that questions read: setups, points and shots, good and bad.
+//! Files of questions: setups, points and shots, good and bad.
 
 use crate::chance::Chance;
 use crate::values::{name_of, near, parameter, preset, setting, value, variable, with_unit};
@@ -84,7 +84,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
     } else {
         chance.of(&[";", "\t"])
     };
-    // what a sweep has written beside them, and what launch monitors write
+    // columns written by a sweep, and by launch monitors
     let others = [
         ("status", "landed"),
         ("carry [m]", "200.5"),
@@ -135,7 +135,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
     spoilt(text, chance)
 }
 
-/// A table of points of another kind, or one that is damaged: its name, and what is in it.
+/// A table of points in another format, or a damaged one: its name, and its content.
 pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/tables");
     let mut names: Vec<_> = fs::read_dir(&folder)
@@ -161,8 +161,8 @@ pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
     (name, bytes)
 }
 
-/// An export of a launch monitor: its heads, its units in the heads or in a line of their own,
-/// sides by letters, and rows that sum up others.
+/// An export of a launch monitor: its heads, its units in the heads or in a separate line, sides by
+/// letters, and rows that summarise others.
 pub fn export(chance: &mut Chance) -> Vec<u8> {
     let all = [
         ("Club Speed", "mph", 105.0, 10.0),
@@ -178,7 +178,7 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
         ("Landing Angle", "deg", 38.0, 5.0),
         ("Hang Time", "s", 6.2, 0.4),
     ];
-    // seldom one that a launch needs is missing
+    // rarely, a necessary column is missing
     let columns: Vec<_> = all
         .iter()
         .filter(|(name, ..)| chance.is(if name.contains("ll S") { 0.97 } else { 0.85 }))
@@ -288,7 +288,7 @@ pub fn messages(chance: &mut Chance) -> Vec<u8> {
     spoilt(text, chance)
 }
 
-/// A table of measured shots: deliveries or launch conditions, with what was measured of them.
+/// A table of measured shots: deliveries or launch conditions, with measured values.
 pub fn shots(chance: &mut Chance) -> Vec<u8> {
     let given: &[(&str, f64, f64)] = if chance.is(0.5) {
         &[
@@ -337,7 +337,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
             .into();
     }
     let mut text = heads.join(",") + "\n";
-    // the faster or higher, the farther
+    // faster or higher shots fly farther
     for _ in 0..(2 + chance.below(8)) * usize::from(!chance.slips()) {
         let common = chance.between(-1.0, 1.0);
         let cell = |at: usize, chance: &mut Chance| {
@@ -348,7 +348,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
                 common * chance.between(0.2, 1.0)
             };
             match chance.below(60) {
-                // what was not measured
+                // missing values
                 0 if at >= first => String::new(),
                 _ if chance.slips() => chance
                     .of(&["nan", "-5", "x", "1e300", "inf", "0", ""])
@@ -365,7 +365,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
     spoilt(text, chance)
 }
 
-/// A text, where a mistake is made with something wrong somewhere.
+/// A text; with a mistake, with an error somewhere.
 fn spoilt(text: String, chance: &mut Chance) -> Vec<u8> {
     let mut bytes = text.into_bytes();
     if !(chance.slips() || chance.slips()) {

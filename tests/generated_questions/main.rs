@@ -22,9 +22,9 @@ use std::fmt::Write;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Questions of an ordinary run.
+/// Questions of a normal run.
 const FEW: u64 = 300;
-/// Failures after which no more are looked for.
+/// Number of failures that ends the run.
 const ENOUGH: usize = 20;
 
 fn setting(name: &str) -> Option<u64> {
@@ -42,7 +42,7 @@ fn whatever_is_asked_the_program_ends_in_order() {
         None => 0..setting("LONGDRIVE_QUESTIONS").unwrap_or(FEW),
     };
     let (next, failed) = (AtomicU64::new(numbers.start), Mutex::new(vec![]));
-    // by command: how many questions ended with which exit status
+    // number of questions by command and exit status
     let ended: Mutex<BTreeMap<String, [u64; 4]>> = Mutex::default();
     let work = || {
         loop {
@@ -101,7 +101,7 @@ fn whatever_is_asked_the_program_ends_in_order() {
         failed.len(),
         numbers.end - numbers.start
     );
-    // questions that are all refused would tell nothing
+    // the run would be useless if all questions were refused
     for (command, [found, none, refused, _]) in ended {
         let (computed, all) = (found + none, found + none + refused);
         assert!(

@@ -1,4 +1,4 @@
-//! Questions as people might ask them: a command line with the files it names.
+//! Questions of users: a command line with its files.
 
 use crate::chance::Chance;
 use crate::files::{binary, change, export, messages, points, setup, shots};
@@ -8,20 +8,20 @@ use crate::values::{
 };
 use longdrive::parameters::{Law, Parameter};
 
-/// A question, and what may become of the folder that it is asked in.
+/// A question, with its files before and after.
 #[derive(Debug, Default)]
 pub struct Question {
     /// The arguments.
     pub args: Vec<String>,
-    /// The files that are there before.
+    /// Input files.
     pub files: Vec<(String, Vec<u8>)>,
     /// Links to them: the file, and the link.
     pub links: Vec<(String, String)>,
-    /// The files and folders that it names to be written.
+    /// Files and folders that it names as outputs.
     pub outputs: Vec<String>,
 }
 
-/// The commands, each with how often it is asked: those that take long rarely.
+/// The commands with their frequencies: slow ones are rare.
 const COMMANDS: [(&str, f64); 26] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
@@ -51,7 +51,7 @@ const COMMANDS: [(&str, f64); 26] = [
     ("man", 0.5),
 ];
 
-/// Those that know no setup and answer in text alone.
+/// Commands without a setup that answer in text alone.
 const OF_THE_PROGRAM: [&str; 3] = ["help", "completions", "man"];
 
 impl Question {
@@ -61,7 +61,7 @@ impl Question {
             args: vec![COMMANDS[at].0.into()],
             ..Self::default()
         };
-        // a file that no one names
+        // a file that the question does not name
         question
             .files
             .push(("mine.txt".into(), b"left alone".to_vec()));
@@ -72,7 +72,7 @@ impl Question {
         if chance.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");
         }
-        // these stand before the command as well
+        // these may come before the command as well
         for (option, probability) in [("--units", 0.15), ("--quiet", 0.1)] {
             if chance.is(probability) {
                 let at = if chance.is(0.3) {
@@ -106,7 +106,7 @@ impl Question {
         question
     }
 
-    /// The command that is asked for.
+    /// The command of the question.
     pub fn command(&self) -> &str {
         let is_command = |arg: &&String| COMMANDS.iter().any(|(name, _)| arg == name);
         self.args.iter().find(is_command).map_or("", String::as_str)
@@ -264,7 +264,7 @@ impl Question {
         self.push(value);
     }
 
-    /// The setup that is asked about, its changes, and how it is flown.
+    /// The setup of the question, its changes, and step and method.
     fn setup(&mut self, command: &str, chance: &mut Chance) {
         let place = chance.below(10);
         match place {
@@ -279,7 +279,7 @@ impl Question {
             }
             _ => {}
         }
-        // where a file gives the launch, the option replaces some of it
+        // if a file gives the launch, the option replaces part of it
         let is_of_file = matches!(place, 5 | 6);
         match chance.below(4) {
             _ if !chance.is_launched => {}
@@ -583,7 +583,7 @@ impl Question {
         self.files.push(("shots.csv".into(), text));
         self.push(chance.of_or(&["shots.csv"], &["none.csv", "mine.txt", "."]));
         for _ in 0..1 + chance.below(2) {
-            // rows of launches have no club; most of these are of the flight
+            // rows of launches have no club; most outcomes here are of the flight
             let rows = [
                 "air.density",
                 "aero.spin_decay",
@@ -820,7 +820,7 @@ impl Question {
         }
     }
 
-    /// Where to write: a new file, one that is there, one in a folder that is not, or what is read.
+    /// An output: a new file, an existing one, one in a missing folder, or an input.
     fn output(&mut self, option: &str, names: &[&str], chance: &mut Chance) {
         let name = chance.of(names).to_owned();
         let name = match chance.below(40) {

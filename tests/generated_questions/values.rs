@@ -1,4 +1,4 @@
-//! Names and values as people write them, and as they should not.
+//! Names and values, correct and wrong.
 
 use crate::chance::Chance;
 use longdrive::parameters::{Kind, Law, PRESETS, Parameter};
@@ -33,12 +33,12 @@ const ODD: [&str; 25] = [
     "🏌",
 ];
 
-/// A preset's name.
+/// Name of a preset.
 pub fn preset(chance: &mut Chance) -> &'static str {
     PRESETS[chance.below(PRESETS.len())].name
 }
 
-/// A parameter of a preset; where a mistake is made, of any law or of a launch alone.
+/// A parameter of a preset; with a mistake, of any law or of a launch alone.
 pub fn parameter(chance: &mut Chance) -> &'static Parameter {
     if chance.slips() {
         return chance.of(&Law::all_rows().collect::<Vec<_>>());
@@ -68,7 +68,7 @@ fn launched() -> Setup<f64> {
     setup
 }
 
-/// A parameter of the default setup that searches and derivatives can take.
+/// A parameter of the default setup that searches and derivatives accept.
 pub fn variable(chance: &mut Chance) -> &'static Parameter {
     if chance.is_launched {
         let mut all = launched().variables();
@@ -78,7 +78,7 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
         return chance.of(&all);
     }
     let all = Setup::default().variables();
-    // those that anyone asks about more often than the rest
+    // the most frequent parameters of users
     let usual = [
         "club.loft",
         "swing.attack_angle",
@@ -94,7 +94,7 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
     }
 }
 
-/// One of some parameters, seldom one of a launch or of the wind's speed and direction: these must
+/// One of some parameters, rarely one of a launch or of the wind's speed and direction: these must
 /// be given together.
 fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Parameter {
     let struck: Vec<_> = all
@@ -111,7 +111,7 @@ fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Par
     }
 }
 
-/// A parameter's name; now and then one that does not exist.
+/// Name of a parameter; sometimes one that does not exist.
 pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
     let name = parameter.name;
     if !chance.slips() {
@@ -125,7 +125,7 @@ pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
     ])
 }
 
-/// A value near a parameter's default, SI: about so far from it in parts of what is usual.
+/// A value near a parameter's default, SI, with a given relative distance.
 pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
     let default = parameter
         .default_value()
@@ -169,7 +169,7 @@ pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> Stri
     let text = format!("{:?}{space}{unit}", value / size)
         .trim_end()
         .to_owned();
-    // coefficients of a law take plain numbers, whatever their unit
+    // coefficients of a law accept plain numbers, whatever their unit
     if parameter.quantity.read(&text).is_ok() {
         text
     } else {
@@ -177,7 +177,7 @@ pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> Stri
     }
 }
 
-/// What might be written for a parameter: mostly what it may be.
+/// A value of a parameter: mostly within its range.
 pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
     let range = parameter.range;
     if chance.slips() {
@@ -285,7 +285,7 @@ pub fn range(parameter: &Parameter, chance: &mut Chance) -> String {
     }
 }
 
-/// An outcome's name; now and then something else.
+/// Name of an outcome; sometimes another text.
 pub fn outcome(chance: &mut Chance) -> String {
     if chance.slips() {
         return chance.of(&["cary", "", "Carry", "club.loft"]).into();
@@ -305,7 +305,7 @@ pub fn list(count: usize, chance: &mut Chance, one: impl Fn(&mut Chance) -> Stri
         .join(",")
 }
 
-/// A constraint as `--subject-to` takes it.
+/// A constraint for `--subject-to`.
 pub fn constraint(chance: &mut Chance) -> String {
     let outcome = chance.of(Outcome::ALL);
     let usual = match outcome.unit() {
@@ -343,7 +343,7 @@ pub fn constraint(chance: &mut Chance) -> String {
     }
 }
 
-/// A standard uncertainty as `--sigma` takes it.
+/// A standard uncertainty for `--sigma`.
 pub fn sigma(chance: &mut Chance) -> String {
     let parameter = variable(chance);
     let name = name_of(parameter, chance);
@@ -359,7 +359,7 @@ pub fn sigma(chance: &mut Chance) -> String {
     }
 }
 
-/// A distribution as `--distribution` takes it.
+/// A distribution for `--distribution`.
 pub fn distribution(chance: &mut Chance) -> String {
     let parameter = variable(chance);
     let name = name_of(parameter, chance);

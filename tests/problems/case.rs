@@ -13,7 +13,7 @@ pub struct Case {
     pub most: &'static [f64],
     /// The published optimal value.
     pub optimum: f64,
-    /// The published optimal point, as far as printed; empty where none is.
+    /// The printed optimal point; empty without one.
     pub at: &'static [f64],
     /// f and c with exact derivatives.
     pub evaluate: fn(&[f64]) -> Result<Evaluation, String>,

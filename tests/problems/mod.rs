@@ -1,4 +1,4 @@
-//! Published test problems of nonlinear programming, each written once over the number.
+//! Published test problems of nonlinear programming, each written once, generic over the number.
 
 #[macro_use]
 mod case;

@@ -1,11 +1,11 @@
-//! Answers held against the schemas of docs/schema.
+//! Checks answers against the schemas of docs/schema.
 
 use jsonschema::{Registry, Validator};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// Every schema but the common one, by the command whose answer it describes.
+/// Every schema except the common one, by its command.
 static SCHEMAS: LazyLock<BTreeMap<String, Validator>> = LazyLock::new(|| {
     let folder = format!("{}/../docs/schema", env!("CARGO_MANIFEST_DIR"));
     let read = |name: &str| -> Value {
@@ -36,7 +36,7 @@ static SCHEMAS: LazyLock<BTreeMap<String, Validator>> = LazyLock::new(|| {
         .collect()
 });
 
-/// What of an answer its command's schema does not allow; nothing where all is as documented.
+/// Violations of the command's schema in an answer.
 pub fn faults(command: &str, answer: &Value) -> Vec<String> {
     let Some(schema) = SCHEMAS.get(command) else {
         return vec![format!("{command} has no schema")];

@@ -1,4 +1,4 @@
-//! A solver on a problem in a process of its own, which may panic, abort or hang.
+//! Runs a solver on a problem in a separate process, which may panic, abort or hang.
 
 use crate::all;
 use crate::oracle::Oracle;
@@ -10,9 +10,9 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-/// A solver that takes longer has failed.
+/// A solver that takes longer has failed, s.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// The fastest of these counts.
+/// Repetitions; the fastest counts.
 const REPETITIONS: usize = 3;
 
 /// The child: prints the outcome of each repetition.

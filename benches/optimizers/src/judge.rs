@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 
 const ACTIVE: f64 = 1e-6;
 
-/// What the KKT conditions are missed by.
+/// KKT residual of a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Judgement {
     pub value: f64,
@@ -41,8 +41,8 @@ impl Judgement {
     }
 }
 
-/// A bound or a limit that is (nearly) active: ∇f + multiplier · slope + … = 0 with multiplier ≥ 0,
-/// or of any sign.
+/// An active bound or limit (within the tolerance): ∇f + multiplier · slope + … = 0 with multiplier
+/// ≥ 0, or of any sign.
 struct Active {
     slope: Vec<f64>,
     is_equality: bool,
@@ -121,8 +121,8 @@ fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
     (active, worst)
 }
 
-/// Stationarity and complementarity with the multipliers that fit best, in two passes: the second
-/// knows the sizes of the terms that the first has found, and weighs each component by them.
+/// Stationarity and complementarity with the best multipliers, in two passes: the second weights
+/// each component by the sizes of the terms of the first.
 fn multipliers_fit(active: &[Active], gradient: &[f64], value: f64) -> (f64, f64) {
     let n = gradient.len();
     let least = value.abs().max(1.0);
@@ -177,14 +177,14 @@ mod tests {
         assert!(residual("HS35", &[at[0], at[1], at[2] + 1e-4]) > 1e-5);
     }
 
-    /// HS4: f = (x₁ + 1)³/3 + x₂ rises from its bounds (1, 0): both multipliers have their sign
-    /// only there.
+    /// HS4: f = (x₁ + 1)³/3 + x₂ increases from its bounds (1, 0): both multipliers have the right
+    /// sign only there.
     #[test]
     fn multipliers_of_the_wrong_sign_do_not_pass() {
         assert!(residual("HS4", &[1.0, 0.0]) < 1e-14);
         assert!(residual("HS4", &[2.0, 0.0]) > 0.1);
         assert!(residual("HS4", &[1.0, 1.0]) > 0.1);
-        // HS45: f = 2 − Πx/120, least at the upper bounds; at the lower ones it would fall
+        // HS45: f = 2 − Πx/120, minimal at the upper bounds; it decreases from the lower ones
         assert!(residual("HS45", &[1.0, 2.0, 3.0, 4.0, 5.0]) < 1e-14);
         assert!(residual("HS45", &[0.0, 2.0, 3.0, 4.0, 5.0]) > 0.1);
     }

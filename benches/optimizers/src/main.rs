@@ -1,4 +1,5 @@
-//! longdrive's optimizer beside its peers, on the published problems of tests/problems. See run.sh.
+//! Compares longdrive's optimizer with its peers on the published problems of tests/problems. See
+//! run.sh.
 
 #[expect(dead_code, reason = "the published points are for the tests")]
 #[path = "../../../tests/problems/mod.rs"]

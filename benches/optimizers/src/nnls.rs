@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Minimises |A z − b| with z ≥ 0 but for the unknowns that are `free`. Columns are normalised
+/// Minimises |A z − b| with z ≥ 0, except for the unknowns that are `free`. Columns are normalised
 /// inside.
 pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> {
     let columns = a.ncols();
@@ -27,7 +27,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
         if (b - &unit * &z).norm() < before {
             refused.fill(false);
         } else {
-            // rounding: this column brings nothing
+            // rounding: this column does not reduce the residual
             (z, passive) = (kept, kept_passive);
             refused[next] = true;
         }
@@ -35,7 +35,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
     DVector::from_fn(columns, |j, _| z[j] / size(j))
 }
 
-/// Goes to the least squares of the passive columns, dropping those whose sign would turn.
+/// Solves least squares over the passive columns, and drops those whose sign would change.
 fn descend(
     a: &DMatrix<f64>,
     b: &DVector<f64>,

@@ -1,4 +1,4 @@
-//! A problem as a solver sees it: evaluated, counted, and its evaluations kept out of the solver's
+//! A problem for a solver: evaluates it, counts evaluations, and excludes them from the solver's
 //! time.
 
 use crate::problems::Case;
@@ -26,7 +26,7 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    /// Hands the functions at `x` to `read`. Neither counts as the solver's time: a peer pays for
+    /// Passes the functions at `x` to `read`. Neither counts as the solver's time: a peer pays for
     /// no conversion.
     pub fn read<R>(&self, x: &[f64], read: impl FnOnce(&Evaluation) -> R) -> R {
         let started = Instant::now();
@@ -56,7 +56,7 @@ impl<'a> Oracle<'a> {
     }
 }
 
-/// The functions at `x`; not a number where they are not defined.
+/// The functions at `x`; NaN where they are undefined.
 pub fn evaluate(case: &Case, x: &[f64]) -> Evaluation {
     let n = x.len();
     let undefined = || Taylor {
@@ -70,7 +70,7 @@ pub fn evaluate(case: &Case, x: &[f64]) -> Evaluation {
     })
 }
 
-/// The published start, moved into the bounds: the same for every solver.
+/// The published start, moved into the bounds, for every solver.
 pub fn start(case: &Case) -> Vec<f64> {
     case.start
         .iter()
@@ -79,8 +79,7 @@ pub fn start(case: &Case) -> Vec<f64> {
         .collect()
 }
 
-/// A constraint in the form sign · (c − limit) = 0 or ≤ 0, for solvers that know no two-sided
-/// limits.
+/// A constraint in the form sign · (c − limit) = 0 or ≤ 0, for solvers without two-sided limits.
 #[derive(Clone, Copy)]
 pub struct Row {
     pub constraint: usize,

@@ -1,4 +1,4 @@
-//! What a solver brings back from a problem.
+//! Outcome of a solver on a problem.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,14 +6,14 @@ use serde::{Deserialize, Serialize};
 pub struct Outcome {
     pub solver: String,
     pub problem: String,
-    /// What the solver says of itself; the judge does not read it.
+    /// The solver's own status; the judge does not read it.
     pub status: String,
-    /// Where it ended; empty where it failed.
+    /// Its last point; empty if it failed.
     pub x: Vec<Option<f64>>,
     /// Points evaluated.
     pub evaluations: usize,
     pub iterations: Option<u64>,
-    /// The solver's own time in seconds, evaluations left out: the fastest of the repetitions.
+    /// The solver's own time in seconds, without evaluations: the fastest of the repetitions.
     pub seconds: f64,
 }
 
@@ -31,7 +31,7 @@ impl Outcome {
         }
     }
 
-    /// The point; what JSON could not write is not a number.
+    /// The point; null of JSON becomes NaN.
     pub fn point(&self) -> Vec<f64> {
         self.x.iter().map(|x| x.unwrap_or(f64::NAN)).collect()
     }

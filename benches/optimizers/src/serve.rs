@@ -1,6 +1,6 @@
-//! Evaluates problems for a solver in another process. A request a line: `{}` is answered with all
-//! problems; `{"problem": "HS71", "x": [1, 5, 5, 1]}` with f, c and their derivatives there. What
-//! is not finite is null: a limit or bound that there is none, or a value that is not defined.
+//! Evaluates problems for a solver in another process. One request a line: `{}` returns all
+//! problems; `{"problem": "HS71", "x": [1, 5, 5, 1]}` returns f, c and their derivatives at x.
+//! Non-finite numbers are null: an open limit or bound, or an undefined value.
 
 use crate::all;
 use crate::oracle::{evaluate, start};

@@ -1,4 +1,4 @@
-//! The tables: solvers beside each other, and longdrive's way through every problem.
+//! Tables: comparison of the solvers, and longdrive's result for every problem.
 
 use crate::judge::{Judgement, judge};
 use crate::outcome::Outcome;
@@ -51,7 +51,7 @@ impl Record<'_> {
             .sum()
     }
 
-    /// The median, over the problems, of what this one needs for each unit that the other needs.
+    /// Median over the problems of the ratio of this solver to the other.
     fn ratio(&self, other: &Self, problems: &[&str], of: impl Fn(&Outcome) -> f64) -> f64 {
         let both = problems
             .iter()

@@ -1,8 +1,8 @@
-//! Timing as the C++ peers do it (cpp/harness.hpp): CPU time, the fastest of many batches.
+//! Timing as in the C++ peers (cpp/harness.hpp): CPU time, the fastest of many batches.
 
 use std::hint::black_box;
 
-/// A batch takes about this long, s.
+/// Duration of a batch, s.
 const BATCH: f64 = 2e-3;
 
 #[expect(

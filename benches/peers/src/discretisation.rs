@@ -1,4 +1,4 @@
-//! What the discretisation costs and how far off it is.
+//! Cost and error of the discretisation.
 
 use crate::clock;
 use crate::grid;
@@ -7,7 +7,7 @@ use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::{Outcome, Result};
 use serde_json::{Value, json};
 
-/// The drives whose errors are looked at, in degrees of loft and attack angle: the peers', and the
+/// The drives of the error measurement, in degrees of loft and attack angle: the peers', and the
 /// optimum.
 const PLACES: [[f64; 2]; 2] = [[10.0, 0.0], [14.682_922_531_9, 10.0]];
 const METHODS: [&str; 2] = ["rk4", "dp8"];
@@ -18,7 +18,7 @@ const LADDERS: [[f64; 7]; 2] = [
 ];
 /// The error of the rows 'at 1 µm', m.
 const MICROMETRE: f64 = 1e-6;
-/// Steps tried for them: this many, at equal distances up to 2 s.
+/// Number of steps tried for them, at equal distances up to 2 s.
 const STEPS: u32 = 200;
 /// s.
 const LONGEST_STEP: f64 = 2.0;
@@ -42,7 +42,7 @@ fn largest<'a>(pairs: impl Iterator<Item = (&'a f64, &'a f64)>) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The largest errors of carry, gradient and Hessian over the places.
+/// The largest errors of carry, gradient and Hessian over the drives.
 fn errors(found: &[Taylor], exact: &[Taylor]) -> [f64; 3] {
     let mut errors = [0.0_f64; 3];
     for (found, exact) in found.iter().zip(exact) {
@@ -72,8 +72,8 @@ fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
     Ok(seconds)
 }
 
-/// The fastest method among those whose step is the largest that, like every smaller one tried, has
-/// errors within 1 µm.
+/// The fastest method, with the largest step for which it and every smaller tried step have errors
+/// within 1 µm.
 fn choose(
     error: impl Fn(&Discretisation) -> Result<f64>,
     time: impl Fn(&Discretisation) -> Result<f64>,
@@ -103,7 +103,7 @@ fn choose(
         .collect())
 }
 
-/// Candidates, fastest first: by the errors at the two places, for single drives, and by those over
+/// Candidates, fastest first: by the errors of the two drives, for single drives, and by those over
 /// the grid, for T6.
 pub fn one_micrometre() -> Result<Value> {
     let exact = taylors(&reference(), Order::Value)?;

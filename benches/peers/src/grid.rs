@@ -12,13 +12,13 @@ const AXES: [&str; 2] = [
     "swing.attack_angle=-10deg..10deg:1000",
 ];
 const SIDE: u64 = 1000;
-/// The check sum takes every 25th row and column; of the rows, these are timed.
+/// Stride of the rows and columns of the check sum, and of the timed rows.
 const EVERY: u64 = 25;
 /// The rows whose instructions are counted.
 const COUNTED: [u64; 2] = [250, 750];
-/// A row is timed this often, and the fastest counts,
+/// Repetitions of a row, of which the fastest counts,
 const REPEATS: usize = 5;
-/// but not for longer than this, s.
+/// and their largest duration, s.
 const PATIENCE: f64 = 0.1;
 
 fn axes(by: &Discretisation) -> Result<Vec<Axis>> {
@@ -26,7 +26,7 @@ fn axes(by: &Discretisation) -> Result<Vec<Axis>> {
     AXES.iter().map(|text| Axis::read(&setup, text)).collect()
 }
 
-/// Carry and the two derivatives at a row of a block, 0 where nothing flies.
+/// Carry and its two derivatives at a row of a block, 0 without a flight.
 fn at(block: &Block, row: usize) -> [f64; 3] {
     let mut derivatives = block.derivatives(row).map(Option::unwrap_or_default);
     let carry = block.outcome(row, 0).unwrap_or_default();
@@ -41,9 +41,9 @@ fn at(block: &Block, row: usize) -> [f64; 3] {
 #[derive(Clone, Copy, Default)]
 pub struct Sums {
     pub all: f64,
-    /// Without the row of loft 0. There the ball does not spin, the drag has a corner, and carry no
-    /// derivative by loft: the peers have that of its upper side, longdrive one between the two
-    /// sides.
+    /// Without the row of loft 0. There the ball does not spin, the drag has a kink, and carry no
+    /// derivative by loft: the peers have the slope of its upper side, longdrive one between the
+    /// two sides.
     pub spinning: f64,
 }
 
@@ -124,8 +124,7 @@ impl Rows {
     }
 }
 
-/// Seconds a point and the check sums of the whole grid, one call on one thread with all that
-/// belongs to it.
+/// Seconds a point and the check sums of the whole grid, in one complete call on one thread.
 pub fn whole(by: &Discretisation) -> Result<(f64, Sums)> {
     let setup = mae494(by)?;
     let mut grid = Grid::new(axes(by)?)?;

@@ -7,7 +7,7 @@ use longdrive::study::{Optimum, Search, Vary, accuracy, optimum};
 use longdrive::{Error, Outcome, Result, Setup};
 use std::hint::black_box;
 
-/// The tasks of a single drive, as they are asked for.
+/// The tasks of a single drive, by name.
 pub const SINGLE: [&str; 10] = [
     "T1", "T2", "T3", "T4", "T5", "all", "3-D", "3-D-all", "W&T", "W&T-1um",
 ];
@@ -28,7 +28,7 @@ const TWELVE: [&str; 12] = [
     "aero.spin_decay",
 ];
 
-/// How the flight is integrated, in place of the preset's own.
+/// Step and method of the flight, in place of the preset's.
 #[derive(Clone, Debug, Default)]
 pub struct Discretisation {
     pub method: Option<String>,
@@ -54,12 +54,12 @@ impl Discretisation {
     }
 }
 
-/// What the peers compute: loft 10°, attack angle 0°.
+/// The drive of the peers: loft 10°, attack angle 0°.
 pub fn mae494(by: &Discretisation) -> Result<Setup<f64>> {
     by.apply(Setup::preset("mae494")?)
 }
 
-/// A drive out of its plane: no symmetry to use.
+/// A drive out of its plane: without symmetry.
 fn in_space(by: &Discretisation) -> Result<Setup<f64>> {
     let mut setup = Setup::preset("modern-driver")?;
     setup.set_all([
@@ -79,15 +79,15 @@ pub fn two(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
     named(setup, &TWELVE[..2])
 }
 
-/// The lofts and the attack angles, deg, that Winfield & Tan (1994), tables 1 and 2, give the best
-/// of the other angle for.
+/// The lofts and the attack angles, deg, for which Winfield & Tan (1994), tables 1 and 2, give the
+/// best other angle.
 const TABLE_1: [f64; 9] = [5.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 15.0];
 const TABLE_2: [f64; 13] = [
     -10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0,
 ];
 
-/// The optima of Winfield & Tan: the one of both angles from 10° of loft and 0° of attack angle,
-/// and those of their tables, each from the one before.
+/// The optima of Winfield & Tan: that of both angles from 10° of loft and 0° of attack angle, and
+/// those of their tables, each from the one before.
 fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
@@ -131,14 +131,14 @@ fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     }))
 }
 
-/// What came out of a task.
+/// Result of a task.
 pub enum Answer {
     Drive(Taylor),
     Optimum(Box<Optimum>),
 }
 
 impl Answer {
-    /// Value, derivatives (the optimum's place, in degrees), and what else there is to say.
+    /// Value, derivatives (the optimum's position, in degrees), and other numbers.
     pub fn parts(self) -> (f64, Vec<f64>, String) {
         match self {
             Self::Drive(taylor) => {
@@ -166,10 +166,10 @@ impl Answer {
     }
 }
 
-/// A task to be repeated.
+/// A task for repetition.
 type Ready = Box<dyn Fn() -> Result<Answer>>;
 
-/// A task of a single drive made ready: what can be checked once has been.
+/// A task of a single drive, with all checks done once.
 pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),

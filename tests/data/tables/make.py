@@ -4,7 +4,7 @@ import pyarrow as pa
 import pyarrow.feather as feather
 import pyarrow.parquet as parquet
 
-# (row number -> value) of each column; every value is told exactly by the decimals that Python prints
+# (row number -> value) of each column; the decimals that Python prints determine every value
 ROWS = 11
 COLUMNS = {
     "club.loft": [0.1 + 0.017 * i for i in range(ROWS)],
@@ -31,7 +31,7 @@ write("legacy.arrows", points, new=pa.ipc.new_stream, rows=4, use_legacy_format=
 write("version4.arrow", points, rows=4, metadata_version=pa.ipc.MetadataVersion.V4)
 feather.write_feather(points, "zstd.feather", compression="zstd", chunksize=4)
 feather.write_feather(points, "lz4.feather", chunksize=4)
-# long enough, and alike enough, that compression makes it shorter
+# long and repetitive enough to be compressible
 write("long_zstd.arrows", pa.table({"club.loft": [0.2] * 4000}), new=pa.ipc.new_stream, rows=1500, compression="zstd")
 
 # an empty batch between others
@@ -52,7 +52,7 @@ for (name, bits) in zip(["club.loft", "club.mass", "strike.high", "strike.toe"],
     ends[name] = [0, 2**bits - 1]
 write("kinds.arrow", pa.table({name: pa.array(ends[name], kind) for name, kind in kinds.items()}))
 
-# what is refused
+# refused tables
 loft = COLUMNS["club.loft"][:4]
 refused = {
     "null": {"club.loft": loft, "air.density": [1.2, 1.2, None, 1.2]},

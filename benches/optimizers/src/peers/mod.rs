@@ -9,14 +9,14 @@ mod slsqp;
 use crate::oracle::Oracle;
 use crate::problems::Case;
 
-/// Tolerance of gradients, KKT residuals and steps asked of every solver that has one to ask.
+/// Tolerance of gradients, KKT residuals and steps, for every solver with such an option.
 pub const TOLERANCE: f64 = 1e-10;
-/// The same for solvers that watch how far f still falls: it is of second order in the error of x.
+/// Tolerance for solvers that watch the decrease of f, which is of second order in the error of x.
 pub const FALL: f64 = 1e-14;
-/// Iterations allowed.
+/// Largest number of iterations.
 pub const ITERATIONS: u64 = 1000;
 
-/// Where a solver ended.
+/// Last point of a solver.
 pub struct End {
     pub x: Vec<f64>,
     pub status: String,

@@ -8,7 +8,7 @@ use ::ripopt::{NlpProblem, SolverOptions};
 struct Program<'a, 'b>(&'a Oracle<'b>);
 
 impl Program<'_, '_> {
-    /// Whether everything is defined at x; only then `read` sees it.
+    /// Whether everything is defined at x; only then `read` is called.
     fn read(&self, x: &[f64], read: impl FnOnce(&Evaluation)) -> bool {
         self.0.read(x, |at| {
             let is_defined =
@@ -110,7 +110,7 @@ impl NlpProblem for Program<'_, '_> {
 pub fn solve(oracle: &Oracle) -> Result<End, String> {
     let options = SolverOptions {
         tol: TOLERANCE,
-        // also the most by which it relaxes the bounds
+        // also the largest relaxation of the bounds
         constr_viol_tol: TOLERANCE,
         compl_inf_tol: TOLERANCE,
         max_iter: ITERATIONS as usize,
