@@ -1,8 +1,8 @@
-//! What derivatives and the optimum cost, as ratios to the value, on the mae494 problem at step
+//! Cost of derivatives and of the optimum, as ratios to the value, for the mae494 problem at step
 //! 0.01 s, loft 10°, attack angle 0°: the value is one drive of 276 steps.
 //!
-//! `cargo bench --bench drive` measures all in one run and ends with the table of ratios, each of
-//! the fastest sample, since machines are shared and noisy.
+//! `cargo bench --bench drive` measures all in one run and prints a table of ratios of the fastest
+//! samples, because machines are shared and noisy.
 
 use criterion::Criterion;
 use longdrive::derivative::{Order, evaluate};

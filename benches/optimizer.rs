@@ -1,6 +1,6 @@
-//! What the optimizer itself costs, without the functions: the published problems of
-//! `tests/problems` from their published starts, each a second time with the evaluations of the
-//! first copied from a list. `cargo bench --bench optimizer`.
+//! Time of the optimizer itself, without the functions: the published problems of `tests/problems`
+//! from their published starts. The second search of each problem copies the evaluations of the
+//! first from a list. `cargo bench --bench optimizer`.
 
 #[expect(dead_code, reason = "published optima and points are for the tests")]
 #[path = "../tests/problems/mod.rs"]

@@ -1,5 +1,5 @@
-//! The same physics over another number: the third derivative of carry by loft, with num-dual's
-//! `Dual3_64`, and the fourth-order Taylor polynomial's cubic part against a drive flown there.
+//! The physics over another number: the third derivative of carry by loft with num-dual's
+//! `Dual3_64`, and the cubic Taylor polynomial compared with a drive.
 //!
 //! `cargo run --release --example any_number`
 

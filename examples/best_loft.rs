@@ -1,5 +1,5 @@
-//! The best loft for the swings of a beginner and of a professional, beside that of their mean
-//! swing alone.
+//! The best loft for the swings of a beginner and of a professional, compared with that of their
+//! mean swing.
 //!
 //! `cargo run --release --example best_loft`
 

@@ -1,4 +1,5 @@
-//! What changes what: the exact Jacobian of three outcomes by every parameter, and a Hessian.
+//! Effects of parameters on outcomes: the exact Jacobian of three outcomes by every parameter, and
+//! a Hessian.
 //!
 //! `cargo run --release --example derivatives`
 

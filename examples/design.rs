@@ -1,5 +1,5 @@
-//! Where a movable weight of 15 g belongs, for a golfer whose swings vary, under the limit of the
-//! Rules of Golf on the moment of inertia: its best place, and what the limit costs.
+//! The best position of a movable weight of 15 g for a golfer whose swings vary, under the limit of
+//! the Rules of Golf on the moment of inertia, and the price of this limit.
 //!
 //! `cargo run --release --example design`
 

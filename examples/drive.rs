@@ -1,4 +1,4 @@
-//! One drive: set it up, hit it, fly it, and follow the ball.
+//! One drive: setup, impact, flight and trajectory.
 //!
 //! `cargo run --release --example drive`
 

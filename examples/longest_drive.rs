@@ -1,5 +1,5 @@
-//! The longest drive, for a golfer with a slower swing who cannot hit up by more than 3°, and what
-//! each bound costs.
+//! The longest drive for a golfer with a slower swing and an attack angle of at most 3°, and the
+//! price of each bound.
 //!
 //! `cargo run --release --example longest_drive`
 

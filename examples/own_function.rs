@@ -1,5 +1,5 @@
-//! The optimizer without golf: a can of one litre with the least sheet metal, its height and then
-//! its base limited.
+//! The optimizer without golf: a can of one litre with the smallest surface, under a limit of its
+//! height and then of its base.
 //!
 //! `cargo run --release --example own_function`
 

@@ -1,7 +1,7 @@
-//! What was measured of the derivatives, as the Markdown of `docs/verification.md`.
+//! Measured errors of the derivatives, as the Markdown of `docs/verification.md`.
 //!
-//! `cargo run --release --example verification docs/pictures > docs/verification.md`: the pictures
-//! go into the folder named; without one there are none.
+//! `cargo run --release --example verification docs/pictures > docs/verification.md` writes the
+//! pictures into the named folder; without a folder there are no pictures.
 
 use longdrive::derivative::check::Verdict;
 use longdrive::parameters::PRESETS;

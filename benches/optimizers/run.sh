@@ -8,10 +8,10 @@ mkdir -p "$out"
 
 [ -x .venv/bin/python ] || python3 -m venv .venv
 .venv/bin/pip install --quiet --requirement requirements.txt
-# all crates with full optimization, and thin local LTO, as Cargo builds them by default: what the library's own profile leaves out
+# full optimization and thin local LTO for all crates, Cargo's defaults, in place of this repository's profile
 cargo build --release --locked -j1 --target-dir target --config profile.release.lto=false --config profile.release.package.libm.opt-level=3
 
-# one thread, on one processor where that can be asked for
+# one thread, pinned to one processor if possible
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 RAYON_NUM_THREADS=1
 pin=""
 if command -v taskset >/dev/null; then pin="taskset -c 0"; fi

@@ -1,9 +1,9 @@
 #!/bin/sh
-# Measures longdrive beside its peers and writes the tables to results.md and docs/performance.md.
+# Compares longdrive with its peers and writes the tables to results.md and docs/performance.md.
 # Usage: benches/peers/run.sh [--python]
-#   --python  the Python peers too (NumPy, SciPy, Numba, JAX: an environment of their own in target, some minutes more)
-# CORE: the processor everything is pinned to (the last one). What is missing of clang-14, valgrind and ceres is installed
-# by apt-get where that may be done without asking, and left out otherwise.
+#   --python  the Python peers too (NumPy, SciPy, Numba, JAX, in a virtual environment in target; takes some minutes)
+# CORE: processor of all measurements (default: the last one). If clang-14, valgrind or ceres is missing, it is installed
+# by apt-get without a prompt, or else left out.
 set -eu
 cd "$(dirname "$0")"
 build=target/peers
@@ -20,7 +20,7 @@ command -v valgrind >/dev/null || install valgrind
 [ -e /usr/include/ceres/jet.h ] || install libceres-dev libeigen3-dev
 clang=$(command -v clang++-14 || command -v clang++ || true)
 
-# compile COMPILER NAME SOURCE OPTION...: one binary for this machine, and one for valgrind, which knows no AVX-512
+# compile COMPILER NAME SOURCE OPTION...: one binary for this machine, and one for valgrind, which lacks AVX-512
 compile() {
   compiler=$1 name=$2 source=cpp/$3
   shift 3
@@ -41,7 +41,7 @@ for compiler in g++ $clang; do
   compile "$compiler" "cpp-tuned-$tag" tuned.cpp
   compile "$compiler" "cpp-tuned-$tag.twelve" tuned_twelve.cpp -mprefer-vector-width=512
   compile "$compiler" "cpp-simd4-$tag" tuned.cpp -DVEC=v4 -DINLEXP
-  # of the instructions this machine may lack: no binary for valgrind
+  # the machine may lack these instructions: no binary for valgrind
   if [ -n "$wide" ]; then
     compile "$compiler" "cpp-simd8-$tag" tuned.cpp -DVEC=v8 -DINLEXP -DRSQRT -mprefer-vector-width=512
     compile "$compiler" "cpp-simd2x8-$tag" tuned.cpp -DTWO_VECTORS -DVEC=V2 -DINLEXP -DRSQRT -mprefer-vector-width=512
@@ -50,7 +50,7 @@ done
 if [ -e /usr/include/ceres/jet.h ]; then compile g++ ceres-jet ceres.cpp -DNDEBUG -I/usr/include/eigen3; fi
 gcc -O2 -march=native cpp/machine.c -o "$build/machine"
 
-# the library's side with thin local LTO and at level 3, as a package that depends on it is built by default, and the program as it is installed
+# the library with thin local LTO at level 3, the defaults of a package that depends on it, and the program with the profile of its installation
 cargo build --release --locked --target-dir target --config profile.release.lto=false --config profile.release.package.longdrive.opt-level=3
 cargo build --release --locked --target-dir target --package longdrive --bin longdrive
 

@@ -433,7 +433,7 @@ fn same_bits_of_a_resumed_design() {
     );
 }
 
-/// Defaults that replace missing statements are printed, and so is the error of rigid bodies.
+/// The answer names assumed defaults and the known error of rigid bodies.
 #[test]
 fn what_a_design_assumes_is_told() {
     let said = longdrive(&["design", "--scenarios", "64"]);

@@ -71,7 +71,7 @@ impl AtWork {
         }
     }
 
-    /// Whether standard error has this text.
+    /// True if standard error has this text.
     fn has_said(&self, text: &str) -> bool {
         self.read("err").contains(text)
     }

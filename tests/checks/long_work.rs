@@ -355,7 +355,7 @@ fn same_answer_of_the_program_after_repeated_kills() {
     assert_eq!(run(&killed), alone);
 }
 
-/// Of ten thousand searches, those that had not begun are one entry: as single entries they would
+/// Searches that had not begun are one entry, here nearly all of ten thousand: as single entries they would
 /// be compared with all others.
 #[test]
 fn searches_that_had_not_begun_are_one_entry_with_all_their_starts() {

@@ -1,9 +1,9 @@
-//! Generated questions: command lines over all commands, with the files they name, good and bad.
-//! Whatever is asked, the program ends with status 0, 1 or 2, panics nowhere, prints no number that
-//! is none, answers in JSON as its schemas say, and touches no file that was not named.
+//! Generated questions: correct and wrong command lines of all commands, with their files. For each,
+//! the program ends with status 0, 1 or 2, does not panic, prints no NaN and no infinity, answers in
+//! JSON according to its schemas, and touches no file that the command line does not name.
 //!
-//! `LONGDRIVE_QUESTIONS=100000` asks so many, on all cores; `LONGDRIVE_SEED` others. A question
-//! that fails is printed with its number: `LONGDRIVE_QUESTION` asks that one alone.
+//! `LONGDRIVE_QUESTIONS=100000` sets the number of questions, on all cores; `LONGDRIVE_SEED` the
+//! seed. A failing question is printed with its number: `LONGDRIVE_QUESTION` runs that one alone.
 
 mod asked;
 mod chance;

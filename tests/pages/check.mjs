@@ -1,4 +1,4 @@
-// Looks at the pages of longdrive in Chromium: node check.mjs [PROGRAM [CHROMIUM]]
+// Checks pages of longdrive in Chromium: node check.mjs [PROGRAM [CHROMIUM]]
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -13,7 +13,7 @@ const program = resolve(process.argv[2] ?? join(root, "target/debug/longdrive"))
 const browserFile = process.argv[3] ?? "/usr/bin/chromium";
 const shots = join(root, "examples/shots.csv");
 
-// each page with the status that the program ends with
+// each page with the exit status of its command
 const PAGES = [
   ["report", ["report"], 0],
   ["slow", ["report", "--set", "swing.speed=60mph"], 0],
@@ -28,18 +28,18 @@ const PAGES = [
   ["calibrate", ["calibrate", shots, "modern-driver", "--fit", "aero.cd0", "--fit", "aero.cl_max=0.2..1"], 0],
 ];
 const SCREENS = [[390, 844], [768, 1024], [1280, 800]];
-// A4 less its margins, at 96 pixels per inch
+// A4 without margins, at 96 pixels per inch
 const PAPER = [688, 1016];
 const LEAST_TEXT = 12;
-// the rules of axe that look at colours: of text on its ground, and of links beside the text around them
+// axe's rules of colours: contrast of text, and of links in text
 const COLOURS = ["color-contrast", "link-in-text-block"];
-// what was typed, and what a source says, stay as they are written
+// typed text and quoted sources keep their units
 const AS_WRITTEN = ".switch, .typed, .source, .doc, code";
 
 const found = [];
 const folder = mkdtempSync(join(tmpdir(), "longdrive-pages-"));
 
-/** Makes a page and returns its file. */
+/** Writes a page and returns its file. */
 function made([name, args, status]) {
   const into = join(folder, name);
   let ended = 0;
@@ -52,21 +52,21 @@ function made([name, args, status]) {
   return join(into, "index.html");
 }
 
-// what a page is asked in the browser; what is wrong comes back as texts
+// checks in the browser, which return the faults as texts
 
-/** Whether it is wider than the screen. */
+/** True if the page is wider than the screen. */
 function wide() {
   const { scrollWidth, clientWidth } = document.documentElement;
   return scrollWidth > clientWidth ? [`it is ${scrollWidth} pixels wide, on a screen of ${clientWidth}`] : [];
 }
 
-/** Pictures that a sheet of paper does not hold: they would be cut in two. */
+/** Pictures larger than a sheet of paper, which would be cut in two. */
 function tall(sheet) {
   const figures = [...document.querySelectorAll("figure")].map((figure) => figure.getBoundingClientRect().height);
   return figures.filter((height) => height > sheet).map((height) => `a picture of ${height} pixels on a sheet of ${sheet}`);
 }
 
-/** Whether the whole answer is on the first screen. */
+/** True if the whole answer is on the first screen. */
 function answered() {
   const answer = document.querySelector(".answer");
   if (!answer) return ["it has no answer"];
@@ -74,7 +74,7 @@ function answered() {
   return bottom + scrollY > innerHeight ? [`the answer ends at ${bottom} of ${innerHeight} pixels`] : [];
 }
 
-/** Text in pictures that is too small. */
+/** Too small text in pictures. */
 function small(least) {
   const wrong = [];
   for (const text of document.querySelectorAll("svg text")) {
@@ -85,7 +85,7 @@ function small(least) {
   return wrong.slice(0, 3);
 }
 
-/** Text of pictures beyond its picture's edge. */
+/** Text beyond the edge of its picture. */
 function cut() {
   const wrong = [];
   for (const text of document.querySelectorAll("svg text")) {
@@ -96,7 +96,7 @@ function cut() {
   return wrong.slice(0, 3);
 }
 
-/** Text in the units that are not chosen, where all numbers must be in those that are. */
+/** Text in units that are not chosen. */
 function mixed([units, where, asWritten]) {
   const wrong = new Set();
   const unit = new RegExp(`\\d ?(${units.join("|")})(?![\\w/])|\\[(${units.join("|")})\\]`);
@@ -108,7 +108,7 @@ function mixed([units, where, asWritten]) {
   return [...wrong].slice(0, 3);
 }
 
-/** What is folded, and so missing on paper. */
+/** Folded parts, which are missing on paper. */
 function folded() {
   const rest = [...document.querySelectorAll("details > :not(summary)")].filter((node) => node.getBoundingClientRect().height === 0);
   return rest.slice(0, 3).map((node) => `<${node.localName}> in a folded part is not printed`);
@@ -125,7 +125,7 @@ async function look(browser, name, file) {
     page.on("request", (request) => request.url().startsWith("file:") || say("request", [request.url()]));
     await page.goto(pathToFileURL(file).href);
     await page.evaluate(axe.source);
-    // a page is laid out in the dark as in the light: its colours are looked at, which are the same at every width
+    // the layout is the same in the dark, and colours are the same at every width: only colours are checked
     for (const [width, height] of scheme === "dark" ? SCREENS.slice(0, 1) : SCREENS) {
       const isFirst = width === SCREENS[0][0];
       await page.setViewportSize({ width, height });
@@ -142,7 +142,7 @@ async function look(browser, name, file) {
     if (scheme === "light") {
       for (const [system, units] of [["metric", ["yd", "mph", "ft"]], ["us", ["m", "m/s"]]]) {
         await page.click(`label[for=units-${system}]`);
-        // what a paper prints stays in its units, with the others beside
+        // printed numbers of a paper keep their units, with the others beside them
         say(system, await page.evaluate(mixed, [units, isReport ? "body" : "svg", AS_WRITTEN]));
       }
       await page.emulateMedia({ media: "print" });

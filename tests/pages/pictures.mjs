@@ -1,5 +1,5 @@
-// The pictures of README and docs: node pictures.mjs PROGRAM CHROMIUM draws them anew elsewhere and says which of those in docs/pictures are no longer
-// what the program draws; with --write it draws them there.
+// The pictures of README and docs: node pictures.mjs PROGRAM CHROMIUM draws them in a temporary folder and lists the pictures of docs/pictures that
+// differ; with --write it draws them in docs/pictures.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -13,7 +13,7 @@ const isWriting = process.argv[4] === "--write";
 const kept = fileURLToPath(new URL("../../docs/pictures/", import.meta.url));
 
 const LAWS = ["--laws", "launch-monitor,ferguson,winfield-tan,naruo-mizota,usga-itr,bearman-harvey", "--width", "640"];
-// each picture that a command writes, with the command; what is measured of rounding is another number on another processor, so that only its words are compared
+// each picture with its command; measured rounding differs between processors, so only its words are compared
 const PLOTS = [
   ["map.svg", ["plot", "contour", "--width", "640"]],
   ["fairway.svg", ["plot", "fairway"]],
@@ -21,8 +21,8 @@ const PLOTS = [
   ["laws-lift.svg", ["plot", "laws", "--show", "cl", ...LAWS]],
   ["vcurve.svg", ["plot", "vcurve", "mae494", "--of", "carry", "--wrt", "club.loft"], "words"],
 ];
-// validation-*.svg are drawn by `WRITE_PICTURES=1 cargo test what_validation_md_shows`, which holds them to the program at every run
-// the first screen of the report: report.png, and report.txt with the words and the style that it shows, for a screenshot is another on a machine with other fonts
+// validation-*.svg are drawn by `WRITE_PICTURES=1 cargo test what_validation_md_shows`, which compares them at every run
+// the first screen of the report: report.png, and report.txt with its words and styles, because screenshots differ between machines with other fonts
 const SCREEN = { width: 1280, height: 800 };
 // numbers of a drawing are tenths of a pixel
 const NEAR = 5;
@@ -37,7 +37,7 @@ const run = (args, file) => {
 /** The lines of text of a drawing. */
 const words = (svg) => svg.split(/<[^>]*>/).map((text) => text.trim()).filter(Boolean).join("\n");
 
-/** Whether two drawings are the same but for the rounding of their coordinates. */
+/** True if two drawings are equal to the rounding of their coordinates. */
 function isSame(ours, theirs) {
   const number = /-?\d+(?:\.\d+)?/g;
   const attributes = (svg) => (svg.match(/<[^>]*>/g) ?? []).join("\n");
@@ -47,7 +47,7 @@ function isSame(ours, theirs) {
   return a.replace(number, "#") === b.replace(number, "#") && isNear();
 }
 
-/** What the first screen of the report shows: its words, an element in a line, and what its look depends on. */
+/** The first screen of the report: its words, an element a line, and its styles. */
 function firstScreen(html) {
   const style = createHash("sha256").update(html.match(/<style>[^]*?<\/style>/)[0]).digest("hex").slice(0, 16);
   const shown = html.slice(html.indexOf("<body"), html.indexOf("<figure"));
@@ -63,7 +63,7 @@ const stored = (name) => {
   }
 };
 const stale = [];
-/** Compares a picture with the one that is kept, or keeps it. */
+/** Compares a picture with the stored one, or stores it. */
 function settle(name, drawn, isCurrent) {
   if (isCurrent(stored(name), drawn)) return true;
   if (isWriting) writeFileSync(join(kept, name), drawn);

@@ -1,10 +1,9 @@
-//! The judge of all solvers alike: are the KKT conditions met at x? It knows x and the problem, and
-//! nothing else.
+//! One judge for all solvers: does x meet the KKT conditions? It uses x and the problem alone.
 //!
-//! Active are the bounds and constraint limits within 1e-6 (relative to the limit, at least 1).
-//! Their multipliers are those of nonnegative least squares. Stationarity is relative, in each
-//! component, to the largest of the terms that balance, of |f| and of 1; violations relative to the
-//! limit and 1; complementarity to |f| and 1.
+//! Bounds and constraint limits within 1e-6 (relative to the limit, at least 1) are active. Their
+//! multipliers come from nonnegative least squares. Stationarity is relative, in each component, to
+//! the largest of the balancing terms, |f| and 1; violations are relative to the limit and 1;
+//! complementarity to |f| and 1.
 
 use crate::nnls;
 use crate::oracle::evaluate;
