@@ -18,11 +18,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 pub fn run(args: &Calibrate) -> Result<Answer> {
-    let setup = args.question.setup()?;
-    let rule = Rule::new(
-        args.question.inputs().chain([args.data.clone()]),
-        args.overwrite,
-    );
+    let request = args.setup_args.request()?;
+    let setup = request.setup()?;
+    let rule = Rule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
     let folder = args
         .plot
         .as_ref()
@@ -43,7 +41,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
             args.data.display()
         );
         return Err(Error::Unreadable {
-            name: args.question.launch_from(),
+            name: request.launch_from(),
             source: source.into(),
         });
     }
@@ -53,26 +51,24 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let mut table = ShotTable::open(&setup, &args.data)?;
     warn(&table.warnings);
     warnings.extend(table.warnings.clone());
-    if args.question.gives_air()? {
+    if request.gives_air() {
         table.in_given_air();
     }
     if table.is_launched {
-        args.question
-            .refuse_club(&setup, &format!("the rows of {file} are launches"))?;
+        request.refuse_club(&format!("the rows of {file} are launches"))?;
     }
     let given: Vec<_> = setup
         .parameters()
         .into_iter()
         .filter(|parameter| table.gives(parameter))
         .collect();
-    args.question.refuse_twice(
-        &setup,
+    request.refuse_stated(
         &given,
         &format!("every row of {file} has a value of its own"),
     )?;
-    args.question.refuse_replaced(&setup, &given)?;
+    request.refuse_replaced(&setup, &given)?;
     let mut plan = Plan::read(&setup, &args.fit)?;
-    let setup = args.question.for_many(setup, &ranges(&table, &plan.fit))?;
+    let setup = request.for_many(setup, &ranges(&table, &plan.fit))?;
     plan.starts = args.starts as usize;
     plan.options.max_iterations = args.max_iterations;
     if args.huber {
@@ -173,11 +169,8 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         is_fitted
     });
     if let Some(output) = &output {
-        output.write(
-            args.question
-                .as_stated(calibration_toml(&found, args.question.preset()?, &file)?)?
-                .as_bytes(),
-        )?;
+        let toml = calibration_toml(&found, request.source().preset(), &file)?;
+        output.write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!(
             "wrote the fitted setup into {}",
             output.path().display()
@@ -190,7 +183,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
             system(),
         )?;
     }
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         let mut reply = calibration_reply(&report, warnings);
         let named =
             |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));

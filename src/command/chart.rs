@@ -14,22 +14,22 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
-    let setup = args.question.setup_varied(&args.search.vary)?;
+    let request = args.setup_args.request()?;
+    let setup = request.setup_with_starts(&args.search.vary)?;
     let (along, at) = args.places(&setup)?;
-    let setup = args.question.begun(
+    let setup = request.with_values(
         setup,
         [(along.parameter, 0.5 * (along.low + along.high))],
         "begins at",
     )?;
     let search = args.search.search(&setup)?;
-    args.question
-        .refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
+    request.refuse_stated_with_default(&[along.parameter], "--along gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
-    let setup = args.question.for_many(setup, &ranges)?;
+    let setup = request.for_many(setup, &ranges)?;
     let mut warnings = setup.warnings();
     warn(&warnings);
     let stop = interrupt::stops(BEST_SO_FAR);
-    args.question.tell_of_the_start(&setup, &search.vary);
+    request.note_starts(&setup, &search.vary);
     let of = search.of;
     let spinner = spinner("following the optimum");
     let beginning = {
@@ -85,7 +85,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
                 ended: Some(error.message()),
                 interrupted,
             };
-            let answer = if args.question.json {
+            let answer = if request.is_json() {
                 Answer::json(&ChartReport::reply(&none, &search, warnings))
             } else {
                 Answer::text(String::new())
@@ -97,7 +97,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let beyond = chart.warnings();
     warn(&beyond);
     warnings.extend(beyond);
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         Answer::json(&ChartReport::reply(&chart, &search, warnings))
     } else if args.csv {
         for note in chart.begun.iter().chain(&chart.ended) {

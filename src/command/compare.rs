@@ -1,7 +1,7 @@
-use crate::command::args::{Compare, Pair, Question};
+use crate::command::args::{Compare, Pair};
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, spinner, system, tell, tell_error, warn};
-use crate::command::question::given_once;
+use crate::command::request::{Request, Setting, Source, refuse_duplicates};
 use crate::report::{ComparisonReport, comparison_text, difference_text};
 use crate::study::Comparison;
 use crate::units::Message;
@@ -9,7 +9,7 @@ use crate::{Error, Outcome, Result};
 
 pub fn run(args: &Compare) -> Result<Answer> {
     let of = outcomes(&args.of)?;
-    let comparison = args.pair.comparison()?;
+    let comparison = args.pair.comparison(&args.pair.requests()?)?;
     let warnings = warnings(&comparison);
     warn(&warnings);
     let spinner = spinner("splitting the difference");
@@ -27,7 +27,7 @@ pub fn run(args: &Compare) -> Result<Answer> {
             difference => each.push((of, Ok(difference?))),
         }
     }
-    let answer = if args.pair.question.json {
+    let answer = if args.pair.setup_args.json {
         Answer::json(&ComparisonReport::reply(&comparison, &each, warnings))
     } else {
         let differences = each
@@ -58,43 +58,67 @@ pub fn warnings(comparison: &Comparison) -> Vec<Message> {
     [("a", 0), ("b", 1)].into_iter().flat_map(of).collect()
 }
 
+fn of_a(error: Error) -> Error {
+    error.of_drive("drive a")
+}
+
+fn of_b(error: Error) -> Error {
+    error.of_drive("drive b")
+}
+
 impl Pair {
-    /// The two drives, side by side.
-    pub fn comparison(&self) -> Result<Comparison> {
+    /// The requests of the two drives.
+    ///
+    /// # Errors
+    /// If nothing differs on the command line; as [`SetupArgs::request`] for each drive.
+    pub fn requests(&self) -> Result<[Request; 2]> {
         let own = [&self.set_a, &self.set_b, &self.launch_a, &self.launch_b];
         if self.other.is_none() && own.iter().all(|options| options.is_empty()) {
             let source = "there is one drive; name a second setup, or say in what drive b differs, \
-                          for example --set-b \
-                          club.loft=10.5deg";
+                          for example --set-b club.loft=10.5deg";
             return Err(Error::Unreadable {
                 name: "compare".into(),
                 source: source.into(),
             });
         }
-        // told by their own names: the question about each drive has them among those of both
-        for (option, own) in [("--set-a", &self.set_a), ("--set-b", &self.set_b)] {
-            given_once(&[("--set", &self.question.set), (option, own)])?;
-        }
-        for (option, own) in [
-            ("--launch-a", &self.launch_a),
-            ("--launch-b", &self.launch_b),
-        ] {
-            given_once(&[("--launch", &self.question.launch), (option, own)])?;
-        }
-        let setup = |(question, drive): (Question, &'static str)| {
-            let setup = question
-                .setup()
-                .and_then(|setup| question.within_tolerance(setup));
-            setup.map_err(|error| error.of_drive(drive))
+        let source_a = Source::read(&self.setup_args.setup).map_err(of_a)?;
+        let source_b = match &self.other {
+            Some(other) => Source::read(other).map_err(of_b)?,
+            None => source_a.clone(),
         };
-        let [a, b] = self.questions();
-        let comparison = Comparison::new(&setup((a, "drive a"))?, &setup((b, "drive b"))?)?;
+        let settings_a = self.settings(
+            Setting::read_all("--set-a", &self.set_a)?,
+            Setting::read_all_launch("--launch-a", &self.launch_a)?,
+        )?;
+        let settings_b = self.settings(
+            Setting::read_all("--set-b", &self.set_b)?,
+            Setting::read_all_launch("--launch-b", &self.launch_b)?,
+        )?;
+        Ok([
+            Request::new(source_a, settings_a, &self.setup_args).map_err(of_a)?,
+            Request::new(source_b, settings_b, &self.setup_args).map_err(of_b)?,
+        ])
+    }
+
+    /// The settings of a drive: those of both drives with its own.
+    fn settings(&self, own_set: Vec<Setting>, own_launch: Vec<Setting>) -> Result<Vec<Setting>> {
+        let settings = [self.setup_args.settings()?, own_set, own_launch].concat();
+        refuse_duplicates(&settings)?;
+        Ok(settings)
+    }
+
+    /// The comparison of the two drives.
+    ///
+    /// # Errors
+    /// For a setup that is not complete; as [`Comparison::new`].
+    pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
+        let setup = |request: &Request| request.within_tolerance(request.setup()?);
+        let comparison = Comparison::new(&setup(a).map_err(of_a)?, &setup(b).map_err(of_b)?)?;
         if comparison.is_refined {
             let setup = &comparison.setups[0];
             tell(&format!(
                 "note: both drives are flown with flight.method = {} and flight.step = {} s: the \
-                 higher order and the shorter step \
-                 of the two setups",
+                 higher order and the shorter step of the two setups",
                 setup.method.name(),
                 setup.flight.step
             ));
@@ -102,39 +126,12 @@ impl Pair {
         Ok(comparison)
     }
 
-    /// The question about each drive alone.
-    pub fn questions(&self) -> [Question; 2] {
-        let Question {
-            setup,
-            set,
-            launch,
-            tolerance,
-            own_step,
-            json,
-        } = &self.question;
-        let one = |setup: &String, own: &[String], own_launch: &[String]| Question {
-            setup: setup.clone(),
-            set: [set, own].concat(),
-            launch: [launch, own_launch].concat(),
-            tolerance: tolerance.clone(),
-            own_step: *own_step,
-            json: *json,
-        };
-        [
-            one(setup, &self.set_a, &self.launch_a),
-            one(
-                self.other.as_ref().unwrap_or(setup),
-                &self.set_b,
-                &self.launch_b,
-            ),
-        ]
-    }
-
     /// What each drive is, as it was asked for: "modern-driver, club.loft=11deg".
     pub fn titles(&self) -> [String; 2] {
-        let b = self.other.as_ref().unwrap_or(&self.question.setup);
+        let a = &self.setup_args.setup;
+        let b = self.other.as_ref().unwrap_or(a);
         [
-            (&self.question.setup, &self.set_a, &self.launch_a),
+            (a, &self.set_a, &self.launch_a),
             (b, &self.set_b, &self.launch_b),
         ]
         .map(|(setup, set, launch)| {

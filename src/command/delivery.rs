@@ -1,7 +1,8 @@
-use crate::command::args::{DeliveryArgs, Question};
+use crate::command::args::{DeliveryArgs, SetupArgs};
 use crate::command::files::{Destination, Rule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, command_line, system, tell, warn};
+use crate::command::request::{Request, Setting, Source};
 use crate::parameters::Vary;
 use crate::report::{
     bound_warnings, delivered_text, deliveries_text, delivery_reply, delivery_toml, parameter_text,
@@ -15,173 +16,248 @@ use crate::study::delivery::{
 use crate::units::{Message, counted};
 use crate::{Error, Result, Setup};
 use std::ffi::OsString;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub fn run(args: &DeliveryArgs) -> Result<Answer> {
-    refuse_step(&args.question)?;
-    let inputs = args.question.inputs().chain(args.shots.clone());
-    let rule = Rule::new(inputs, args.overwrite);
-    let output = args
-        .output
-        .as_ref()
-        .map(|file| rule.setup_file(file))
-        .transpose()?;
-    let of_swings = rule.and_not(args.output.as_deref());
-    let swings = args
-        .swings
-        .as_ref()
-        .map(|file| Ok((of_swings.file(file)?, is_table(file)?)))
-        .transpose()?;
-    let (setup, launched) = setups(args)?;
+    refuse_step(&args.setup_args)?;
+    let requests = Requests::new(args)?;
+    let outputs = Outputs::new(args, &requests.club)?;
+    let setup = requests.setup_of_club()?;
+    let launched = requests.setup_of_launch(args)?;
     let mut warnings = setup.warnings();
     warn(&warnings);
+    let unknowns = read_unknowns(args, &setup)?;
+    let found = match &args.shots {
+        None => of_launch(&setup, &launched, &unknowns)?,
+        Some(file) => of_shots(file, &requests, &setup, &unknowns)?,
+    };
+    warnings.extend(found.warnings());
+    let is_setup_written = outputs.write_setup(&found, &requests.club, &setup, &mut warnings)?;
+    let setup_words = || match &outputs.setup {
+        Some(output) if is_setup_written => vec![output.path().display().to_string()],
+        // swings are of one club, ball and air: the parameters found are no part of it
+        _ => requests.club.as_arguments(
+            &unknowns
+                .iter()
+                .map(|unknown| unknown.parameter)
+                .collect::<Vec<_>>(),
+        ),
+    };
+    let is_whole = outputs.write_swings(&found, setup_words, &mut warnings)?;
+    let is_found = found.explained() == found.all.len() && found.left_out == 0 && is_whole;
+    Ok(answer(args, &found, warnings).found(is_found))
+}
+
+/// The deliveries found, and the population of them where there are several.
+struct Found {
+    all: Vec<Delivery>,
+    population: Option<Result<Population>>,
+    /// The measurement in the head of a setup file.
+    from: String,
+    /// Rows left out by an interruption.
+    left_out: usize,
+    /// Warnings of the table.
+    of_table: Vec<Message>,
+}
+
+impl Found {
+    /// The number of deliveries that explain their launch.
+    fn explained(&self) -> usize {
+        self.all.iter().filter_map(Delivery::explained).count()
+    }
+
+    /// Warnings about the deliveries; the host gets those that it has not had.
+    fn warnings(&self) -> Vec<Message> {
+        let mut warnings = vec![];
+        if self.left_out > 0 {
+            let rows = counted(self.left_out as u64, "row");
+            warnings.push(format!("interrupted: {rows} were not looked at").into());
+        }
+        warnings.extend(bound_warnings(&self.all, system()));
+        let population = self.population.iter().flatten();
+        warnings.extend(population.flat_map(|found| population_warnings(found, system())));
+        warn(&warnings);
+        [self.of_table.clone(), warnings].concat()
+    }
+}
+
+/// The delivery of one measured launch.
+fn of_launch(setup: &Setup<f64>, launched: &Setup<f64>, unknowns: &[Unknown]) -> Result<Found> {
+    note_assumed(unknowns);
+    let found = delivery(setup, &launches(launched), unknowns)?;
+    Ok(Found {
+        all: vec![Delivery {
+            row: 1,
+            found: Ok(found),
+        }],
+        population: None,
+        from: "a measured launch".into(),
+        left_out: 0,
+        of_table: vec![],
+    })
+}
+
+/// The deliveries of the shots in a table.
+fn of_shots(
+    file: &Path,
+    requests: &Requests,
+    setup: &Setup<f64>,
+    unknowns: &[Unknown],
+) -> Result<Found> {
+    let table = ShotTable::open_launches(setup, file)?;
+    let given: Vec<_> = setup
+        .parameters()
+        .into_iter()
+        .filter(|parameter| table.gives(parameter))
+        .collect();
+    let why = format!("every row of {} has a value of its own", table.file);
+    requests.club.refuse_stated(&given, &why)?;
+    requests.launched.refuse_stated(&given, &why)?;
+    warn(&table.warnings);
+    let remarks = table
+        .remarks
+        .iter()
+        .filter(|remark| !table.warnings.contains(remark));
+    remarks.for_each(|remark| tell(&remark.in_units(system())));
+    tell(&format!(
+        "{}: of each row the launch is used, and not the flight",
+        table.file
+    ));
+    let (measured, assumed): (Vec<_>, Vec<_>) = unknowns
+        .iter()
+        .partition(|unknown| table.gives(unknown.parameter));
+    note_assumed(&assumed);
+    note_measured(setup, &measured);
+    let all = deliveries(setup, &table, unknowns, &interrupt::stops(BEST_SO_FAR));
+    let population = Population::of(setup, &all, unknowns, |parameter| table.gives(parameter));
+    Ok(Found {
+        left_out: table.shots.len() - all.len(),
+        all,
+        population: Some(population),
+        from: table.file,
+        of_table: table.warnings,
+    })
+}
+
+/// The parameters to find, with what is known of them before the shot.
+fn read_unknowns(args: &DeliveryArgs, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
     let vary = args
         .vary
         .iter()
-        .map(|text| Vary::read(&setup, text))
+        .map(|text| Vary::read(setup, text))
         .collect::<Result<Vec<_>>>()?;
     let sigmas = args
         .sigma
         .iter()
-        .map(|text| Sigma::read(&setup, text))
+        .map(|text| Sigma::read(setup, text))
         .collect::<Result<Vec<_>>>()?;
-    let unknowns = unknowns(&setup, &vary, &sigmas)?;
-    let (all, population, from, left_out) = match &args.shots {
-        None => {
-            tell_assumed(&unknowns);
-            let found = delivery(&setup, &launches(&launched), &unknowns)?;
-            (
-                vec![Delivery {
-                    row: 1,
-                    found: Ok(found),
-                }],
-                None,
-                "a measured launch".to_owned(),
-                0,
-            )
-        }
-        Some(file) => {
-            let table = ShotTable::open_launches(&setup, file)?;
-            let given: Vec<_> = setup
-                .parameters()
-                .into_iter()
-                .filter(|parameter| table.gives(parameter))
-                .collect();
-            args.question.refuse_twice(
-                &setup,
-                &given,
-                &format!("every row of {} has a value of its own", table.file),
-            )?;
-            warn(&table.warnings);
-            warnings.extend(table.warnings.clone());
-            let remarks = table
-                .remarks
-                .iter()
-                .filter(|remark| !table.warnings.contains(remark));
-            remarks.for_each(|remark| tell(&remark.in_units(system())));
-            tell(&format!(
-                "{}: of each row the launch is used, and not the flight",
-                table.file
-            ));
-            let (measured, assumed): (Vec<_>, Vec<_>) = unknowns
-                .iter()
-                .partition(|unknown| table.gives(unknown.parameter));
-            tell_assumed(&assumed);
-            tell_measured(&setup, &measured);
-            let all = deliveries(&setup, &table, &unknowns, &interrupt::stops(BEST_SO_FAR));
-            let left_out = table.shots.len() - all.len();
-            let population =
-                Population::of(&setup, &all, &unknowns, |parameter| table.gives(parameter));
-            (all, Some(population), table.file, left_out)
-        }
-    };
-    if left_out > 0 {
-        let unreached = [format!(
-            "interrupted: {} were not looked at",
-            counted(left_out as u64, "row")
-        )
-        .into()];
-        warn(&unreached);
-        warnings.extend(unreached);
-    }
-    let found = all.iter().filter_map(Delivery::explained).count();
-    let at_bounds = bound_warnings(&all, system());
-    warn(&at_bounds);
-    warnings.extend(at_bounds);
-    let of_population: Vec<_> = population
-        .iter()
-        .flatten()
-        .flat_map(|population| population_warnings(population, system()))
-        .collect();
-    warn(&of_population);
-    warnings.extend(of_population);
-    let is_setup_written = output.is_some() && found > 0 && left_out == 0;
-    if let Some(output) = &output {
-        let file = output.path().display();
-        if is_setup_written {
-            let setup_file = delivery_toml(&setup, &all, args.question.preset()?, &from)?;
-            output.write(args.question.as_stated(setup_file)?.as_bytes())?;
-            tell(&format!(
-                "wrote the setup with this delivery into {file}; 'longdrive optimize {file} --vary \
-                 club.loft=4deg..20deg' finds \
-                 the loft of the longest carry for it"
-            ));
-        } else {
-            let why = if found == 0 {
-                "no delivery was found"
-            } else {
-                "the work was interrupted"
-            };
-            let unwritten = [Message::from(format!("{file} is not written: {why}"))];
-            warn(&unwritten);
-            warnings.extend(unwritten);
-        }
-    }
-    let mut is_written = true;
-    if let (Some((swings, is_table)), Some(population)) = (&swings, &population) {
-        // swings are of one club, ball and air
-        let setup = match &output {
-            Some(output) if is_setup_written => vec![output.path().display().to_string()],
-            _ => args.question.as_arguments(
-                &unknowns
-                    .iter()
-                    .map(|unknown| unknown.parameter)
-                    .collect::<Vec<_>>(),
-            ),
-        };
-        let unwritten = write_swings(
-            (swings, *is_table),
-            &all,
+    unknowns(setup, &vary, &sigmas)
+}
+
+fn answer(args: &DeliveryArgs, found: &Found, warnings: Vec<Message>) -> Answer {
+    let population = found
+        .population
+        .as_ref()
+        .and_then(|found| found.as_ref().ok());
+    if args.setup_args.json {
+        return Answer::json(&delivery_reply(
+            &found.all,
             population,
-            left_out == 0,
-            (&from, setup),
-        )?;
-        is_written = unwritten.is_none();
-        let unwritten: Vec<Message> = unwritten.into_iter().collect();
+            found.left_out,
+            warnings,
+        ));
+    }
+    let first = found.all.first();
+    let first = first.and_then(|delivery| delivery.found.as_ref().ok());
+    Answer::text(match (&args.shots, first) {
+        (None, Some(delivered)) => delivered_text(delivered, system()),
+        _ => deliveries_text(&found.all, population, system()),
+    })
+}
+
+/// The files to write.
+struct Outputs {
+    setup: Option<Destination>,
+    swings: Option<SwingsFile>,
+}
+
+/// A file of swings: a table, or distributions.
+struct SwingsFile {
+    destination: Destination,
+    is_table: bool,
+}
+
+impl Outputs {
+    fn new(args: &DeliveryArgs, request: &Request) -> Result<Self> {
+        let rule = Rule::new(request.inputs().chain(args.shots.clone()), args.overwrite);
+        let setup = args
+            .output
+            .as_ref()
+            .map(|file| rule.setup_file(file))
+            .transpose()?;
+        let rule = rule.and_not(args.output.as_deref());
+        let swings = |file: &PathBuf| {
+            Ok(SwingsFile {
+                destination: rule.file(file)?,
+                is_table: is_table(file)?,
+            })
+        };
+        Ok(Self {
+            setup,
+            swings: args.swings.as_ref().map(swings).transpose()?,
+        })
+    }
+
+    /// Writes the setup with the delivery; returns whether there is such a file.
+    fn write_setup(
+        &self,
+        found: &Found,
+        request: &Request,
+        setup: &Setup<f64>,
+        warnings: &mut Vec<Message>,
+    ) -> Result<bool> {
+        let Some(output) = &self.setup else {
+            return Ok(false);
+        };
+        let file = output.path().display();
+        let why = match (found.explained(), found.left_out) {
+            (0, _) => "no delivery was found",
+            (_, 0) => {
+                let preset = request.source().preset();
+                let toml = delivery_toml(setup, &found.all, preset, &found.from)?;
+                output.write(request.with_stated_step(toml)?.as_bytes())?;
+                tell(&format!(
+                    "wrote the setup with this delivery into {file}; 'longdrive optimize {file} \
+                     --vary club.loft=4deg..20deg' finds the loft of the longest carry for it"
+                ));
+                return Ok(true);
+            }
+            _ => "the work was interrupted",
+        };
+        let unwritten = [Message::from(format!("{file} is not written: {why}"))];
         warn(&unwritten);
         warnings.extend(unwritten);
+        Ok(false)
     }
-    let population = population.and_then(Result::ok);
-    let answer = if args.question.json {
-        Answer::json(&delivery_reply(
-            &all,
-            population.as_ref(),
-            left_out,
-            warnings,
-        ))
-    } else {
-        Answer::text(
-            match (
-                &args.shots,
-                all.first()
-                    .and_then(|delivery| delivery.found.as_ref().ok()),
-            ) {
-                (None, Some(delivered)) => delivered_text(delivered, system()),
-                _ => deliveries_text(&all, population.as_ref(), system()),
-            },
-        )
-    };
-    Ok(answer.found(found == all.len() && left_out == 0 && is_written))
+
+    /// Writes the swings behind the shots; `setup_words` gives their setup to another command.
+    /// Returns false if they were asked for and are not written.
+    fn write_swings(
+        &self,
+        found: &Found,
+        setup_words: impl Fn() -> Vec<String>,
+        warnings: &mut Vec<Message>,
+    ) -> Result<bool> {
+        let (Some(swings), Some(population)) = (&self.swings, &found.population) else {
+            return Ok(true);
+        };
+        let Some(unwritten) = swings.write(found, population, setup_words())? else {
+            return Ok(true);
+        };
+        warn(std::slice::from_ref(&unwritten));
+        warnings.push(unwritten);
+        Ok(false)
+    }
 }
 
 /// Whether swings are to be written as a table; else they are written as distributions.
@@ -205,49 +281,55 @@ fn is_table(file: &Path) -> Result<bool> {
     }
 }
 
-/// Writes the swings behind the shots, or says why not.
-fn write_swings(
-    (output, is_table): (&Destination, bool),
-    all: &[Delivery],
-    population: &Result<Population>,
-    is_whole: bool,
-    (from, setup): (&str, Vec<String>),
-) -> Result<Option<Message>> {
-    let file = output.path().display();
-    let unwritten = |why: &str| Ok(Some(Message::from(format!("{file} is not written: {why}"))));
-    let found = all.iter().filter_map(Delivery::explained).count();
-    let swings = counted(found as u64, "swing");
-    let (text, told) = match population {
-        _ if !is_whole => return unwritten("the work was interrupted"),
-        _ if is_table && found == 0 => return unwritten("no delivery was found"),
-        _ if is_table => {
-            let told = format!(
-                "wrote {swings} into {file}: what a shot does not tell of a swing is drawn towards \
-                 what was known before, so that these scatter \
-                 less than the golfer; a name that ends in .toml gives the distribution"
-            );
-            (recovered_csv(all)?, told)
+impl SwingsFile {
+    /// Writes the swings behind the shots, or returns why not.
+    fn write(
+        &self,
+        found: &Found,
+        population: &Result<Population>,
+        setup_words: Vec<String>,
+    ) -> Result<Option<Message>> {
+        let file = self.destination.path().display();
+        let unwritten =
+            |why: &str| Ok(Some(Message::from(format!("{file} is not written: {why}"))));
+        let explained = found.explained();
+        let swings = counted(explained as u64, "swing");
+        if found.left_out > 0 {
+            return unwritten("the work was interrupted");
         }
-        Ok(population) => (
-            recovered_toml(population, from, system()),
-            format!("wrote the distribution of {swings} into {file}"),
-        ),
-        Err(Error::Delivery { reason }) => return unwritten(reason),
-        Err(error) => return unwritten(&error.to_string()),
-    };
-    output.write(text.as_bytes())?;
-    tell(&told);
-    if all.len() > found {
+        if self.is_table && explained == 0 {
+            return unwritten("no delivery was found");
+        }
+        let (text, note) = match population {
+            _ if self.is_table => {
+                let note = format!(
+                    "wrote {swings} into {file}: what a shot does not tell of a swing is drawn \
+                     towards what was known before, so that these scatter less than the golfer; a \
+                     name that ends in .toml gives the distribution"
+                );
+                (recovered_csv(&found.all)?, note)
+            }
+            Ok(population) => (
+                recovered_toml(population, &found.from, system()),
+                format!("wrote the distribution of {swings} into {file}"),
+            ),
+            Err(Error::Delivery { reason }) => return unwritten(reason),
+            Err(error) => return unwritten(&error.to_string()),
+        };
+        self.destination.write(text.as_bytes())?;
+        tell(&note);
+        if found.all.len() > explained {
+            tell(&format!(
+                "left out of it: {} whose delivery was not found",
+                counted((found.all.len() - explained) as u64, "row")
+            ));
+        }
         tell(&format!(
-            "left out of it: {} whose delivery was not found",
-            counted((all.len() - found) as u64, "row")
+            "the design that is best over them: {}",
+            optimize_over(self.destination.path(), setup_words)
         ));
+        Ok(None)
     }
-    tell(&format!(
-        "the design that is best over them: {}",
-        optimize_over(output.path(), setup)
-    ));
-    Ok(None)
 }
 
 /// The command that finds the best design over these swings, of the setup that these arguments
@@ -261,7 +343,7 @@ fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
 }
 
 /// What is taken for the uncertainty of each parameter before the shot, where none was given.
-fn tell_assumed(unknowns: &[Unknown]) {
+fn note_assumed(unknowns: &[Unknown]) {
     for unknown in unknowns {
         if let Some(source) = unknown.source {
             let shown = |value: f64| parameter_text(unknown.parameter, value, system());
@@ -278,7 +360,7 @@ fn tell_assumed(unknowns: &[Unknown]) {
 }
 
 /// How well the columns of the club are known, where these are sought.
-fn tell_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
+fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     for unknown in unknowns {
         let name = unknown.parameter.name;
         let measured = unknown.measured_as(setup.value(unknown.parameter).unwrap_or_default());
@@ -290,76 +372,92 @@ fn tell_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     }
 }
 
-/// The setup of the club, and the same with the launch that was measured.
-fn setups(args: &DeliveryArgs) -> Result<(Setup<f64>, Setup<f64>)> {
-    let options = [
-        ("ball_speed", &args.ball_speed),
-        ("launch_angle", &args.launch_angle),
-        ("launch_direction", &args.launch_direction),
-        ("backspin", &args.backspin),
-        ("sidespin", &args.sidespin),
-        ("spin", &args.spin),
-        ("spin_axis", &args.spin_axis),
-    ];
-    let options = options
-        .into_iter()
-        .filter_map(|(name, text)| Some(format!("{name}={}", text.as_ref()?)));
-    let launch: Vec<String> = args
-        .question
-        .launch
-        .iter()
-        .cloned()
-        .chain(options)
-        .collect();
-    let is_launch = |text: &&String| text.trim_start().starts_with("launch.");
-    let (of_launch, of_club): (Vec<_>, Vec<_>) = args.question.set.iter().partition(is_launch);
-    let part = |set: Vec<&String>, launch: Vec<String>| Question {
-        set: set.into_iter().cloned().collect(),
-        launch,
-        ..args.question.clone()
-    };
-    let (club, own) = (part(of_club, vec![]), part(of_launch, launch));
-    let mut setup = club.setup()?;
-    if args.shots.is_some() && !own.launch.is_empty() {
-        let source = "the shots have launches of their own; give one of the two".into();
-        return Err(Error::Unreadable {
-            name: format!("--shots with the launch {}", own.launch.join(", ")),
-            source,
-        });
-    }
-    let launched = own.setup()?;
-    for condition in setup.given_launch_conditions() {
-        setup.set_value(condition, None)?;
-    }
-    if args.shots.is_none() && !launched.launch.is_given() {
-        let source =
-            "no launch is given; add --ball-speed, --launch-angle and --spin (or --backspin), or \
-             --shots FILE"
-                .into();
-        return Err(Error::Unreadable {
-            name: "delivery".into(),
-            source,
-        });
-    }
-    Ok((setup, launched))
+/// The requests of the club and of the measured launch, from one command line.
+struct Requests {
+    club: Request,
+    launched: Request,
 }
 
-/// Nothing is flown: an accuracy of the flight has no effect.
-fn refuse_step(question: &Question) -> Result<()> {
-    let given = if question.tolerance.is_some() {
-        "--tolerance"
-    } else {
-        "--own-step"
-    };
-    if question.tolerance.is_none() && !question.own_step {
-        return Ok(());
+impl Requests {
+    fn new(args: &DeliveryArgs) -> Result<Self> {
+        let source = Source::read(&args.setup_args.setup)?;
+        let (mut of_launch, of_club): (Vec<_>, Vec<_>) = args
+            .setup_args
+            .settings()?
+            .into_iter()
+            .partition(Setting::is_of_launch);
+        let options = [
+            ("--ball-speed", "ball_speed", &args.ball_speed),
+            ("--launch-angle", "launch_angle", &args.launch_angle),
+            (
+                "--launch-direction",
+                "launch_direction",
+                &args.launch_direction,
+            ),
+            ("--backspin", "backspin", &args.backspin),
+            ("--sidespin", "sidespin", &args.sidespin),
+            ("--spin", "spin", &args.spin),
+            ("--spin-axis", "spin_axis", &args.spin_axis),
+        ];
+        for (option, name, text) in options {
+            if let Some(text) = text {
+                of_launch.push(Setting::of_launch(option, name, text)?);
+            }
+        }
+        Ok(Self {
+            club: Request::new(source.clone(), of_club, &args.setup_args)?,
+            launched: Request::new(source, of_launch, &args.setup_args)?,
+        })
     }
-    let source =
-        "delivery looks at the impact alone and flies nothing, so that this has no effect; leave \
-         it out"
-            .into();
+
+    /// The setup of the club, without a launch.
+    fn setup_of_club(&self) -> Result<Setup<f64>> {
+        let mut setup = self.club.setup()?;
+        for condition in setup.given_launch_conditions() {
+            setup.set_value(condition, None)?;
+        }
+        Ok(setup)
+    }
+
+    /// The setup with the measured launch; the shots of a table have their own.
+    fn setup_of_launch(&self, args: &DeliveryArgs) -> Result<Setup<f64>> {
+        let options: Vec<_> = self
+            .launched
+            .settings()
+            .iter()
+            .filter(|setting| setting.replaces_launch())
+            .map(Setting::to_string)
+            .collect();
+        if args.shots.is_some() && !options.is_empty() {
+            return Err(Error::Unreadable {
+                name: format!("--shots with {}", options.join(", ")),
+                source: "the shots have launches of their own; give one of the two".into(),
+            });
+        }
+        let launched = self.launched.setup()?;
+        if args.shots.is_none() && !launched.launch.is_given() {
+            return Err(Error::Unreadable {
+                name: "delivery".into(),
+                source: "no launch is given; add --ball-speed, --launch-angle and --spin (or \
+                         --backspin), or --shots FILE"
+                    .into(),
+            });
+        }
+        Ok(launched)
+    }
+}
+
+/// Refuses an accuracy of the flight: only the impact is computed.
+fn refuse_step(args: &SetupArgs) -> Result<()> {
+    let option = match (&args.tolerance, args.own_step) {
+        (Some(_), _) => "--tolerance",
+        (None, true) => "--own-step",
+        (None, false) => return Ok(()),
+    };
+    let source = "delivery looks at the impact alone and flies nothing, so that this has no \
+                  effect; leave it out";
     Err(Error::Unreadable {
-        name: given.into(),
-        source,
+        name: option.into(),
+        source: source.into(),
     })
 }

@@ -16,12 +16,14 @@ const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
 
 pub fn run(args: &DesignArgs) -> Result<Answer> {
     let search = &args.optimize;
-    let (setup, mut notes) = (search.question.setup()?, vec![]);
+    let request = search.setup_args.request()?;
+    let setup = request.setup()?;
+    let mut notes = vec![];
     if setup.launch.is_given() {
         let source = "it gives the ball as it leaves, which no club strikes: there is nothing to \
                       design; leave it out, or give the swing";
         return Err(Error::Unreadable {
-            name: search.question.launch_from(),
+            name: request.launch_from(),
             source: source.into(),
         });
     }
@@ -36,12 +38,8 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     } else {
         golfer(&setup)?
     };
-    search.question.refuse_twice(
-        &setup,
-        &distributed(args, &swings),
-        "the swings have values of it",
-    )?;
-    let setup = search.question.begun(
+    request.refuse_stated(&distributed(args, &swings), "the swings have values of it")?;
+    let setup = request.with_values(
         setup,
         swings.parameters().into_iter().zip(swings.means()),
         "varies about",
@@ -49,11 +47,11 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     let asked = sought(
         &search.search,
         &search.swings,
-        &search.question.varied(setup, &search.search.vary)?,
+        &request.with_starts(setup, &search.search.vary)?,
         &|| Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
         &usual_vary,
     )?;
-    search.question.tell_of_the_start(&setup, &asked.vary);
+    request.note_starts(&setup, &asked.vary);
     if search.search.maximize.is_none() && search.search.minimize.is_none() {
         notes.push(format!(
             "nothing was asked for: the design with the largest {GOAL} is sought; another: \
@@ -72,6 +70,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     notes.extend(design.notes.iter().cloned());
     let found = found(
         search,
+        &request,
         Asked {
             setup,
             swings,
@@ -92,7 +91,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         parts: &parts,
         notes: &notes,
     };
-    let answer = if search.question.json {
+    let answer = if request.is_json() {
         Answer::json(&designed.reply(found.reply()))
     } else {
         Answer::text(found.text() + &designed.text(system()))

@@ -6,7 +6,8 @@ use crate::report::{GradientReport, gradient_text};
 use crate::{Drive, Error, Result};
 
 pub fn run(args: &Gradient) -> Result<Answer> {
-    let setup = args.question.within_tolerance(args.question.setup()?)?;
+    let request = args.setup_args.request()?;
+    let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = if args.wrt.is_empty() {
         usual(&setup)?
@@ -41,7 +42,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     }
 
     let found: Vec<_> = of.into_iter().zip(each).collect();
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         Answer::json(&GradientReport::reply(&found, &wrt, warnings))
     } else {
         let text = |(of, taylor): &(_, crate::Result<_>)| {

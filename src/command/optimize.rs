@@ -1,6 +1,7 @@
 use crate::command::args::Optimize;
 use crate::command::files::{Destination, Rule};
 use crate::command::output::{Answer, system, tell, warn};
+use crate::command::request::Request;
 use crate::optimize::Status;
 use crate::report::{OptimumReport, optima_text, optimum_text, optimum_toml};
 use crate::study::{Optima, Optimum};
@@ -12,21 +13,22 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     if args.swings.is_given() {
         return crate::command::swings::run(args);
     }
-    let setup = args.question.setup_varied(&args.search.vary)?;
+    let request = args.setup_args.request()?;
+    let setup = request.setup_with_starts(&args.search.vary)?;
     let search = args.search.search(&setup)?;
-    args.question.tell_of_the_start(&setup, &search.vary);
-    let setup = args.question.for_many(setup, &search.vary)?;
-    let output = args.destination()?;
+    request.note_starts(&setup, &search.vary);
+    let setup = request.for_many(setup, &search.vary)?;
+    let output = args.destination(&request)?;
     let optima = args.work.run(&setup, &search)?;
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
     let written = output
         .as_ref()
-        .map(|output| args.write(output, &optima))
+        .map(|output| write(output, &request, &optima))
         .transpose()?
         .flatten();
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         let mut reply = OptimumReport::reply(&optima, warnings)?;
         reply.body.file = written;
         Answer::json(&reply)
@@ -48,33 +50,30 @@ pub fn run(args: &Optimize) -> Result<Answer> {
 
 impl Optimize {
     /// Where the setup at the optimum goes, if it may be written there.
-    pub fn destination(&self) -> Result<Option<Destination>> {
-        let inputs = self.question.inputs().chain(self.work.checkpoint.clone());
+    pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
+        let inputs = request.inputs().chain(self.work.checkpoint.clone());
         let rule = Rule::new(inputs, self.overwrite);
         self.output
             .as_ref()
             .map(|file| rule.setup_file(file))
             .transpose()
     }
+}
 
-    /// Writes the setup at the optimum, into the file returned; where there is no optimum, nothing.
-    pub fn write(&self, output: &Destination, optima: &Optima) -> Result<Option<String>> {
-        let file = output.path().display();
-        let best = optima.best()?;
-        if best.solution.status != Status::Converged {
-            warn(&[Message::from(format!(
-                "{file} is not written: there is no optimum"
-            ))]);
-            return Ok(None);
-        }
-        output.write(
-            self.question
-                .as_stated(optimum_toml(optima, self.question.preset()?)?)?
-                .as_bytes(),
-        )?;
-        tell(&format!("wrote the setup at the optimum into {file}"));
-        Ok(Some(file.to_string()))
+/// Writes the setup at the optimum, into the file returned; without an optimum, nothing.
+pub fn write(output: &Destination, request: &Request, optima: &Optima) -> Result<Option<String>> {
+    let file = output.path().display();
+    let best = optima.best()?;
+    if best.solution.status != Status::Converged {
+        warn(&[Message::from(format!(
+            "{file} is not written: there is no optimum"
+        ))]);
+        return Ok(None);
     }
+    let toml = optimum_toml(optima, request.source().preset())?;
+    output.write(request.with_stated_step(toml)?.as_bytes())?;
+    tell(&format!("wrote the setup at the optimum into {file}"));
+    Ok(Some(file.to_string()))
 }
 
 /// What deserves a word about an optimum.

@@ -1,6 +1,6 @@
 use crate::command::args::{Optimize, OptimumSensitivity};
 use crate::command::names::variables;
-use crate::command::optimize::remarks;
+use crate::command::optimize::{remarks, write};
 use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
 use crate::parameters::Parameter;
 use crate::report::{Analysis, SensitivityReport, optimum_text, sensitivity_text};
@@ -12,7 +12,7 @@ use crate::{Error, Outcome, Result, Setup};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let Optimize {
-        question,
+        setup_args,
         search,
         swings,
         work,
@@ -27,10 +27,11 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
             source: source.into(),
         });
     }
-    let setup = question.setup_varied(&search.vary)?;
+    let request = setup_args.request()?;
+    let setup = request.setup_with_starts(&search.vary)?;
     let search = search.search(&setup)?;
     let asked = setup;
-    let setup = question.for_many(asked, &search.vary)?;
+    let setup = request.for_many(asked, &search.vary)?;
     let wrt = variables(&setup, &args.wrt, &search.outcomes())?;
     let changes = args
         .change
@@ -49,18 +50,18 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         .map(|text| loss(search.of, text))
         .transpose()?;
 
-    let output = args.optimize.destination()?;
+    let output = args.optimize.destination(&request)?;
     let optima = work.run(&setup, &search)?;
     let best = optima.best()?;
     let written = output
         .as_ref()
-        .map(|output| args.optimize.write(output, &optima))
+        .map(|output| write(output, &request, &optima))
         .transpose()?
         .flatten();
     let warnings = remarks(&setup, best);
     warn(&warnings);
     if optima.stopped() > 0 {
-        let answer = if question.json {
+        let answer = if request.is_json() {
             Answer::json(&SensitivityReport::none(&optima, None, warnings)?)
         } else {
             Answer::text(optimum_text(best, system()))
@@ -70,14 +71,14 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     // each search chooses its own step, as "optimize" there does
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (asked.method, asked.flight.step);
-        question.for_many(changed, &search.vary)
+        request.for_many(changed, &search.vary)
     };
     let changed = |stated: &Change| change(best, *stated, &integrated);
     let found = analysed(best, &wrt, &|| changes.iter().map(changed).collect(), loss);
     let (sensitivities, flatness, changes) = match found {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
-            let answer = if question.json {
+            let answer = if request.is_json() {
                 let mut reply = SensitivityReport::none(&optima, Some(&error), warnings)?;
                 reply.body.optimum.file = written;
                 Answer::json(&reply)
@@ -99,7 +100,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         flatness: &flatness,
         changes: &changes,
     };
-    let answer = if question.json {
+    let answer = if request.is_json() {
         let mut reply = SensitivityReport::reply(&optima, &analysis, warnings);
         reply.body.optimum.file = written;
         Answer::json(&reply)

@@ -1,11 +1,12 @@
 //! Two goals weighed against each other: `pareto` and `plot pareto`.
 
-use crate::command::args::{ParetoArgs, ParetoAsked, PlotPareto, Question, SearchArgs};
+use crate::command::args::{ParetoArgs, ParetoAsked, PlotPareto, SearchArgs};
 use crate::command::files::{Destination, Rule, refused};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, system, tell, warn};
 use crate::command::picture::Target;
+use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::of_a_drive;
 use crate::command::swings::{goal, limit, ranges, refuse_idle_strokes};
@@ -21,19 +22,20 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 pub fn run(args: &ParetoArgs) -> Result<Answer> {
-    let output = Output::new(args)?;
+    let request = args.setup_args.request()?;
+    let output = Output::new(args, &request)?;
     let Followed {
         found,
         mut warnings,
-    } = followed(&args.question, &args.asked)?;
+    } = followed(&request, &args.asked)?;
     let written = match &output {
-        Some(output) => output.write(&found, args, &mut warnings)?,
+        Some(output) => output.write(&found, &request, &mut warnings)?,
         None => None,
     };
     warn(&warnings);
     // a file that was asked for and is not there is no success
     let is_whole = found.ended.is_none() && output.is_none() == written.is_none();
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         Answer::json(&pareto_reply(&found, warnings, written))
     } else {
         Answer::text(pareto_text(&found, system()))
@@ -43,8 +45,9 @@ pub fn run(args: &ParetoArgs) -> Result<Answer> {
 
 /// Draws the front.
 pub fn draw(args: &PlotPareto) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let Followed { found, warnings } = followed(&args.question, &args.asked)?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let Followed { found, warnings } = followed(&request, &args.asked)?;
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged {
@@ -53,7 +56,7 @@ pub fn draw(args: &PlotPareto) -> Result<Answer> {
         });
     }
     target.put(
-        args.question.json,
+        request.is_json(),
         &args.drawing,
         &pareto_figure(&found, system()),
         warnings,
@@ -66,12 +69,12 @@ struct Followed {
     warnings: Vec<Message>,
 }
 
-fn followed(question: &Question, asked: &ParetoAsked) -> Result<Followed> {
+fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
     asked.swings.refuse_stray()?;
     let (setup, search, scenarios) = if asked.swings.is_given() {
-        over_swings(question, asked)?
+        over_swings(request, asked)?
     } else {
-        of_one_drive(question, asked)?
+        of_one_drive(request, asked)?
     };
     let outcomes: Vec<Outcome> = search
         .goals
@@ -79,8 +82,8 @@ fn followed(question: &Question, asked: &ParetoAsked) -> Result<Followed> {
         .flat_map(|(goal, _)| goal.outcomes())
         .collect();
     tell_of_the_run(&outcomes);
-    question.tell_of_the_start(&setup, &search.vary);
-    let setup = question.for_many(setup, &ranges(&search.vary, &scenarios))?;
+    request.note_starts(&setup, &search.vary);
+    let setup = request.for_many(setup, &ranges(&search.vary, &scenarios))?;
     let spinner = spinner("following the front");
     // a line now and then: most searches are done before it could be read
     const SILENCE: Duration = Duration::from_secs(1);
@@ -118,11 +121,11 @@ fn followed(question: &Question, asked: &ParetoAsked) -> Result<Followed> {
 
 /// Goals over many swings.
 fn over_swings(
-    question: &Question,
+    request: &Request,
     asked: &ParetoAsked,
 ) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
-    let (set_up, _, scenarios) = asked.swings.taken(question, false)?;
-    let setup = question.varied(set_up, &asked.vary)?;
+    let (set_up, _, scenarios) = asked.swings.taken(request, false)?;
+    let setup = request.with_starts(set_up, &asked.vary)?;
     let strokes = asked.swings.strokes()?;
     let strokes = strokes.as_ref();
     let goals = asked.goals(|option, text| goal(option, text, strokes))?;
@@ -157,10 +160,10 @@ fn over_swings(
 
 /// Outcomes of the drive as set up.
 fn of_one_drive(
-    question: &Question,
+    request: &Request,
     asked: &ParetoAsked,
 ) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
-    let setup = question.setup_varied(&asked.vary)?;
+    let setup = request.setup_with_starts(&asked.vary)?;
     let goals = asked.goals(|option, text| Ok(Goal::outcome(of_a_drive(option, text)?)))?;
     let (vary, subject_to) = (asked.vary.clone(), asked.subject_to.clone());
     let one = SearchArgs {
@@ -247,7 +250,7 @@ struct Output {
 }
 
 impl Output {
-    fn new(args: &ParetoArgs) -> Result<Option<Self>> {
+    fn new(args: &ParetoArgs, request: &Request) -> Result<Option<Self>> {
         let Some(path) = &args.output else {
             return Ok(None);
         };
@@ -285,7 +288,7 @@ impl Output {
             }
         };
         let rule = Rule::new(
-            args.question.inputs().chain(args.asked.swings.inputs()),
+            request.inputs().chain(args.asked.swings.inputs()),
             args.overwrite,
         );
         Ok(Some(Self {
@@ -299,7 +302,7 @@ impl Output {
     fn write(
         &self,
         found: &Pareto,
-        args: &ParetoArgs,
+        request: &Request,
         warnings: &mut Vec<Message>,
     ) -> Result<Option<String>> {
         let file = self.destination.path().display().to_string();
@@ -328,11 +331,9 @@ impl Output {
             warnings.push(format!("{file} is not written: {why}").into());
             return Ok(None);
         };
-        self.destination.write(
-            args.question
-                .as_stated(pareto_toml(found, place, args.question.preset()?)?)?
-                .as_bytes(),
-        )?;
+        let toml = pareto_toml(found, place, request.source().preset())?;
+        self.destination
+            .write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!(
             "wrote the setup of point {} into {file}",
             place + 1

@@ -1,8 +1,9 @@
 //! Where a picture goes, and how it is written.
 
-use crate::command::args::{Drawing, Question};
+use crate::command::args::Drawing;
 use crate::command::files::{Destination, Rule};
 use crate::command::output::{Answer, system, tell, warn};
+use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
 use crate::report::Reply;
@@ -58,8 +59,8 @@ pub struct Target {
 
 impl Target {
     /// What was asked for, if it may be written.
-    pub fn new(question: &Question, drawing: &Drawing) -> Result<Self> {
-        Self::beside(question.inputs(), drawing)
+    pub fn new(request: &Request, drawing: &Drawing) -> Result<Self> {
+        Self::beside(request.inputs(), drawing)
     }
 
     /// The same for a plot that reads these files.
@@ -84,7 +85,7 @@ impl Target {
     /// setup's own drive.
     pub fn written(
         &self,
-        question: &Question,
+        request: &Request,
         setup: &Setup<f64>,
         drawing: &Drawing,
         figure: &Figure,
@@ -93,7 +94,7 @@ impl Target {
         let mut warnings =
             Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
         warnings.extend(of_optima);
-        self.put(question.json, drawing, figure, warnings)
+        self.put(request.is_json(), drawing, figure, warnings)
     }
 
     /// Writes the plot, with what is to be said about its drives.

@@ -8,6 +8,7 @@ use crate::command::names::{outcomes, usual, variables};
 use crate::command::output::{Answer, bar, show, spinner, system, tell};
 use crate::command::picture::Target;
 use crate::command::plot_drive::{at_optimum, face, fairway, launches, strikes};
+use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Law;
@@ -42,8 +43,9 @@ pub fn run(args: &Plot) -> Result<Answer> {
 }
 
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.within_tolerance(args.question.setup()?)?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let setup = request.within_tolerance(request.setup()?)?;
     let flown = Flown::new("", &setup)?;
     flown.drive.landed()?;
     let view = match args.view {
@@ -60,14 +62,15 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
         }
         error => error,
     })?;
-    target.written(&args.question, &setup, &args.drawing, &figure, vec![])
+    target.written(&request, &setup, &args.drawing, &figure, vec![])
 }
 
 fn contour(args: &PlotContour) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.setup_varied(&args.search.vary)?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let setup = request.setup_with_starts(&args.search.vary)?;
     let search = args.search.search(&setup)?;
-    let setup = args.question.for_many(setup, &search.vary)?;
+    let setup = request.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
     if let Some(flat) = map.flat() {
@@ -101,7 +104,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
         region: region.as_ref(),
     };
     target.written(
-        &args.question,
+        &request,
         &setup,
         &args.drawing,
         &map_figure(&map, &on, system()),
@@ -152,14 +155,12 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
 }
 
 fn along(args: &PlotChart) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args
-        .question
-        .setup_varied(args.search.vary.iter().chain([&args.along]))?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let setup = request.setup_with_starts(args.search.vary.iter().chain([&args.along]))?;
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
-    args.question
-        .refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
+    request.refuse_stated_with_default(&[along.parameter], "--along gives its values")?;
     let shown = match &args.show {
         Some(name) if name != search.of.name() => {
             let names = || {
@@ -180,7 +181,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
         _ => None,
     };
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
-    let setup = args.question.for_many(setup, &ranges)?;
+    let setup = request.for_many(setup, &ranges)?;
     let bar = bar("optima");
     let chart = chart(&setup, &search, along, &mut |_| {
         bar.inc(1);
@@ -218,13 +219,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
         .filter(moves)
         .position(|vary| Some(vary.parameter) == shown);
     match figures.drawn.get(place.map_or(0, |place| 1 + place)) {
-        Some(figure) => target.written(
-            &args.question,
-            &setup,
-            &args.drawing,
-            figure,
-            chart.warnings(),
-        ),
+        Some(figure) => target.written(&request, &setup, &args.drawing, figure, chart.warnings()),
         None => Err(Error::Nothing {
             doing: "draw",
             what: "optimum",
@@ -233,8 +228,9 @@ fn along(args: &PlotChart) -> Result<Answer> {
 }
 
 fn tornado(args: &PlotTornado) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.within_tolerance(args.question.setup()?)?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let setup = request.within_tolerance(request.setup()?)?;
     let of = Outcome::named(&args.of)?;
     let given = args
         .sigma
@@ -269,14 +265,14 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
             reason,
         });
     };
-    target.written(&args.question, &setup, &args.drawing, &figure, vec![])
+    target.written(&request, &setup, &args.drawing, &figure, vec![])
 }
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
-    let [a, b] = args.pair.questions();
-    let target = Target::beside(a.inputs().chain(b.inputs()), &args.drawing)?;
+    let requests = args.pair.requests()?;
+    let target = Target::beside(requests.iter().flat_map(Request::inputs), &args.drawing)?;
     let of = Outcome::named(&args.of)?;
-    let comparison = args.pair.comparison()?;
+    let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
         let reason =
             "nothing differs between drives a and b, so that there is nothing to draw".into();
@@ -287,12 +283,13 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
     }
     let warnings = warnings(&comparison);
     let figure = difference_figure(&comparison.of(of)?, system());
-    target.put(a.json, &args.drawing, &figure, warnings)
+    target.put(args.pair.setup_args.json, &args.drawing, &figure, warnings)
 }
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.within_tolerance(args.question.setup()?)?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = if args.wrt.is_empty() {
         usual(&setup)?
@@ -318,7 +315,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
             .find(|row| row.of == of && row.parameter == parameter)
     };
     target.written(
-        &args.question,
+        &request,
         &setup,
         &args.drawing,
         &vcurve_figure(
@@ -331,8 +328,9 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
 }
 
 fn laws(args: &PlotLaws) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.setup()?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let setup = request.setup()?;
     let over = args.over()?;
     if AirState::of(&setup.air).density == 0.0 {
         let reason = "there is no air, and so no drag and no lift; set air.density above 0".into();
@@ -370,7 +368,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         Drawn::Cl => Coefficient::Lift,
     };
     target.put(
-        args.question.json,
+        request.is_json(),
         &args.drawing,
         &laws_figure(&laws, &setup, over, of),
         vec![],

@@ -1,11 +1,10 @@
 //! Pictures of a drive beside the best one: where they land, how they leave, and where the face is
 //! struck.
 
-use crate::command::args::{
-    Drawing, PlotFace, PlotFairway, PlotLaunch, PlotStrike, Question, SearchArgs,
-};
+use crate::command::args::{Drawing, PlotFace, PlotFairway, PlotLaunch, PlotStrike, SearchArgs};
 use crate::command::output::{Answer, spinner, system, tell};
 use crate::command::picture::Target;
+use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
 use crate::study::{
@@ -15,8 +14,9 @@ use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
 
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let (setup, best) = searched(&args.question, &args.search)?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let (setup, best) = searched(&request, &args.search)?;
     let given = args
         .sigma
         .iter()
@@ -37,7 +37,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     }
     let figure = fairway_figure(&landings, system());
     target.written(
-        &args.question,
+        &request,
         &setup,
         &args.drawing,
         &figure,
@@ -46,8 +46,9 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
 }
 
 pub fn launches(args: &PlotLaunch) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let (setup, best) = searched(&args.question, &args.search)?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let (setup, best) = searched(&request, &args.search)?;
     let optimum = best.iter().map(|best| ("optimum", &best.setup));
     let drives: Vec<_> = std::iter::once(("as set up", &setup))
         .chain(optimum)
@@ -57,7 +58,7 @@ pub fn launches(args: &PlotLaunch) -> Result<Answer> {
     spinner.finish_and_clear();
     let figure = launches_figure(&map, system());
     target.written(
-        &args.question,
+        &request,
         &setup,
         &args.drawing,
         &figure,
@@ -66,14 +67,15 @@ pub fn launches(args: &PlotLaunch) -> Result<Answer> {
 }
 
 pub fn face(args: &PlotFace) -> Result<Answer> {
-    let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.for_many(args.question.setup()?, &[])?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let setup = request.for_many(request.setup()?, &[])?;
     refuse_launch(&setup, &args.drawing)?;
     let spinner = spinner("computing strikes");
     let face = Face::of(&setup)?;
     spinner.finish_and_clear();
     target.written(
-        &args.question,
+        &request,
         &setup,
         &args.drawing,
         &face_figure(&face, system()),
@@ -82,16 +84,13 @@ pub fn face(args: &PlotFace) -> Result<Answer> {
 }
 
 pub fn strikes(args: &PlotStrike) -> Result<Answer> {
-    let after = args.after.as_ref().map(|after| Question {
-        setup: after.clone(),
-        set: vec![],
-        launch: vec![],
-        ..args.question.clone()
-    });
-    let inputs = args
-        .question
+    let request = args.setup_args.request()?;
+    // the settings are those of the first design
+    let other = |after: &String| Request::new(Source::read(after)?, vec![], &args.setup_args);
+    let after = args.after.as_ref().map(other).transpose()?;
+    let inputs = request
         .inputs()
-        .chain(after.iter().flat_map(Question::inputs));
+        .chain(after.iter().flat_map(Request::inputs));
     let target = Target::beside(inputs, &args.drawing)?;
     let given = args.search.given();
     if let (Some(_), [option, ..]) = (&after, given.as_slice()) {
@@ -102,18 +101,18 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
             source: source.into(),
         });
     }
-    refuse_launch(&args.question.setup()?, &args.drawing)?;
+    refuse_launch(&request.setup()?, &args.drawing)?;
     let (setup, other, of_other) = match &after {
         Some(after) => {
             let other = after.for_many(after.setup()?, &[])?;
             refuse_launch(&other, &args.drawing)?;
-            let setup = args.question.for_many(args.question.setup()?, &[])?;
+            let setup = request.for_many(request.setup()?, &[])?;
             refuse_other_hand(&setup, &other, &args.drawing)?;
             let differs = beside_the_club(&setup, &other);
             (setup, Some((["before", "after"], other)), differs)
         }
         None => {
-            let (setup, best) = searched(&args.question, &args.search)?;
+            let (setup, best) = searched(&request, &args.search)?;
             let warnings = best.as_ref().map_or(vec![], at_optimum);
             (
                 setup,
@@ -136,7 +135,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         doing: "draw",
         what: "design",
     })?;
-    target.written(&args.question, &setup, &args.drawing, &figure, of_other)
+    target.written(&request, &setup, &args.drawing, &figure, of_other)
 }
 
 /// Where the launch is given there is no face.
@@ -204,17 +203,17 @@ pub fn at_optimum(best: &Optimum) -> Vec<Message> {
 
 /// The setup and its optimum. Where a launch is given of which nothing is varied, or no optimum is
 /// found, the drive is drawn alone, and that is said.
-fn searched(question: &Question, search: &SearchArgs) -> Result<(Setup<f64>, Option<Optimum>)> {
-    let setup = question.setup()?;
+fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Option<Optimum>)> {
+    let setup = request.setup()?;
     if setup.launch.is_given() && search.given().is_empty() {
         tell(
             "no optimum is drawn: the drive is given by its launch; give what to vary of it, for \
              example --vary launch.launch_angle=5deg..20deg",
         );
-        return Ok((question.for_many(setup, &[])?, None));
+        return Ok((request.for_many(setup, &[])?, None));
     }
     let search = search.search(&setup)?;
-    let setup = question.for_many(setup, &search.vary)?;
+    let setup = request.for_many(setup, &search.vary)?;
     // without a drive there is nothing to draw
     Drive::new(&setup)?.landed()?;
     let best = optimum(&setup, search, Observer::default())?;

@@ -25,16 +25,17 @@ use std::path::Path;
 const USUAL_POINTS: u64 = 24;
 
 pub fn run(args: &Report) -> Result<Answer> {
-    let stated = args.question.setup()?;
+    let request = args.setup_args.request()?;
+    let stated = request.setup()?;
     let of = args.search.sought()?.0;
     let sought = args.sought(&stated)?;
     let ranges: Vec<_> = sought
         .iter()
         .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
         .collect();
-    let setup = args.question.for_many(stated, &ranges)?;
+    let setup = request.for_many(stated, &ranges)?;
     let date = today()?;
-    let preset = args.question.preset()?;
+    let preset = request.source().preset();
     let given = args
         .sigma
         .iter()
@@ -42,7 +43,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         .collect::<Result<Vec<_>>>()?;
     let sigmas = with_defaults(&setup, &given, &[of])?;
     // before the work, not after it
-    let folder = Rule::new(args.question.inputs(), args.overwrite)
+    let folder = Rule::new(request.inputs(), args.overwrite)
         .folder(&args.output, &["index.html", SETUP_FILE])?;
 
     let bar = bar("parts");
@@ -145,9 +146,9 @@ pub fn run(args: &Report) -> Result<Answer> {
     bar.inc(1);
 
     // of a file its name, wherever it is
-    let name = Path::new(args.question.name()).file_name();
+    let name = Path::new(request.source().name()).file_name();
     let name = name.map_or_else(
-        || args.question.setup.clone(),
+        || request.source().argument.clone(),
         |name| name.to_string_lossy().into_owned(),
     );
     let findings = Findings {
@@ -198,7 +199,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         .map(|document| document.name.as_str())
         .collect();
     let missing = found.as_ref().filter(|_| best.is_none());
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         let (status, message) = match (&flown[0].drive.flight, missing) {
             (Flight::None(why), _) => (why.status(), Some(why.to_string())),
             (Flight::Landed(_), None) => ("done", None),

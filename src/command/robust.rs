@@ -5,6 +5,7 @@ use crate::command::files::Rule;
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, system, tell, warn};
+use crate::command::request::Request;
 use crate::command::swings::{ranges, searched};
 use crate::optimize::Follow;
 use crate::report::{robust_reply, robust_text, robust_toml};
@@ -18,23 +19,21 @@ const YARD: f64 = 0.9144;
 
 pub fn run(args: &RobustArgs) -> Result<Answer> {
     args.swings.refuse_stray()?;
-    let rule = Rule::new(
-        args.question.inputs().chain(args.swings.inputs()),
-        args.overwrite,
-    );
+    let request = args.setup_args.request()?;
+    let rule = Rule::new(request.inputs().chain(args.swings.inputs()), args.overwrite);
     let output = args
         .output
         .as_ref()
         .map(|file| rule.setup_file(file))
         .transpose()?;
-    let (setup, search, scenarios) = args.asked()?;
+    let (setup, search, scenarios) = args.search(&request)?;
     let within = args.within(&search.of)?;
-    args.question.tell_of_the_start(&setup, &search.vary);
+    request.note_starts(&setup, &search.vary);
     let ranges = ranges(&search.vary, &scenarios);
     let models = args.models(&setup, &search, &scenarios)?;
     let flown = |model: Model| {
         Ok(Model {
-            setup: args.question.for_many(model.setup, &ranges)?,
+            setup: request.for_many(model.setup, &ranges)?,
             ..model
         })
     };
@@ -63,11 +62,8 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     if let Some(output) = &output {
         let file = output.path().display().to_string();
         if is_found {
-            output.write(
-                args.question
-                    .as_stated(robust_toml(&found, within, args.question.preset()?)?)?
-                    .as_bytes(),
-            )?;
+            let toml = robust_toml(&found, within, request.source().preset())?;
+            output.write(request.with_stated_step(toml)?.as_bytes())?;
             tell(&format!(
                 "wrote the setup with the robust design into {file}"
             ));
@@ -79,7 +75,7 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
         }
     }
     warn(&warnings);
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         Answer::json(&robust_reply(&found, within, warnings, written))
     } else {
         Answer::text(robust_text(&found, within, system()))
@@ -89,15 +85,15 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
 
 impl RobustArgs {
     /// The setup, what is looked for, and over which swings.
-    fn asked(&self) -> Result<(Setup<f64>, SwingsSearch, Scenarios)> {
+    fn search(&self, request: &Request) -> Result<(Setup<f64>, SwingsSearch, Scenarios)> {
         if self.swings.is_given() {
-            let (set_up, _, scenarios) = self.swings.taken(&self.question, false)?;
-            let setup = self.question.varied(set_up, &self.search.vary)?;
+            let (set_up, _, scenarios) = self.swings.taken(request, false)?;
+            let setup = request.with_starts(set_up, &self.search.vary)?;
             let search = searched(&self.search, &self.swings, &setup)?;
             tell_of_the_run(&search.of.outcomes());
             return Ok((set_up, search, scenarios));
         }
-        let setup = self.question.setup_varied(&self.search.vary)?;
+        let setup = request.setup_with_starts(&self.search.vary)?;
         let Search {
             of,
             sense,

@@ -12,7 +12,8 @@ use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
 
 pub fn run(args: &SensitivityArgs) -> Result<Answer> {
-    let mut setup = args.question.within_tolerance(args.question.setup()?)?;
+    let request = args.setup_args.request()?;
+    let mut setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
     let given = args
         .sigma
@@ -30,7 +31,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     }
     if args.at_optimum {
         let search = args.search.search(&setup)?;
-        setup = args.question.for_many(setup, &search.vary)?;
+        setup = request.for_many(setup, &search.vary)?;
         let found = optimum(&setup, search, Observer::default())?;
         if found.solution.status != Status::Converged {
             return Err(Error::NotConverged {
@@ -92,7 +93,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
             .filter(|(maximized, _)| *maximized == of)
             .map(|(_, all)| all.as_slice())
     };
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         let reports: Vec<_> = found
             .iter()
             .map(|effects| OutcomeEffects::new(effects, totals_of(effects.of)))

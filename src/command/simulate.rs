@@ -5,7 +5,8 @@ use crate::report::{DriveReport, air_text, drive_text};
 use crate::{Drive, Outcome, Result};
 
 pub fn run(args: &Simulate) -> Result<Answer> {
-    let setup = args.question.within_tolerance(args.question.setup()?)?;
+    let request = args.setup_args.request()?;
+    let setup = request.within_tolerance(request.setup()?)?;
     let drive = Drive::new(&setup);
     let mut warnings = drive.as_ref().map_or_else(
         |_| setup.warnings(),
@@ -14,7 +15,7 @@ pub fn run(args: &Simulate) -> Result<Answer> {
     warnings.extend(setup.wind_profile_warning());
     warn(&warnings);
     let drive = drive?;
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         Answer::json(&DriveReport::reply(&setup, &drive, warnings))
     } else {
         Answer::text(drive_text(&drive, system()) + &air_text(&setup, system()))

@@ -1,10 +1,11 @@
 //! The search for the design that is best over many swings.
 
-use crate::command::args::{Optimize, Question, SearchArgs, SwingsArgs};
+use crate::command::args::{Optimize, SearchArgs, SwingsArgs};
 use crate::command::files::Destination;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, system, tell, warn};
+use crate::command::request::Request;
 use crate::command::running::running;
 use crate::optimize::{Checkpoint, Follow, Options, Status};
 use crate::parameters::Vary;
@@ -85,13 +86,13 @@ impl SwingsArgs {
     /// swing to swing has a value.
     pub fn taken(
         &self,
-        question: &Question,
+        request: &Request,
         is_resampled: bool,
     ) -> Result<(Setup<f64>, Swings, Scenarios)> {
-        let setup = question.setup()?;
+        let setup = request.setup()?;
         let swings = self.read(&setup)?;
-        question.refuse_twice(&setup, &swings.parameters(), "the swings have values of it")?;
-        let setup = question.begun(
+        request.refuse_stated(&swings.parameters(), "the swings have values of it")?;
+        let setup = request.with_values(
             setup,
             swings.parameters().into_iter().zip(swings.means()),
             "varies about",
@@ -205,15 +206,17 @@ impl Found {
 /// Searches over many swings.
 pub fn run(args: &Optimize) -> Result<Answer> {
     let asked = &args.swings;
-    let (setup, swings, scenarios) = asked.taken(&args.question, true)?;
+    let request = args.setup_args.request()?;
+    let (setup, swings, scenarios) = asked.taken(&request, true)?;
     let search = searched(
         &args.search,
         asked,
-        &args.question.varied(setup, &args.search.vary)?,
+        &request.with_starts(setup, &args.search.vary)?,
     )?;
-    args.question.tell_of_the_start(&setup, &search.vary);
+    request.note_starts(&setup, &search.vary);
     let found = found(
         args,
+        &request,
         Asked {
             setup,
             swings,
@@ -222,7 +225,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         },
     )?;
     interrupt::ends();
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         Answer::json(&found.reply())
     } else {
         Answer::text(found.text())
@@ -234,6 +237,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
 /// says that it cannot.
 pub fn found(
     args: &Optimize,
+    request: &Request,
     Asked {
         setup,
         swings,
@@ -242,10 +246,8 @@ pub fn found(
     }: Asked,
 ) -> Result<Found> {
     tell_of_the_run(&search.of.outcomes());
-    let setup = args
-        .question
-        .for_many(setup, &ranges(&search.vary, &scenarios))?;
-    let output = args.destination()?;
+    let setup = request.for_many(setup, &ranges(&search.vary, &scenarios))?;
+    let output = args.destination(request)?;
     let (follow, bar) = follow(args, &setup, &search, &scenarios)?;
     let best = swings_optima(
         &setup,
@@ -285,7 +287,7 @@ pub fn found(
     warn(&warnings);
     let file = output
         .as_ref()
-        .map(|output| write(output, &best, &swings, args))
+        .map(|output| write(output, &best, &swings, request))
         .transpose()?
         .flatten();
     Ok(Found {
@@ -492,7 +494,7 @@ fn write(
     output: &Destination,
     best: &SwingsOptimum,
     swings: &Swings,
-    args: &Optimize,
+    request: &Request,
 ) -> Result<Option<String>> {
     let file = output.path().display().to_string();
     if best.solution.status != Status::Converged {
@@ -501,11 +503,8 @@ fn write(
         ))]);
         return Ok(None);
     }
-    output.write(
-        args.question
-            .as_stated(swings_toml(best, swings, args.question.preset()?)?)?
-            .as_bytes(),
-    )?;
+    let toml = swings_toml(best, swings, request.source().preset())?;
+    output.write(request.with_stated_step(toml)?.as_bytes())?;
     tell(&format!("wrote the setup with the best design into {file}"));
     Ok(Some(file))
 }

@@ -1,20 +1,22 @@
 use crate::command::args::UncertaintyArgs;
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, bar, show, system, tell, warn};
+use crate::command::request::Request;
 use crate::report::{UncertaintyReport, parameter_text, uncertainty_text};
 use crate::study::uncertainty::{Plan, Uncertain, uncertainty};
 use crate::study::{Sigma, given_twice, with_defaults};
 use crate::{Drive, Outcome, Result, Setup};
 
 pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
-    let setup = args.question.setup()?;
+    let request = args.setup_args.request()?;
+    let setup = request.setup()?;
     let of = outcomes(&args.of)?;
-    let inputs = inputs(&setup, args, &of)?;
+    let inputs = inputs(&request, &setup, args, &of)?;
     let means = inputs
         .iter()
         .map(|input| (input.parameter, input.distribution.mean()));
-    let setup = args.question.begun(setup, means, "varies about")?;
-    let setup = args.question.for_many(
+    let setup = request.with_values(setup, means, "varies about")?;
+    let setup = request.for_many(
         setup,
         &inputs.iter().map(Uncertain::range).collect::<Vec<_>>(),
     )?;
@@ -40,7 +42,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
         .outcomes
         .iter()
         .all(|outcome| outcome.sampled.is_some());
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         Answer::json(&UncertaintyReport::reply(&found, warnings))
     } else {
         Answer::text(uncertainty_text(&found, system()))
@@ -49,7 +51,12 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
 }
 
 /// What is said to be uncertain; where nothing is, what is by default.
-fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs, of: &[Outcome]) -> Result<Vec<Uncertain>> {
+fn inputs(
+    request: &Request,
+    setup: &Setup<f64>,
+    args: &UncertaintyArgs,
+    of: &[Outcome],
+) -> Result<Vec<Uncertain>> {
     let sigmas = args
         .sigma
         .iter()
@@ -61,8 +68,7 @@ fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs, of: &[Outcome]) -> Result<
         .map(|text| Uncertain::read(setup, text))
         .collect::<Result<Vec<_>>>()?;
     let distributed: Vec<_> = distributions.iter().map(|input| input.parameter).collect();
-    args.question
-        .refuse_unused(setup, &distributed, "--distribution gives its values")?;
+    request.refuse_stated_with_default(&distributed, "--distribution gives its values")?;
     let is_given = !(sigmas.is_empty() && distributions.is_empty());
     let sigmas = if is_given {
         sigmas

@@ -20,7 +20,8 @@ pub fn tell_left_out(certificate: &Certificate) {
 }
 
 pub fn run(args: &Verify) -> Result<Answer> {
-    let setup = args.question.within_tolerance(args.question.setup()?)?;
+    let request = args.setup_args.request()?;
+    let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt, &of)?;
     let bar = bar("parameters");
@@ -51,7 +52,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
     };
     // until here an interruption is too late to stop anything, and the answer is given
     interrupt::ends();
-    let answer = if args.question.json {
+    let answer = if request.is_json() {
         Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))
     } else {
         Answer::text(certificate_text(&certificate, &loops, system()))

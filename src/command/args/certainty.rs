@@ -1,13 +1,13 @@
 //! How accurate derivatives and how certain outcomes are.
 
-use super::Question;
 use super::SearchArgs;
+use super::SetupArgs;
 use super::number::whole;
 
 #[derive(clap::Args)]
 pub struct Verify {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// The outcomes, separated by commas; "all" for every one.
     #[arg(
@@ -31,7 +31,7 @@ pub struct Verify {
 #[derive(clap::Args)]
 pub struct SensitivityArgs {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// The outcomes, separated by commas; "all" for every one.
     #[arg(
@@ -63,7 +63,7 @@ pub struct SensitivityArgs {
 #[derive(clap::Args)]
 pub struct UncertaintyArgs {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// The outcomes, separated by commas; "all" for every one. For carry and lateral together,
     /// landing ellipses are computed.

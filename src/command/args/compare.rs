@@ -1,12 +1,12 @@
 //! Two drives beside each other.
 
-use super::Question;
+use super::SetupArgs;
 
 /// The two drives.
 #[derive(clap::Args)]
 pub struct Pair {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// The second drive, b: a preset's name or a TOML file; SETUP is the first drive, a [default:
     /// the setup of a].

@@ -1,7 +1,7 @@
 //! Measured shots and published studies.
 
 use super::number::{U32, whole};
-use super::{OwnLaw, Question};
+use super::{OwnLaw, SetupArgs};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -13,7 +13,7 @@ pub struct Calibrate {
     pub data: PathBuf,
 
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// A parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4. Repeatable.
     #[arg(
@@ -84,7 +84,7 @@ pub struct Calibrate {
 #[command(group(clap::ArgGroup::new("written").args(["output", "swings"]).multiple(true)))]
 pub struct DeliveryArgs {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// The measured speed of the ball, e.g. 167mph.
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]

@@ -1,6 +1,6 @@
 //! Shots of a launch monitor.
 
-use super::Question;
+use super::SetupArgs;
 use super::number::whole;
 use std::net::IpAddr;
 use std::path::PathBuf;
@@ -15,7 +15,7 @@ pub struct Fly {
     pub shots: Option<PathBuf>,
 
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// The outcomes to predict, separated by commas: those of the flight; "all" for every one of
     /// them.

@@ -1,6 +1,6 @@
 //! Very many drives.
 
-use super::Question;
+use super::SetupArgs;
 use super::number::{U32, whole};
 use crate::number::Level;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -9,7 +9,7 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 pub struct Sweep {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// A parameter to sweep, with its range and number of values, ends included, e.g.
     /// club.loft=5deg..15deg:101. Repeatable: all combinations are computed; the last parameter

@@ -12,9 +12,9 @@ mod number;
 mod pareto;
 mod picture;
 mod program;
-mod question;
 mod robust;
 mod search;
+mod setup;
 
 pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
 pub use compare::{Compare, Pair};
@@ -30,11 +30,11 @@ pub use picture::{
     PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
-pub use question::{Gradient, Laws, OwnLaw, Parameters, Presets, Question, SETUP, Simulate};
 pub use robust::RobustArgs;
 pub use search::{
     ChartArgs, DesignArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs,
 };
+pub use setup::{Gradient, Laws, OwnLaw, Parameters, Presets, SETUP, SetupArgs, Simulate};
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
@@ -160,27 +160,29 @@ impl Command {
     /// Its name on the command line, and whether its answer is to be JSON.
     fn asked(&self) -> (&'static str, bool) {
         match self {
-            Self::Simulate(args) => ("simulate", args.question.json),
-            Self::Gradient(args) => ("gradient", args.question.json),
-            Self::Compare(args) => ("compare", args.pair.question.json),
-            Self::Optimize(args) => ("optimize", args.question.json),
-            Self::OptimumSensitivity(args) => ("optimum-sensitivity", args.optimize.question.json),
-            Self::Design(args) => ("design", args.optimize.question.json),
-            Self::Calibrate(args) => ("calibrate", args.question.json),
-            Self::Delivery(args) => ("delivery", args.question.json),
-            Self::Chart(args) => ("chart", args.question.json),
-            Self::Pareto(args) => ("pareto", args.question.json),
-            Self::Robust(args) => ("robust", args.question.json),
-            Self::Plot(args) => ("plot", args.kind.question().json),
-            Self::Report(args) => ("report", args.question.json),
-            Self::Sweep(args) => ("sweep", args.question.json),
-            Self::Fly(args) => ("fly", args.question.json),
+            Self::Simulate(args) => ("simulate", args.setup_args.json),
+            Self::Gradient(args) => ("gradient", args.setup_args.json),
+            Self::Compare(args) => ("compare", args.pair.setup_args.json),
+            Self::Optimize(args) => ("optimize", args.setup_args.json),
+            Self::OptimumSensitivity(args) => {
+                ("optimum-sensitivity", args.optimize.setup_args.json)
+            }
+            Self::Design(args) => ("design", args.optimize.setup_args.json),
+            Self::Calibrate(args) => ("calibrate", args.setup_args.json),
+            Self::Delivery(args) => ("delivery", args.setup_args.json),
+            Self::Chart(args) => ("chart", args.setup_args.json),
+            Self::Pareto(args) => ("pareto", args.setup_args.json),
+            Self::Robust(args) => ("robust", args.setup_args.json),
+            Self::Plot(args) => ("plot", args.kind.setup_args().json),
+            Self::Report(args) => ("report", args.setup_args.json),
+            Self::Sweep(args) => ("sweep", args.setup_args.json),
+            Self::Fly(args) => ("fly", args.setup_args.json),
             Self::Reproduce(args) => ("reproduce", args.json),
             Self::Validate(args) => ("validate", args.json),
-            Self::Verify(args) => ("verify", args.question.json),
-            Self::Sensitivity(args) => ("sensitivity", args.question.json),
-            Self::Uncertainty(args) => ("uncertainty", args.question.json),
-            Self::Parameters(args) => ("parameters", args.question.json),
+            Self::Verify(args) => ("verify", args.setup_args.json),
+            Self::Sensitivity(args) => ("sensitivity", args.setup_args.json),
+            Self::Uncertainty(args) => ("uncertainty", args.setup_args.json),
+            Self::Parameters(args) => ("parameters", args.setup_args.json),
             Self::Presets(args) => ("presets", args.json),
             Self::Laws(args) => ("laws", args.json),
             Self::Completions(_) => ("completions", false),

@@ -1,7 +1,7 @@
 //! Two goals that are weighed against each other.
 
 use super::number::whole;
-use super::{Question, SwingsArgs};
+use super::{SetupArgs, SwingsArgs};
 use std::path::PathBuf;
 
 /// The two goals and what may change.
@@ -52,7 +52,7 @@ pub struct ParetoAsked {
 #[derive(clap::Args)]
 pub struct ParetoArgs {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub asked: ParetoAsked,

@@ -2,7 +2,7 @@
 
 use super::SearchArgs;
 use super::number::whole;
-use super::{Pair, ParetoAsked, Question};
+use super::{Pair, ParetoAsked, SetupArgs};
 use clap::Subcommand;
 use std::path::PathBuf;
 
@@ -47,20 +47,20 @@ pub enum PlotKind {
 
 impl PlotKind {
     /// What the plot starts from.
-    pub fn question(&self) -> &Question {
+    pub fn setup_args(&self) -> &SetupArgs {
         match self {
-            Self::Trajectory(args) => &args.question,
-            Self::Contour(args) => &args.question,
-            Self::Chart(args) => &args.question,
-            Self::Pareto(args) => &args.question,
-            Self::Tornado(args) => &args.question,
-            Self::Compare(args) => &args.pair.question,
-            Self::Vcurve(args) => &args.question,
-            Self::Laws(args) => &args.question,
-            Self::Fairway(args) => &args.question,
-            Self::Face(args) => &args.question,
-            Self::Strike(args) => &args.question,
-            Self::Launch(args) => &args.question,
+            Self::Trajectory(args) => &args.setup_args,
+            Self::Contour(args) => &args.setup_args,
+            Self::Chart(args) => &args.setup_args,
+            Self::Pareto(args) => &args.setup_args,
+            Self::Tornado(args) => &args.setup_args,
+            Self::Compare(args) => &args.pair.setup_args,
+            Self::Vcurve(args) => &args.setup_args,
+            Self::Laws(args) => &args.setup_args,
+            Self::Fairway(args) => &args.setup_args,
+            Self::Face(args) => &args.setup_args,
+            Self::Strike(args) => &args.setup_args,
+            Self::Launch(args) => &args.setup_args,
         }
     }
 }
@@ -144,7 +144,7 @@ pub enum Moved {
 #[derive(clap::Args)]
 pub struct PlotLaws {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub drawing: Drawing,
@@ -174,7 +174,7 @@ pub struct PlotLaws {
 #[derive(clap::Args)]
 pub struct PlotTrajectory {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub drawing: Drawing,
@@ -187,7 +187,7 @@ pub struct PlotTrajectory {
 #[derive(clap::Args)]
 pub struct PlotFairway {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,
@@ -205,7 +205,7 @@ pub struct PlotFairway {
 #[derive(clap::Args)]
 pub struct PlotFace {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub drawing: Drawing,
@@ -214,7 +214,7 @@ pub struct PlotFace {
 #[derive(clap::Args)]
 pub struct PlotStrike {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,
@@ -231,7 +231,7 @@ pub struct PlotStrike {
 #[derive(clap::Args)]
 pub struct PlotLaunch {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,
@@ -243,7 +243,7 @@ pub struct PlotLaunch {
 #[derive(clap::Args)]
 pub struct PlotContour {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,
@@ -255,7 +255,7 @@ pub struct PlotContour {
 #[derive(clap::Args)]
 pub struct PlotChart {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,
@@ -275,7 +275,7 @@ pub struct PlotChart {
 #[derive(clap::Args)]
 pub struct PlotPareto {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub asked: ParetoAsked,
@@ -287,7 +287,7 @@ pub struct PlotPareto {
 #[derive(clap::Args)]
 pub struct PlotTornado {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub drawing: Drawing,
@@ -322,7 +322,7 @@ pub struct PlotCompare {
 #[derive(clap::Args)]
 pub struct PlotVcurve {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub drawing: Drawing,
@@ -345,7 +345,7 @@ pub struct PlotVcurve {
 #[derive(clap::Args)]
 pub struct Report {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,

@@ -1,13 +1,13 @@
 //! One design for several models.
 
 use super::number::{U32, whole};
-use super::{Question, SearchArgs, SwingsArgs};
+use super::{SearchArgs, SetupArgs, SwingsArgs};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
 pub struct RobustArgs {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,

@@ -1,6 +1,6 @@
 //! Searches for an optimum.
 
-use super::Question;
+use super::SetupArgs;
 use super::number::{U32, whole};
 use std::path::PathBuf;
 
@@ -106,7 +106,7 @@ pub struct SwingsArgs {
 #[derive(clap::Args)]
 pub struct Optimize {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,
@@ -189,7 +189,7 @@ pub struct OptimumSensitivity {
 #[derive(clap::Args)]
 pub struct ChartArgs {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,

@@ -1,8 +1,9 @@
 //! What is asked of shots, in a file and of those that are sent alike: the outcomes, the setup, and
 //! how they are integrated.
 
-use crate::command::args::{Fly, Question};
+use crate::command::args::Fly;
 use crate::command::names::outcomes;
+use crate::command::request::Request;
 use crate::drive::Part;
 use crate::shots::Flying;
 use crate::{Error, Outcome, Result, Setup};
@@ -21,29 +22,29 @@ pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
 }
 
 /// The setup: its ball, air and law are those of the flights, and the rows have the launches.
-pub fn setup(question: &Question, rows: &str) -> Result<Setup<f64>> {
-    let setup = question.setup_of_points()?;
+pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
+    let setup = *request.partial_setup();
     if setup.launch.is_given() {
         let source = format!("{rows} give the launch of each ball; leave this out").into();
         return Err(Error::Unreadable {
-            name: question.launch_from(),
+            name: request.launch_from(),
             source,
         });
     }
-    question.refuse_club(&setup, &format!("{rows} are launches"))?;
+    request.refuse_club(&format!("{rows} are launches"))?;
     Ok(setup)
 }
 
 /// Shots as these are flown, integrated as many drives are.
 pub fn followed(
-    question: &Question,
+    request: &Request,
     setup: &Setup<f64>,
     of: &[Outcome],
     new: impl Fn(&Setup<f64>) -> Result<Flying>,
 ) -> Result<Flying> {
     // what is wrong with the question is said before anything is flown
     new(setup)?;
-    match question.accuracy(setup, &Flying::usual(setup)?, of)? {
+    match request.accuracy_for_many(setup, &Flying::usual(setup)?, of)? {
         Some(found) => new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect),
         None => new(setup),
     }

@@ -2,7 +2,7 @@
 
 use super::asked::{asked, followed, setup};
 use crate::batch::Status;
-use crate::command::args::{Fly, Question, SETUP};
+use crate::command::args::{Fly, SETUP, SetupArgs};
 use crate::command::interrupt;
 use crate::command::output::{Answer, tell, warn};
 use crate::report::{Reply, open_connect_answer};
@@ -57,24 +57,31 @@ fn both_given(file: &Path, why: &str) -> Error {
 }
 
 pub fn run(args: &Fly, port: u16) -> Result<Answer> {
-    if let Some(shots) = args.shots.as_ref().filter(|_| args.question.setup != SETUP) {
+    if let Some(shots) = args
+        .shots
+        .as_ref()
+        .filter(|_| args.setup_args.setup != SETUP)
+    {
         return Err(both_given(shots, "a setup stands behind it"));
     }
-    let question = match &args.shots {
-        // of a listener the one argument is the setup
-        Some(setup) => Question {
-            setup: setup.display().to_string(),
-            ..args.question.clone()
-        },
-        None => args.question.clone(),
+    // a listener reads no shots: its first argument is the setup
+    let setup_args = SetupArgs {
+        setup: args.shots.as_ref().map_or_else(
+            || args.setup_args.setup.clone(),
+            |setup| setup.display().to_string(),
+        ),
+        ..args.setup_args.clone()
     };
-    let setup = setup(&question, "the messages").map_err(|error| match (&args.shots, error) {
-        (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
-        (_, error) => error,
-    })?;
-    question.refuse_replaced(&setup, &[])?;
+    let request = setup_args
+        .request()
+        .map_err(|error| match (&args.shots, error) {
+            (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
+            (_, error) => error,
+        })?;
+    let setup = setup(&request, "the messages")?;
+    request.refuse_replaced(&setup, &[])?;
     let of = asked(args)?;
-    let flying = followed(&question, &setup, &of, |setup| {
+    let flying = followed(&request, &setup, &of, |setup| {
         Flying::of_messages(setup, &of)
     })?;
     let warnings = setup.warnings();
@@ -121,7 +128,7 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
         others: count(&counts.others),
         refused: count(&counts.refused),
     };
-    Ok(if question.json {
+    Ok(if request.is_json() {
         Answer::json(&Reply::done("fly", warnings, &summary))
     } else {
         let Summary {

@@ -8,6 +8,7 @@ use crate::batch::Run;
 use crate::command::args::Fly;
 use crate::command::interrupt;
 use crate::command::output::{Answer, system, tell, warn};
+use crate::command::request::Request;
 use crate::drive::Looked;
 use crate::parameters::{Law, Preset};
 #[cfg(feature = "parquet")]
@@ -41,26 +42,26 @@ fn fly(args: &Fly) -> Result<Answer> {
             source: source.into(),
         });
     }
-    let setup = setup(&args.question, &format!("the rows of {}", file.display()))?;
-    let target = Target::new(args, file)?;
+    let request = args.setup_args.request()?;
+    let setup = setup(&request, &format!("the rows of {}", file.display()))?;
+    let target = Target::new(args, file, &request)?;
     let stop = interrupt::stops("stopping after the rows under way");
     let mut shots = Shots::open(&setup, file)?;
-    if args.question.gives_air()? {
+    if request.gives_air() {
         shots.in_given_air();
     }
     let of_rows = CONDITIONS
         .iter()
         .filter_map(|of| setup.launch_condition(of.name()));
     let of_rows: Vec<_> = of_rows.chain(shots.further().iter().copied()).collect();
-    args.question
-        .refuse_twice(&setup, &of_rows, "every row has a value of its own")?;
+    request.refuse_stated(&of_rows, "every row has a value of its own")?;
     // it has something to tell: after what may be refused
     let of = asked(args)?;
-    args.question.refuse_replaced(&setup, shots.further())?;
-    let flying = followed(&args.question, &setup, &of, |setup| {
+    request.refuse_replaced(&setup, shots.further())?;
+    let flying = followed(&request, &setup, &of, |setup| {
         Flying::new(setup, &shots, &of)
     })?;
-    let is_on_their_ground = args.question.gives_ground()?;
+    let is_on_their_ground = request.gives_ground();
     let flying = if is_on_their_ground {
         flying.on_their_ground()
     } else {
@@ -139,13 +140,13 @@ fn fly(args: &Fly) -> Result<Answer> {
         stopped: is_stopped.then(|| stopped(&tally, &target)),
         nothing: nothing(&tally, &remarks),
     };
-    if args.question.json {
+    if request.is_json() {
         let nothing: Vec<Message> = missing.nothing.iter().cloned().map(Message::from).collect();
         warn(&nothing);
         warnings.extend(nothing);
     }
     Ok(answer(
-        args, &target, &tally, source, warnings, &remarks, missing,
+        &request, &target, &tally, source, warnings, &remarks, missing,
     ))
 }
 
@@ -236,7 +237,7 @@ fn nothing(tally: &Tally, remarks: &[Message]) -> Option<String> {
 }
 
 fn answer(
-    args: &Fly,
+    request: &Request,
     target: &Target,
     tally: &Tally,
     source: Option<&'static str>,
@@ -246,7 +247,7 @@ fn answer(
 ) -> Answer {
     let text = shots_text(tally, source, system());
     let is_answered = stopped.is_none() && nothing.is_none();
-    if args.question.json {
+    if request.is_json() {
         let file = target
             .file()
             .filter(|_| stopped.is_none())

@@ -1,5 +1,6 @@
 use crate::command::args::{Fly, FlyFormat};
 use crate::command::files::{Destination, Pieces, Rule, refused};
+use crate::command::request::Request;
 use crate::report::ShotFormat;
 use crate::{Error, Result};
 use std::io::{self, Write};
@@ -22,7 +23,7 @@ pub struct Target {
 }
 
 impl Target {
-    pub fn new(args: &Fly, shots: &Path) -> Result<Self> {
+    pub fn new(args: &Fly, shots: &Path, request: &Request) -> Result<Self> {
         let path = args.output.as_path();
         let is_standard = path == Path::new("-");
         let ending = path
@@ -53,7 +54,7 @@ impl Target {
             }
         };
         #[cfg(feature = "parquet")]
-        if is_standard && format == Written::Parquet && !args.question.json {
+        if is_standard && format == Written::Parquet && !request.is_json() {
             return Err(refused(
                 path,
                 "Parquet needs a file; name one with -o, or take --format csv or jsonl",
@@ -64,15 +65,14 @@ impl Target {
                           file with -o, or leave --overwrite out";
             return Err(refused(path, reason));
         }
-        let inputs = args
-            .question
+        let inputs = request
             .inputs()
             .chain((shots != Path::new("-")).then(|| shots.to_path_buf()));
         let destination = (!is_standard)
             .then(|| Rule::new(inputs, args.overwrite).file(path))
             .transpose()?;
         Ok(Self {
-            is_silent: destination.is_none() && args.question.json,
+            is_silent: destination.is_none() && request.is_json(),
             destination,
             format,
         })

@@ -3,6 +3,7 @@ use crate::batch::{Batch, Points};
 use crate::command::args::Sweep;
 use crate::command::names::{outcomes, variables};
 use crate::command::output::{system, tell};
+use crate::command::request::Request;
 use crate::units::Message;
 use crate::{Error, Result, Setup};
 
@@ -17,8 +18,8 @@ pub struct Asked {
 }
 
 impl Asked {
-    pub fn of(args: &Sweep) -> Result<Self> {
-        let setup = args.question.setup_of_points()?;
+    pub fn of(args: &Sweep, request: &Request) -> Result<Self> {
+        let setup = *request.partial_setup();
         let of = outcomes(&args.outcomes)?;
         let points = points(&setup, args)?;
         let notes = points.notes();
@@ -37,22 +38,20 @@ impl Asked {
                 reason,
             });
         }
-        args.question.refuse_twice(
-            &setup,
+        request.refuse_stated(
             points.parameters(),
             "every drive of the sweep has a value of its own",
         )?;
-        args.question.refuse_replaced(&setup, points.parameters())?;
+        request.refuse_replaced(&setup, points.parameters())?;
         if !setup.launch.is_given()
             && points
                 .parameters()
                 .iter()
                 .any(|parameter| parameter.is_of_launch())
         {
-            args.question
-                .refuse_club(&setup, "the points are launches")?;
+            request.refuse_club("the points are launches")?;
         }
-        let accuracy = args.question.accuracy(&setup, &points.ranges(), &of)?;
+        let accuracy = request.accuracy_for_many(&setup, &points.ranges(), &of)?;
         let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
         let wrt = match args.wrt.as_slice() {
             [] if args.gradient => points.parameters().to_vec(),

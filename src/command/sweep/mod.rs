@@ -49,13 +49,14 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     // from here on: all of a table is read before the first drive, which takes a while where it is
     // long
     let stop = interrupt::stops("stopping after the drives under way");
-    let target = Target::new(args)?;
+    let request = args.setup_args.request()?;
+    let target = Target::new(args, &request)?;
     let Asked {
         setup,
         mut points,
         batch,
         notes,
-    } = Asked::of(args)?;
+    } = Asked::of(args, &request)?;
     let of = batch.outcomes().to_vec();
     let writer = Writer::new(&batch, target.format, points.identity())?;
     room::check(args, &batch, points.as_mut(), &writer, &target)?;
@@ -147,7 +148,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     if is_answered && !all_landed && target.is_standard_output() {
         tell(&summary.text(None));
     }
-    Ok(match (args.question.json, target.is_standard_output()) {
+    Ok(match (request.is_json(), target.is_standard_output()) {
         (true, _) => {
             let reply = Reply::done("sweep", warnings, &summary);
             let stopped = || Some(format!("stopped: {}", summary.text(None)));

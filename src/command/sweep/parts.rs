@@ -37,12 +37,13 @@ struct OfParts {
 /// Writes a part.
 pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     let stop = interrupt::stops("stopping after the drives under way; nothing of the part is kept");
+    let request = args.setup_args.request()?;
     let Asked {
         setup,
         mut points,
         batch,
         notes,
-    } = Asked::of(args)?;
+    } = Asked::of(args, &request)?;
     let dataset = of_question(args, batch, points.as_ref(), part.parts)?;
     let rows = dataset.rows_of(part.part)?;
     make(folder)?;
@@ -75,7 +76,7 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
                  again"
             );
             tell(&told);
-            let reply = match args.question.json {
+            let reply = match request.is_json() {
                 true => Answer::json(&Reply::refused(Some("sweep"), "interrupted", told)),
                 false => Answer::text(String::new()),
             };
@@ -92,7 +93,7 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     warnings.extend(beyond);
     let there = (!is_new)
         .then(|| "it was there already, whole and of the same question, and stays".to_owned());
-    if args.question.json {
+    if request.is_json() {
         let body = OfPart {
             folder: folder.display().to_string(),
             manifest,
@@ -164,7 +165,7 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
         return Err(refused(folder, reason));
     }
     let (is_complete, said) = (checked.is_complete(), said(&checked));
-    if args.question.json {
+    if args.setup_args.json {
         let reply = Reply::done(
             "sweep",
             vec![],
@@ -198,7 +199,7 @@ fn wanted(args: &Sweep) -> Result<Option<Question>> {
             }),
         };
     }
-    let Asked { points, batch, .. } = Asked::of(args)?;
+    let Asked { points, batch, .. } = Asked::of(args, &args.setup_args.request()?)?;
     // how many parts there are is told by the files
     Ok(Some(
         of_question(args, batch, points.as_ref(), 1)?

@@ -3,6 +3,7 @@ use super::rows::{Content, Rows, Writer};
 use crate::batch::Tally;
 use crate::command::args::{Format, Sweep};
 use crate::command::files::{Rule, refused, unwritable};
+use crate::command::request::Request;
 use crate::units::counted;
 use crate::{Error, Result};
 use std::fs::{File, OpenOptions};
@@ -19,7 +20,7 @@ pub struct Target {
 }
 
 impl Target {
-    pub fn new(args: &Sweep) -> Result<Self> {
+    pub fn new(args: &Sweep, request: &Request) -> Result<Self> {
         let target = Self {
             path: args.output.clone(),
             files: None,
@@ -60,7 +61,7 @@ impl Target {
                 );
             }
         };
-        if target.is_standard_output() && args.question.json {
+        if target.is_standard_output() && request.is_json() {
             return refuse(
                 "standard output cannot hold both the rows and the summary of --json; name a file \
                  with -o",
@@ -76,7 +77,7 @@ impl Target {
         if target.is_standard_output() {
             return Ok(Self { format, ..target });
         }
-        let inputs = args.question.inputs().chain(args.points.clone());
+        let inputs = request.inputs().chain(args.points.clone());
         // whether there is something to resume is looked at below
         let destination = Rule::new(inputs, args.overwrite || args.resume).file(&target.path)?;
         let files = destination.is_file().then(|| Files::of(destination.path()));

@@ -5,7 +5,7 @@ pub const SETUP: &str = "tour-average";
 
 /// What every question starts from.
 #[derive(Clone, clap::Args)]
-pub struct Question {
+pub struct SetupArgs {
     /// A preset's name, a TOML file, or - for the text of one on standard input. A file that names
     /// no preset starts from modern-driver.
     #[arg(value_name = "SETUP", default_value = SETUP)]
@@ -50,13 +50,13 @@ pub struct Question {
 #[derive(clap::Args)]
 pub struct Simulate {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 }
 
 #[derive(clap::Args)]
 pub struct Gradient {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 
     /// The outcomes, separated by commas.
     #[arg(
@@ -80,7 +80,7 @@ pub struct Gradient {
 #[derive(clap::Args)]
 pub struct Parameters {
     #[command(flatten)]
-    pub question: Question,
+    pub setup_args: SetupArgs,
 }
 
 #[derive(clap::Args)]

@@ -1,0 +1,522 @@
+//! The request of a command: its setup with the settings of the command line, read once.
+//!
+//! The words of a command line become [`SetupArgs`] and these a [`Request`], which all commands
+//! use. The library gets the setup; only this module and the commands know options.
+
+mod setting;
+mod source;
+mod step;
+
+pub use setting::{Setting, refuse_duplicates};
+pub use source::Source;
+
+use crate::command::args::{OwnLaw, SetupArgs};
+use crate::command::output::{system, tell};
+use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_from};
+use crate::report::parameter_text;
+use crate::{Error, Result, Setup};
+use std::path::PathBuf;
+use step::read_tolerance;
+
+/// The setup of a command, with what the command line states of it.
+#[derive(Clone)]
+pub struct Request {
+    source: Source,
+    /// The settings of the command line, in the order of its options: each parameter once.
+    stated: Vec<Setting>,
+    /// The source with the settings applied; parameters without a default may be missing.
+    setup: Setup<f64>,
+    /// The largest error of a length, of `--tolerance`, m.
+    tolerance: Option<f64>,
+    /// Whether `--own-step` is given.
+    own_step: bool,
+    /// Whether the answer is JSON.
+    is_json: bool,
+}
+
+impl SetupArgs {
+    /// Reads the setup and the settings.
+    ///
+    /// # Errors
+    /// For a setup that cannot be read, and a setting that cannot be applied to it.
+    pub fn request(&self) -> Result<Request> {
+        let source = Source::read(&self.setup)?;
+        Request::new(source, self.settings()?, self)
+    }
+
+    /// The settings of `--set` and `--launch`.
+    ///
+    /// # Errors
+    /// For one that cannot be read.
+    pub fn settings(&self) -> Result<Vec<Setting>> {
+        let mut settings = Setting::read_all("--set", &self.set)?;
+        settings.extend(Setting::read_all_launch("--launch", &self.launch)?);
+        Ok(settings)
+    }
+}
+
+impl Request {
+    /// The source with these settings; notes for the user go to the host. `args` has the other
+    /// options.
+    ///
+    /// # Errors
+    /// For two settings of one parameter, and one that cannot be applied.
+    pub fn new(source: Source, stated: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
+        refuse_duplicates(&stated)?;
+        let tolerance = args.tolerance.as_deref().map(read_tolerance).transpose()?;
+        let mut request = Self {
+            setup: *source.setup(),
+            source,
+            stated,
+            tolerance,
+            own_step: args.own_step,
+            is_json: args.json,
+        };
+        request.apply_settings()?;
+        request.note_bare_numbers();
+        request.refuse_given_twice(&request.setup, &[])?;
+        request.setup.validate_but_launch()?;
+        if request.setup.launch.is_given() {
+            request.refuse_club("the drive is given by its launch")?;
+            request.note_unused_club();
+        }
+        Ok(request)
+    }
+
+    fn apply_settings(&mut self) -> Result<()> {
+        let (launch, settings): (Vec<_>, Vec<_>) = self
+            .stated
+            .iter()
+            .partition(|setting| setting.replaces_launch());
+        let mut setup = self.setup;
+        for setting in &launch {
+            let before = setup.given_launch_conditions();
+            setup.replace_spin(setup.parameter(&setting.parameter)?);
+            self.note_replaced(&setup, &before, setting);
+        }
+        // columns may give what such a parameter follows from
+        let (taken_back, settings): (Vec<_>, Vec<_>) = settings
+            .into_iter()
+            .partition(|setting| setting.is_taken_back());
+        setup.set_all(
+            settings
+                .iter()
+                .map(|setting| (setting.parameter.as_str(), setting.value.as_str())),
+        )?;
+        for setting in taken_back {
+            setup.take_back(setup.parameter(&setting.parameter)?);
+        }
+        for setting in launch {
+            setup.set(&setting.parameter, &setting.value)?;
+        }
+        self.setup = setup;
+        Ok(())
+    }
+
+    /// The setup, checked.
+    ///
+    /// # Errors
+    /// For a missing parameter, and parameters that contradict each other.
+    pub fn setup(&self) -> Result<Setup<f64>> {
+        self.refuse_idle_unset(&self.setup, &[])?;
+        self.setup.validate()?;
+        Ok(self.setup)
+    }
+
+    /// The setup without a check of its launch: columns of a table, or the points of a sweep, may
+    /// give the rest.
+    pub fn partial_setup(&self) -> &Setup<f64> {
+        &self.setup
+    }
+
+    /// The setup of a search over ranges `NAME=LOW..HIGH`: a varied parameter without a value gets
+    /// the middle of its range.
+    ///
+    /// # Errors
+    /// As [`setup`](Self::setup); for a range that cannot be read.
+    pub fn setup_with_starts<'a>(
+        &self,
+        ranges: impl IntoIterator<Item = &'a String>,
+    ) -> Result<Setup<f64>> {
+        self.refuse_idle_unset(&self.setup, &[])?;
+        self.with_starts(self.setup, ranges)
+    }
+
+    /// A setup with the start of each varied parameter that has no value in it.
+    ///
+    /// # Errors
+    /// As [`setup_with_starts`](Self::setup_with_starts).
+    pub fn with_starts<'a>(
+        &self,
+        setup: Setup<f64>,
+        ranges: impl IntoIterator<Item = &'a String>,
+    ) -> Result<Setup<f64>> {
+        let mut starts = vec![];
+        for text in ranges {
+            // errors in it are reported where the search is read
+            let parameter = text
+                .split_once('=')
+                .and_then(|(name, _)| setup.column(name.trim()).ok());
+            if parameter.is_some_and(|parameter| {
+                !parameter.is_of_launch() && setup.value(parameter).is_none()
+            }) {
+                let vary = Vary::read_column(&setup, text)?;
+                starts.push((vary.parameter, vary.start(&setup)));
+            }
+        }
+        self.with_values(setup, starts, "begins at")
+    }
+
+    /// A setup with the value of each of these parameters that has none in it; `how` is the verb of
+    /// the note about it.
+    ///
+    /// # Errors
+    /// As [`setup`](Self::setup).
+    pub fn with_values(
+        &self,
+        mut setup: Setup<f64>,
+        values: impl IntoIterator<Item = (&'static Parameter, f64)>,
+        how: &str,
+    ) -> Result<Setup<f64>> {
+        let mut added = vec![];
+        for (parameter, value) in values {
+            if setup.value(parameter).is_some() {
+                continue;
+            }
+            // a launch is given as a whole
+            if parameter.is_of_launch() {
+                setup.variable(parameter.name)?;
+            }
+            setup.set_value(parameter, Some(value))?;
+            added.push(parameter);
+            let shown = parameter_text(parameter, value, system());
+            tell(&format!(
+                "note: {} has no value in {}; it {how} {shown}",
+                parameter.name,
+                self.source.name()
+            ));
+        }
+        self.refuse_replaced(&setup, &added)?;
+        setup.validate()?;
+        Ok(setup)
+    }
+
+    /// Where the setup comes from.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// Whether the answer is JSON.
+    pub fn is_json(&self) -> bool {
+        self.is_json
+    }
+
+    /// The names of the parameters that the command line states, in the order of its options.
+    pub fn stated(&self) -> impl Iterator<Item = &str> {
+        self.stated.iter().map(|setting| setting.parameter.as_str())
+    }
+
+    /// The settings of the command line, in the order of its options.
+    pub fn settings(&self) -> &[Setting] {
+        &self.stated
+    }
+
+    /// The words that give this setup to another command: the setup, and its settings without those
+    /// of these parameters.
+    pub fn as_arguments(&self, without: &[&Parameter]) -> Vec<String> {
+        let mut words = vec![self.source.argument.clone()];
+        for setting in &self.stated {
+            if without
+                .iter()
+                .all(|parameter| parameter.name != setting.parameter)
+            {
+                words.push("--set".into());
+                words.push(format!("{}={}", setting.parameter, setting.value));
+            }
+        }
+        words
+    }
+
+    /// The option or file that gives this setup its launch: "--launch", "the launch in mine.toml".
+    pub fn launch_from(&self) -> String {
+        let of_launch = || {
+            let settings = self.stated.iter();
+            settings.filter(|setting| setting.is_of_launch())
+        };
+        of_launch()
+            .find(|setting| setting.replaces_launch())
+            .or(of_launch().next())
+            .map_or_else(
+                || format!("the launch in {}", self.source.name()),
+                Setting::option_of_launch,
+            )
+    }
+
+    /// Whether a setup file or a setting gives the ground that the ball runs on.
+    pub fn gives_ground(&self) -> bool {
+        self.gives(|name| name.starts_with("ground.") && name != "ground.height")
+    }
+
+    /// Whether a setup file or a setting gives the air.
+    pub fn gives_air(&self) -> bool {
+        self.gives(|name| name.starts_with("air."))
+    }
+
+    fn gives(&self, is: impl Fn(&str) -> bool) -> bool {
+        self.stated().any(&is)
+            || self
+                .source
+                .given_in_file()
+                .iter()
+                .any(|parameter| is(parameter.name))
+    }
+
+    /// The files that the setup is read from: the setup file, and tables of drag and lift.
+    pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
+        let of_source = self.source.setup().law.table();
+        let of_setting = self
+            .stated
+            .iter()
+            .filter(|setting| setting.parameter == TABLE);
+        let file = self.source.file().map(PathBuf::from);
+        file.into_iter()
+            .chain(of_source.map(|table| PathBuf::from(table.file())))
+            .chain(of_setting.map(|setting| PathBuf::from(&setting.value)))
+    }
+}
+
+/// Settings and files that contradict the command.
+impl Request {
+    /// Refuses settings of the club where no club strikes the ball: they would have no effect.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] that names the setting, with `why` no club is used.
+    pub fn refuse_club(&self, why: &str) -> Result<()> {
+        let is_of_club = |name: &str| {
+            [GOLFER, SPEED_OF].contains(&name)
+                || self
+                    .setup
+                    .parameter(name)
+                    .is_ok_and(Parameter::is_of_strike)
+        };
+        match self
+            .stated
+            .iter()
+            .find(|setting| is_of_club(&setting.parameter))
+        {
+            Some(setting) => {
+                let source = format!(
+                    "{why}: of the parameters of swing, club, strike and impact none is used; \
+                     leave it out, or give the drive by its club"
+                );
+                Err(Error::Unreadable {
+                    name: setting.named(),
+                    source: source.into(),
+                })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses settings of parameters whose values come from elsewhere: they would have no effect.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] that names the setting, with `why` it is not used.
+    pub fn refuse_stated(&self, parameters: &[&'static Parameter], why: &str) -> Result<()> {
+        let is_unused = |setting: &&Setting| {
+            parameters
+                .iter()
+                .any(|parameter| parameter.name == setting.parameter)
+        };
+        match self.stated.iter().find(is_unused) {
+            Some(setting) => Err(Error::Unreadable {
+                name: setting.named(),
+                source: format!("{why}, so this one is not used; leave it out").into(),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses settings that another option replaces. A parameter without a value in the source
+    /// needs its setting, and so does a launch condition.
+    ///
+    /// # Errors
+    /// As [`refuse_stated`](Self::refuse_stated).
+    pub fn refuse_stated_with_default(
+        &self,
+        parameters: &[&'static Parameter],
+        why: &str,
+    ) -> Result<()> {
+        let has_default = |parameter: &&&'static Parameter| {
+            !parameter.is_of_launch() && self.source.setup().variable(parameter.name).is_ok()
+        };
+        let parameters: Vec<_> = parameters.iter().filter(has_default).copied().collect();
+        self.refuse_stated(&parameters, why)
+    }
+
+    /// Refuses parameters of the setup file and the settings that follow from others, given in this
+    /// setup or by `more`.
+    ///
+    /// # Errors
+    /// [`Error::Together`].
+    pub fn refuse_replaced(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
+        self.refuse_given_twice(setup, more)?;
+        self.refuse_idle_unset(setup, more)
+    }
+
+    fn refuse_given_twice(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
+        let is_unset = |parameter: &Parameter| {
+            self.stated
+                .iter()
+                .any(|setting| setting.parameter == parameter.name && setting.is_unset())
+        };
+        let in_file = self.source.given_in_file().iter().copied();
+        let by_settings = self
+            .stated
+            .iter()
+            .filter(|setting| !setting.is_unset())
+            .filter_map(|setting| setup.parameter(&setting.parameter).ok());
+        let names: Vec<_> = in_file
+            .filter(|parameter| !is_unset(parameter))
+            .chain(by_settings)
+            .filter(|parameter| setup.value(parameter).is_some())
+            .chain(more.iter().copied())
+            .map(|parameter| parameter.name)
+            .collect();
+        setup.refuse_replaced(&names)
+    }
+
+    /// Refuses `--set NAME=none` if nothing gives what the parameter would follow from, neither the
+    /// setup nor `more`.
+    fn refuse_idle_unset(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
+        let mut setup = *setup;
+        for setting in self.stated.iter().filter(|setting| setting.is_taken_back()) {
+            let follows = more
+                .iter()
+                .any(|other| follows_from(&setting.parameter, other.name));
+            if !follows {
+                setup.set_value(setup.parameter(&setting.parameter)?, None)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Notes for the user about the setup.
+impl Request {
+    /// Notes the start of each parameter that is both stated and varied.
+    pub fn note_starts(&self, setup: &Setup<f64>, vary: &[Vary]) {
+        for name in self.stated() {
+            let Some(range) = vary.iter().find(|range| range.parameter.name == name) else {
+                continue;
+            };
+            let stated = range.start(setup);
+            let start = stated.clamp(range.low, range.high);
+            let start_text = parameter_text(range.parameter, start, system());
+            let moved = if start == stated {
+                ""
+            } else {
+                ", the end of its range"
+            };
+            tell(&format!(
+                "note: {name} is varied; the search from the setup begins at {start_text}{moved}"
+            ));
+        }
+    }
+
+    /// Notes the parameters of a setup file without a unit that no setting replaces.
+    fn note_bare_numbers(&self) {
+        let text = |parameter: &&'static Parameter| {
+            let value = self.setup.value(parameter)?;
+            let shown = parameter.quantity.show(value, parameter.quantity.si);
+            Some(format!("{} = {shown}", parameter.name))
+        };
+        let bare: Vec<_> = self
+            .source
+            .without_unit()
+            .iter()
+            .filter(|parameter| self.stated().all(|name| name != parameter.name))
+            .filter_map(text)
+            .collect();
+        if !bare.is_empty() {
+            tell(&format!(
+                "note: {}: read as SI, without a unit: {}",
+                self.source.argument,
+                bare.join(", ")
+            ));
+        }
+    }
+
+    /// Notes the launch conditions of the setup that the other form of the spin replaces.
+    fn note_replaced(&self, setup: &Setup<f64>, before: &[&'static Parameter], by: &Setting) {
+        let after = setup.given_launch_conditions();
+        let gone: Vec<_> = before
+            .iter()
+            .filter(|old| !after.contains(old))
+            .map(|old| old.name.rsplit('.').next().unwrap_or(old.name))
+            .collect();
+        if gone.is_empty() {
+            return;
+        }
+        let are = if gone.len() == 1 { "is" } else { "are" };
+        tell(&format!(
+            "note: {} of {} {are} replaced by {by}",
+            gone.join(" and "),
+            self.source.name()
+        ));
+    }
+
+    /// Notes the club parameters of a setup file whose drive is given by its launch.
+    fn note_unused_club(&self) {
+        let names: Vec<_> = self
+            .source
+            .given_in_file()
+            .iter()
+            .filter(|parameter| parameter.is_of_strike())
+            .map(|parameter| parameter.name)
+            .collect();
+        if !names.is_empty() {
+            tell(&format!(
+                "note: {}: not used, since the drive is given by its launch: {}",
+                self.source.name(),
+                names.join(", ")
+            ));
+        }
+    }
+}
+
+impl OwnLaw {
+    /// The user's own table of drag and lift, if one is given.
+    ///
+    /// # Errors
+    /// As for a setup; for a setting of anything else.
+    pub fn law(&self) -> Result<Option<Law<f64>>> {
+        let settings = Setting::read_all("--set", &self.set)?;
+        refuse_duplicates(&settings)?;
+        if settings.is_empty() {
+            return Ok(None);
+        }
+        let refused = || Error::Unreadable {
+            name: format!("--set {}", self.set.join(" --set ")),
+            source: "this command takes every law as it is published; --set gives it your own \
+                     table beside them, and the table's factors: --set aero.table=mine.csv"
+                .into(),
+        };
+        let mut setup = Setup::default();
+        let pairs = settings
+            .iter()
+            .map(|setting| (setting.parameter.as_str(), setting.value.as_str()));
+        match setup.set_all(pairs) {
+            Err(Error::OtherLaw { .. }) => return Err(refused()),
+            set => set?,
+        }
+        setup.validate()?;
+        let is_alone = setup
+            == Setup {
+                law: setup.law,
+                ..Setup::default()
+            };
+        let law = setup.law.table().filter(|_| is_alone).map(|_| setup.law);
+        law.map(Some).ok_or_else(refused)
+    }
+}

@@ -1,0 +1,170 @@
+//! Settings of the command line: `--set club.loft=11deg`, `--launch ball_speed=70m/s`.
+
+use crate::parameters::{is_taken_back, is_unset};
+use crate::{Error, Result, Setup};
+use std::fmt;
+
+/// A parameter with its value, as an option of the command line gives them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    option: &'static str,
+    /// The name as it was typed: `ball_speed` after `--launch`.
+    name: String,
+    /// The name of the parameter: `launch.ball_speed`.
+    pub parameter: String,
+    pub value: String,
+}
+
+impl Setting {
+    /// Reads `NAME=VALUE`, the value of an option such as `--set` or `--set-a`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a text without `=`.
+    fn read(option: &'static str, text: &str) -> Result<Self> {
+        let (name, value) = split(option, text, "club.loft=10.5deg")?;
+        Ok(Self {
+            option,
+            name: name.into(),
+            parameter: name.into(),
+            value: value.into(),
+        })
+    }
+
+    /// Reads `CONDITION=VALUE`, the value of an option such as `--launch` or `--launch-a`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a text without `=`; for an unknown condition.
+    fn read_launch(option: &'static str, text: &str) -> Result<Self> {
+        let (name, value) = split(option, text, "ball_speed=167mph")?;
+        Self::of_launch(option, name, value)
+    }
+
+    /// A launch condition with its value, from an option of its own (`--ball-speed 167mph`) or from
+    /// `--launch`.
+    ///
+    /// # Errors
+    /// For an unknown condition.
+    pub fn of_launch(option: &'static str, name: &str, value: &str) -> Result<Self> {
+        let setup = Setup::default();
+        let condition = setup.launch_condition(name).ok_or_else(|| {
+            let names = setup.launch_conditions();
+            let advice = format!("a launch has {}", names.join(", "));
+            Error::unknown("launch condition", name, names, advice)
+        })?;
+        Ok(Self {
+            option,
+            name: name.into(),
+            parameter: condition.name.into(),
+            value: value.trim().into(),
+        })
+    }
+
+    /// Reads the texts of an option such as `--set`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a text without `=`.
+    pub fn read_all(option: &'static str, texts: &[String]) -> Result<Vec<Self>> {
+        texts.iter().map(|text| Self::read(option, text)).collect()
+    }
+
+    /// Reads the texts of an option such as `--launch`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a text without `=`; for an unknown condition.
+    pub fn read_all_launch(option: &'static str, texts: &[String]) -> Result<Vec<Self>> {
+        texts
+            .iter()
+            .map(|text| Self::read_launch(option, text))
+            .collect()
+    }
+
+    /// Whether the parameter is a launch condition.
+    pub fn is_of_launch(&self) -> bool {
+        self.parameter.starts_with("launch.")
+    }
+
+    /// Whether `--launch`, or an option for one launch condition, gives it: these replace the
+    /// launch of the setup. `--set launch.ball_speed=…` changes one condition of it.
+    pub fn replaces_launch(&self) -> bool {
+        self.name != self.parameter
+    }
+
+    /// Whether its value is `none`.
+    pub fn is_unset(&self) -> bool {
+        is_unset(&self.value)
+    }
+
+    /// Whether its value is `none`, and another parameter can give the quantity: air density
+    /// follows from the weather.
+    pub fn is_taken_back(&self) -> bool {
+        is_taken_back(&self.parameter, &self.value)
+    }
+
+    /// The option with the name: `--set club.loft`.
+    pub fn named(&self) -> String {
+        if self.has_own_option() {
+            self.option.into()
+        } else {
+            format!("{} {}", self.option, self.name)
+        }
+    }
+
+    /// The option that gives it, for a launch: `--launch`, or `--set launch.…`.
+    pub fn option_of_launch(&self) -> String {
+        if self.replaces_launch() {
+            self.option.into()
+        } else {
+            format!("{} launch.…", self.option)
+        }
+    }
+
+    /// Whether the option is for this parameter only, as `--ball-speed` is.
+    fn has_own_option(&self) -> bool {
+        self.option.trim_start_matches('-').replace('-', "_") == self.name
+    }
+}
+
+/// The setting as it was typed: `--set club.loft=11deg`.
+impl fmt::Display for Setting {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.has_own_option() {
+            write!(to, "{} {}", self.option, self.value)
+        } else {
+            write!(to, "{} {}={}", self.option, self.name, self.value)
+        }
+    }
+}
+
+/// Refuses two settings of one parameter.
+///
+/// # Errors
+/// [`Error::Unreadable`] that names both.
+pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
+    for (i, setting) in settings.iter().enumerate() {
+        let earlier = settings[..i]
+            .iter()
+            .find(|earlier| earlier.parameter == setting.parameter);
+        if let Some(earlier) = earlier {
+            let what = if setting.replaces_launch() {
+                format!("the {}", setting.name)
+            } else {
+                setting.name.clone()
+            };
+            return Err(Error::Unreadable {
+                name: setting.to_string(),
+                source: format!("{earlier} gives {what} too; keep one of the two").into(),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Splits `NAME=VALUE`.
+fn split<'a>(option: &str, text: &'a str, example: &str) -> Result<(&'a str, &'a str)> {
+    text.split_once('=')
+        .map(|(name, value)| (name.trim(), value.trim()))
+        .ok_or_else(|| Error::Unreadable {
+            name: format!("{option} {text}"),
+            source: format!("write NAME=VALUE, for example {example}").into(),
+        })
+}

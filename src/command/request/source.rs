@@ -1,0 +1,141 @@
+//! The setup that a command line names: a preset, a TOML file, or standard input.
+
+use super::step::is_of_step;
+use crate::command::running::running;
+use crate::command::wording::{advice_on, no_setup};
+use crate::parameters::{PRESETS, Parameter, Preset, SetupFile};
+use crate::{Error, Result, Setup};
+use std::path::Path;
+
+/// The name of a setup whose text is on standard input.
+const STANDARD_INPUT: &str = "-";
+const STANDARD_INPUT_NAME: &str = "standard input";
+
+/// A setup as its preset or file gives it, before any setting of the command line.
+#[derive(Clone)]
+pub struct Source {
+    /// As the command line names it.
+    pub argument: String,
+    kind: Kind,
+    /// The content; of a preset, the setup alone.
+    content: SetupFile,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Preset,
+    File,
+    StandardInput,
+}
+
+impl Source {
+    /// Reads the setup that a command line names.
+    ///
+    /// # Errors
+    /// For an unknown preset, and as [`SetupFile::open`] for a file.
+    pub fn read(argument: &str) -> Result<Self> {
+        let path = Path::new(argument);
+        let is_named_like_a_file = argument.contains(['/', '\\']) || path.extension().is_some();
+        let is_preset = Preset::named(argument).is_some();
+        let (kind, content) = if !is_preset && argument == STANDARD_INPUT {
+            (Kind::StandardInput, read_standard_input()?)
+        } else if !is_preset && (path.exists() || is_named_like_a_file && !argument.contains('=')) {
+            (Kind::File, read_file(path)?)
+        } else {
+            (Kind::Preset, read_preset(argument)?)
+        };
+        Ok(Self {
+            argument: argument.into(),
+            kind,
+            content,
+        })
+    }
+
+    /// The setup.
+    pub fn setup(&self) -> &Setup<f64> {
+        &self.content.setup
+    }
+
+    /// The preset that it is, or that the file starts from.
+    pub fn preset(&self) -> &'static Preset {
+        self.content.preset
+    }
+
+    /// The name in messages.
+    pub fn name(&self) -> &str {
+        match self.kind {
+            Kind::StandardInput => STANDARD_INPUT_NAME,
+            Kind::Preset | Kind::File => &self.argument,
+        }
+    }
+
+    /// Whether it states how to integrate: flight.method or flight.step.
+    pub fn gives_step(&self) -> bool {
+        let entries = self.content.preset.entries;
+        self.content.gives_step || entries.iter().any(|entry| is_of_step(entry.name))
+    }
+
+    /// The parameters that it gives as numbers without a unit.
+    pub fn without_unit(&self) -> &[&'static Parameter] {
+        &self.content.without_unit
+    }
+
+    /// The setup file, if it is one on a disk.
+    pub fn file(&self) -> Option<&Path> {
+        (self.kind == Kind::File).then_some(Path::new(&self.argument))
+    }
+
+    /// The parameters that a setup file on a disk gives.
+    pub fn given_in_file(&self) -> &[&'static Parameter] {
+        match self.kind {
+            Kind::File => &self.content.given,
+            Kind::Preset | Kind::StandardInput => &[],
+        }
+    }
+}
+
+fn read_preset(argument: &str) -> Result<SetupFile> {
+    let unknown = || {
+        let names = PRESETS.iter().map(|preset| preset.name);
+        let usual = || format!("a setup is a preset ({}) or a TOML file", Preset::names());
+        let advice = advice_on(argument).unwrap_or_else(usual);
+        Error::unknown("setup", argument, names, advice)
+    };
+    let setup = Setup::preset(argument).map_err(|_| unknown())?;
+    Ok(SetupFile {
+        setup,
+        preset: Preset::named(argument).ok_or_else(unknown)?,
+        given: vec![],
+        gives_step: false,
+        without_unit: vec![],
+    })
+}
+
+fn read_file(path: &Path) -> Result<SetupFile> {
+    match no_setup(path) {
+        Some(message) => Err(Error::Toml {
+            file: path.display().to_string(),
+            message,
+        }),
+        None => SetupFile::open(path),
+    }
+}
+
+fn read_standard_input() -> Result<SetupFile> {
+    let text = running().input().map_err(|source| Error::File {
+        file: STANDARD_INPUT_NAME.into(),
+        source,
+        presets: Preset::names(),
+    })?;
+    if text.trim().is_empty() {
+        let source = format!(
+            "it is empty; give a setup in TOML, or name a preset ({}) in place of -",
+            Preset::names()
+        );
+        return Err(Error::Unreadable {
+            name: STANDARD_INPUT_NAME.into(),
+            source: source.into(),
+        });
+    }
+    SetupFile::read(&text, STANDARD_INPUT_NAME)
+}
