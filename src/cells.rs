@@ -28,7 +28,7 @@ mod tests {
     use super::separated;
 
     #[test]
-    fn the_separator_is_that_of_the_head_or_of_a_line_that_says_so() {
+    fn the_separator_is_that_of_the_head_or_of_a_sep_line() {
         assert_eq!(separated("# a, b; c\na;b;c\n").0, b';');
         assert_eq!(separated("\u{feff}a\tb, c\td\n").0, b'\t');
         assert_eq!(separated("a,b\n").0, b',');

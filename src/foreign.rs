@@ -235,7 +235,7 @@ mod tests {
     use super::of_csv;
 
     #[test]
-    fn a_row_that_is_too_short_is_told_in_cells_and_columns() {
+    fn a_row_that_is_too_short_is_reported_in_cells_and_columns() {
         let mut reader = csv::Reader::from_reader("a,b,c\n1,2\n".as_bytes());
         let error = reader.records().next().unwrap().unwrap_err();
         let told = of_csv(&error);

@@ -136,7 +136,7 @@ mod tests {
     use super::{Setup, TURFS};
 
     #[test]
-    fn every_kind_of_ground_is_told_by_its_numbers() {
+    fn every_kind_of_ground_is_recognised_by_its_numbers() {
         assert_eq!(
             Setup::default().turf().map(|turf| turf.name),
             Some("average")

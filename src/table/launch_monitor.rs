@@ -249,7 +249,7 @@ mod tests {
     use std::collections::HashSet;
 
     #[test]
-    fn heads_of_launch_monitors_are_known_and_own_names_are_left_to_the_table() {
+    fn heads_of_launch_monitors_are_known_and_other_names_are_not() {
         for (head, name, of) in [
             (
                 "Club Speed [mph]",

@@ -433,7 +433,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_meant_by_an_unknown_unit_is_told() {
+    fn an_unknown_unit_gets_a_suggestion() {
         for (quantity, text, meant) in [
             (Quantity::SPEED, "100 MPH", "'MPH' (did you mean 'mph'?)"),
             (Quantity::TEMPERATURE, "20 C", "'C' (did you mean 'degC'?)"),
@@ -450,7 +450,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_missing_and_unknown_units_are_told_apart() {
+    fn wrong_missing_and_unknown_units_have_different_messages() {
         assert!(matches!(
             Quantity::ANGLE.read("10 kg"),
             Err(UnitError::WrongKind { .. })

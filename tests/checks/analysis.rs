@@ -255,7 +255,7 @@ fn a_fixed_variable_beside_a_constraint_stays_where_it_is() {
 }
 
 #[test]
-fn every_mistake_in_a_constraint_points_into_it() {
+fn every_error_in_a_constraint_has_its_position() {
     for (text, column, says) in [
         (
             "descent_angel >= 38 deg",
@@ -434,7 +434,7 @@ fn order_of_the_predicted_change_is_second_and_third() {
 }
 
 #[test]
-fn a_change_that_moves_the_active_set_is_foreseen_and_seen() {
+fn a_change_of_the_active_set_is_predicted_and_confirmed() {
     let setup = Setup::default();
     // just inside the limit: more speed raises the apex to it
     let search = search(

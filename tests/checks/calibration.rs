@@ -614,7 +614,7 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
 }
 
 #[test]
-fn what_stands_for_an_uncertainty_has_a_source_or_says_that_it_is_assumed() {
+fn default_uncertainties_have_a_source_or_are_marked_as_assumed() {
     use longdrive::study::calibrate::instrument;
     for outcome in Outcome::ALL {
         let source = instrument(*outcome).unwrap().0.source().to_string();
@@ -838,7 +838,7 @@ fn one_datum_and_parameters_all_on_bounds_are_reported() {
 }
 
 #[test]
-fn rows_that_no_sum_of_squares_can_hold_are_named() {
+fn rows_whose_squares_overflow_are_named() {
     let row = |apex: &str, sigma: &str| {
         format!(
             "swing.speed [m/s],apex_downrange [m],sigma apex_downrange \
@@ -948,7 +948,7 @@ fn interrupted_folds_are_omitted_and_counted() {
 
 /// Searches that end elsewhere are listed with their status and with advice.
 #[test]
-fn starts_that_end_at_larger_sums_are_told() {
+fn starts_that_end_at_larger_sums_are_reported() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let fit = [
         "calibrate",
@@ -990,7 +990,7 @@ fn starts_that_end_at_larger_sums_are_told() {
 }
 
 #[test]
-fn iterations_of_several_searches_tell_of_which_they_are() {
+fn iterations_of_several_searches_name_their_search() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let told = |starts| {
         longdrive(&[
@@ -1260,7 +1260,7 @@ fn the_sample_of_shots_is_fitted() {
 /// Carries of a ball with a drag of 0.27, plus 40 yd: beyond the range of the fit. The warning is
 /// on standard error and in JSON.
 #[test]
-fn a_fit_that_describes_nothing_or_ends_on_a_bound_is_warned_of() {
+fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     let flown = |launch: [f64; 3]| {
         let [speed, angle, spin] = launch;
         let launch = format!("ball_speed={speed}m/s,launch_angle={angle}deg,backspin={spin}rpm");

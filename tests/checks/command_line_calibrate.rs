@@ -52,7 +52,7 @@ fn a_tolerance_is_honoured() {
 }
 
 #[test]
-fn rows_that_diverge_alike_are_told_once_with_the_advice_that_fits() {
+fn diverging_rows_are_listed_once_with_their_advice() {
     let said = longdrive(&[&SHOTS[..], &["--set", "flight.step=2s"]].concat());
     assert_eq!(said.status, 1);
     assert_eq!(said.err.matches("diverge").count(), 1, "{}", said.err);
@@ -276,7 +276,7 @@ fn a_parameter_that_every_row_gives_is_not_set() {
 }
 
 #[test]
-fn the_ends_of_an_interval_are_shown_apart_however_small_it_is() {
+fn the_ends_of_any_interval_print_differently() {
     let head = "ball_speed [m/s],launch_angle [rad],backspin [rad/s],carry [m]";
     let text = format!("{head}\n70,0.17,260,234.2245103735799\n60,0.2,300,191.61067820714257\n");
     let (_folder, path) = crate::sweep::table("exact.csv", text);
@@ -297,7 +297,7 @@ fn the_ends_of_an_interval_are_shown_apart_however_small_it_is() {
 }
 
 #[test]
-fn rows_that_do_not_fly_are_told_by_an_example_and_without_a_club_that_is_not_there() {
+fn rows_that_do_not_fly_are_reported_by_an_example_without_a_missing_club() {
     let head = "ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]";
     let text =
         format!("{head}\n160,10,2500,250\n150,11,2500,240\n160,-3,2500,250\n150,-4,2500,240\n");
@@ -324,7 +324,7 @@ fn launches(head: &str, usual: &str, last: &str) -> (tempfile::TempDir, std::pat
 }
 
 #[test]
-fn what_no_drive_has_is_refused_with_row_column_value_and_range() {
+fn impossible_values_are_refused_with_row_column_value_and_range() {
     let carry = ["carry [yd]", "246"];
     for ([head, usual], last, says) in [
         (

@@ -128,7 +128,7 @@ fn exact_no_deviation_once_the_only_uncertain_parameter_is_known() {
 }
 
 #[test]
-fn why_no_drive_is_flown_off_by_an_uncertainty_is_told() {
+fn the_answer_gives_the_reason_for_omitted_drives() {
     let args = [
         "sensitivity",
         "--sigma",
@@ -409,7 +409,7 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
 /// 28 % of a normal distribution with mean 115 mph and deviation 200 mph is below 0; 29 % of the
 /// sample with seed 0.
 #[test]
-fn a_distribution_that_reaches_far_beyond_the_range_of_its_parameter_is_warned_of() {
+fn a_distribution_far_beyond_the_range_of_its_parameter_has_a_warning() {
     let said = |text| {
         longdrive(&["uncertainty", "--distribution", text])
             .err
@@ -545,7 +545,7 @@ fn the_order_of_convergence_does_not_depend_on_the_step_of_the_setup() {
 }
 
 #[test]
-fn an_uncertainty_without_effect_is_told_apart_from_one_that_is_too_small() {
+fn no_effect_and_a_too_small_uncertainty_have_different_messages() {
     let without = [
         "sensitivity",
         "--of",
@@ -580,7 +580,7 @@ fn an_uncertainty_without_effect_is_told_apart_from_one_that_is_too_small() {
 }
 
 #[test]
-fn a_parameter_that_is_unset_is_named_with_what_that_means() {
+fn an_unset_parameter_is_named_with_its_meaning() {
     let launch = [
         "--launch",
         "ball_speed=160mph,launch_angle=10deg,backspin=2500rpm",
@@ -615,7 +615,7 @@ fn the_while_loop_is_compared_only_where_it_has_a_difference() {
 }
 
 #[test]
-fn a_number_without_a_unit_is_not_told_where_the_command_line_replaces_it() {
+fn a_replaced_number_without_a_unit_has_no_warning() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mine.toml");
     std::fs::write(

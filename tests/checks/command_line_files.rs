@@ -94,7 +94,7 @@ fn no_command_replaces_its_own_input_even_with_overwrite() {
 }
 
 #[test]
-fn a_file_that_exists_is_replaced_only_when_asked_for() {
+fn an_existing_file_is_replaced_only_on_request() {
     let (folder, name) = folder();
     for file in [
         "theirs.svg",
@@ -156,7 +156,7 @@ fn a_file_that_exists_is_replaced_only_when_asked_for() {
 }
 
 #[test]
-fn a_place_that_cannot_be_written_is_told_before_the_work() {
+fn an_unwritable_path_is_reported_before_the_work() {
     let (_folder, name) = folder();
     let shots = name("shots.csv");
     let calibrate = ["calibrate", &shots, "--fit", "aero.cd0"];
@@ -232,7 +232,7 @@ fn two_outputs_of_one_command_are_kept_apart() {
 }
 
 #[test]
-fn files_beside_a_sweep_that_no_sweep_wrote_stay_as_they_are() {
+fn foreign_files_beside_a_sweep_are_not_changed() {
     let (folder, name) = folder();
     let out = name("out.csv");
     for beside in ["out.csv.part", "out.csv.resume"] {
@@ -415,7 +415,7 @@ fn the_folder_that_an_output_is_in_must_exist() {
 }
 
 #[test]
-fn a_place_that_cannot_be_written_is_told_in_own_words() {
+fn an_unwritable_path_is_reported_in_plain_words() {
     let (folder, name) = folder();
     let (shots, points, mine) = (name("shots.csv"), name("points.csv"), name("mine.toml"));
     let nowhere = "it cannot be written: there is no folder '/nowhere'";
@@ -497,7 +497,7 @@ fn a_place_that_cannot_be_written_is_told_in_own_words() {
 }
 
 #[test]
-fn values_that_no_fit_came_to_are_not_written_as_fitted() {
+fn values_without_a_finished_fit_are_not_written_as_fitted() {
     let (_folder, name) = folder();
     let (shots, fitted) = (name("shots.csv"), name("fitted.toml"));
     let args = ["calibrate", &shots, "--fit", "aero.cd0", "-o", &fitted];

@@ -345,7 +345,7 @@ fn independent_sha256sum_of_the_set_by_its_files() {
 }
 
 #[test]
-fn a_file_that_is_no_part_beside_all_parts_is_told_as_such() {
+fn a_foreign_file_among_all_parts_is_reported() {
     let copy = SET.copy();
     fs::write(copy.path().join("part-00005.parquet"), "notes").unwrap();
     let said = longdrive(&["sweep", "--check", copy.path().to_str().unwrap()]);
@@ -361,7 +361,7 @@ fn a_file_that_is_no_part_beside_all_parts_is_told_as_such() {
 }
 
 #[test]
-fn a_part_that_is_there_stays_and_one_of_another_question_is_refused() {
+fn an_existing_part_is_kept_and_one_of_other_arguments_is_refused() {
     let copy = SET.copy();
     let before = fs::metadata(copy.path().join(NAMES[1]))
         .unwrap()
@@ -440,7 +440,7 @@ fn of_other_version(path: &Path) {
 }
 
 #[test]
-fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
+fn a_check_names_missing_double_damaged_and_foreign_parts() {
     let spoilt = |spoil: &dyn Fn(&Path), more: &[&str]| {
         let copy = SET.copy();
         spoil(copy.path());
@@ -745,7 +745,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has
 }
 
 #[test]
-fn a_question_that_cannot_be_divided_is_refused_with_what_can() {
+fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
     let folder = tempfile::tempdir().unwrap();
     let into = folder.path().join("parts");
     let refused = |more: &[&str], why: &str| {

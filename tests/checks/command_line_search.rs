@@ -68,7 +68,7 @@ fn constraints_and_starts_as_json() {
 
 /// A parameter that is set and varied has the set value as its start, within its range.
 #[test]
-fn a_value_that_is_set_of_a_variable_is_told_as_the_start() {
+fn a_set_value_of_a_variable_is_reported_as_its_start() {
     let notes = |args: &[&str]| -> Vec<String> {
         let said = longdrive(args);
         assert!([0, 1].contains(&said.status), "{}", said.err);
@@ -171,7 +171,7 @@ fn a_wind_is_whole_whose_direction_is_varied() {
 
 /// An equation that no variable changes has no multiplier: lateral is 0 for every straight drive.
 #[test]
-fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
+fn an_equation_is_reported_with_its_violation_and_never_as_inactive() {
     let told = |limit: &str| {
         let out = longdrive(&["optimize", "-q", "--subject-to", limit]).out;
         out.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -222,7 +222,7 @@ fn exact_multiplier_of_an_equation_that_holds_at_the_start() {
 }
 
 #[test]
-fn infeasible_is_an_answer_with_status_1_and_says_by_what() {
+fn infeasible_is_an_answer_with_status_1_and_the_violation() {
     let limits = [
         "--subject-to",
         "descent_angle >= 60 deg",
@@ -470,7 +470,7 @@ fn same_changed_optimum_and_search_of_the_changed_setup() {
 }
 
 #[test]
-fn what_is_varied_is_refused_without_a_contradiction() {
+fn refusals_of_variables_do_not_contradict_each_other() {
     let said = longdrive(&[
         "optimum-sensitivity",
         "--change",
@@ -625,7 +625,7 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
 }
 
 #[test]
-fn each_outcome_of_a_gradient_answers_for_itself() {
+fn each_outcome_of_a_gradient_has_its_own_error() {
     let (status, rows) = json(&[
         "gradient",
         "modern-driver",
@@ -868,7 +868,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
 }
 
 #[test]
-fn options_of_a_search_that_is_not_asked_for_are_refused() {
+fn options_of_another_search_are_refused() {
     for option in [
         &["--maximize", "carry"][..],
         &["--vary", "club.loft=4deg..20deg"],
@@ -890,7 +890,7 @@ fn options_of_a_search_that_is_not_asked_for_are_refused() {
 }
 
 #[test]
-fn numbers_without_a_unit_in_a_setup_file_are_said_to_be_read_as_si() {
+fn numbers_without_a_unit_in_a_setup_file_are_reported_as_si() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.toml").display().to_string();
     std::fs::write(
@@ -963,7 +963,7 @@ fn same_optima_at_chosen_points_as_in_single_searches() {
 }
 
 #[test]
-fn values_of_a_chart_out_of_order_or_given_twice_are_told() {
+fn unordered_and_duplicate_values_of_a_chart_are_reported() {
     const TOLD: &str = "the values of --at are taken in rising order, each once";
     for (at, is_told) in [
         ("90mph,100mph", false),
@@ -982,7 +982,7 @@ fn values_of_a_chart_out_of_order_or_given_twice_are_told() {
 }
 
 #[test]
-fn progress_of_a_chart_shows_the_points_that_were_asked_for() {
+fn progress_of_a_chart_shows_the_given_points() {
     let said = longdrive(&["chart", "--along", "swing.speed", "--at", "100mph,120mph"]);
     let shown: Vec<&str> = said
         .err
@@ -998,7 +998,7 @@ fn progress_of_a_chart_shows_the_points_that_were_asked_for() {
 }
 
 #[test]
-fn a_setup_that_is_not_written_is_told_even_where_it_is_to_be_quiet() {
+fn an_unwritten_setup_is_reported_even_with_quiet() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml");
     let said = longdrive(&[

@@ -372,7 +372,7 @@ fn independent_tables_in_every_format_give_the_same_bytes() {
 
 #[cfg(unix)]
 #[test]
-fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
+fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
     let folder = tempfile::tempdir().unwrap();
     for format in FORMATS {
         let (whole, part) = (
@@ -413,7 +413,7 @@ fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
 }
 
 #[test]
-fn drives_that_all_diverge_are_told_with_where_the_advice_is() {
+fn diverging_drives_are_reported_with_advice() {
     let said = longdrive(&[
         "sweep",
         "--set",

@@ -95,7 +95,7 @@ fn same_points_for_every_spelling_of_the_head() {
 }
 
 #[test]
-fn what_a_sweep_writes_is_read_again_and_what_is_not_read_is_told() {
+fn written_columns_are_read_again_and_ignored_ones_listed() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let launched = ["--points", "examples/launches.csv"];
@@ -270,7 +270,7 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
 }
 
 #[test]
-fn columns_that_a_sweep_does_not_read_are_told_in_json_too() {
+fn ignored_columns_of_a_sweep_are_in_json_too() {
     let (folder, path) =
         crate::sweep::table("points.csv", "club.loft [deg],carry [yd],note\n10,240,x\n");
     let rows = folder.path().join("rows.csv");

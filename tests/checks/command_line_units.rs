@@ -107,7 +107,7 @@ fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have
 }
 
 #[test]
-fn a_study_is_printed_in_its_own_units_where_none_are_asked_for() {
+fn a_study_has_its_own_units_by_default() {
     let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
     let said = &PAPER_WRITTEN.said;
     assert!(us.contains("250.09 yd") && said.out == us, "{}", said.out);
@@ -396,7 +396,7 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
 
 /// Remarks of a calibration about instruments have the chosen units too.
 #[test]
-fn remarks_of_a_calibration_have_no_yards_where_metres_are_asked_for() {
+fn remarks_of_a_calibration_have_the_chosen_units() {
     let table = "club.loft [deg],carry [yd],ball_speed [mph],lateral [yd],apex_height \
                  [yd],smash_factor\n\
                  9,240,160,1,30,1.47\n11,250,160,1,33,1.46\n";
@@ -429,7 +429,7 @@ fn remarks_of_a_calibration_have_no_yards_where_metres_are_asked_for() {
 }
 
 #[test]
-fn a_wrong_unit_is_told_with_every_unit_that_is_read() {
+fn a_wrong_unit_is_refused_with_a_list_of_units() {
     for (value, told) in [
         ("1kg", "a length takes"),
         ("1", "a length takes"),

@@ -245,7 +245,7 @@ fn a_parameter_at_its_bound_is_unidentified_and_has_no_uncertainty() {
 }
 
 #[test]
-fn a_launch_on_the_command_line_becomes_a_setup_whose_best_loft_can_be_looked_for() {
+fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("golfer.toml");
     let file = file.to_str().unwrap();
@@ -308,7 +308,7 @@ fn a_launch_on_the_command_line_becomes_a_setup_whose_best_loft_can_be_looked_fo
 }
 
 #[test]
-fn shots_of_a_launch_monitor_have_their_deliveries_with_what_is_measured_of_the_club() {
+fn shots_of_a_launch_monitor_have_deliveries_with_measured_club_values() {
     let table = "Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin \
                  Rate [rpm],Spin Axis [deg]\n\
                  106,155,10,0.5 R,2500,3 R\n104,153,11,1 L,2400,2 L\n";
@@ -359,7 +359,7 @@ fn shots_of_a_launch_monitor_have_their_deliveries_with_what_is_measured_of_the_
 }
 
 #[test]
-fn what_a_table_does_not_state_is_not_measured() {
+fn missing_columns_of_a_table_are_not_measured() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("shots.csv");
     let table = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Carry \
@@ -399,7 +399,7 @@ fn what_a_table_does_not_state_is_not_measured() {
 }
 
 #[test]
-fn a_launch_that_no_delivery_gives_is_unexplained_and_written_nowhere() {
+fn a_launch_without_a_delivery_is_unexplained_and_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("golfer.toml");
     let launch = "ball_speed=300mph,launch_angle=12deg,spin=2600rpm";
@@ -421,7 +421,7 @@ fn a_launch_that_no_delivery_gives_is_unexplained_and_written_nowhere() {
 
 /// The speed of a junior is more than four deviations below that of the preset.
 #[test]
-fn parameters_that_the_range_decides_are_warned_of_with_the_end_and_how_many() {
+fn parameters_limited_by_their_range_have_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("slow.csv").display().to_string();
     let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
@@ -454,7 +454,7 @@ fn parameters_that_the_range_decides_are_warned_of_with_the_end_and_how_many() {
 }
 
 #[test]
-fn bad_questions_about_a_delivery_are_refused_with_what_to_do() {
+fn bad_arguments_of_delivery_are_refused_with_advice() {
     let launch = [
         "--ball-speed",
         "150mph",

@@ -346,7 +346,7 @@ fn a_robots_swings_keep_less_of_the_prior_spread() {
 }
 
 #[test]
-fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
+fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
     let file = at("shots.csv");

@@ -339,7 +339,7 @@ fn exact_carry_does_not_depend_on_the_ground() {
 }
 
 #[test]
-fn derivatives_do_not_depend_on_what_else_is_asked_for() {
+fn derivatives_do_not_depend_on_other_requested_outcomes() {
     let mut setup = Setup::preset("mae494").unwrap();
     setup.set("strike.toe", "5 mm").unwrap();
     let all = setup.variables();
@@ -408,7 +408,7 @@ fn values_alone_carry_no_derivatives() {
 }
 
 #[test]
-fn what_has_no_derivative_says_so_instead_of_nan() {
+fn an_undefined_derivative_is_an_error_and_not_nan() {
     // straight up: the launch has no horizontal direction
     let mut setup = Setup::preset("mae494").unwrap();
     setup

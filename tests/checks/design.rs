@@ -239,7 +239,7 @@ fn differences_certify_the_price_of_a_relation() {
 }
 
 #[test]
-fn a_relation_is_read_or_pointed_into() {
+fn a_relation_is_read_or_refused_with_its_position() {
     let setup = Setup::default();
     let read = |text: &str| GoalLimit::read_relation(&setup, text);
     let limit = read("budget: 2*club.mass - 0.5 g/mm*club.cg_depth + 3 g == 400 g").unwrap();
@@ -312,7 +312,7 @@ fn a_relation_is_read_or_pointed_into() {
 }
 
 #[test]
-fn what_the_rules_or_the_face_do_not_allow_is_refused_by_name() {
+fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
     let cases: [(&[&str], &[&str]); 9] = [
         (
             &["--set=impact.restitution=0.85"],
@@ -435,7 +435,7 @@ fn same_bits_of_a_resumed_design() {
 
 /// The answer names assumed defaults and the known error of rigid bodies.
 #[test]
-fn what_a_design_assumes_is_told() {
+fn assumptions_of_a_design_are_printed() {
     let said = longdrive(&["design", "--scenarios", "64"]);
     let text = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(said.status, 0, "{}", said.err);

@@ -22,7 +22,7 @@ fn words(text: &str) -> String {
 
 /// Swings outside the request do not suppress the answer.
 #[test]
-fn a_design_stands_where_other_swings_do_not_fly() {
+fn other_swings_without_a_flight_do_not_suppress_a_design() {
     let mut setup = Setup::default();
     setup.set("club.loft", "8 deg").unwrap();
     let attack = setup.parameter("swing.attack_angle").unwrap();
@@ -183,7 +183,7 @@ fn a_variable_without_an_effect_is_named() {
 }
 
 #[test]
-fn what_makes_no_design_is_refused_in_plain_words() {
+fn impossible_designs_are_refused_in_plain_words() {
     let cases: [(&[&str], &str); 10] = [
         (
             &["--distribution=club.inertia.xx=uniform(5000 g cm^2,6001 g cm^2)"],
@@ -251,7 +251,7 @@ fn what_makes_no_design_is_refused_in_plain_words() {
 
 /// Unchecked rules, and the effect of a weight without mass.
 #[test]
-fn what_is_not_checked_and_what_has_no_effect_is_said() {
+fn unchecked_rules_and_missing_effects_are_reported() {
     let swings = "--distribution=club.inertia.xx=normal(5700 g cm^2,10 g cm^2)";
     let said = longdrive(&[
         "design",
@@ -300,7 +300,7 @@ fn what_is_not_checked_and_what_has_no_effect_is_said() {
 }
 
 #[test]
-fn what_rigid_bodies_miss_is_said_once() {
+fn the_error_of_rigid_bodies_is_printed_once() {
     assert_eq!(
         longdrive(&["design"])
             .out

@@ -42,7 +42,7 @@ fn derivatives_of_a_direction_are_verified_across_the_half_turn() {
 }
 
 #[test]
-fn changes_of_a_direction_are_taken_the_short_way_round() {
+fn changes_of_a_direction_are_the_smaller_angle() {
     let asked = [
         "--of",
         "spin_axis",
@@ -63,7 +63,7 @@ fn changes_of_a_direction_are_taken_the_short_way_round() {
 }
 
 #[test]
-fn a_mean_of_a_direction_is_taken_around_its_value_at_the_means() {
+fn a_mean_of_a_direction_is_about_its_value_at_the_means() {
     let asked = [
         "--of",
         "spin_axis",
@@ -86,7 +86,7 @@ fn a_mean_of_a_direction_is_taken_around_its_value_at_the_means() {
 }
 
 #[test]
-fn a_measured_direction_is_compared_the_short_way_round() {
+fn a_measured_direction_is_compared_by_the_smaller_angle() {
     let head = "club.loft [deg],swing.attack_angle [deg],swing.path [deg],spin_axis [deg],sigma \
                 spin_axis [deg],\
                 ball_speed [mph],sigma ball_speed [mph]";

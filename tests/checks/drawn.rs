@@ -175,7 +175,7 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
 /// At an active constraint the outcome has a gradient, and an ellipse of the quadratic model would
 /// be wrong.
 #[test]
-fn no_ellipse_is_told_where_a_constraint_holds_the_optimum() {
+fn no_ellipse_is_printed_with_an_active_constraint() {
     let (best, ..) = mapped(
         &in_large_steps(),
         [LOFT, ATTACK],
@@ -257,7 +257,7 @@ fn an_equation_keeps_the_part_of_its_line_with_small_loss() {
 
 /// A straight drive stays straight for every loft: the equation forbids nothing.
 #[test]
-fn an_equation_that_holds_everywhere_leaves_the_region_as_it_is() {
+fn an_equation_that_holds_everywhere_does_not_change_the_region() {
     let [with, without] = [&["lateral == 0 m"][..], &[]]
         .map(|limits| mapped(&in_large_steps(), [LOFT, ATTACK], limits));
     let region = with.1.expect("the region");
@@ -274,7 +274,7 @@ fn an_equation_that_holds_everywhere_leaves_the_region_as_it_is() {
 }
 
 #[test]
-fn a_map_says_where_it_is_taken_and_has_its_names_on_it() {
+fn a_map_states_its_point_and_has_names() {
     let mut setup = setup();
     setup.set("swing.speed", "97 mph").unwrap();
     let (_, _, figure) = mapped(&setup, [LOFT, ATTACK], &["descent_angle >= 38 deg"]);
@@ -335,7 +335,7 @@ fn a_map_says_where_it_is_taken_and_has_its_names_on_it() {
 }
 
 #[test]
-fn a_chart_marks_your_drive_and_says_in_words_what_a_bound_holds() {
+fn a_chart_marks_the_drive_and_names_active_bounds() {
     let setup = setup();
     let search = Search::longest_drive(&setup).unwrap();
     let along = Vary::read(&setup, "swing.speed=90mph..125mph").unwrap();
@@ -380,7 +380,7 @@ fn a_chart_marks_your_drive_and_says_in_words_what_a_bound_holds() {
 }
 
 #[test]
-fn events_of_a_chart_are_told_in_words_and_in_the_units_chosen() {
+fn events_of_a_chart_are_in_words_with_the_chosen_units() {
     let setup = Setup::default();
     let limit = Constraint::read("apex_height <= 35 yd").unwrap();
     let search = Search {
@@ -833,7 +833,7 @@ fn rings_on_the_face_have_their_loss_and_arrows_tilt_with_the_spin_axis() {
 }
 
 #[test]
-fn the_new_pictures_are_drawn_at_every_width_and_say_what_they_leave_out() {
+fn pictures_are_drawn_at_every_width_and_name_omitted_parts() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
     let launch = [

@@ -513,8 +513,7 @@ fn every_step_size_that_can_be_set_is_flown() {
 }
 
 #[test]
-fn what_is_out_of_the_ordinary_of_a_flight_that_diverges_is_named_and_the_step_only_where_it_is_long()
- {
+fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let usual = || Setup {
         law: Law::named("linear").unwrap(),
         ..Setup::default()

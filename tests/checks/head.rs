@@ -207,7 +207,7 @@ fn exact_minors_of_the_second_moments() {
 }
 
 #[test]
-fn outcomes_of_the_head_are_asked_for_by_name() {
+fn outcomes_of_the_head_are_available_by_name() {
     let found = json(&[
         "gradient",
         "--of",
@@ -256,7 +256,7 @@ fn outcomes_of_the_head_are_asked_for_by_name() {
 }
 
 #[test]
-fn a_weight_without_a_mass_is_told() {
+fn a_weight_without_a_mass_is_reported() {
     let setup = with(&[("club.weight_2.depth", "20 mm")]);
     let told = setup.warnings()[0].in_units(longdrive::units::System::default());
     assert!(

@@ -308,7 +308,7 @@ fn exact_cone_of_friction_and_continuity_between_slip_and_stick() {
 }
 
 #[test]
-fn what_cannot_be_struck_is_an_error_with_its_numbers() {
+fn an_impossible_strike_is_an_error_with_its_numbers() {
     let mut setup = Setup::default();
     setup.strike.high = 0.19;
     setup.strike.toe = 0.2;

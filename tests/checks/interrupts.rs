@@ -193,7 +193,7 @@ fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
 }
 
 #[test]
-fn what_is_done_of_a_certificate_and_of_a_chart_is_told_as_interrupted() {
+fn finished_parts_of_a_certificate_and_of_a_chart_are_printed_as_interrupted() {
     let found = interrupted_json(&["verify", "--set", "flight.step=0.05ms"]);
     let rows = found["rows"].as_array().unwrap().len();
     let message = found["message"].as_str().unwrap();
@@ -338,7 +338,7 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
 }
 
 #[test]
-fn shots_that_are_flown_before_are_counted_and_no_file_is_written() {
+fn shots_flown_before_the_interruption_are_counted_and_no_file_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let row = |at: usize| format!("{},12,{}\n", 140 + at % 40, 2000 + at % 1000);
@@ -384,7 +384,7 @@ fn shots_that_are_flown_before_are_counted_and_no_file_is_written() {
 
 /// An evaluation over so many swings takes seconds: it stops between any two of them.
 #[test]
-fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation() {
+fn searches_over_very_many_swings_are_interrupted_within_an_evaluation() {
     let swings = [
         "--scenarios",
         "50000",

@@ -181,7 +181,7 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
 }
 
 #[test]
-fn a_question_without_an_answer_gets_an_object_with_the_reason_and_status_1() {
+fn no_answer_is_an_object_with_the_reason_and_status_1() {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("a.svg").to_str().unwrap().to_owned();
     let page = folder.path().join("page").to_str().unwrap().to_owned();
@@ -285,7 +285,7 @@ fn a_question_without_an_answer_gets_an_object_with_the_reason_and_status_1() {
 }
 
 #[test]
-fn bad_input_gets_an_object_with_the_message_of_standard_error_and_status_2() {
+fn bad_input_is_an_object_with_the_message_of_standard_error_and_status_2() {
     for (args, command) in [
         (vec!["simulate", "--set", "club.lofft=10deg"], "simulate"),
         (vec!["simulate", "nowhere.toml"], "simulate"),

@@ -116,7 +116,7 @@ fn same_flight_of_a_launch_and_of_the_club_that_makes_it() {
 }
 
 #[test]
-fn a_launch_that_is_none_or_two_is_refused() {
+fn an_incomplete_or_double_launch_is_refused() {
     for (settings, says) in [
         (&[("launch_angle", "10 deg")][..], "ball_speed is missing"),
         (&[("ball_speed", "160 mph")], "launch_angle is missing"),
@@ -415,7 +415,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
 
 /// A report of a launch has no club, and an optimum if something is varied.
 #[test]
-fn a_report_of_a_launch_says_what_it_leaves_out() {
+fn a_report_of_a_launch_names_omitted_parts() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let launch = "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm";
@@ -478,7 +478,7 @@ const CONDITIONS: [&str; 2] = [
 ];
 
 #[test]
-fn what_another_form_of_the_spin_takes_the_place_of_is_told() {
+fn values_replaced_by_another_form_of_the_spin_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("ax.toml").display().to_string();
     let launch =
@@ -504,7 +504,7 @@ fn what_another_form_of_the_spin_takes_the_place_of_is_told() {
 }
 
 #[test]
-fn without_a_club_the_defaults_are_those_of_the_launch_or_the_message_says_what_to_vary() {
+fn without_a_club_the_defaults_are_launch_conditions_or_the_message_suggests_variables() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).display().to_string();
     let (curves, map, chart) = (file("v.csv"), file("map.svg"), file("chart.svg"));

@@ -452,7 +452,7 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
 
 /// The text of a law names an open end of its range.
 #[test]
-fn a_range_without_an_upper_end_is_told_as_at_least() {
+fn a_range_without_an_upper_end_prints_as_at_least() {
     let slow = [
         "simulate",
         "--set",

@@ -173,7 +173,7 @@ fn three_hundred_shots_of_one_connection_are_each_answered() {
 }
 
 #[test]
-fn a_port_that_is_taken_is_told_with_what_to_do() {
+fn a_used_port_is_reported_with_advice() {
     let (child, port) = listening(&[]);
     let said = crate::command_line::longdrive(&["fly", "--listen", &port.to_string()]);
     assert!(

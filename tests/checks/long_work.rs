@@ -398,7 +398,7 @@ fn searches_that_had_not_begun_are_one_entry_with_all_their_starts() {
 }
 
 #[test]
-fn what_cannot_be_kept_is_an_error_before_the_search() {
+fn an_unwritable_checkpoint_is_an_error_before_the_search() {
     let path = std::path::Path::new("/nowhere/at/all.json");
     let error = Checkpoint::open(path, "anything").unwrap_err();
     assert!(

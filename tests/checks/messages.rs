@@ -92,7 +92,7 @@ fn one_thing_is_in_the_singular() {
 }
 
 #[test]
-fn what_is_not_a_number_is_called_so() {
+fn a_text_that_is_no_number_is_refused_as_such() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str, text: &str| {
         let path = folder.path().join(name);
@@ -157,7 +157,7 @@ fn what_is_not_a_number_is_called_so() {
 }
 
 #[test]
-fn a_standard_uncertainty_is_told_to_be_above_zero() {
+fn a_standard_uncertainty_must_be_above_zero() {
     for (sigma, says) in [
         (
             "air.density=0%",
@@ -286,7 +286,7 @@ fn a_launch_on_the_command_line_replaces_that_of_the_setup_file() {
 }
 
 #[test]
-fn a_plain_number_is_asked_for_without_a_unit() {
+fn a_unit_for_a_plain_number_is_refused() {
     for (value, says) in [
         (
             "abc",

@@ -296,7 +296,7 @@ fn independent_corner_at_zero_spin_from_every_start_in_a_wide_box() {
 }
 
 #[test]
-fn a_start_that_does_not_fly_is_left_for_one_that_does_and_said() {
+fn a_start_without_a_flight_is_replaced_and_reported() {
     let best = mae494(
         -9.0,
         1.0,

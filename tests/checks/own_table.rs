@@ -260,7 +260,7 @@ fn derivatives_with_a_table_pass_verification() {
 }
 
 #[test]
-fn bad_tables_are_refused_with_file_line_and_what_to_do() {
+fn bad_tables_are_refused_with_file_line_and_advice() {
     for (text, words) in [
         (
             "s,re,cd,cl\n0.1,1e5,0.2,0.1\n0.2,1e5,0.2,0.2\n0.1,2e5,0.2,0.1\n",
@@ -502,7 +502,7 @@ fn drag_of_a_table_is_not_checked_below_zero_spin() {
 
 /// The range of a table is that of its nodes.
 #[test]
-fn a_drive_beyond_its_table_is_told() {
+fn a_drive_beyond_its_table_has_a_warning() {
     let (_folder, name) = written(
         "speed [m/s],spin \
          [rpm],cd,cl\n50,2000,0.25,0.15\n80,2000,0.25,0.15\n50,3000,0.25,0.2\n80,3000,0.25,0.2\n",

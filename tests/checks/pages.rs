@@ -139,7 +139,7 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
 }
 
 #[test]
-fn the_title_is_what_was_asked_and_not_the_presets() {
+fn the_title_states_the_arguments() {
     let (_, page) = report(&[
         "modern-driver",
         "--set",
@@ -232,7 +232,7 @@ fn the_page_of_a_launch_is_about_its_launch_and_no_club() {
 }
 
 #[test]
-fn the_reason_of_no_flight_stands_once_and_first() {
+fn the_reason_of_no_flight_is_printed_once_and_first() {
     let (_, page) = report(&[
         "--set",
         "swing.attack_angle=-20deg",
@@ -375,7 +375,7 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
 }
 
 #[test]
-fn the_footer_says_what_makes_the_same_page_again() {
+fn the_footer_has_the_command_of_the_page() {
     let folder = tempfile::tempdir().unwrap();
     let made = |date: &str| {
         let mut command = program::command();
@@ -416,7 +416,7 @@ fn the_footer_says_what_makes_the_same_page_again() {
 }
 
 #[test]
-fn an_answer_that_is_none_says_so_first() {
+fn a_missing_answer_is_reported_first() {
     let (status, page) = report(&["--subject-to", "descent_angle >= 80 deg"]);
     let said = words(answer(&page), "us");
     assert!(

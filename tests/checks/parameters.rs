@@ -16,7 +16,7 @@ use std::collections::HashSet;
 /// A duplicate parameter would have two equal derivatives: every function of derivatives refuses
 /// it.
 #[test]
-fn a_parameter_given_twice_is_refused_by_name_wherever_derivatives_are_asked_for() {
+fn a_duplicate_parameter_is_refused_by_name_for_all_derivatives() {
     let setup = Setup::default();
     let [loft, speed] = ["club.loft", "swing.speed"].map(|name| setup.variable(name).unwrap());
     let twice = [loft, speed, loft];
@@ -63,7 +63,7 @@ fn a_parameter_given_twice_is_refused_by_name_wherever_derivatives_are_asked_for
 /// Two laws have an `aero.cd0` each. The coefficient of another law has no place in the setup: the
 /// drive does not change with it, and a derivative of 0 would be wrong.
 #[test]
-fn a_coefficient_of_another_law_is_refused_wherever_a_parameter_is_taken() {
+fn a_coefficient_of_another_law_is_refused_everywhere() {
     let mut setup = Setup::default();
     let stale = setup.variable("aero.cd0").unwrap();
     setup.set_law("robinson").unwrap();
@@ -242,7 +242,7 @@ fn parameters_and_outcomes_are_keys_and_have_names() {
 
 /// A wrong range built in code is refused by the name of its parameter, before a search uses it.
 #[test]
-fn ranges_made_by_hand_that_are_none_are_refused_by_the_name_of_the_parameter() {
+fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
     let setup = Setup::default();
     let loft = setup.variable("club.loft").unwrap();
     let search = |low: f64, high: f64| Search {

@@ -184,7 +184,7 @@ const SWINGS: [&str; 3] = [
 /// If designs with little dispersion are not connected to those with a long carry, both parts are
 /// found from their ends.
 #[test]
-fn a_front_of_two_parts_says_where_other_designs_are_better() {
+fn a_front_of_two_parts_names_points_that_are_dominated() {
     let more = [
         "--distribution=strike.toe=normal(0mm,8mm)",
         "--scenarios",

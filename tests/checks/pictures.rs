@@ -240,7 +240,7 @@ fn bars(csv: &str) -> Vec<(String, f64)> {
 }
 
 #[test]
-fn what_you_control_and_what_the_model_does_not_know_are_pictures_of_their_own() {
+fn controlled_and_model_parameters_have_separate_pictures() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).display().to_string();
     let (svg, csv) = (file("x.svg"), file("x.csv"));
@@ -336,7 +336,7 @@ fn two_bars_on_one_side_are_both_seen() {
 }
 
 #[test]
-fn a_price_says_which_way_it_counts_and_a_constraint_is_in_the_units_asked_for() {
+fn a_price_has_its_direction_and_a_constraint_the_chosen_units() {
     // long lines are broken
     let text = |args: &[&str]| {
         longdrive(&[&["optimize"], args].concat())
@@ -521,7 +521,7 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
 
 /// A straight drive ends beside the target line by rounding.
 #[test]
-fn what_rounding_leaves_is_shown_as_no_value() {
+fn rounding_is_shown_as_no_value() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("x.svg").display().to_string();
     let slower = ["--set-b", "swing.speed=100mph", "--of", "lateral"];
@@ -570,7 +570,7 @@ fn what_rounding_leaves_is_shown_as_no_value() {
 }
 
 #[test]
-fn the_optimum_has_its_own_colour_and_dashes_also_where_the_set_up_does_not_fly() {
+fn the_optimum_has_its_own_style_also_if_the_setup_does_not_fly() {
     let folder = tempfile::tempdir().unwrap();
     let lines = |extra: &[&str], name: &str| {
         let directory = folder.path().join(name).display().to_string();

@@ -106,7 +106,7 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
 
 /// Missing values would shift all following ones.
 #[test]
-fn points_that_append_other_numbers_of_values_than_they_say_are_refused_after_the_rows_before() {
+fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
     let setup = Setup::default();
     let of_both = loft_and_speed(&setup);
     let short = Mine {

@@ -351,7 +351,7 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_told() {
+fn impossible_plots_are_refused() {
     let empty = Figure::new(
         "none",
         "t",
@@ -526,7 +526,7 @@ fn path(folder: &tempfile::TempDir, name: &str) -> String {
 }
 
 #[test]
-fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
+fn the_ending_of_the_file_chooses_the_format_of_a_plot() {
     let folder = tempfile::tempdir().unwrap();
     let (svg, csv) = (path(&folder, "x.svg"), path(&folder, "x.csv"));
     for (kind, extra) in [
@@ -624,7 +624,7 @@ fn a_png_has_its_size_and_its_words() {
 }
 
 #[test]
-fn the_page_is_complete_in_itself_and_says_what_it_holds() {
+fn the_page_is_self_contained_and_describes_its_content() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("mine.txt"), "left alone").unwrap();
     std::fs::write(folder.path().join("index.html"), "replaced").unwrap();
@@ -727,7 +727,7 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
 }
 
 #[test]
-fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
+fn a_report_without_an_optimum_gives_the_reason_and_status_one() {
     let folder = tempfile::tempdir().unwrap();
     let directory = folder.path().join("new").display().to_string();
     let limits = ["--subject-to", "descent_angle >= 80 deg"];

@@ -392,7 +392,7 @@ fn a_folder_gets_the_report_with_its_figures_and_their_data() {
 }
 
 #[test]
-fn an_unknown_study_is_refused_with_those_there_are() {
+fn an_unknown_study_is_refused_with_a_list() {
     let refused = longdrive(&["reproduce", "mae495"]);
     assert_eq!(refused.status, 2);
     assert!(refused.err.contains("mae494"), "{}", refused.err);

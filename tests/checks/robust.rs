@@ -126,7 +126,7 @@ fn exact_zero_loss_for_a_model_equal_to_the_setup() {
 }
 
 #[test]
-fn the_answer_says_whether_one_design_holds_for_all_models() {
+fn the_answer_judges_whether_one_design_suits_all_models() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml").display().to_string();
     let ask = ["robust", "--vary", "club.loft=6deg..16deg"];
@@ -173,7 +173,7 @@ fn the_answer_says_whether_one_design_holds_for_all_models() {
 }
 
 #[test]
-fn bad_models_say_what_is_wrong() {
+fn bad_models_are_refused_with_the_reason() {
     let launch = "ball_speed=167mph,launch_angle=10deg,spin=2500rpm";
     let launched = [
         "--launch",
@@ -275,7 +275,7 @@ fn several_starts_find_the_better_end_for_every_model() {
 /// Ctrl-C in the search for all models gives the status interrupted and the number of finished
 /// searches; before it, the name of the model in progress.
 #[test]
-fn a_search_that_is_stopped_says_how_far_it_was() {
+fn a_stopped_search_reports_its_progress() {
     let setup = Setup::preset("mae494").unwrap();
     let stopping_at = |dimension: usize| {
         let interrupt = Arc::new(AtomicBool::new(false));

@@ -229,7 +229,7 @@ fn a_small_feasible_region_is_found() {
 
 /// `infeasible` gives the number of tried points and claims no more.
 #[test]
-fn infeasible_says_how_many_points_were_tried() {
+fn infeasible_reports_the_number_of_points() {
     let asked = [
         "optimize",
         "--subject-to",

@@ -344,7 +344,7 @@ fn independent_air_of_an_altitude_and_a_temperature() {
 }
 
 #[test]
-fn every_shot_is_explained_with_what_it_states() {
+fn every_shot_is_explained_by_its_stated_values() {
     for (name, rows) in [
         ("blank-club-path.csv", 4),
         ("foresight-empty-club.csv", 2),
@@ -562,7 +562,7 @@ fn same_shots_with_a_club_of_zeros_and_without_one() {
 }
 
 #[test]
-fn rows_that_sum_up_others_are_known_in_german_too() {
+fn summary_rows_are_recognised_in_german_too() {
     let rows = "A;257,5;12,0;2600\nDurchschnitt;257,5;12,0;2600\nStandardabweichung;2,5;1,0;200\n\u{d8};257,5;12,0;2600\n";
     let text =
         format!("Spieler;Ballgeschwindigkeit;Abflugwinkel;Drehrate\n;[km/h];[deg];[rpm]\n{rows}");

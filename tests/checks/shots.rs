@@ -387,7 +387,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
 }
 
 #[test]
-fn messages_that_cannot_be_flown_say_what_is_wrong() {
+fn messages_that_cannot_be_flown_give_the_reason() {
     let (_, flown, _) = file("open-connect.jsonl");
     for (row, kind, says) in [
         (
@@ -533,7 +533,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
 }
 
 #[test]
-fn decimals_and_thousands_that_cannot_be_told_apart_are_refused() {
+fn ambiguous_decimal_and_thousands_marks_are_refused() {
     // a comma that separates no thousands, in a table with commas as separators
     let quoted =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
@@ -691,7 +691,7 @@ fn same_streamed_rows_for_any_number_of_threads() {
 }
 
 #[test]
-fn the_command_writes_rows_and_says_how_well_they_are_predicted() {
+fn the_command_writes_rows_and_their_prediction_errors() {
     let folder = tempfile::tempdir().unwrap();
     let to = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let shots = path("trackman.csv").display().to_string();

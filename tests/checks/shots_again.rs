@@ -94,7 +94,7 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
 }
 
 #[test]
-fn totals_are_compared_on_a_ground_that_is_named_alone() {
+fn totals_are_compared_only_on_a_named_ground() {
     let file = shots("trackman.csv");
     let (_, told) = json(&["fly", &file, "--of", "total"]);
     let remarks = told["remarks"].to_string();
@@ -141,7 +141,7 @@ fn totals_are_compared_on_a_ground_that_is_named_alone() {
 }
 
 #[test]
-fn what_is_assumed_of_a_launch_is_not_measured_when_it_is_read_again() {
+fn assumed_values_of_a_launch_are_not_measured_when_read_again() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd],Side \
@@ -292,7 +292,7 @@ fn messages_and_title_lines_are_read_by_calibrate_and_delivery_too() {
 }
 
 #[test]
-fn a_bad_cell_of_an_export_takes_its_row_alone() {
+fn a_bad_cell_of_an_export_affects_its_row_alone() {
     let folder = tempfile::tempdir().unwrap();
     let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd]";
     let rows = "150,12,2700,240\n155,abc,2600,250\n160,11,2500,262\n161,11,2500\n165,11,2500,270\n";
@@ -306,7 +306,7 @@ fn a_bad_cell_of_an_export_takes_its_row_alone() {
 }
 
 #[test]
-fn rows_of_points_that_are_no_drives_are_told_with_their_value() {
+fn impossible_rows_of_points_are_reported_with_their_value() {
     let folder = tempfile::tempdir().unwrap();
     let text = "club.loft [deg],swing.speed [mph]\n9,100\n,101\n95,100\n9,-3\n";
     let table = written(folder.path(), "points.csv", text);
@@ -328,7 +328,7 @@ fn rows_of_points_that_are_no_drives_are_told_with_their_value() {
 }
 
 #[test]
-fn flat_landings_are_counted_where_the_run_is_asked_for() {
+fn flat_landings_are_counted_if_the_run_is_requested() {
     let flat = "at less than 25 deg";
     let told = |args: &[&str]| {
         let (_, found) = json(args);

@@ -136,7 +136,7 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
 }
 
 #[test]
-fn the_air_that_is_given_comes_before_that_of_the_export() {
+fn given_air_overrides_that_of_the_export() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let file = place("r50.csv");

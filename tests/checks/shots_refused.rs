@@ -51,7 +51,7 @@ fn place(folder: &Path, name: &str, text: &str) -> String {
 }
 
 #[test]
-fn calibrate_and_delivery_leave_out_the_rows_that_fly_refuses() {
+fn calibrate_and_delivery_omit_the_rows_that_fly_refuses() {
     let bad = [
         "150,12,0,0,3,245,5",
         "350,12,0,2600,3,245,5",
@@ -91,7 +91,7 @@ fn calibrate_and_delivery_leave_out_the_rows_that_fly_refuses() {
 }
 
 #[test]
-fn delivery_leaves_out_the_rows_without_a_whole_launch_that_fly_refuses() {
+fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
     let bad = [
         ",12,0,2600,3,245,5",
         "150,,0,2600,3,245,5",
@@ -130,7 +130,7 @@ fn delivery_leaves_out_the_rows_without_a_whole_launch_that_fly_refuses() {
 }
 
 #[test]
-fn a_measured_value_that_no_drive_has_is_not_compared() {
+fn an_impossible_measured_value_is_not_compared() {
     let table = read(&format!(
         "{HEAD}{GOOD}150,12,0,2600,3,-10,5\n150,12,0,2600,3,9999,5\n150,12,0,2600,3,0,5\n"
     ));
@@ -178,7 +178,7 @@ fn a_measured_value_that_no_drive_has_is_not_compared() {
 }
 
 #[test]
-fn a_quote_that_is_not_closed_takes_its_row_alone() {
+fn an_unclosed_quote_affects_its_row_alone() {
     let head = "Ball Speed [mph],Launch Angle [deg],Total Spin [rpm],Carry [yd],Club Name\n";
     let text = format!(
         "{head}150,12,2600,245,A\n151,12,2600,246,\"C\n152,12,2600,247,D\n153,12,2600,248,E\n"
@@ -243,7 +243,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
 }
 
 #[test]
-fn exports_without_units_are_read_as_fly_reads_them() {
+fn exports_without_units_are_read_as_in_fly() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/data/shots/rapsodo.csv");
     let table = ShotTable::open(&Setup::default(), Path::new(file)).unwrap();
     let with_units = read(

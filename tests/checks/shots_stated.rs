@@ -69,7 +69,7 @@ fn exact_sidespin_from_spin_axis_and_backspin() {
 }
 
 #[test]
-fn spins_that_contradict_each_other_are_told_with_what_is_used() {
+fn contradictory_spins_are_reported_with_the_used_one() {
     let sent = rows(
         &[
             r#""TotalSpin":2500,"SpinAxis":5,"BackSpin":1000,"SideSpin":-500"#,
@@ -248,7 +248,7 @@ fn numbers_from_1e38_are_missing_values() {
 }
 
 #[test]
-fn the_condition_of_a_shot_is_written_and_known_heads_are_no_slips() {
+fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
     let head = "Club Name,Club Type,Face to Path,Lie Angle,Ball Speed [mph],Launch Angle \
                 [deg],Spin Rate [rpm],Condition\n";
     let text = format!(

@@ -170,7 +170,7 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
 }
 
 #[test]
-fn two_designs_stand_beside_each_other_on_the_face() {
+fn two_designs_are_side_by_side_on_the_face() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
     let (after, data) = (at("after.toml"), at("a.csv"));

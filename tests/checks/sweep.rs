@@ -251,7 +251,7 @@ fn same_order_and_bits_for_any_threads_and_from_any_chunk() {
 }
 
 #[test]
-fn a_batch_stops_when_asked_and_ends_with_what_the_sink_refuses() {
+fn a_batch_stops_on_request_and_at_an_error_of_the_sink() {
     let setup = quick();
     let stop = AtomicBool::new(false);
     let mut points = grid(&setup, &["club.loft=5deg..20deg:1000000"]);
@@ -308,7 +308,7 @@ fn same_sequence_from_any_row() {
 }
 
 #[test]
-fn bad_axes_say_what_to_write() {
+fn bad_axes_are_refused_with_advice() {
     let setup = Setup::default();
     for (text, says) in [
         ("club.loft=5deg..15deg", "the number of values is missing"),
@@ -400,7 +400,7 @@ fn same_csv_table_in_utf_16_and_utf_8() {
 }
 
 #[test]
-fn bad_tables_are_told_by_row_and_column_before_any_work() {
+fn bad_tables_are_refused_by_row_and_column_before_any_work() {
     let setup = Setup::default();
     for (name, text, says) in [
         (

@@ -327,7 +327,7 @@ const GOLFER: [&str; 4] = [
 ];
 
 #[test]
-fn the_best_loft_over_swings_is_told_with_its_price_and_its_doubt() {
+fn the_best_loft_over_swings_has_its_price_and_its_diagnostics() {
     let args = [
         &[
             "optimize",
@@ -618,7 +618,7 @@ fn same_goals_by_sums_over_single_drives() {
 }
 
 #[test]
-fn bad_swings_and_goals_say_what_is_wrong() {
+fn bad_swings_and_goals_are_refused_with_the_reason() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("swings.csv");
     std::fs::write(
@@ -798,7 +798,7 @@ fn swings_that_reach_far_have_an_answer() {
 }
 
 #[test]
-fn what_swings_do_not_tell_is_said() {
+fn parameters_without_swings_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let written = |name: &str, text: &str| {
         let file = folder.path().join(name);

@@ -194,7 +194,7 @@ fn rows_with_a_nan_value_have_no_drive() {
 }
 
 #[test]
-fn bad_columns_and_values_are_told_by_row_and_column() {
+fn bad_columns_and_values_are_refused_by_row_and_column() {
     for (name, says) in [
         (
             "text.arrow",
@@ -230,7 +230,7 @@ fn bad_columns_and_values_are_told_by_row_and_column() {
 }
 
 #[test]
-fn bad_files_say_what_is_wrong_with_them() {
+fn bad_files_are_refused_with_the_reason() {
     let stream = std::fs::read(file("points.arrows")).unwrap();
     let whole = std::fs::read(file("points.arrow")).unwrap();
     let parquet = std::fs::read(file("points.parquet")).unwrap();
@@ -291,7 +291,7 @@ fn is_in_own_words(message: &str) -> bool {
 }
 
 #[test]
-fn bad_parquet_files_say_what_is_wrong_with_them_in_own_words() {
+fn bad_parquet_files_are_refused_in_plain_words() {
     let whole = std::fs::read(file("points.parquet")).unwrap();
     let mut end = whole.clone();
     let at = end.len() - 60;
@@ -330,7 +330,7 @@ fn bad_parquet_files_say_what_is_wrong_with_them_in_own_words() {
 
 /// The columns with a claimed GZIP compression, which this program cannot read.
 #[test]
-fn a_compression_that_is_not_read_is_named_with_those_that_are() {
+fn an_unsupported_compression_is_named_with_the_supported_ones() {
     use parquet::basic::Compression;
     use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader, ParquetMetaDataWriter};
     let metadata = ParquetMetaDataReader::new()
@@ -376,7 +376,7 @@ fn put(path: &Path, at: usize, byte: u8) {
 }
 
 #[test]
-fn a_table_cut_short_anywhere_is_refused() {
+fn a_truncated_table_is_refused() {
     for name in [
         "points.arrow",
         "points.arrows",

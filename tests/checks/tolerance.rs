@@ -331,7 +331,7 @@ fn a_row_beyond_the_tolerance_in_every_step_diverges() {
 
 /// NaN would disable the check, and no drive has a defect of 0 or less.
 #[test]
-fn a_largest_defect_that_no_drive_meets_is_refused() {
+fn an_impossible_largest_defect_is_refused() {
     let setup = Setup::default();
     let batch = Batch::new(
         &setup,

@@ -821,7 +821,7 @@ fn exact_gusts_in_the_uncertainty_of_the_wind() {
 }
 
 #[test]
-fn an_unset_wind_is_refused_with_what_gives_it() {
+fn an_unset_wind_is_refused_with_advice() {
     for name in ["wind.speed", "wind.from"] {
         let error = longdrive::Setup::default()
             .variable(name)
@@ -836,7 +836,7 @@ fn an_unset_wind_is_refused_with_what_gives_it() {
 /// Distributions built in code are checked as those that `Uncertain::read` reads, before any drive
 /// is flown.
 #[test]
-fn distributions_made_by_hand_that_are_none_are_refused() {
+fn impossible_distributions_are_refused() {
     let setup = Setup::default();
     let speed = setup.variable("swing.speed").unwrap();
     let plan = Plan {

@@ -379,7 +379,7 @@ fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
 
 /// A table with the numbers of a law, here no drag and no lift, is compared as the laws are.
 #[test]
-fn ones_own_table_is_compared_and_listed_beside_the_laws() {
+fn a_users_table_is_compared_and_listed_with_the_laws() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("mine.csv");
     let rows: String = (0..5)

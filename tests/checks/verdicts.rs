@@ -76,7 +76,7 @@ fn exact_minimum_from_a_start_whose_value_and_slope_vanish() {
 }
 
 #[test]
-fn without_second_derivatives_a_stationary_point_is_called_one_that_was_not_examined() {
+fn without_second_derivatives_a_stationary_point_is_reported_as_not_examined() {
     let found = solve(&Gradients(DoubleWell), &[FREE], &[], &[0.0]);
     assert!(
         found.message.contains("no second derivatives were given"),

@@ -278,7 +278,7 @@ fn no_order_is_required_where_the_spin_decays_within_a_step() {
 }
 
 #[test]
-fn a_drive_without_any_outcome_asked_for_says_why() {
+fn a_drive_without_a_requested_outcome_gives_the_reason() {
     let mut setup = Setup::default();
     setup.set("club.loft", "-1.73663 deg").unwrap();
     let wind = [setup.variable("wind.downrange").unwrap()];
@@ -297,7 +297,7 @@ fn a_drive_without_any_outcome_asked_for_says_why() {
 }
 
 #[test]
-fn a_certificate_that_is_stopped_has_the_rows_that_were_done_and_is_not_passed() {
+fn a_stopped_certificate_has_its_finished_rows_and_does_not_pass() {
     let setup = Setup::default();
     let wrt = setup.variables();
     let found = certify(&setup, &[Outcome::Carry], &wrt, &|done, _| done < 3).unwrap();

@@ -21,7 +21,7 @@ fn warnings(preset: &str, settings: &[(&str, &str)]) -> Vec<String> {
 }
 
 #[test]
-fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
+fn a_wind_profile_without_effect_has_a_warning() {
     let said = |set: &[&str]| {
         let args: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
         longdrive(&[&["simulate"], &args[..]].concat())
@@ -104,7 +104,7 @@ fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
 
 /// The printed shift is the difference between two drives, one in steps of half the length.
 #[test]
-fn a_step_so_long_that_the_landing_depends_on_it_is_told_with_the_shift() {
+fn a_step_that_changes_the_landing_has_a_warning_with_the_shift() {
     let carry = |step: &str| {
         let mut setup = Setup::preset("modern-driver").unwrap();
         setup.set("flight.step", step).unwrap();
@@ -136,7 +136,7 @@ fn a_step_so_long_that_the_landing_depends_on_it_is_told_with_the_shift() {
 }
 
 #[test]
-fn nothing_is_said_about_the_presets_and_their_longest_drives() {
+fn presets_and_their_longest_drives_have_no_warning() {
     for preset in PRESETS {
         let setup = Setup::preset(preset.name).unwrap();
         let best = optimum(
@@ -201,7 +201,7 @@ fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
 }
 
 #[test]
-fn each_law_names_what_it_was_fitted_to() {
+fn each_law_names_its_fitted_range() {
     let slow = [
         ("aero.law", "winfield-tan"),
         ("swing.speed", "30 mph"),
@@ -258,7 +258,7 @@ fn each_law_names_what_it_was_fitted_to() {
 }
 
 #[test]
-fn a_strike_beside_the_face_is_told_on_standard_error_and_in_json() {
+fn a_strike_beside_the_face_has_a_warning_on_standard_error_and_in_json() {
     let on_the_face = [("strike.toe", "30 mm"), ("strike.high", "-20 mm")];
     assert!(
         warnings("modern-driver", &on_the_face)
@@ -419,7 +419,7 @@ fn exact_validity_limits_of_a_batch_by_their_definitions() {
 }
 
 #[test]
-fn charts_and_calibrations_count_what_leaves_the_law() {
+fn charts_and_calibrations_count_drives_beyond_the_law() {
     let (status, chart) = json(&["chart", "--along", "swing.speed=25mph..30mph"]);
     let points = chart["points"].as_array().unwrap().len();
     let told = format!(
@@ -457,7 +457,7 @@ fn charts_and_calibrations_count_what_leaves_the_law() {
 
 /// Drives launched downwards have no carry, but a ball speed.
 #[test]
-fn drives_without_a_landing_are_warned_of_where_their_flight_is_asked_for() {
+fn drives_without_a_landing_have_a_warning_if_the_flight_is_requested() {
     let spread = [
         "uncertainty",
         "--distribution",
@@ -486,7 +486,7 @@ fn drives_without_a_landing_are_warned_of_where_their_flight_is_asked_for() {
 
 /// Slow and fast drives leave the law, and those between do not.
 #[test]
-fn a_warning_of_a_chart_names_each_part_that_it_is_of() {
+fn a_warning_of_a_chart_names_each_part() {
     let said = longdrive(&[
         "chart",
         "--along",
@@ -658,7 +658,7 @@ fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
 }
 
 #[test]
-fn a_flat_landing_is_told_with_the_total_and_at_an_optimum() {
+fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
     let flat = [
         "--launch",
         "ball_speed=160mph,launch_angle=4deg,backspin=1500rpm",
@@ -758,7 +758,7 @@ fn warning_of(found: &serde_json::Value, says: &str) -> String {
 }
 
 #[test]
-fn designs_models_and_fronts_beyond_the_law_are_told() {
+fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     let fast = ["--set", "swing.speed=160mph"];
     let says = "outside of what the law";
     let (_, found) = json(

@@ -374,7 +374,7 @@ fn uncertainties_of_a_temperature_are_differences() {
 }
 
 #[test]
-fn density_in_effect_is_shown_and_setups_read_back() {
+fn the_effective_density_is_shown_and_setups_read_back() {
     let set: Vec<String> = DENVER
         .iter()
         .map(|(name, text)| format!("{name}={text}"))
@@ -400,7 +400,7 @@ fn density_in_effect_is_shown_and_setups_read_back() {
 }
 
 #[test]
-fn what_replaces_something_else_is_refused_beside_it() {
+fn contradictory_weather_settings_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str, text: &str| {
         let path = folder.path().join(name);
@@ -746,7 +746,7 @@ fn what_replaces_something_else_is_refused_beside_it() {
 }
 
 #[test]
-fn weather_beyond_the_equation_of_the_density_is_told() {
+fn weather_beyond_the_equation_of_the_density_has_a_warning() {
     let told = |settings: &[(&str, &str)]| {
         with(settings)
             .warnings()

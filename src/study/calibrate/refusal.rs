@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_with_the_same_reason_are_told_once_and_advice_fits_the_reason() {
+    fn rows_with_one_reason_are_listed_once_with_its_advice() {
         let diverged = |time| Error::Diverged {
             time,
             step: 2.0,
