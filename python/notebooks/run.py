@@ -24,7 +24,7 @@ from nbclient.exceptions import CellExecutionError
 FOLDER = Path(__file__).resolve().parent
 LARGEST = 400_000
 MOST_CELLS = 20
-# what hangs ends after this time, s; no cell takes as long on any machine
+# time limit of a hanging notebook, s
 PATIENCE = 1200
 
 
@@ -34,7 +34,7 @@ def main() -> int:
     parser.add_argument("--write", action="store_true", help="store the outputs in the notebooks")
     given = parser.parse_args()
     paths = [FOLDER / f"{name.removesuffix('.ipynb')}.ipynb" for name in given.names] or sorted(FOLDER.glob("*.ipynb"))
-    # no dates in pictures; matplotlibrc makes the rest of them the same at every run
+    # no dates in pictures; matplotlibrc makes the rest of them reproducible
     os.environ.setdefault("SOURCE_DATE_EPOCH", "0")
     faults = [fault for path in paths for fault in run(path, given.write)]
     for fault in faults:

@@ -1,4 +1,4 @@
-"""What several tests share."""
+"""Fixtures of several tests."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-# a shell starts what runs in the background with Ctrl-C ignored; some tests press it
+# a shell starts background jobs with Ctrl-C ignored; some tests need it
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
 def independent_drives() -> list[dict[str, Any]]:
-    """Drives computed by code that shares nothing with longdrive (tests/data/README.md), printed to 12 digits."""
+    """Drives of an independent program (tests/data/README.md), printed to 12 digits."""
     drives: list[dict[str, Any]] = json.loads((ROOT / "tests/data/reference_drives.json").read_text())["drives"]
     for drive in drives:
         drive["setup"] = {"preset": "winfield-tan", **drive["setup"]}
@@ -33,7 +33,7 @@ def independent_drives() -> list[dict[str, Any]]:
 
 @pytest.fixture(scope="session")
 def program() -> Callable[..., str]:
-    """The program `longdrive`: that of LONGDRIVE_PROGRAM, or on the path. A test that needs it is skipped where there is none."""
+    """The program `longdrive`: that of LONGDRIVE_PROGRAM, or on the path. Tests that need it are skipped without it."""
     found = os.environ.get("LONGDRIVE_PROGRAM") or shutil.which("longdrive")
     if not found:
         pytest.skip("needs the program: put longdrive on the path, or name it in LONGDRIVE_PROGRAM")
@@ -48,13 +48,13 @@ def program() -> Callable[..., str]:
 
 @pytest.fixture(scope="session")
 def unit() -> Any:
-    """The units of pint, which take a while to be read."""
+    """The units of pint, which take a while to load."""
     return pytest.importorskip("pint").UnitRegistry()
 
 
 @pytest.fixture
 def at_work() -> threading.Event:
-    """Once it is set, another thread of Python presses Ctrl-C as soon as it has run five times within 15 ms. Long work looks for Ctrl-C every 20 ms:
+    """Once it is set, another thread of Python presses Ctrl-C as soon as it has run five times within 15 ms. Long work checks for Ctrl-C every 20 ms:
     if others could run only then, it would not be ended."""
     event = threading.Event()
 
@@ -71,5 +71,5 @@ def at_work() -> threading.Event:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The type checkers first: they take longest, and at the end one process would wait for them."""
+    """Runs the type checkers first: they take longest, and would delay the end of the run."""
     items.sort(key=lambda item: item.path.name != "test_types.py")

@@ -1,4 +1,4 @@
-"""Arguments as users of NumPy, SciPy and pandas give them: they do what is expected there, or the message says what is."""
+"""Arguments of users of NumPy, SciPy and pandas: they work as expected there, or the message names the accepted ones."""
 
 from __future__ import annotations
 

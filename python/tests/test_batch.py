@@ -23,7 +23,7 @@ import longdrive
 from longdrive import InputError, Interrupted, Setup, Status, Table
 
 VARY = ["club.loft", "swing.speed"]
-# longer than any test takes on any machine, s: what hangs ends
+# time limit of a hanging test, s
 WAIT = 1200
 
 
@@ -67,7 +67,7 @@ def test_exact_parabola_in_a_vacuum() -> None:
     g = vacuum["gravity"]
     np.testing.assert_allclose(table["carry"], table["ball_speed"] ** 2 * np.sin(2 * table["launch_angle"]) / g, rtol=1e-11)
     np.testing.assert_allclose(table.derivative("carry", "gravity"), -table["carry"] / g, rtol=1e-11)
-    # carry goes with the square of the club's speed, the ball's speed with the speed itself
+    # carry is proportional to the square of the club's speed, the ball's speed to the speed
     np.testing.assert_allclose(table.derivative("carry", "swing.speed"), 2 * table["carry"] / speed, rtol=1e-10)
     assert table.hessians is not None and table.hessians.shape == (500, 3, 2, 2)
     np.testing.assert_allclose(table.hessians[:, 0, 0, 0], 2 * table["carry"] / g**2, rtol=1e-10)
@@ -153,7 +153,7 @@ def test_a_row_that_cannot_be_flown_has_a_status_and_nothing_else_is_nan() -> No
     assert table.status.dtype == np.int8
     is_landed = table.status == landed
     assert np.isnan(table["carry"]).tolist() == (~is_landed).tolist()
-    # a ball that does not fly was launched all the same
+    # a ball that does not fly still has a launch
     assert np.isnan(table["ball_speed"]).tolist() == [False, True, True, True, False, True, True]
     assert table.hessians is not None and np.isfinite(table.hessians[0]).all() and np.isnan(table.hessians[1]).all()
     assert table.counts() == {"landed": 1, "no-flight": 1, "no-strike": 1, "out-of-range": 4}
@@ -235,7 +235,7 @@ def test_arrow_shares_the_columns(table: Table) -> None:
         assert chunk.buffers()[1].address == table[name].ctypes.data
         assert lent.schema.field(name).metadata[b"unit"].decode() == table.units[name]
     assert lent.column("status").chunk(0).dictionary.to_pylist() == [status.label for status in Status]
-    # the memory stays as long as Arrow has it
+    # the memory lives as long as Arrow has it
     other = pyarrow.table(longdrive.batch(Setup(), {"club.loft": [0.1, math.nan, 0.2]}))
     assert other.column("carry").null_count == 1 and other.column("status").to_pylist() == ["landed", "out-of-range", "landed"]
     assert pyarrow.table(table[::7]).column("carry").to_pylist() == table["carry"][::7].tolist()
@@ -322,7 +322,7 @@ def in_a_child(_: int) -> tuple[bytes, ...]:
 @pytest.mark.parametrize("method", [method for method in ["fork", "spawn", "forkserver"] if method in multiprocessing.get_all_start_methods()])
 @pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
 def test_same_rows_in_processes_of_every_kind(method: str, table: Table) -> None:
-    # threads are at work when the child is made
+    # threads are running when the child process starts
     stop = threading.Event()
 
     def busy() -> None:

@@ -24,7 +24,7 @@ SEARCH = {"vary": {"club.loft": ("4 deg", "20 deg")}, "subject_to": ["descent_an
 
 
 def program(*words: str) -> tuple[int, dict[str, object]]:
-    """What the program answers to these words: that of LONGDRIVE_PROGRAM, or else the one of the package."""
+    """Output of the program of LONGDRIVE_PROGRAM, or of the package, for these arguments."""
     found = os.environ.get("LONGDRIVE_PROGRAM")
     program = [found] if found else [sys.executable, "-m", "longdrive"]
     done = subprocess.run([*program, *words, "--json"], capture_output=True, text=True, check=False)
@@ -61,7 +61,7 @@ def test_differences_confirm_the_hessian_at_an_optimum():
     at = [longdrive.gradient(found.setup.replace({"club.loft": found.x[0] + by}), wrt="club.loft").gradient[0] for by in (step, -step)]
     assert found.hess[0, 0] == pytest.approx((at[0] - at[1]) / (2 * step), rel=1e-6)
     assert abs(found.jac[0]) < 1e-8 * abs(found.hess[0, 0])
-    # as keys too, as of SciPy's own
+    # also as keys, as in SciPy
     assert found["hess"][0, 0] == found.hess[0, 0] and found["setup"] == found.setup
 
 
@@ -84,7 +84,7 @@ def test_bad_input_gets_the_programs_message(call, words):
     assert (status, said["status"]) == (2, "error")
     with pytest.raises(longdrive.InputError) as raised:
         call()
-    # options are named as arguments: test_wording.py says how
+    # options are named as arguments: see test_wording.py
     assert str(raised.value) == in_python(said["message"])
 
 
@@ -129,7 +129,7 @@ def test_numbers_pairs_and_texts_say_the_same():
 
 
 class Degrees:
-    """A quantity as pint has it."""
+    """A quantity like pint's."""
 
     def __init__(self, magnitude: float) -> None:
         self.magnitude, self.units = magnitude, "degree"
@@ -251,7 +251,7 @@ def test_ctrl_c_ends_a_search_long_before_it_would_end():
             progress=lambda done, of: is_at_work.set(),
         )
     presser.join()
-    # a search that ended has an answer that says how
+    # a search that ended has an answer with its status
     assert caught.value.answer is None or caught.value.answer.ended == "interrupted"
     assert longdrive.optimize("mae494").success
 

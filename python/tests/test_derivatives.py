@@ -1,4 +1,4 @@
-"""One drive and its derivatives, beside drives computed independently and closed forms."""
+"""One drive and its derivatives, compared with independent drives and closed forms."""
 
 from __future__ import annotations
 

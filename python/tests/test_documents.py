@@ -1,4 +1,4 @@
-"""What the documents of the package say is so: examples in docstrings, README and docs/python.md, and every public name has a text."""
+"""Documents of the package: examples in docstrings, README and docs/python.md run, and every public name has a text."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_every_public_name_has_a_text() -> None:
 
 
 def blocks() -> list[Any]:
-    """The Python of README.md and docs/python.md, block by block, with the line on which each begins."""
+    """The Python blocks of README.md and docs/python.md, with their first lines."""
     found = []
     for path in (ROOT / "python/README.md", ROOT / "docs/python.md"):
         text = path.read_text(encoding="utf-8")
@@ -61,7 +61,7 @@ def test_the_python_of_the_documents_runs(
         pytest.importorskip(library)
     for needed in (library for module, library in NEEDS.items() if f"import {module}" in code):
         pytest.importorskip(needed)
-    # what they write is left nowhere
+    # their output files are removed
     monkeypatch.chdir(tmp_path)
     exec(compile("\n" * (line - 1) + code, name, "exec"), {})  # noqa: S102
 

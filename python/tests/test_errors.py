@@ -1,4 +1,4 @@
-"""Exceptions: what they are, that they pickle, and that a panic becomes one."""
+"""Exceptions: classes, pickling, and panics as exceptions."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_errors_come_back_from_another_process(method: str) -> None:
 
 
 def test_a_free_threaded_python_is_refused_with_what_to_use() -> None:
-    # what such a build says of itself, in 3.13 and in 3.14
+    # version strings of such a build, in 3.13 and in 3.14
     for version in ("3.13.5 experimental free-threading build (main, Jun 11 2025)", "3.14.0 free-threading build (main, Oct 7 2025)"):
         said = subprocess.run([sys.executable, "-c", f"import sys; sys.version = {version!r}; import longdrive"], capture_output=True, text=True)
         assert said.returncode == 1 and "Traceback" in said.stderr

@@ -1,4 +1,4 @@
-"""The examples run, and end where the program does."""
+"""The examples run, and reach the program's optimum."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ NEEDS = {
 def run(name: str, *arguments: str) -> str:
     if name in NEEDS:
         pytest.importorskip(NEEDS[name])
-    # workers of Spark take the python3 of the path otherwise, which need not be this one
+    # workers of Spark otherwise use the python3 of the path, which may be another
     done = subprocess.run(
         [sys.executable, EXAMPLES / f"{name}.py", *arguments],
         capture_output=True, text=True, check=False, env={**os.environ, "PYSPARK_PYTHON": sys.executable},

@@ -1,4 +1,4 @@
-"""Ctrl-C: what was found so far, how far it was, and how to go on."""
+"""Ctrl-C: results so far, progress, and how to continue."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def press() -> None:
 
 
 def when(is_time: Callable[[int], bool]) -> Callable[[int, int], None]:
-    """Presses Ctrl-C once so many parts are done."""
+    """Presses Ctrl-C after a number of parts."""
     pressed: list[int] = []
 
     def look(done: int, of: int) -> None:
@@ -47,7 +47,7 @@ def when(is_time: Callable[[int], bool]) -> Callable[[int, int], None]:
 
 @pytest.fixture
 def pressing_at() -> Iterator[Callable[[str], None]]:
-    """Presses Ctrl-C once a pattern is found in a remark of a command."""
+    """Presses Ctrl-C after a pattern in a remark of a command."""
     log, handlers = logging.getLogger("longdrive"), []
     level = log.level
     log.setLevel(logging.INFO)
@@ -78,7 +78,7 @@ def test_a_search_has_the_best_so_far_and_says_how_far_it_was() -> None:
     error, found = caught.value, caught.value.answer
     assert isinstance(found, longdrive.Optimum) and not found.success
     assert found.ended == "interrupted" and "of 2000 searches ended" in found.message
-    # the drive at the best point so far, computed anew
+    # the drive at the best point so far, computed again
     assert longdrive.gradient(found.setup, "carry", "club.loft").value == pytest.approx(found.fun, abs=1e-5)
     for word in ("longdrive.optimize was interrupted", found.message, f"carry = {found.fun:.6g}", f"club.loft = {found.x[0]:.6g}", "checkpoint=FILE"):
         assert word in str(error)
@@ -87,7 +87,8 @@ def test_a_search_has_the_best_so_far_and_says_how_far_it_was() -> None:
 
 
 def test_a_search_that_is_stopped_within_an_iteration_has_the_point_before(pressing_at: Callable[[str], None]) -> None:
-    # once the first iteration is told, the next one is under way: an evaluation of 8000 swings
+    # after the first iteration is reported, the next one is in progress: an evaluation of 8000
+    # swings
     pressing_at(r"  1  mean\(carry\)")
     asked: dict[str, Any] = {**SWINGS, "scenarios": 8000}
     with pytest.raises(Interrupted) as caught:
@@ -145,7 +146,7 @@ def test_every_command_is_interrupted_in_its_own_words(call: Callable[[Any], Any
 def test_shots_that_were_not_written_anywhere_name_no_file(pressing_at: Callable[[str], None], tmp_path: Path) -> None:
     file = tmp_path / "shots.csv"
     file.write_text("Ball Speed,Launch Angle,Spin\n" + "160,11,2500\n" * 300_000)
-    # told before the first row is flown
+    # before the first row is flown
     pressing_at("heads without a unit")
     with pytest.raises(Interrupted, match=r"longdrive.fly was interrupted: stopped after \d+ rows?; `answer`") as caught:
         longdrive.fly(file)
@@ -203,7 +204,7 @@ def test_every_function_says_when_its_progress_is_not_counted(module: Any) -> No
 
 
 def test_a_front_has_the_points_so_far(pressing_at: Callable[[str], None]) -> None:
-    # both ends of the front take four searches, and a remark of the searches comes every second
+    # both ends of the front take four searches, with a remark every second
     pressing_at(r"following the front: ([6-9]|\d\d+) searches so far")
     with pytest.raises(Interrupted, match="points so far"):
         longdrive.pareto({"flight.step": "0.5 ms"}, maximize="carry", minimize="apex_height", points=1000)
@@ -227,7 +228,7 @@ def test_a_fit_has_the_values_that_it_had_come_to(pressing_at: Callable[[str], N
 def test_work_that_was_left_writes_no_file(tmp_path: Path) -> None:
     with pytest.raises(Interrupted):
         longdrive.plot.contour("mae494", output=tmp_path / "left.svg", progress=when(lambda done: True))
-    # as much work again, on the same threads
+    # the work again, on the same threads
     longdrive.plot.contour("mae494", output=tmp_path / "whole.svg")
     assert [path.name for path in tmp_path.iterdir()] == ["whole.svg"]
 
@@ -268,7 +269,7 @@ def test_ctrl_c_before_the_first_row_is_interrupted_too() -> None:
 
 
 def test_functions_of_numpy_are_known_before_ctrl_c_can_come_between() -> None:
-    # what is looked up later would not be found
+    # a later lookup would fail
     code = (
         "import longdrive, numpy; del numpy._core.multiarray._ARRAY_API; "
         "print(len(longdrive.sweep('mae494', {'club.loft': (0.1, 0.2, 3)}, wrt='points')))"

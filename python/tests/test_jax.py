@@ -1,4 +1,4 @@
-"""The function of JAX: values, first and second derivatives, batches; skipped where there is no JAX."""
+"""The function of JAX: values, first and second derivatives, batches; skipped without JAX."""
 
 from __future__ import annotations
 
@@ -116,7 +116,8 @@ def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
 
 
 def test_differences_of_hessians_make_a_symmetric_third_derivative_as_the_message_advises() -> None:
-    # third derivatives are symmetric, which differences of an exact Hessian must show: each row is differenced along another parameter
+    # third derivatives are symmetric, and so must be differences of an exact Hessian: each row is
+    # differenced along another parameter
     hessian = jax.hessian(outcome(SETUP, "carry", WRT))
 
     def asymmetry(h: float) -> float:
@@ -148,7 +149,7 @@ def test_same_values_in_other_processes() -> None:
     from multiprocessing import get_context
 
     own = outcome(SETUP, "carry", WRT)
-    # in 32 bits, as a fresh process of JAX has them
+    # in 32 bits, the default of a new process of JAX
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
         assert float(pool.submit(own, X).result()) == pytest.approx(float(own(X)), rel=1e-6)
 
@@ -160,7 +161,8 @@ def test_numbers_have_the_precision_of_x() -> None:
 
 
 def test_gradient_ascent_in_jax_reaches_the_programs_optimum() -> None:
-    # the best loft of mae494 lies within, where the derivative is 0: Newton's method by JAX's own derivatives
+    # the best loft of mae494 is inside its range, where the derivative is 0: Newton's method by
+    # JAX's own derivatives
     carry = outcome("mae494", "carry", ["club.loft"])
     x = jnp.array([Setup("mae494")["club.loft"]])
     step = jax.jit(lambda x: x - jax.grad(carry)(x) / jax.hessian(carry)(x)[0])

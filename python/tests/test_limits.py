@@ -1,4 +1,4 @@
-"""What is too deep, too large or no text is refused as bad input, with the argument and its value."""
+"""Values that are too deep, too large or no text are refused as bad input, with the argument and its value."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def test_what_it_is_of_and_its_physical_bounds() -> None:
         known = ranges[name]
         assert low == known["low"] if known["low_included"] else low > known["low"]
         assert high == known["high"] if known["high_included"] or math.isinf(high) else high < known["high"]
-    # both ends belong to it, so that an optimizer may stand there
+    # both ends belong to it: an optimizer may evaluate there
     longdrive.Setup({"club.loft": carry.bounds[0][0]})
     longdrive.Setup({"club.loft": carry.bounds[0][1]})
 
@@ -100,7 +100,7 @@ def test_one_variable_may_be_a_number() -> None:
         carry.fun([[0.16]])
     optimize = pytest.importorskip("scipy.optimize")
     found = optimize.minimize_scalar(carry.fun, bounds=(0.05, 0.4), method="bounded", options={"xatol": 1e-10})
-    # the gradient proves it: it vanishes there
+    # its gradient vanishes, which proves the optimum
     assert abs(carry.jac(found.x)[0]) < 1e-4 and 0.06 < found.x < 0.39
 
 
@@ -111,7 +111,8 @@ def test_ctrl_c_ends_a_goal_over_many_swings_in_the_midst() -> None:
 
     def hear(*_: object) -> None:
         heard.append(True)
-        # once it is heard for the third time within one call, which a call that does not look would hear once, at its end
+        # after the third signal within one call; without checks within the call, it would see one,
+        # at its end
         if len(heard) == 3:
             raise KeyboardInterrupt
 
@@ -129,7 +130,7 @@ def test_ctrl_c_ends_a_goal_over_many_swings_in_the_midst() -> None:
         is_over.set()
         presser.join()
         signal.signal(signal.SIGINT, before)
-    # and it goes on being right
+    # and later calls are correct
     alone = longdrive.objective("mae494", "mean(carry)", "club.loft", **swings)
     assert mean.fun([0.19]) == pytest.approx(alone.fun([0.19]), rel=1e-3)
 
@@ -217,11 +218,12 @@ def test_other_threads_of_python_run_while_an_objective_flies_swings(at_work: th
 
 def test_scipy_reaches_the_optimum_that_the_gradient_proves() -> None:
     optimize = pytest.importorskip("scipy.optimize")
-    # within 0..20 deg of loft at a fixed attack angle the best loft is inside: there the derivative is 0
+    # within 0..20 deg of loft at a fixed attack angle the best loft is inside, where the derivative
+    # is 0
     carry = longdrive.objective("mae494", "carry", ["club.loft"], "max")
     found = optimize.minimize(carry.fun, carry.x0, jac=carry.jac, hess=carry.hess, method="trust-constr", bounds=[(0.0, 0.5)],
                               options={"gtol": 1e-11, "xtol": 1e-14})
-    # so far the optimum is away: one step of Newton's method
+    # distance to the optimum: one step of Newton's method
     assert abs(carry.jac(found.x)[0] / carry.hess(found.x)[0, 0]) < 1e-7 and carry.hess(found.x)[0, 0] > 0
     other = optimize.minimize(carry.fun_and_jac, carry.x0, jac=True, method="L-BFGS-B", bounds=[(0.0, 0.5)])
     assert other.x[0] == pytest.approx(found.x[0], abs=1e-5)

@@ -1,4 +1,4 @@
-"""Sweeps in parts: the same files from processes, and from the program; what is missing, and what merges."""
+"""Sweeps in parts: equal files from processes and from the program; missing parts, and merged statistics."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ QUESTION: dict[str, Any] = {
 
 
 def sha256_of_the_set(folder: Path) -> str:
-    """What ``sha256sum part-*.parquet | sha256sum`` prints."""
+    """Output of ``sha256sum part-*.parquet | sha256sum``."""
     files = sorted(folder.glob("part-*.parquet"))
     lines = [f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in files]
     return hashlib.sha256("".join(lines).encode()).hexdigest()
@@ -49,7 +49,7 @@ def test_same_set_from_processes_and_from_one_worker(
     assert found.manifests == rows
     assert found.rows == 8200 and found.summary["moments"]["carry"]["count"] == found.summary["statuses"]["landed"]
     assert sha256_of_the_set(tmp_path) == sha256_of_the_set(folder)
-    # once more: all is there, and nothing is written
+    # once more: all parts exist, and nothing is written
     before = [file.stat().st_mtime_ns for file in sorted(tmp_path.iterdir())]
     assert parts.sweep(**QUESTION, output=tmp_path, processes=1).manifests == rows
     assert [file.stat().st_mtime_ns for file in sorted(tmp_path.iterdir())] == before
@@ -89,7 +89,7 @@ def test_a_missing_part_is_named_and_other_questions_are_refused(tmp_path: Path)
         other.write(2)
     again = pickle.loads(pickle.dumps(caught.value))
     assert (type(again), str(again), again.part) == (PartError, str(caught.value), 2)
-    # whichever part is done first: one beside the second, or the second itself
+    # depends on the order: another part of the folder, or the second one itself
     with pytest.raises(PartError, match="parts of one|different derivatives"):
         parts.sweep(**{**QUESTION, "wrt": ()}, output=tmp_path, processes=1, retries=0)
     with pytest.raises(InputError, match="there is no part of a sweep"):

@@ -1,4 +1,4 @@
-"""Sweeps in parts on Dask, Ray and Spark, with workers that die, parts that fail and disks that are full."""
+"""Sweeps in parts on Dask, Ray and Spark, with killed workers, failing parts and full disks."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from test_parts import QUESTION, sha256_of_the_set
 from longdrive import parts
 from longdrive.parts import PartError, Question
 
-# engines warn about themselves
+# warnings of the engines themselves
 pytestmark = pytest.mark.filterwarnings("ignore")
 
 
@@ -38,9 +38,9 @@ def client() -> Iterator[Any]:
     distributed = pytest.importorskip("distributed")
     import dask
 
-    # a worker is a copy of a process that has read Dask already
+    # a worker is a copy of a process that has imported Dask already
     dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"})
-    # on a busy machine its processes take their time to answer
+    # on a busy machine its processes answer late
     dask.config.set({"distributed.admin.tick.limit": "1h", "distributed.comm.timeouts.connect": "1h"})
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50) as cluster,
@@ -50,7 +50,7 @@ def client() -> Iterator[Any]:
 
 
 def is_first(file: Path) -> bool:
-    """Whether no process has been here before."""
+    """True for the first process that calls it."""
     try:
         file.touch(exist_ok=False)
     except FileExistsError:
@@ -59,7 +59,7 @@ def is_first(file: Path) -> bool:
 
 
 class Mortal(Question):
-    """A question of which one process dies over a part, once three parts are there."""
+    """A sweep of which one process dies in a part, after three parts."""
 
     def write(self, part: int) -> dict[str, Any]:
         folder = Path(self.output)
@@ -70,7 +70,7 @@ class Mortal(Question):
 
 
 class Troubled(Mortal):
-    """The same, of which before one part fails, and one finds the disk full."""
+    """The sweep with a failing part and a full disk before that."""
 
     def write(self, part: int) -> dict[str, Any]:
         place = Path(self.output).parent
@@ -89,8 +89,8 @@ class Troubled(Mortal):
 
 
 def fill_the_disk(bytes_left: int) -> None:
-    """In a worker: no file may grow beyond this, which fails as a full disk does."""
-    # Python ignores the signal that says so
+    """In a worker: limits the size of files, which fails as a full disk does."""
+    # Python ignores the signal of a file that is too large
     _, most = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (bytes_left, most))
 
@@ -123,7 +123,7 @@ def test_same_set_from_dask_with_a_worker_killed_a_part_poisoned_and_a_disk_full
 def test_a_part_that_always_fails_is_named_by_dask(client: Any, tmp_path: Path) -> None:
     import longdrive.dask
 
-    # one may have been killed before
+    # an earlier process may have been killed
     client.wait_for_workers(2)
     client.run(fill_the_disk, 2000)
     with pytest.raises(PartError, match="part . of 4: .*it cannot be written") as caught:

@@ -1,4 +1,4 @@
-"""Quantities of pint: they are converted, each of them, or refused; their numbers alone are never taken."""
+"""Quantities of pint: each is converted or refused; its number is never used without its unit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Setups: what they are made of, that they stay as they are, and what is told of a wrong one."""
+"""Setups: construction, immutability, and messages about wrong ones."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_exact_conversion_of_quantities_of_pint(unit: Any) -> None:
         Setup({"club.loft": 10 * unit.kg})
 
 
-# a value in SI, and the symbols in which each parameter may state it
+# a value in SI, and the unit symbols that each parameter accepts
 STATED: list[tuple[str, float, str, list[str]]] = [
     ("club.bulge_radius", 0.3, "m", ["m", "um", "mm", "cm", "km", "in", "ft", "yd", "mi"]),
     ("club.mass", 0.2, "kg", ["kg", "g", "mg", "oz", "lb"]),
@@ -130,7 +130,7 @@ def test_same_dependent_values_in_setup_and_drive(given: dict[str, Any], follows
     setup, without = Setup({"preset": "mae494", **given}), Setup("mae494")
     for name in follows:
         assert setup[name] == in_force(setup, name) != without[name] and name in setup
-        # the keys make the setup: what follows from them is none
+        # the keys make the setup; dependent values are no keys
         assert name not in setup.keys() and name in without.keys() and without[name] == in_force(without, name)
     assert Setup(dict(setup)) == setup == Setup(setup.to_dict())
 
@@ -186,7 +186,7 @@ def test_what_was_given_is_not_replaced_in_silence() -> None:
     dense = Setup({"air.density": 1.1})
     with pytest.raises(InputError, match="air.density and air.temperature are both given"):
         dense.replace({"air.temperature": "20 degC"})
-    # what the message says to write
+    # the advice of the message
     warm = dense.replace({"air.density": "none", "air.temperature": "20 degC"})
     assert longdrive.simulate(warm)["carry"] == longdrive.simulate(Setup({"air.temperature": "20 degC"}))["carry"]
 
@@ -231,7 +231,7 @@ def test_a_setup_without_a_step_lets_the_command_choose(seed: int) -> None:
     chosen = setup.replace({"flight.step": setup["flight.step"]})
     assert is_text and Setup.from_toml(chosen._asked()[0]) == setup
     if "method" not in keys:
-        # what reads the text takes method and step of the preset
+        # a reader of the text uses method and step of the preset
         assert "step" not in keys and Setup.from_toml(text) == setup
     assert {"method", "step"} <= {line.split(" = ")[0] for line in chosen._asked()[0].splitlines()}
 

@@ -1,4 +1,4 @@
-"""The function of PyTorch: values, first and second derivatives, batches; skipped where there is no PyTorch."""
+"""The function of PyTorch: values, first and second derivatives, batches; skipped without PyTorch."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import longdrive
 from longdrive import InputError, Setup
 
 torch = pytest.importorskip("torch")
-# torch uses parts of its own that it warns of
+# torch uses parts of itself that it warns of
 pytestmark = pytest.mark.filterwarnings("ignore::FutureWarning", "ignore::DeprecationWarning")
 
 WRT = ["club.loft", "swing.attack_angle", "swing.speed"]
@@ -54,7 +54,7 @@ def test_autograd_backward_once_and_twice() -> None:
 
 
 def test_gradcheck_of_torch_itself() -> None:
-    # scaled so that steps of 1e-6 of torch's differences suit every parameter
+    # scaled so that torch's differences with steps of 1e-6 suit every parameter
     carry = outcome(SETUP, ["carry", "spin"], WRT)
     assert torch.autograd.gradcheck(carry, (at(),), eps=1e-6, rtol=1e-4)
     assert torch.autograd.gradgradcheck(lambda x: carry(x)[0], (at(),), eps=1e-6, rtol=1e-4, atol=1e-2)

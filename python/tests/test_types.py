@@ -1,4 +1,4 @@
-"""The types: the stub file is what the compiled module has, and the package is typed strictly."""
+"""Types: the stub file matches the compiled module, and the package is strictly typed."""
 
 from __future__ import annotations
 

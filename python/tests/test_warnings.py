@@ -1,4 +1,4 @@
-"""One rule for warnings: what an answer has in ``warnings`` is warned of once, at the line that asked."""
+"""Warnings: each entry of ``warnings`` of an answer is issued once, at the line of the call."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 import longdrive
 from longdrive import LongdriveWarning
 
-# faster than anything that the law was fitted to
+# faster than the fitted range of any law
 FAST = {"preset": "tour-average", "swing.speed": "160 mph"}
 POINTS = {"club.loft": np.linspace(0.1, 0.2, 50)}
 
@@ -44,7 +44,7 @@ def test_a_warning_may_be_an_error_and_has_the_answer(call: Callable[[], Any]) -
             call()
         warnings.simplefilter("ignore")
         answer = raised.value.answer
-        # whatever it is, it is the same as without the warning, also behind a pool of processes
+        # any class: the result is the same as without the warning, also in a pool of processes
         assert type(answer) is type(call()) and answer.warnings and "\n".join(answer.warnings) == str(raised.value)
         other = pickle.loads(pickle.dumps(raised.value))
     assert str(other) == str(raised.value) and type(other.answer) is type(answer) and other.answer.warnings == answer.warnings
@@ -101,7 +101,7 @@ def test_what_an_optimizer_calls_warns_of_nothing() -> None:
 
 
 def test_a_fit_without_a_minimum_warns() -> None:
-    # carry does not tell drag from lift at one launch
+    # carry does not distinguish drag from lift at one launch
     shots = {"ball_speed [m/s]": [70.0, 70.0, 70.0], "launch_angle [deg]": [11.0, 11.0, 11.0], "backspin [rpm]": [2600.0, 2600.0, 2600.0], "carry [m]": [230.0, 231.0, 229.0]}
     with pytest.warns(LongdriveWarning, match="the fit ended as 'undetermined': the data do not determine"):
         found = longdrive.calibrate(shots, {"preset": "modern-driver", "aero.law": "robinson"}, fit=["aero.cd0=0.1..0.5", "aero.cl_max=0.05..0.5"])

@@ -1,4 +1,4 @@
-"""Messages in the words of Python: arguments for options, and no file that is not there."""
+"""Messages in Python: arguments in place of options, and no temporary files."""
 
 from __future__ import annotations
 
@@ -167,7 +167,7 @@ def test_none_where_a_value_is_needed_names_the_argument_and_what_is_wanted(call
 def test_an_unknown_key_is_a_key_error_with_the_nearest(look: Callable[[], Any], words: str) -> None:
     with pytest.raises(KeyError, match=words) as raised:
         look()
-    # both what Python expects of a mapping and what longdrive raises
+    # the exception that Python expects of a mapping, and that of longdrive
     assert isinstance(raised.value, longdrive.UnknownKeyError) and isinstance(raised.value, InputError)
     assert not str(raised.value).startswith(("'unknown", '"'))
 
@@ -193,7 +193,7 @@ def test_every_outcome_that_goes_by_name_is_listed() -> None:
     assert {row["part"] for row in rows.values()} == {"launch", "flight", "head"}
     drive = longdrive.simulate("modern-driver", of=list(rows))
     assert list(drive) == list(rows) and drive["head_mass"] == longdrive.Setup("modern-driver")["club.mass"]
-    # what no swing changes is asked for by name alone
+    # outcomes that no swing changes are available by name alone
     assert list(longdrive.simulate("modern-driver")) == [name for name, row in rows.items() if row["part"] != "head"]
 
 

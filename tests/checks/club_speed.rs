@@ -108,7 +108,7 @@ fn exact_face_centre_moves_as_a_point_of_a_rigid_head() {
     let other = of_the_centre_of_mass(&stated);
     assert!(
         (other.swing.path - stated.swing.path).abs().to_degrees() > 1.0,
-        "the case is no test"
+        "the two points have nearly one path: the case tests nothing"
     );
     let [stated_drive, other_drive] = [stated, other].map(|setup| Drive::new(&setup).unwrap());
     for of in Outcome::ALL {

@@ -64,7 +64,7 @@ fn diverging_rows_are_listed_once_with_their_advice() {
     );
     assert!(
         !said.err.contains("out"),
-        "no row is to blame: {}",
+        "the message names a row: {}",
         said.err
     );
     let said = longdrive(

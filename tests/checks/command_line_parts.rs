@@ -631,7 +631,7 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
         assert_eq!(
             bytes(set.path()) == bytes(SET.path()),
             instructions == most,
-            "the most is what is taken"
+            "the default is the highest level"
         );
         sets.push(
             NAMES
@@ -729,7 +729,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has
     }
     assert_ne!(
         here["data"], there["data"],
-        "the rows do not tell: the fingerprint is stricter than need be here"
+        "the rows do not differ: the fingerprint is stricter than necessary here"
     );
     let (status, answer) = of(without, "2/2", "here");
     assert!(

@@ -140,7 +140,10 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
                 .write_all(bytes)
                 .unwrap();
         };
-        assert!(!part.exists(), "half a file under the name of a whole one");
+        assert!(
+            !part.exists(),
+            "an incomplete file has the name of a complete one"
+        );
         append(&so_far(&part), b"0.1,0.2,lan");
         append(&sidecar(&part), b"{\"rows\":99");
 
@@ -193,7 +196,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
         assert_eq!(
             beyond(&said).as_ref(),
             Some(&whole.beyond),
-            "another count than that of an undisturbed run"
+            "the count differs from an uninterrupted run"
         );
         if let Some(promised) = promised {
             let rows = promised.split(' ').next().unwrap_or_default();
@@ -206,7 +209,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
     assert!(!sidecar(&part).exists() && !so_far(&part).exists());
     assert!(
         fs::read(&part).unwrap() == whole.bytes,
-        "another file than that of an undisturbed run"
+        "the file differs from an uninterrupted run"
     );
     let (status, said) = finish(start(many, &part, &["--resume"]));
     assert_eq!(status, Some(2));
@@ -812,7 +815,7 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
     assert_eq!(
         fs::read_to_string(&file).unwrap().lines().count(),
         4,
-        "the rows are there and say why"
+        "the rows exist and have reasons"
     );
     let (status, answer) = json(&command);
     assert_eq!(

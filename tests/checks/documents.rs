@@ -463,7 +463,7 @@ fn number_of_certified_derivatives_in_verification_md() {
         assert_eq!(
             row[..3],
             expected,
-            "write it again: see examples/verification.rs"
+            "write docs/verification.md again: see examples/verification.rs"
         );
     }
     assert_eq!(rows.len(), PRESETS.len());
@@ -619,7 +619,7 @@ fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
         }
         assert!(
             drives.iter().any(|[a, _, other]| a != other),
-            "{}: the drive is the same with another value",
+            "{}: the drive does not depend on the value",
             parameter.name
         );
         counted += 1;

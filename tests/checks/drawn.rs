@@ -166,7 +166,7 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
             }
             assert!(
                 is_edge,
-                "{constraints:?} at {at:?}: nothing ends the region there, {lost} yd lost"
+                "{constraints:?} at {at:?}: no limit ends the region there, {lost} yd lost"
             );
         }
     }
@@ -342,7 +342,7 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
     let found = chart(&setup, &search, along, &mut |_| true).unwrap();
     let best = optimum(&setup, search, Observer::default()).unwrap();
     let figures = chart_figures(&found, Some(&best), System::Us);
-    assert_eq!(figures.drawn.len(), 2, "the attack angle has none");
+    assert_eq!(figures.drawn.len(), 2, "the attack angle has no figure");
     assert!(
         figures.held[0].1.contains("upper bound"),
         "{}",

@@ -99,7 +99,7 @@ fn same_flight_of_a_launch_and_of_the_club_that_makes_it() {
     assert!(flown.impact.is_none());
     for of in Outcome::ALL {
         let Some(value) = of.value(&flown) else {
-            assert_eq!(*of, Outcome::SmashFactor, "there is no club to have one");
+            assert_eq!(*of, Outcome::SmashFactor, "without a club there is none");
             continue;
         };
         let exact = of.value(&struck).unwrap();

@@ -351,7 +351,7 @@ fn same_answer_of_the_program_after_repeated_kills() {
         let _ = child.kill();
         child.wait().unwrap();
     }
-    assert!(killed.exists(), "nothing was kept before the first kill");
+    assert!(killed.exists(), "nothing was saved before the first kill");
     assert_eq!(run(&killed), alone);
 }
 

@@ -151,7 +151,7 @@ fn the_title_states_the_arguments() {
     ]);
     assert!(
         !page.contains("at 110 mph"),
-        "the words of the preset are about another drive"
+        "the description of the preset is for another drive"
     );
     let head = words(part(&page, "<header>", "</header>"), "us");
     assert!(
@@ -425,10 +425,7 @@ fn a_missing_answer_is_reported_first() {
             && said.contains("no optimum: infeasible"),
         "{said}"
     );
-    assert!(
-        said.contains("286.8 yd"),
-        "what the drive as set up does: {said}"
-    );
+    assert!(said.contains("286.8 yd"), "the drive of the setup: {said}");
     let (status, page) = report(&["--set", "swing.attack_angle=-20deg"]);
     let said = words(answer(&page), "us");
     assert!(
@@ -548,7 +545,7 @@ fn published_peak_of_the_average_of_winfield_and_tan_is_drawn() {
             .unwrap();
         assert!(
             (near[1] - carry).abs() < 1e-9,
-            "the curve goes through what was computed: {near:?} {carry}"
+            "the curve misses a computed point: {near:?} {carry}"
         );
     }
     let [mark] = rows("10.35°")[..] else {
@@ -571,7 +568,7 @@ fn a_page_of_a_calibration_plots_measured_over_computed_values() {
     let (_, page) = page(&folder, &asked);
     assert!(
         part(&page, "<h1>", "</h1>") == "Calibration to shots.csv",
-        "the file, and not where it is"
+        "the file name without its folder"
     );
     let (_, found) = json(&asked);
     let csv =

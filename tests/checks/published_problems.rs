@@ -100,7 +100,7 @@ fn check(case: &Case) {
         assert_ne!(
             solution.status,
             Status::Converged,
-            "{} is solved now: take it off the list",
+            "{} is solved: remove it from the list",
             case.name
         );
         assert!(

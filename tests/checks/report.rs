@@ -327,7 +327,7 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
                 );
                 assert!(
                     !seen.contains(&svg) || figure.name == "vcurve",
-                    "{}: each looks its own way",
+                    "{}: two series look alike",
                     figure.name
                 );
                 let unit = if system == System::Us { "[yd]" } else { "[m]" };
@@ -672,7 +672,7 @@ fn the_page_is_self_contained_and_describes_its_content() {
     };
     assert!(
         opens_in("metric") && !opens_in("us"),
-        "the units asked for are shown at first"
+        "the chosen units are shown first"
     );
     for words in [
         "as given, instead of 44.7 m/s",

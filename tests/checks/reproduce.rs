@@ -175,7 +175,7 @@ fn exact_parts_of_the_launch_add_up_to_the_gradient() {
     );
     assert!(
         parts.by_loft.iter().all(|part| part.abs() > 1.0),
-        "each part pulls its way"
+        "each part has an effect"
     );
     assert!(
         parts.flight.carry > parts.whole.carry + 10.0 && parts.flight.speed == parts.whole.speed
@@ -333,7 +333,7 @@ fn published_and_computed_numbers_in_json_and_text() {
     assert_eq!(
         found["table1"][0]["carry_at_printed"],
         Value::Null,
-        "no flight is no carry of zero"
+        "a missing flight is not a carry of zero"
     );
     assert_eq!(rows(&found["noise"]["slopes"]), 15);
 

@@ -157,7 +157,7 @@ fn an_impossible_measured_value_is_not_compared() {
     assert_eq!(
         rows(&table),
         [1, 2],
-        "a cell that cannot be read costs its own comparison alone"
+        "an unreadable cell suppresses its own comparison alone"
     );
     assert!(
         remarks(&table).contains("row 2: not compared: Carry: "),

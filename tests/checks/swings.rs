@@ -526,7 +526,7 @@ fn same_goals_by_sums_over_single_drives() {
     let scenarios = Scenarios::new(&swings, Rule::Quadrature(5)).unwrap();
     let wrt = ["club.loft", "club.mass"].map(|name| setup.variable(name).unwrap());
     let goal = Goal::read("2*mean(carry) - 3*std(flight_time)", None);
-    assert!(goal.is_err(), "a length and a time are no one goal");
+    assert!(goal.is_err(), "a length and a time cannot be added");
     let goal = Goal::read("2*mean(carry) - 0.5*std(carry)", None).unwrap();
     let function = GoalFunction::new(&setup, &goal, &wrt, scenarios.clone()).unwrap();
     let x = [12.0_f64.to_radians(), 0.195];

@@ -308,7 +308,7 @@ fn what_validation_md_shows_is_that_of_the_program() {
         }
         assert!(
             std::fs::read_to_string(&file).unwrap_or_default() == svg,
-            "{file} is not what validate -o writes"
+            "{file} differs from the output of validate -o"
         );
         figures.push(figure.name.as_str());
     }

@@ -117,7 +117,7 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
         judged.len(),
         failed.join("\n")
     );
-    assert!(judged.len() > 40, "{} ends were looked at", judged.len());
+    assert!(judged.len() > 40, "{} ends were checked", judged.len());
     // zero spin is a kink, also as the end of a range
     for name in [
         "impact.friction",

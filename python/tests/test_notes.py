@@ -1,4 +1,4 @@
-"""What is told of tables, batches and searches: what was taken of them, what was left out, and what looks like a mistake."""
+"""Messages about tables, batches and searches: used and omitted rows, and likely mistakes."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ ALL = 5
 
 
 def carries(cd0: float) -> Any:
-    """What a ball with this drag carries from these launches, m."""
+    """Carries of a ball with this drag for these launches, m."""
     speed, angle, spin = LAUNCHES.values()
     points = {"launch.ball_speed": speed, "launch.launch_angle": np.radians(angle), "launch.backspin": spin * 2 * np.pi / 60}
     launch = {"launch.launch_direction": 0.0, "launch.sidespin": 0.0}
@@ -88,7 +88,7 @@ def test_rows_without_a_value_are_omitted_and_named(shots: dict[str, Any], colum
     assert len(told) == 1 and "rows left out" in told[0] and "row 3 (" in told[0]
     without = fitted({name: np.delete(values, 2) for name, values in shots.items()})[0]
     assert found.estimates == without.estimates
-    # a file is read as the same dict is
+    # a file is read as a dict with its values
     lines = [",".join(holed), *(",".join("" if np.isnan(value) else repr(float(value)) for value in row) for row in zip(*holed.values()))]
     (tmp_path / "shots.csv").write_text("\n".join(lines))
     assert fitted(tmp_path / "shots.csv")[0].estimates == found.estimates
@@ -141,7 +141,7 @@ def test_a_batch_of_which_nothing_flies_says_why_the_first_does_not() -> None:
         longdrive.batch("tour-average", {"club.loft": [np.nan, np.nan]})
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        # the ball has a speed all the same
+        # the ball still has a speed
         longdrive.batch("tour-average", {"swing.attack_angle": [-1.3, -1.2]}, of=["carry", "ball_speed"])
         longdrive.batch("tour-average", {"club.loft": np.array([])})
 
@@ -199,7 +199,7 @@ def test_a_table_of_swings_is_told_the_columns_that_it_may_have(tmp_path: Path) 
 def test_a_search_without_a_result_has_arrays_of_the_right_shape(swings: dict[str, Any]) -> None:
     found = longdrive.optimize({"swing.attack_angle": -1.2}, vary={"club.loft": (0.1, 0.3), "swing.face_angle": (-0.1, 0.1)}, **swings)
     assert (found.success, found.ended, found.optimum) == (False, "no-flight", None) and math.isnan(found.fun)
-    # where it began: the setup's own values
+    # its start: the setup's own values
     setup = longdrive.Setup({})
     assert found.names == ["club.loft", "swing.face_angle"] and found.x.tolist() == [setup["club.loft"], setup["swing.face_angle"]]
     assert found.jac.shape == (2,) and np.isnan(found.jac).all() and found.setup["club.loft"] == setup["club.loft"]
@@ -207,7 +207,7 @@ def test_a_search_without_a_result_has_arrays_of_the_right_shape(swings: dict[st
 
 def test_a_data_frame_of_a_table_has_its_columns() -> None:
     pandas = pytest.importorskip("pandas")
-    # by its names alone it would have one column, of these
+    # its names alone would make one column of them
     with pytest.raises(InputError, match=r"pandas.DataFrame\(dict\(table\)\)"):
         pandas.DataFrame(TABLE)
     frame = pandas.DataFrame(dict(TABLE))
@@ -248,7 +248,7 @@ def test_switches_of_numpy_are_on_and_off(tmp_path: Path) -> None:
 
 def test_values_that_are_missing_in_a_dict_of_columns_are_missing_rows() -> None:
     class NAType:
-        """As pandas.NA, which no comparison takes."""
+        """Like pandas.NA, which cannot be compared."""
 
         def __ne__(self, other: object) -> Any:
             return self
