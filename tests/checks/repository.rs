@@ -1,5 +1,6 @@
-//! Files and history of the repository: commit messages, build profiles.
+//! Files and history of the repository: commit messages, glossary, build profiles.
 
+use crate::imports::{files, source};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -80,6 +81,56 @@ fn newest_commits_have_a_short_subject_and_a_body() {
         .flat_map(faults)
         .collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The glossary of CONTRIBUTING.md is short, and what it names in the code exists.
+#[test]
+fn names_of_the_glossary_exist() {
+    let text = std::fs::read_to_string(root().join("CONTRIBUTING.md")).unwrap();
+    let (_, glossary) = text.split_once("\n## Glossary\n").unwrap();
+    let (glossary, _) = glossary.split_once("\n## ").unwrap();
+    let rows: Vec<Vec<&str>> = glossary
+        .lines()
+        .filter(|line| line.starts_with("| ") && !line.starts_with("| term "))
+        .map(|line| line.trim_matches('|').split(" | ").map(str::trim).collect())
+        .collect();
+    assert!((40..=60).contains(&rows.len()), "{} terms", rows.len());
+
+    let code: String = files(source())
+        .iter()
+        .filter(|file| file.extension().is_some_and(|ending| ending == "rs"))
+        .map(|file| std::fs::read_to_string(file).unwrap())
+        .collect();
+    let is_declared = |declaration: String| {
+        code.match_indices(&declaration).any(|(at, _)| {
+            let next = code[at + declaration.len()..].chars().next();
+            next.is_some_and(|c| !c.is_alphanumeric() && c != '_')
+        })
+    };
+    let is_item = |name: &str| {
+        let kinds = ["struct", "enum", "trait", "type", "fn", "mod"];
+        kinds
+            .iter()
+            .any(|kind| is_declared(format!("{kind} {name}")))
+    };
+    for row in rows {
+        let [term, meaning, names] = row[..] else {
+            panic!("not three cells: {row:?}")
+        };
+        assert!(!meaning.is_empty(), "{term} has no meaning");
+        for name in names.split('`').skip(1).step_by(2) {
+            let exists = if name.starts_with("src/") {
+                root().join(name).exists()
+            } else if name.contains("::") {
+                name.split("::").all(is_item)
+            } else {
+                let name = name.trim_end_matches('*');
+                let command = name.strip_prefix("longdrive ").unwrap_or(name);
+                code.contains(&format!("\"{command}"))
+            };
+            assert!(exists, "{term}: the code has no `{name}`");
+        }
+    }
 }
 
 /// A release of the program aborts on a panic; the Python package must raise an exception.
