@@ -1,6 +1,6 @@
 //! What can be wrong with a question, and what can keep a drive from having an answer.
 
-use crate::foreign::{of_io, of_write};
+use crate::external_errors::{read_error_text, write_error_text};
 use crate::units::{Digits, Message, Quantity, System, significant};
 
 /// `Result` with longdrive's [`enum@Error`].
@@ -136,7 +136,7 @@ pub enum Error {
     /// A setup file that cannot be opened or read.
     #[error(
         "the setup file '{file}': {}; a setup is a preset ({presets}) or a TOML file",
-        of_io(source)
+        read_error_text(source)
     )]
     File {
         /// The file.
@@ -278,7 +278,7 @@ pub enum Error {
         reason: String,
     },
     /// An answer that could not be written.
-    #[error("cannot write the answer: {}", of_write(.0))]
+    #[error("cannot write the answer: {}", write_error_text(.0))]
     Output(std::io::Error),
     /// A plot that cannot be drawn.
     #[error("the plot '{name}': {reason}")]
@@ -376,7 +376,7 @@ impl Error {
 
     /// Why a file cannot be written, in words: "the disk is full".
     pub fn why_unwritten(error: &std::io::Error) -> String {
-        of_write(error)
+        write_error_text(error)
     }
 
     /// The error with computed quantities in the units of a system; what was given is named as it

@@ -55,18 +55,18 @@
 
 pub mod aerodynamics;
 pub mod atmosphere;
+mod atomic_file;
 pub mod batch;
-mod beside;
-mod cells;
 #[cfg(feature = "cli")]
 pub mod command;
+mod csv_dialect;
 pub mod derivative;
 pub mod drive;
 pub mod error;
+mod external_errors;
 pub mod features;
 mod fingerprint;
 pub mod flight;
-mod foreign;
 pub mod ground;
 pub mod impact;
 pub mod launch;

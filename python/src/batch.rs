@@ -8,7 +8,7 @@ use crate::pool;
 use crate::setup::PySetup;
 use crate::step::Asked;
 use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, Tally};
-use longdrive::drive::Looked;
+use longdrive::drive::CheckScope;
 use longdrive::parameters::Parameter;
 use longdrive::parameters::Vary;
 use longdrive::units::{System, ratio};
@@ -298,7 +298,7 @@ pub fn batch<'py>(
         let beyond = results.tally.beyond().warnings(
             &setup.setup.law,
             ["drive that landed", "drives that landed"],
-            Looked::AtLaunch,
+            CheckScope::Launch,
         );
         warnings.extend(
             beyond

@@ -3,7 +3,7 @@
 use crate::boundary::{Answer, Failure, answer, kind_of, text_of};
 use crate::json::to_python;
 use crate::setup::PySetup;
-use longdrive::drive::Part;
+use longdrive::drive::OutcomeGroup;
 use longdrive::parameters::Parameter;
 use longdrive::report::{parameters_reply, presets_reply};
 use longdrive::{Outcome, Setup};
@@ -150,10 +150,10 @@ pub fn outcomes(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     answer(|| {
         let all = PyList::empty(py);
         for outcome in Outcome::ALL.iter().chain(Outcome::OF_HEAD) {
-            let part = match outcome.part() {
-                Part::Launch => "launch",
-                Part::Flight => "flight",
-                Part::Head => "head",
+            let part = match outcome.group() {
+                OutcomeGroup::Launch => "launch",
+                OutcomeGroup::Flight => "flight",
+                OutcomeGroup::Head => "head",
             };
             let row = PyDict::new(py);
             row.set_item("name", outcome.name())?;

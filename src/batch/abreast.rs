@@ -4,8 +4,11 @@ use super::block::{Block, Status};
 use super::question::Batch;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::derivative::MOST_PER_LANE;
-use crate::drive::{Beyond, Outcome, Part, Shown, Struck, flat, is_beside_any_face};
-use crate::flight::{Asked, Inputs};
+use crate::drive::{
+    ExceededLimits, LaunchState, Outcome, OutcomeGroup, OutcomeInputs, flat_landing_angle,
+    is_outside_any_face,
+};
+use crate::flight::{Inputs, RequestedOutputs};
 use crate::impact::Head;
 use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, in_lane, inlined};
 use crate::parameters::Parameter;
@@ -47,7 +50,7 @@ impl Abreast<'_> {
         let shows_launch = batch
             .of
             .iter()
-            .any(|outcome| outcome.part() != Part::Flight);
+            .any(|outcome| outcome.group() != OutcomeGroup::Flight);
         let mut setup = batch.setup.constant::<V>();
         let (mut flying, mut alone) = (vec![], vec![]);
         let is_in_range = |&row: &usize| {
@@ -65,13 +68,13 @@ impl Abreast<'_> {
             setup.put(&batch.parameters, |k| {
                 V::with_values(|lane| block.point(row_of(lane))[k])
             });
-            let struck = Struck::new(&setup);
+            let launched = LaunchState::new(&setup);
             for (lane, &row) in rows.iter().enumerate() {
                 let (up, ground) = (
-                    struck.launch.velocity.x.lane(lane),
+                    launched.launch.velocity.x.lane(lane),
                     setup.ground.height.lane(lane),
                 );
-                if !struck.is_sound.holds(lane) {
+                if !launched.is_valid.holds(lane) {
                     alone.push(row);
                 } else if up > 0.0 || ground < 0.0 {
                     flying.push((up, row));
@@ -90,9 +93,9 @@ impl Abreast<'_> {
     fn fly<J: Lanes<Lane: Derivatives>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
         let batch = self.batch;
         let any = |is: fn(&Outcome) -> bool| batch.of.iter().any(is);
-        let apex = any(|outcome| outcome.is_of_the_apex());
-        let has_run = any(|outcome| outcome.is_of_the_run());
-        let has_head = any(|outcome| outcome.part() == Part::Head);
+        let apex = any(|outcome| outcome.needs_apex());
+        let has_run = any(|outcome| outcome.needs_run());
+        let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
         let fitted = batch.setup.law.fitted();
         // the setup with what is the same in every row: the swept parameters are put in for each
         // group
@@ -120,16 +123,16 @@ impl Abreast<'_> {
                     directions[k]
                 )),
             );
-            let struck = Struck::new(&setup);
-            let inputs = Inputs::new(&setup, &struck.launch, has_run);
+            let launched = LaunchState::new(&setup);
+            let inputs = Inputs::new(&setup, &launched.launch, has_run);
             let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
             let (toe, high) = (setup.strike.toe, setup.strike.high);
             let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
-            let head = (has_head && struck.club_speed.is_some())
+            let head = (has_head && launched.club_speed.is_some())
                 .then(|| J::outlined(|| Head::new(&setup.club)));
-            let ended = inputs.follow(
+            let ended = inputs.integrate(
                 J::Mask::first(group.len()),
-                Asked { apex, defect: true },
+                RequestedOutputs { apex, defect: true },
                 None,
             );
             for (lane, &(_, row)) in group.iter().enumerate() {
@@ -139,8 +142,8 @@ impl Abreast<'_> {
                 }
                 let read = in_lane(lane);
                 let (landed, launch, club_speed) =
-                    (&ended.landed, &struck.launch, struck.club_speed);
-                let shown = Shown {
+                    (&ended.landed, &launched.launch, launched.club_speed);
+                let drive = OutcomeInputs {
                     launch,
                     club_speed,
                     landed: Some(landed),
@@ -150,19 +153,23 @@ impl Abreast<'_> {
                 let value = inlined!(|number: J| number.lane(lane).re());
                 self.block.status[row] = Status::Landed;
                 self.block.defect[row] = landed.defect.map_or(0.0, value);
-                self.block.beyond[row] = Beyond {
+                self.block.beyond[row] = ExceededLimits {
                     law: !fitted.holds([
                         value(spin_ratio),
                         value(spin),
                         value(reynolds),
                         value(air_speed),
                     ]),
-                    face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
+                    face: club_speed.is_some() && is_outside_any_face(value(toe), value(high)),
                     flat: has_run
-                        && flat([value(slope), value(side_slope)], &landed.map(value)).is_some(),
+                        && flat_landing_angle(
+                            [value(slope), value(side_slope)],
+                            &landed.map(value),
+                        )
+                        .is_some(),
                 };
                 for (i, outcome) in batch.of.iter().enumerate() {
-                    self.write(row, i, outcome.shown(&shown));
+                    self.write(row, i, outcome.evaluate(&drive));
                 }
             }
         }

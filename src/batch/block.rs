@@ -1,4 +1,4 @@
-use crate::drive::{Beyond, BeyondCount, Outcome, Part};
+use crate::drive::{ExceededCount, ExceededLimits, Outcome, OutcomeGroup};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -60,7 +60,7 @@ impl fmt::Display for Status {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     statuses: [u64; Status::ALL.len()],
-    beyond: BeyondCount,
+    beyond: ExceededCount,
 }
 
 impl Tally {
@@ -83,7 +83,7 @@ impl Tally {
     }
 
     /// The tally of these counts, and of the landed drives outside of what the model is made for.
-    pub fn of(counts: &BTreeMap<Status, u64>, beyond: BeyondCount) -> Self {
+    pub fn of(counts: &BTreeMap<Status, u64>, beyond: ExceededCount) -> Self {
         Self {
             statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()),
             beyond,
@@ -91,14 +91,16 @@ impl Tally {
     }
 
     /// How many of the landed drives are outside of what the model is made for.
-    pub fn beyond(&self) -> BeyondCount {
+    pub fn beyond(&self) -> ExceededCount {
         self.beyond
     }
 
     /// Whether any drive has one of these outcomes, or there are no drives: those of the launch are
     /// there also where the ball does not land.
     pub fn has_any(&self, of: &[Outcome]) -> bool {
-        let is_of_the_launch = of.iter().any(|outcome| outcome.part() != Part::Flight);
+        let is_of_the_launch = of
+            .iter()
+            .any(|outcome| outcome.group() != OutcomeGroup::Flight);
         let has = |status| match status {
             Status::Landed => true,
             Status::NoFlight | Status::Aloft => is_of_the_launch,
@@ -129,7 +131,7 @@ pub struct Block {
     pub(super) parameters: usize,
     pub(super) status: Vec<Status>,
     /// What each drive that landed lies beyond.
-    pub(super) beyond: Vec<Beyond>,
+    pub(super) beyond: Vec<ExceededLimits>,
     /// What tells of the error of the integration, of each drive that landed.
     pub(super) defect: Vec<f64>,
     /// A column for each outcome; a number that is not finite stands for a value that does not
@@ -167,7 +169,7 @@ impl Block {
     }
 
     /// In what a drive that landed is, by its launch, outside of what the model is made for.
-    pub fn beyond(&self, row: usize) -> Beyond {
+    pub fn beyond(&self, row: usize) -> ExceededLimits {
         self.beyond[row]
     }
 

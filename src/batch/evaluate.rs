@@ -4,7 +4,7 @@ use super::abreast::Abreast;
 use super::block::{Block, Status};
 use super::question::Batch;
 use crate::derivative::{Evaluator, MOST_PER_LANE, Order};
-use crate::drive::{Beyond, Drive, Looked, Outcome};
+use crate::drive::{CheckScope, Drive, ExceededLimits, Outcome};
 use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
 use crate::parameters::{Parameter, Setup};
@@ -30,7 +30,7 @@ impl Batch {
             first_row,
             parameters: self.parameters.len(),
             status: vec![Status::OutOfRange; rows],
-            beyond: vec![Beyond::default(); rows],
+            beyond: vec![ExceededLimits::default(); rows],
             defect: vec![0.0; rows],
             outcomes: empty(self.of.len()),
             derivatives: empty(self.of.len() * self.wrt.len()),
@@ -98,7 +98,7 @@ impl Batch {
             0
         };
         let drive = loop {
-            match Drive::in_any_steps(&setup) {
+            match Drive::without_step_check(&setup) {
                 Ok(drive)
                     if !drive
                         .landed()
@@ -123,7 +123,7 @@ impl Batch {
             Flight::None(NoFlight::Aloft { .. }) => Status::Aloft,
             Flight::None(_) => Status::NoFlight,
         };
-        block.beyond[row] = drive.beyond(setup, Looked::AtLaunch, &self.of);
+        block.beyond[row] = drive.exceeded_limits(setup, CheckScope::Launch, &self.of);
         for (outcome, column) in self.of.iter().zip(&mut block.outcomes) {
             column[row] = outcome.value(&drive).unwrap_or(f64::NAN);
         }

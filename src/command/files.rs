@@ -3,7 +3,7 @@
 //! its place and put there when it is whole. All of this is checked before the work begins, and
 //! again for what was made since then.
 
-use crate::beside::{beside, folder_of, put};
+use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::command::interrupt;
 use crate::{Error, Result};
 use std::fs;
@@ -47,7 +47,7 @@ impl Rule {
         let destination = self.place(path)?;
         if destination.is_file {
             // what cannot be written there is said now, not after the work
-            beside(&destination.at).map_err(|error| unwritable(path, &error))?;
+            create_beside(&destination.at).map_err(|error| unwritable(path, &error))?;
         }
         Ok(destination)
     }
@@ -168,7 +168,7 @@ impl Rule {
         for name in names {
             self.place(&path.join(name))?;
         }
-        beside(&path.join("file")).map_err(|error| unwritable(path, &error))?;
+        create_beside(&path.join("file")).map_err(|error| unwritable(path, &error))?;
         if is_new {
             // it was a trial: where the work ends without an answer there is no folder
             fs::remove_dir(path).map_err(|error| unwritable(path, &error))?;
@@ -228,7 +228,7 @@ impl Destination {
     /// [`Error::Results`] where it cannot be written.
     pub fn begin(&self) -> Result<Pieces> {
         let to = match self.is_file {
-            true => beside(&self.at).map(To::Beside),
+            true => create_beside(&self.at).map(To::Beside),
             false => fs::OpenOptions::new()
                 .write(true)
                 .open(&self.at)
@@ -248,7 +248,7 @@ impl Destination {
                     .open(&self.at)?
                     .write_all(bytes);
             }
-            let mut file = beside(&self.at)?;
+            let mut file = create_beside(&self.at)?;
             file.write_all(bytes)?;
             self.end(file)
         };
@@ -258,7 +258,7 @@ impl Destination {
     /// Puts a file that is whole in its place.
     fn end(&self, file: NamedTempFile) -> io::Result<()> {
         file.as_file().sync_all()?;
-        Ok(put(file.into_temp_path(), &self.at, self.may_replace)?)
+        Ok(persist(file.into_temp_path(), &self.at, self.may_replace)?)
     }
 
     fn failed(&self, error: &io::Error) -> Error {

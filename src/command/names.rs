@@ -30,7 +30,7 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
 
 /// Says how well a run is known, where one is asked for.
 pub fn tell_of_the_run(of: &[Outcome]) {
-    if of.iter().any(|of| of.is_of_the_run()) {
+    if of.iter().any(|of| of.needs_run()) {
         tell(&known_within().in_units(system()));
     }
 }
@@ -43,7 +43,7 @@ pub fn variables(
     names: &[String],
     of: &[Outcome],
 ) -> Result<Vec<&'static Parameter>> {
-    let runs = of.iter().any(|of| of.is_of_the_run());
+    let runs = of.iter().any(|of| of.needs_run());
     let mut rows = Vec::new();
     for name in given(names) {
         if name != "all" {
@@ -62,7 +62,7 @@ pub fn variables(
         ));
         let (idle, all): (Vec<_>, Vec<_>) = all
             .into_iter()
-            .partition(|row| !runs && row.is_of_the_run());
+            .partition(|row| !runs && row.affects_only_run());
         if !idle.is_empty() {
             let idle: Vec<_> = idle.iter().map(|row| row.name).collect();
             tell(&format!(

@@ -64,8 +64,8 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let totals = match &best {
         Some(best) => {
             let varied = |row: &&_| !best.search.vary.iter().any(|vary| vary.parameter == *row);
-            let runs = best.search.outcomes().iter().any(|of| of.is_of_the_run());
-            let counts = |row: &&Parameter| runs || !row.is_of_the_run();
+            let runs = best.search.outcomes().iter().any(|of| of.needs_run());
+            let counts = |row: &&Parameter| runs || !row.affects_only_run();
             let wrt: Vec<_> = setup
                 .variables()
                 .into_iter()

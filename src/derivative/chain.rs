@@ -5,7 +5,7 @@
 use super::Taylor;
 use super::pass::{COMPONENTS, Leg, Point};
 use super::split::Split;
-use crate::drive::{Outcome, Part};
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 
 /// The outcomes at a point, by the chain rule where the parameters are split. `progress` is told
@@ -46,7 +46,7 @@ pub(super) fn derivatives(
         .map(|component| parameters + component)
         .chain(split.of_flight.iter().copied())
         .collect();
-    let is_flown = |outcome: &Outcome| outcome.part() == Part::Flight;
+    let is_flown = |outcome: &Outcome| outcome.group() == OutcomeGroup::Flight;
     let columns = |outcome: &Outcome| {
         if is_flown(outcome) {
             parameters + COMPONENTS

@@ -2,7 +2,7 @@ use super::Taylor;
 use super::chain;
 use super::pass::Point;
 use super::split::Split;
-use crate::drive::{Outcome, Part};
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::number::Level;
 use crate::parameters::{Parameter, Setup, refuse_twice};
@@ -75,7 +75,7 @@ impl Evaluator {
             }?;
         }
         refuse_twice(wrt)?;
-        let split = Split::of(wrt, of.iter().any(|outcome| outcome.is_of_the_run()));
+        let split = Split::of(wrt, of.iter().any(|outcome| outcome.needs_run()));
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
         Ok(Self {
             setup: *setup,
@@ -159,9 +159,9 @@ impl Evaluator {
             x,
             columns: if order == Order::Value { 0 } else { x.len() },
             first_row: is_second.then_some(self.first_row),
-            flies: any(|outcome| outcome.part() == Part::Flight),
-            has_apex: any(|outcome| outcome.is_of_the_apex()),
-            has_run: any(|outcome| outcome.is_of_the_run()),
+            flies: any(|outcome| outcome.group() == OutcomeGroup::Flight),
+            has_apex: any(|outcome| outcome.needs_apex()),
+            has_run: any(|outcome| outcome.needs_run()),
             level: self.level,
         };
         let is_chained = order > Order::Value

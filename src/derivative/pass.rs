@@ -1,8 +1,8 @@
 use super::Taylor;
 use super::directions::{Directions, MOST_PER_LANE, pairs};
-use crate::drive::{Outcome, Part, Shown, Struck};
+use crate::drive::{LaunchState, Outcome, OutcomeGroup, OutcomeInputs};
 use crate::error::{Error, Result};
-use crate::flight::{Asked, Inputs};
+use crate::flight::{Inputs, RequestedOutputs};
 use crate::impact::{Head, strike};
 use crate::launch::Launch;
 use crate::number::{
@@ -50,8 +50,8 @@ impl Leg<'_> {
     fn shows(self, outcome: Outcome) -> bool {
         match self {
             Self::Whole => true,
-            Self::Impact => outcome.part() != Part::Flight,
-            Self::Flight(_) => outcome.part() == Part::Flight,
+            Self::Impact => outcome.group() != OutcomeGroup::Flight,
+            Self::Flight(_) => outcome.group() == OutcomeGroup::Flight,
         }
     }
 }
@@ -156,39 +156,42 @@ impl Pass<'_> {
                 }
             ),
         );
-        let struck = if let Leg::Flight(_) = leg {
+        let launched = if let Leg::Flight(_) = leg {
             let [up, right, downrange, spin @ ..] = components;
             let launch = Launch {
                 velocity: Vector::new(up, right, downrange),
                 spin: Vector::from_array(spin),
             };
-            Struck {
+            LaunchState {
                 launch,
                 club_speed: None,
-                is_sound: J::Mask::first(lanes),
+                is_valid: J::Mask::first(lanes),
             }
         } else {
-            Struck::new(&setup)
+            LaunchState::new(&setup)
         };
-        if !struck.is_sound.holds(0) {
+        if !launched.is_valid.holds(0) {
             return Err(point.refusal());
         }
-        let has_head = struck.club_speed.is_some()
-            && point.of.iter().any(|outcome| outcome.part() == Part::Head);
+        let has_head = launched.club_speed.is_some()
+            && point
+                .of
+                .iter()
+                .any(|outcome| outcome.group() == OutcomeGroup::Head);
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
         let mut ended = None;
         if point.flies && !matches!(leg, Leg::Impact) {
-            let inputs = Inputs::new(&setup, &struck.launch, point.has_run);
-            let found = ended.insert(inputs.follow(
+            let inputs = Inputs::new(&setup, &launched.launch, point.has_run);
+            let found = ended.insert(inputs.integrate(
                 J::Mask::first(lanes),
-                Asked {
+                RequestedOutputs {
                     apex: point.has_apex,
                     defect: false,
                 },
                 None,
             ));
             // the drive is the same in all lanes
-            if let Some(why) = found.missing(&inputs, |number| number.lane(0).re())? {
+            if let Some(why) = found.no_landing_reason(&inputs, |number| number.lane(0).re())? {
                 return Err(Error::NoFlight {
                     reason: why.message(),
                 });
@@ -196,11 +199,11 @@ impl Pass<'_> {
         }
         for lane in 0..lanes {
             let read = in_lane(lane);
-            let Struck {
+            let LaunchState {
                 launch, club_speed, ..
-            } = &struck;
+            } = &launched;
             let landed = ended.as_ref().map(|ended| &ended.landed);
-            let shown = Shown {
+            let drive = OutcomeInputs {
                 launch,
                 club_speed: *club_speed,
                 landed,
@@ -217,7 +220,9 @@ impl Pass<'_> {
                 put(
                     taylor,
                     variables,
-                    &outcome.shown(&shown).ok_or_else(|| outcome.missing())?,
+                    &outcome
+                        .evaluate(&drive)
+                        .ok_or_else(|| outcome.unavailable())?,
                 );
             }
             let Launch {

@@ -28,7 +28,7 @@ impl Split {
         Self {
             of_launch: indices(&|parameter| is_of_launch(parameter) || parameter.is_of_ball()),
             of_flight: indices(&|parameter| {
-                !is_of_launch(parameter) && (runs || !parameter.is_of_the_run())
+                !is_of_launch(parameter) && (runs || !parameter.affects_only_run())
             }),
         }
     }

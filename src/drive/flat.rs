@@ -11,7 +11,7 @@ const FLAT: f64 = 25.0 * std::f64::consts::PI / 180.0;
 
 /// The angle to the ground, of these slopes, at which a ball that bounces landed, where that is
 /// flatter than any whose bounce was measured, rad.
-pub(crate) fn flat<T: Number>(slopes: [f64; 2], landed: &Landed<T>) -> Option<f64> {
+pub(crate) fn flat_landing_angle<T: Number>(slopes: [f64; 2], landed: &Landed<T>) -> Option<f64> {
     landed
         .rest
         .as_ref()

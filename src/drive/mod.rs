@@ -1,19 +1,20 @@
 //! One drive, from the setup to its outcomes: impact, launch, flight, landing.
 
-mod beyond;
 mod flat;
+mod launch_state;
 mod outcome;
-mod struck;
+
+mod validity;
 mod warnings;
 
-pub use beyond::{Beyond, BeyondCount, BeyondShare, Looked};
-pub(crate) use beyond::{any_face, is_beside_any_face};
-pub(crate) use flat::flat;
+pub(crate) use flat::flat_landing_angle;
+pub use validity::{CheckScope, ExceededCount, ExceededLimits, ExceededShare};
+pub(crate) use validity::{any_face, is_outside_any_face};
 pub use warnings::Within;
 
-pub(crate) use outcome::Shown;
-pub use outcome::{Outcome, Part};
-pub(crate) use struck::Struck;
+pub(crate) use launch_state::LaunchState;
+pub(crate) use outcome::OutcomeInputs;
+pub use outcome::{Outcome, OutcomeGroup};
 
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
@@ -64,14 +65,14 @@ impl<T: Number> Drive<T> {
     /// does not fly is no error here: see [`Flight`].
     pub fn new(setup: &Setup<T>) -> Result<Self> {
         setup.flight.check_steps()?;
-        Self::in_any_steps(setup)
+        Self::without_step_check(setup)
     }
 
     /// The same, however many steps the flight takes.
     ///
     /// # Errors
     /// As [`new`](Self::new), but for the step.
-    pub(crate) fn in_any_steps(setup: &Setup<T>) -> Result<Self> {
+    pub(crate) fn without_step_check(setup: &Setup<T>) -> Result<Self> {
         let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(None);
         if let Some(launch) = Launch::given(setup) {
             let flight = fly(&launch)?;

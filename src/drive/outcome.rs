@@ -10,7 +10,7 @@ use std::str::FromStr;
 
 /// What an outcome is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum OutcomeGroup {
     /// The ball as it leaves the face.
     Launch,
     /// The flight: there is none where the ball does not fly.
@@ -21,7 +21,7 @@ pub enum Part {
 
 /// What outcomes are read from.
 #[derive(Clone, Copy)]
-pub(crate) struct Shown<'a, T, Read> {
+pub(crate) struct OutcomeInputs<'a, T, Read> {
     pub launch: &'a Launch<T>,
     /// Speed of the head before impact, m/s, where there is a club.
     pub club_speed: Option<T>,
@@ -32,7 +32,7 @@ pub(crate) struct Shown<'a, T, Read> {
     pub read: Read,
 }
 
-impl<T: Numbers, U, Read: Fn(T) -> U + Copy> Shown<'_, T, Read> {
+impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
     #[inline(always)]
     fn launch(&self) -> Launch<U> {
         self.launch.map(self.read)
@@ -57,7 +57,7 @@ impl<T: Numbers, U, Read: Fn(T) -> U + Copy> Shown<'_, T, Read> {
 /// Declares each outcome once: what it is of, name, symbol, kind of quantity, unit a person reads,
 /// and how it follows from a drive.
 macro_rules! outcomes {
-    ($( $(#[doc = $doc:literal])+ $Part:ident $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
+    ($( $(#[doc = $doc:literal])+ $Group:ident $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
         /// What one may ask of a drive.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Outcome {
@@ -69,8 +69,8 @@ macro_rules! outcomes {
             const EVERY: &'static [Self] = &[$( Self::$Outcome ),+];
 
             /// What it is of.
-            pub fn part(self) -> Part {
-                match self { $( Self::$Outcome => Part::$Part, )+ }
+            pub fn group(self) -> OutcomeGroup {
+                match self { $( Self::$Outcome => OutcomeGroup::$Group, )+ }
             }
 
             /// Name in JSON and on the command line: `carry`.
@@ -109,25 +109,25 @@ macro_rules! outcomes {
                     Flight::None(_) => None,
                 };
                 let (launch, club_speed, head) = (&drive.launch, drive.club_speed, drive.head.as_ref());
-                let shown = Shown { launch, club_speed, landed, head, read: |number| number };
-                self.shown(&shown).ok_or_else(|| match &drive.flight {
-                    Flight::None(why) if self.part() == Part::Flight => Error::NoFlight { reason: why.message() },
-                    _ => self.missing(),
+                let inputs = OutcomeInputs { launch, club_speed, landed, head, read: |number| number };
+                self.evaluate(&inputs).ok_or_else(|| match &drive.flight {
+                    Flight::None(why) if self.group() == OutcomeGroup::Flight => Error::NoFlight { reason: why.message() },
+                    _ => self.unavailable(),
                 })
             }
 
             /// Why a drive has it not, though it flies.
-            pub(crate) fn missing(self) -> Error {
-                let reason = match self.part() {
-                    Part::Launch | Part::Head => "no club strikes the ball: the launch is given",
-                    Part::Flight => "the flight was followed for its landing alone",
+            pub(crate) fn unavailable(self) -> Error {
+                let reason = match self.group() {
+                    OutcomeGroup::Launch | OutcomeGroup::Head => "no club strikes the ball: the launch is given",
+                    OutcomeGroup::Flight => "the flight was followed for its landing alone",
                 };
                 Error::Undefined { what: self.name().into(), reason: reason.into() }
             }
 
             /// The outcome where what it is of is there.
-            pub(crate) fn shown<T: Numbers, U: Number>(self, shown: &Shown<'_, T, impl Fn(T) -> U + Copy>) -> Option<U> {
-                match self { $( Self::$Outcome => { let $drive = shown; Some($value) } )+ }
+            pub(crate) fn evaluate<T: Numbers, U: Number>(self, inputs: &OutcomeInputs<'_, T, impl Fn(T) -> U + Copy>) -> Option<U> {
+                match self { $( Self::$Outcome => { let $drive = inputs; Some($value) } )+ }
             }
         }
     };
@@ -220,15 +220,15 @@ impl Outcome {
         .0;
 
     /// The outcomes of the launch, of the flight, or of the head.
-    pub fn of_part(part: Part) -> impl Iterator<Item = Self> + Clone {
+    pub fn in_group(group: OutcomeGroup) -> impl Iterator<Item = Self> + Clone {
         Self::EVERY
             .iter()
             .copied()
-            .filter(move |outcome| outcome.part() == part)
+            .filter(move |outcome| outcome.group() == group)
     }
 
     /// Whether it is read off the apex.
-    pub(crate) fn is_of_the_apex(self) -> bool {
+    pub(crate) fn needs_apex(self) -> bool {
         matches!(
             self,
             Self::ApexHeight | Self::ApexTime | Self::ApexDownrange
@@ -236,13 +236,13 @@ impl Outcome {
     }
 
     /// Whether it is of the run of the ball on the ground, after the flight.
-    pub fn is_of_the_run(self) -> bool {
+    pub fn needs_run(self) -> bool {
         matches!(self, Self::Total | Self::Run | Self::LateralTotal)
     }
 
     /// Why a drive that has it gives no finite value.
     pub(crate) fn why_undefined(self) -> &'static str {
-        if self.is_of_the_run() {
+        if self.needs_run() {
             "the ball does not come to rest: the landing area is too steep (ground.slope, \
              ground.side_slope) for ground.rolling and \
              ground.friction, or falls away more steeply than the ball comes down"
@@ -289,10 +289,10 @@ impl Outcome {
     /// ```
     /// use longdrive::Outcome;
     /// let (value, reference) = (-179_f64.to_radians(), 179_f64.to_radians());
-    /// assert!((Outcome::SpinAxis.beside(value, reference).to_degrees() - 181.0).abs() < 1e-12);
-    /// assert_eq!(Outcome::Carry.beside(-3.0, 3.0), -3.0);
+    /// assert!((Outcome::SpinAxis.unwrap_angle(value, reference).to_degrees() - 181.0).abs() < 1e-12);
+    /// assert_eq!(Outcome::Carry.unwrap_angle(-3.0, 3.0), -3.0);
     /// ```
-    pub fn beside(self, value: f64, reference: f64) -> f64 {
+    pub fn unwrap_angle(self, value: f64, reference: f64) -> f64 {
         let turns = ((reference - value) / std::f64::consts::TAU).round();
         if self.is_a_direction() && turns.is_finite() {
             value + turns * std::f64::consts::TAU

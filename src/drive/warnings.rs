@@ -1,7 +1,7 @@
 //! Warnings about a drive that is computed as it stands.
 
-use super::beyond::{any_face, is_beside_any_face};
-use super::flat::{assumed, flat};
+use super::flat::{assumed, flat_landing_angle};
+use super::validity::{any_face, is_outside_any_face};
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
@@ -34,7 +34,7 @@ impl Drive<f64> {
         let mut warnings = setup.warnings();
         warnings.extend(self.corners(setup).into_iter().map(Message::from));
         warnings.extend(self.beside_the_face(setup).map(Message::from));
-        warnings.extend(self.outside_of_the_law(setup));
+        warnings.extend(self.law_warnings(setup));
         warnings.extend(self.in_long_steps(setup));
         warnings
     }
@@ -46,14 +46,14 @@ impl Drive<f64> {
         let mut warnings = self.warnings(setup);
         warnings.extend(
             self.lands_flat(setup)
-                .filter(|_| of.iter().any(|of| of.is_of_the_run())),
+                .filter(|_| of.iter().any(|of| of.needs_run())),
         );
         warnings
     }
 
     /// A ball that bounces, and landed flatter than any whose bounce was measured.
     fn lands_flat(&self, setup: &Setup<f64>) -> Option<Message> {
-        let angle = flat(
+        let angle = flat_landing_angle(
             [setup.ground.slope, setup.ground.side_slope],
             self.landed().ok()?,
         )?;
@@ -89,7 +89,7 @@ impl Drive<f64> {
         self.impact.as_ref()?;
         let show = |value: f64| Quantity::LENGTH.show(value, "mm");
         let strike = &setup.strike;
-        is_beside_any_face(strike.toe, strike.high).then(|| {
+        is_outside_any_face(strike.toe, strike.high).then(|| {
             format!(
                 "strike.toe = {} and strike.high = {} lie outside {}: no club strikes the ball \
                  there",
@@ -101,7 +101,7 @@ impl Drive<f64> {
     }
 
     /// What the law of drag and lift was not fitted to, and for how much of the flight.
-    pub(super) fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
+    pub(super) fn law_warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let fitted = setup.law.fitted();
         let told = |(k, ((name, unit, range), within)): (usize, (FittedRange, Option<Within>))| {
             let Within { flown, outside } =
@@ -125,7 +125,7 @@ impl Drive<f64> {
         fitted
             .ranges()
             .into_iter()
-            .zip(self.within_the_law(setup))
+            .zip(self.flown_ranges(setup))
             .enumerate()
             .filter_map(told)
             .collect()
@@ -134,7 +134,7 @@ impl Drive<f64> {
     /// How far the flight goes along each of the ranges that the law was fitted to, in the order of
     /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges), and which share of it is outside;
     /// `None` where no range is known, and without air or a flight.
-    pub fn within_the_law(&self, setup: &Setup<f64>) -> [Option<Within>; 4] {
+    pub fn flown_ranges(&self, setup: &Setup<f64>) -> [Option<Within>; 4] {
         let ranges = setup.law.fitted().ranges().map(|(.., range)| range);
         if AirState::of(&setup.air).density == 0.0 || ranges == [None; 4] {
             return [None; 4];

@@ -1,6 +1,6 @@
-use super::ended::Asked;
 use super::ending::Flight;
 use super::inputs::Inputs;
+use super::result::RequestedOutputs;
 use super::step::Observer;
 use crate::error::Result;
 use crate::launch::Launch;
@@ -26,15 +26,15 @@ impl<T: Number> Inputs<T> {
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or
     /// numbers overflow.
     pub(crate) fn fly(&self, observer: Observer<'_, T>) -> Result<Flight<T>> {
-        let ended = self.follow(
+        let ended = self.integrate(
             true,
-            Asked {
+            RequestedOutputs {
                 apex: true,
                 defect: true,
             },
             observer,
         );
-        Ok(match ended.missing(self, T::re)? {
+        Ok(match ended.no_landing_reason(self, T::re)? {
             None => Flight::Landed(ended.landed),
             Some(why) => Flight::None(why),
         })

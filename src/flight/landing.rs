@@ -1,7 +1,7 @@
-use super::ended::{Asked, Ended};
 use super::ending::Landed;
 use super::inputs::Inputs;
 use super::motion::Node;
+use super::result::{FlightResult, RequestedOutputs};
 use super::septic::Path;
 use super::step::{Observer, Step, Stepper};
 use super::tableau::Tableau;
@@ -30,17 +30,26 @@ impl<T: Numbers> Inputs<T> {
     /// Flies the balls of those lanes that start above the ground or upwards. Not inlined: there is
     /// one compiled copy for each number type.
     #[inline(always)]
-    pub(crate) fn follow(
+    pub(crate) fn integrate(
         &self,
         lanes: T::Mask,
-        asked: Asked,
+        asked: RequestedOutputs,
         mut observer: Observer<'_, T>,
-    ) -> Ended<T> {
-        T::outlined(inlined!(|| self.followed(lanes, asked, &mut observer)))
+    ) -> FlightResult<T> {
+        T::outlined(inlined!(|| self.integrate_inlined(
+            lanes,
+            asked,
+            &mut observer
+        )))
     }
 
     #[inline(always)]
-    fn followed(&self, lanes: T::Mask, asked: Asked, observer: &mut Observer<'_, T>) -> Ended<T> {
+    fn integrate_inlined(
+        &self,
+        lanes: T::Mask,
+        asked: RequestedOutputs,
+        observer: &mut Observer<'_, T>,
+    ) -> FlightResult<T> {
         let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
         let mut stepper = Stepper::new(self, tableau, h);
         let mut nodes = [self.launch(); 2];
@@ -54,7 +63,7 @@ impl<T: Numbers> Inputs<T> {
         };
         let mut has_been_above = ground.below(0.0);
         let mut flying = lanes & (has_been_above | is_rising(step.to));
-        let mut ended: Ended<T> = Ended::not_yet(asked);
+        let mut ended: FlightResult<T> = FlightResult::initial(asked);
         while flying.any() && ended.time < self.time_limit {
             stepper.advance(&mut step);
             if let Some(observe) = observer {
@@ -126,7 +135,7 @@ impl<T: Numbers> Inputs<T> {
         &self,
         step: &Step<'_, T>,
         within: Within<T::Mask>,
-        ended: &mut Ended<T>,
+        ended: &mut FlightResult<T>,
     ) -> (T::Mask, T::Mask) {
         let (h, ground, begin) = (self.step, self.ground, ended.time);
         let Within {

@@ -81,13 +81,13 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
 }
 
 /// A launch over any numbers, side by side too, with what is to be known of each before it is used.
-pub(crate) struct Unchecked<T: Numbers> {
+pub(crate) struct LaneImpact<T: Numbers> {
     pub launch: Launch<T>,
     /// Where [`strike`] gives this launch and no error.
-    pub is_sound: T::Mask,
+    pub is_valid: T::Mask,
 }
 
-impl<T: Numbers> Unchecked<T> {
+impl<T: Numbers> LaneImpact<T> {
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         let delivery = Delivery::new(&setup.swing);
@@ -97,19 +97,19 @@ impl<T: Numbers> Unchecked<T> {
         let system = collision.contact_system();
         let sticking = collision.sticking(&system);
         let above_zero = inlined!(|x: T| (-x).below(0.0));
-        let mut is_sound = q.below(1.0)
+        let mut is_valid = q.below(1.0)
             & above_zero(collision.approach().dot(collision.normal))
             & system.inertia.is_positive()
             & system.compliance.is_positive()
             & above_zero(sticking.dot(collision.normal));
         if setup.impact.restitution_slope.is_some() {
-            is_sound = is_sound & collision.has_restitution();
+            is_valid = is_valid & collision.has_restitution();
         }
         let impulse = match setup.impact.friction {
             None => sticking,
             Some(friction) => {
                 let limited = friction::limited(&collision, &system, sticking, friction);
-                is_sound = is_sound
+                is_valid = is_valid
                     & limited.separates()
                     & above_zero(limited.impulse.dot(collision.normal));
                 limited.impulse
@@ -129,7 +129,7 @@ impl<T: Numbers> Unchecked<T> {
         };
         Self {
             launch,
-            is_sound: is_sound & size.below(f64::MAX),
+            is_valid: is_valid & size.below(f64::MAX),
         }
     }
 }

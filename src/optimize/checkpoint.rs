@@ -2,9 +2,9 @@
 
 use super::observer::Snapshot;
 use super::solution::Solution;
-use crate::beside::{beside, folder_of, put};
+use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::error::{Error, Result};
-use crate::foreign::{of_io, of_write};
+use crate::external_errors::{read_error_text, write_error_text};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{ErrorKind, Write};
@@ -57,7 +57,7 @@ impl Checkpoint {
         let text = match std::fs::read_to_string(path) {
             Ok(text) => Some(text),
             Err(error) if error.kind() == ErrorKind::NotFound => None,
-            Err(error) => return Err(refuse(of_io(&error))),
+            Err(error) => return Err(refuse(read_error_text(&error))),
         };
         let content = match &text {
             Some(text) => serde_json::from_str(text).map_err(|_| {
@@ -112,9 +112,9 @@ impl Checkpoint {
 
     fn write(&self, content: &Content, may_replace: bool) -> Result<()> {
         let written = || -> std::io::Result<()> {
-            let mut file = beside(&self.path)?;
+            let mut file = create_beside(&self.path)?;
             file.write_all(&serde_json::to_vec(content)?)?;
-            Ok(put(file.into_temp_path(), &self.path, may_replace)?)
+            Ok(persist(file.into_temp_path(), &self.path, may_replace)?)
         };
         written().map_err(|error| {
             let folder = folder_of(&self.path);
@@ -128,7 +128,7 @@ impl Checkpoint {
                 ),
                 _ => format!(
                     "it cannot be written ({}); name another place",
-                    of_write(&error)
+                    write_error_text(&error)
                 ),
             };
             Error::Checkpoint {

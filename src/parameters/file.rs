@@ -12,7 +12,7 @@ use super::setup::table_beside;
 use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
-use crate::foreign::of_toml;
+use crate::external_errors::toml_error_text;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
@@ -76,7 +76,7 @@ impl SetupFile {
     pub fn read(text: &str, file: &str) -> Result<Self> {
         let table = DeTable::parse(text).map_err(|error| Error::Toml {
             file: file.into(),
-            message: of_toml(&error, text, |at| place_in(text, at)),
+            message: toml_error_text(&error, text, |at| place_in(text, at)),
         })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);

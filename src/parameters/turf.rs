@@ -67,7 +67,7 @@ pub static TURFS: &[Preset] = &[
 
 impl super::Parameter {
     /// Whether only the run of the ball on the ground depends on it, and nothing before.
-    pub fn is_of_the_run(&self) -> bool {
+    pub fn affects_only_run(&self) -> bool {
         self.name.starts_with(GROUP) && self.name != HEIGHT
     }
 }

@@ -3,7 +3,7 @@ use super::hash::Hash;
 use super::question::Question;
 use super::share::{file_name, rows_of};
 use crate::error::{Error, Result};
-use crate::foreign::of_io;
+use crate::external_errors::read_error_text;
 use crate::statistics::Summary;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -83,8 +83,12 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
         file: folder.display().to_string(),
         reason,
     };
-    let unreadable =
-        |error: std::io::Error| refuse(format!("{}; name the folder of the parts", of_io(&error)));
+    let unreadable = |error: std::io::Error| {
+        refuse(format!(
+            "{}; name the folder of the parts",
+            read_error_text(&error)
+        ))
+    };
     let mut names = vec![];
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         names.push(

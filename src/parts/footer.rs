@@ -1,6 +1,6 @@
 use super::hash::Hash;
 use super::question::Question;
-use crate::foreign::{of_io, of_parquet};
+use crate::external_errors::{parquet_error_text, read_error_text};
 use crate::statistics::Summary;
 use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
 use serde::{Deserialize, Serialize};
@@ -60,10 +60,11 @@ pub(super) struct Footer {
 impl Footer {
     /// Reads it; or why it cannot be read.
     pub fn read(path: &Path) -> Result<Self, String> {
-        let mut file = File::open(path).map_err(|error| of_io(&error))?;
+        let mut file = File::open(path).map_err(|error| read_error_text(&error))?;
         let metadata = ParquetMetaDataReader::new().parse_and_finish(&file);
-        let metadata = metadata
-            .map_err(|error| format!("its footer cannot be read ({})", of_parquet(&error)))?;
+        let metadata = metadata.map_err(|error| {
+            format!("its footer cannot be read ({})", parquet_error_text(&error))
+        })?;
         let notes = metadata
             .file_metadata()
             .key_value_metadata()
@@ -74,7 +75,7 @@ impl Footer {
         else {
             return Err("it is not a part of a sweep of longdrive".into());
         };
-        let (bytes, data) = lengths(&mut file).map_err(|error| of_io(&error))?;
+        let (bytes, data) = lengths(&mut file).map_err(|error| read_error_text(&error))?;
         let rows: i64 = metadata
             .row_groups()
             .iter()
@@ -104,8 +105,9 @@ impl Footer {
 
     /// The manifest of the file, whose bytes are all read.
     pub fn manifest(self, path: &Path) -> Result<Manifest, String> {
-        let file = File::open(path).map_err(|error| of_io(&error))?;
-        let (data, sha256) = Hash::of_file(file, self.data).map_err(|error| of_io(&error))?;
+        let file = File::open(path).map_err(|error| read_error_text(&error))?;
+        let (data, sha256) =
+            Hash::of_file(file, self.data).map_err(|error| read_error_text(&error))?;
         if data != self.part.data {
             return Err(
                 "its rows are not those that were written: their SHA-256 is not that in its footer"

@@ -2,8 +2,8 @@ use super::footer::{Footer, Manifest, PART, Part};
 use super::hash::Hash;
 use super::question::Question;
 use super::share::{file_name, rows_of};
+use crate::atomic_file::create_beside;
 use crate::batch::{Batch, Block, Points, Run};
-use crate::beside::beside;
 use crate::error::{Error, Result};
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
 use crate::statistics::{Bins, Sought, Summarized};
@@ -105,7 +105,7 @@ impl Dataset {
                  part {part} again"
             ))
         };
-        let mut file = Unfinished::new(beside(&path).map_err(unwritten)?);
+        let mut file = Unfinished::new(create_beside(&path).map_err(unwritten)?);
         file.write(&self.table.head()).map_err(unwritten)?;
         let mut summary = self.summarized.none();
         let (mut waiting, mut placed, mut done) = (vec![], vec![], 0);
@@ -196,7 +196,7 @@ impl Dataset {
     fn refuse_strangers(&self, folder: &Path, place: &Path) -> Result<()> {
         let entries = fs::read_dir(folder).map_err(|error| Error::Results {
             file: folder.display().to_string(),
-            reason: crate::foreign::of_io(&error),
+            reason: crate::external_errors::read_error_text(&error),
         })?;
         let is_part = |path: &Path| {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -252,7 +252,7 @@ impl Unfinished {
         self.file.as_file().sync_all()?;
         self.file.persist(path)?;
         #[cfg(unix)]
-        File::open(crate::beside::folder_of(path))?.sync_all()?;
+        File::open(crate::atomic_file::folder_of(path))?.sync_all()?;
         Ok((self.bytes, self.hash.hex()))
     }
 }

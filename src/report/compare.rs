@@ -166,7 +166,7 @@ pub fn comparison_text(comparison: &Comparison, titles: [String; 2], system: Sys
         let change = match values {
             [None, None] => return None,
             [Some(a), Some(b)] => {
-                let change = of.beside(b, a) - a;
+                let change = of.unwrap_angle(b, a) - a;
                 shown::change(
                     *of,
                     if shown::is_rounding(*of, a, change) {

@@ -1,7 +1,7 @@
 use super::{Reply, json, lines::note, lines::paragraph, shown, table::table};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
-use crate::drive::{Drive, Outcome, Part};
+use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::flight::Flight;
 use crate::ground::Rest;
 use crate::impact::{Grip, Impact};
@@ -77,7 +77,7 @@ impl DriveReport {
 pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<Map<String, Value>> {
     let range = |ends: [f64; 2]| json!({ "low": json::number(Some(ends[0])), "high": json::number(Some(ends[1])) });
     let fitted = setup.law.fitted();
-    let within = drive.within_the_law(setup);
+    let within = drive.flown_ranges(setup);
     let each = fitted.ranges().into_iter().zip(within).map(|((name, _, known), within)| {
         let told = known.zip(within).map(|(known, within)| {
             json!({ "fitted": range(known), "flown": range(within.flown), "share_outside": json::number(Some(within.outside)) })
@@ -93,7 +93,7 @@ pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<Map<St
 pub(super) fn launch(drive: &Drive<f64>) -> Map<String, Value> {
     let launch = &drive.launch;
     let vectors = vectors([("velocity", launch.velocity), ("spin_vector", launch.spin)]);
-    of_part(drive, Part::Launch)
+    of_part(drive, OutcomeGroup::Launch)
         .into_iter()
         .chain(vectors)
         .collect()
@@ -101,11 +101,11 @@ pub(super) fn launch(drive: &Drive<f64>) -> Map<String, Value> {
 
 /// The outcomes of the flight; `None` where the ball does not land.
 pub(super) fn flight(drive: &Drive<f64>) -> Option<Map<String, Value>> {
-    matches!(drive.flight, Flight::Landed(_)).then(|| of_part(drive, Part::Flight))
+    matches!(drive.flight, Flight::Landed(_)).then(|| of_part(drive, OutcomeGroup::Flight))
 }
 
-fn of_part(drive: &Drive<f64>, part: Part) -> Map<String, Value> {
-    json::named(Outcome::of_part(part).map(|outcome| (outcome.name(), outcome.value(drive))))
+fn of_part(drive: &Drive<f64>, group: OutcomeGroup) -> Map<String, Value> {
+    json::named(Outcome::in_group(group).map(|outcome| (outcome.name(), outcome.value(drive))))
 }
 
 fn vectors(pairs: [(&str, Vector<f64>); 2]) -> impl Iterator<Item = (String, Value)> {
@@ -117,8 +117,8 @@ fn vectors(pairs: [(&str, Vector<f64>); 2]) -> impl Iterator<Item = (String, Val
 /// A drive as text: what a launch monitor shows, and the flight; each number in the units of
 /// `system`, then in the other's.
 pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
-    let part = |title: &str, part| {
-        let texts = Outcome::of_part(part)
+    let part = |title: &str, group| {
+        let texts = Outcome::in_group(group)
             .map(|outcome| {
                 (
                     outcome,
@@ -150,7 +150,7 @@ pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
         });
         table(&[title, "", ""], &[], rows)
     };
-    let launch = part("launch", Part::Launch);
+    let launch = part("launch", OutcomeGroup::Launch);
     let mut bodies = format!(
         "  ball velocity {}\n",
         components(drive.launch.velocity, system)
@@ -169,7 +169,7 @@ pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
             let run = note(&on_the_run(landed.rest.as_ref()).in_units(system));
             format!(
                 "{launch}\n{bodies}\n{}\n{run}",
-                part("flight", Part::Flight)
+                part("flight", OutcomeGroup::Flight)
             )
         }
         Flight::None(why) => {

@@ -276,7 +276,7 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     // what is sought of the run is told with the rest of it
     let run = [Outcome::Total, Outcome::Run]
         .into_iter()
-        .filter(|other| of.is_of_the_run() && *other != of);
+        .filter(|other| of.needs_run() && *other != of);
     let run = run.filter_map(|other| {
         Some(row(
             other.name(),

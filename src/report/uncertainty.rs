@@ -2,7 +2,7 @@ use super::lines::item;
 use super::reply::{Reply, share};
 use super::table::table;
 use super::{json, shown};
-use crate::drive::Part;
+use crate::drive::OutcomeGroup;
 use crate::study::uncertainty::{
     Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty,
 };
@@ -254,8 +254,8 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
         table(&[of.name(), "mean", "standard deviation"], &[1, 2], rows)
     );
     let [low, middle, high] = sampled.quantiles.map(value);
-    let drives = match of.part() {
-        Part::Flight if found.part_without_landing() > 0.0 => "drives that land",
+    let drives = match of.group() {
+        OutcomeGroup::Flight if found.part_without_landing() > 0.0 => "drives that land",
         _ => "drives",
     };
     text +=

@@ -3,7 +3,7 @@
 use super::section::Section;
 use super::shot::Shot;
 use crate::batch::{Block, Status};
-use crate::drive::{Beyond, Outcome};
+use crate::drive::{ExceededLimits, Outcome};
 use crate::table::is_sideways;
 
 /// How the flight of a row ended that was not flown.
@@ -76,7 +76,7 @@ impl Flown {
     }
 
     /// In what the drive of a row that landed is outside of what the model is made for.
-    pub fn beyond(&self, row: usize) -> Beyond {
+    pub fn beyond(&self, row: usize) -> ExceededLimits {
         self.flights[row]
             .map(|flight| self.block.beyond(flight))
             .unwrap_or_default()
@@ -113,7 +113,7 @@ impl Flown {
     /// that is not said to be that of the shots.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
-        let has_no_ground = of.is_of_the_run() && !self.is_on_their_ground;
+        let has_no_ground = of.needs_run() && !self.is_on_their_ground;
         if has_no_ground || is_sideways(of) && shot.is_straight_by_assumption {
             return None;
         }

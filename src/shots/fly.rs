@@ -7,7 +7,7 @@ use super::shot::{LAUNCH, Shot};
 use super::source::{Chunk, Shots};
 use super::tally::Tally;
 use crate::batch::{Batch, CHUNK, Run, in_order};
-use crate::drive::{Outcome, Part};
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use std::sync::atomic::Ordering;
@@ -54,9 +54,9 @@ impl Flying {
     }
 
     fn with(setup: &Setup<f64>, parameters: &[&'static Parameter], of: &[Outcome]) -> Result<Self> {
-        if let Some(of_launch) = of.iter().find(|of| of.part() != Part::Flight) {
-            let why = match of_launch.part() {
-                Part::Head => "it is of the club, and no club strikes the balls of shots",
+        if let Some(of_launch) = of.iter().find(|of| of.group() != OutcomeGroup::Flight) {
+            let why = match of_launch.group() {
+                OutcomeGroup::Head => "it is of the club, and no club strikes the balls of shots",
                 _ => "it is of the launch, which each row gives",
             };
             let source = format!("{why}; name outcomes of the flight").into();

@@ -5,7 +5,7 @@ use super::flown::Flown;
 use super::shot::Origin;
 use super::unit_checks::Comparison;
 use crate::batch::Status;
-use crate::drive::{BeyondCount, Outcome};
+use crate::drive::{ExceededCount, Outcome};
 use crate::table::Refusal;
 use crate::units::Message;
 use std::collections::BTreeMap;
@@ -114,7 +114,7 @@ pub struct Tally {
     /// Rows with something assumed or not compared.
     pub noted: u64,
     /// Those that landed beyond what the law was fitted to.
-    pub beyond: BeyondCount,
+    pub beyond: ExceededCount,
     /// Rows that landed whose spin ratio is above that of drives.
     pub lofted: u64,
     /// Predicted beside measured values.
@@ -152,7 +152,7 @@ impl Tally {
             spin_not_measured: 0,
             normalized: 0,
             noted: 0,
-            beyond: BeyondCount::default(),
+            beyond: ExceededCount::default(),
             lofted: 0,
             comparison: Comparison::new(of.len()),
         }

@@ -2,7 +2,7 @@ use super::histogram::{Bins, Histogram};
 use super::moments::Moments;
 use super::ranking::{Ranking, Sought};
 use crate::batch::{Batch, Block, Status, Tally};
-use crate::drive::{BeyondCount, Outcome};
+use crate::drive::{ExceededCount, Outcome};
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -127,7 +127,7 @@ impl Summarized {
         let mut tally = Tally::default();
         tally.add(block);
         summary.statuses = tally.counts().collect();
-        let BeyondCount {
+        let ExceededCount {
             law, face, flat, ..
         } = tally.beyond();
         summary.beyond = [law, face, flat];
@@ -194,7 +194,7 @@ impl Summary {
             .unwrap_or_default();
         Tally::of(
             &self.statuses,
-            BeyondCount {
+            ExceededCount {
                 all,
                 law,
                 face,

@@ -253,7 +253,7 @@ impl Sample {
                     let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
                         (Some(exact), Some(flown)) => (exact, flown),
                         // a ball that lands and does not come to rest
-                        (None, None) if of.is_of_the_run() => continue,
+                        (None, None) if of.needs_run() => continue,
                         _ => return Ok(Err((row, None))),
                     };
                     let error = (flown - exact).abs();

@@ -4,7 +4,7 @@ use super::Vary;
 use super::optimum::{Active, Optimum, local_optimum, optimum};
 use super::search::Search;
 use super::sensitivity::sensitivity;
-use crate::drive::{BeyondCount, Looked};
+use crate::drive::{CheckScope, ExceededCount};
 use crate::error::{Error, Result};
 use crate::optimize::continuation::{LONGEST, RADIUS, Stride, TOO_FAR, apart, located, predicted};
 use crate::optimize::{Bounds, Iteration, Observer, Options, Status};
@@ -86,11 +86,12 @@ impl Chart {
         let Some(first) = self.points.first() else {
             return vec![];
         };
-        let mut count = BeyondCount::default();
+        let mut count = ExceededCount::default();
         let (mut law, mut face, mut flat) = (Reach::default(), Reach::default(), Reach::default());
         for ChartPoint { at, best, .. } in &self.points {
             if let Some(drive) = &best.drive {
-                let beyond = drive.beyond(&best.setup, Looked::AtFlight, &best.search.outcomes());
+                let beyond =
+                    drive.exceeded_limits(&best.setup, CheckScope::Flight, &best.search.outcomes());
                 count.add(beyond);
                 law.add(*at, beyond.law);
                 face.add(*at, beyond.face);
@@ -100,7 +101,7 @@ impl Chart {
         let warnings = count.warnings(
             &first.best.setup.law,
             ["optimum", "optima"],
-            Looked::AtFlight,
+            CheckScope::Flight,
         );
         // in their order, those that there are
         let reaches = [law, face, flat]

@@ -100,8 +100,8 @@ pub fn effects(
     sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();
     // what only the run depends on, where none is asked for
-    let runs = of.iter().any(|of| of.is_of_the_run());
-    parameters.retain(|parameter| runs || !parameter.is_of_the_run());
+    let runs = of.iter().any(|of| of.needs_run());
+    parameters.retain(|parameter| runs || !parameter.affects_only_run());
     let taylors = evaluate(setup, of, &parameters, Order::First)?;
     let mut bars: Vec<Vec<Bar>> = vec![vec![]; of.len()];
     for (done, sigma) in sigmas.iter().enumerate() {
@@ -163,7 +163,7 @@ pub fn effects(
 
 /// From one value of an outcome to another.
 fn change(of: Outcome, from: f64, to: f64) -> f64 {
-    of.beside(to, from) - from
+    of.unwrap_angle(to, from) - from
 }
 
 /// What effects are ranked by: a bar before none, then the size.

@@ -90,8 +90,11 @@ impl Face {
             .unwrap_or_default();
         let tilt = |(node, axis): (usize, &Option<f64>)| {
             let at = tilted.node(node);
-            Some((at, Outcome::SpinAxis.beside((*axis)?, straight) - straight))
-                .filter(|(at, _)| is_on(half, *at))
+            Some((
+                at,
+                Outcome::SpinAxis.unwrap_angle((*axis)?, straight) - straight,
+            ))
+            .filter(|(at, _)| is_on(half, *at))
         };
         let tilts = tilted.values[0]
             .iter()

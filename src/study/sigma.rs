@@ -232,12 +232,12 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Res
         }
     }
     let mut all = given.to_vec();
-    let runs = of.iter().any(|of| of.is_of_the_run());
+    let runs = of.iter().any(|of| of.needs_run());
     for (name, amount, source) in DEFAULTS {
         let Ok(parameter) = setup.variable(name) else {
             continue;
         };
-        let has_no_effect = parameter.is_of_the_run() && !runs;
+        let has_no_effect = parameter.affects_only_run() && !runs;
         if has_no_effect || given.iter().any(|sigma| sigma.parameter == parameter) {
             continue;
         }

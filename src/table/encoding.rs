@@ -1,7 +1,7 @@
 //! Texts as programs save them: in UTF-8 or in UTF-16, behind one byte-order mark or more, or in
 //! Windows-1252.
 
-use crate::foreign::NOT_UTF_8;
+use crate::external_errors::NOT_UTF_8;
 use encoding_rs::WINDOWS_1252;
 use std::io::{self, Read};
 

@@ -6,9 +6,9 @@ use super::head::{Head, Wanted};
 use super::launch_monitor::is_head;
 use super::lines::{Lines, Record};
 use super::refusal::Refusal;
-use crate::cells::separated;
+use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
-use crate::foreign::of_io;
+use crate::external_errors::read_error_text;
 use crate::parameters::Setup;
 use std::io::{self, BufReader, Cursor, Read};
 
@@ -38,7 +38,7 @@ impl SourceName {
     }
 
     pub fn io<T>(&self, result: io::Result<T>) -> Result<T> {
-        result.map_err(|error| self.refused(String::new(), of_io(&error)))
+        result.map_err(|error| self.refused(String::new(), read_error_text(&error)))
     }
 }
 
@@ -237,7 +237,7 @@ impl HeadPlace {
             beginning,
             Encoding::Utf8,
         );
-        let stated = separated(beginning);
+        let stated = detect_separator(beginning);
         let stated =
             (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
         let mut first = None;
@@ -246,7 +246,7 @@ impl HeadPlace {
             let Ok(Some((line, text))) = lines.text_line() else {
                 break;
             };
-            let separator = stated.unwrap_or_else(|| separated(&text).0);
+            let separator = stated.unwrap_or_else(|| detect_separator(&text).0);
             lines.give_back((line, text));
             let Ok(Some(record)) = lines.record(separator) else {
                 break;

@@ -316,7 +316,7 @@ fn exact_carry_does_not_depend_on_the_ground() {
         for (i, parameter) in all.iter().enumerate() {
             let (alone, both) = (of_carry.gradient[i], carry.gradient[i]);
             close(alone, both, both.abs().max(1e-9), 1e-12, parameter.name);
-            if parameter.is_of_the_run() {
+            if parameter.affects_only_run() {
                 assert_eq!((alone, both), (0.0, 0.0), "{}", parameter.name);
                 assert!(
                     of_carry
@@ -329,7 +329,7 @@ fn exact_carry_does_not_depend_on_the_ground() {
                 );
             }
         }
-        let of_the_run = (0..all.len()).filter(|i| all[*i].is_of_the_run());
+        let of_the_run = (0..all.len()).filter(|i| all[*i].affects_only_run());
         let moves: Vec<_> = of_the_run
             .filter(|i| total.gradient[*i] != 0.0)
             .map(|i| all[i].name)

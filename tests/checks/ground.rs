@@ -105,7 +105,7 @@ fn exact_ball_embeds_in_wet_ground() {
 /// The run does not change the flight before it, to the last bit.
 #[test]
 fn same_flight_with_and_without_the_run() {
-    let all = |of: &Outcome| !of.is_of_the_run() && *of != Outcome::SmashFactor;
+    let all = |of: &Outcome| !of.needs_run() && *of != Outcome::SmashFactor;
     let of: Vec<_> = Outcome::ALL.iter().copied().filter(all).collect();
     let with: Vec<_> = of.iter().copied().chain(OF_THE_RUN).collect();
     for preset in PRESETS {

@@ -6,7 +6,7 @@ use crate::program;
 use crate::schema::faults;
 use crate::validation::ANSWERED;
 use longdrive::Outcome;
-use longdrive::drive::Part;
+use longdrive::drive::OutcomeGroup;
 use serde_json::Value;
 use std::fs;
 
@@ -398,7 +398,7 @@ fn names_in_the_schemas_are_those_of_the_program() {
             .contains(&name.into())
     };
     for outcome in Outcome::ALL {
-        let part = if outcome.part() == Part::Launch {
+        let part = if outcome.group() == OutcomeGroup::Launch {
             "launch"
         } else {
             "flight"

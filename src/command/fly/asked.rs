@@ -4,7 +4,7 @@
 use crate::command::args::Fly;
 use crate::command::names::outcomes;
 use crate::command::request::Request;
-use crate::drive::Part;
+use crate::drive::OutcomeGroup;
 use crate::shots::Flying;
 use crate::{Error, Outcome, Result, Setup};
 
@@ -14,7 +14,7 @@ pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
     let of = outcomes(&args.of)?;
     Ok(if is_all {
         of.into_iter()
-            .filter(|of| of.part() == Part::Flight)
+            .filter(|of| of.group() == OutcomeGroup::Flight)
             .collect()
     } else {
         of

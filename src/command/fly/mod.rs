@@ -9,7 +9,7 @@ use crate::command::args::Fly;
 use crate::command::interrupt;
 use crate::command::output::{Answer, system, tell, warn};
 use crate::command::request::Request;
-use crate::drive::Looked;
+use crate::drive::CheckScope;
 use crate::parameters::{Law, Preset};
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
@@ -70,7 +70,7 @@ fn fly(args: &Fly) -> Result<Answer> {
     let mut warnings = setup.warnings();
     warn(&warnings);
     let mut remarks: Vec<Message> = shots.remarks().to_vec();
-    if !is_on_their_ground && of.iter().any(|of| of.is_of_the_run() && shots.has(*of)) {
+    if !is_on_their_ground && of.iter().any(|of| of.needs_run() && shots.has(*of)) {
         remarks.push(
             "the measured totals are not compared: the ground is not given; name it with \
                       --set ground.turf=average, or another"
@@ -124,7 +124,7 @@ fn fly(args: &Fly) -> Result<Answer> {
     let beyond = tally.beyond.warnings(
         &setup.law,
         ["shot that landed", "shots that landed"],
-        Looked::AtLaunch,
+        CheckScope::Launch,
     );
     warn(&beyond);
     warnings.extend(beyond);

@@ -152,7 +152,7 @@ fn of_the_flight() -> Vec<Outcome> {
     Outcome::ALL
         .iter()
         .copied()
-        .filter(|of| !of.is_of_the_run())
+        .filter(|of| !of.needs_run())
         .collect()
 }
 

@@ -1,7 +1,7 @@
 use super::rows::Question;
+use crate::atomic_file::{create_beside, persist};
 use crate::batch::{Status, Tally};
-use crate::beside::{beside, put};
-use crate::drive::BeyondCount;
+use crate::drive::ExceededCount;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -52,7 +52,7 @@ pub struct Entry {
 
 impl Entry {
     pub fn new(rows: u64, bytes: u64, tally: Tally, group: &[u8]) -> Self {
-        let BeyondCount {
+        let ExceededCount {
             all,
             law,
             face,
@@ -71,7 +71,7 @@ impl Entry {
         let [all, law, face, flat] = self.beyond;
         Tally::of(
             &self.drives,
-            BeyondCount {
+            ExceededCount {
                 all,
                 law,
                 face,
@@ -123,7 +123,7 @@ impl Journal {
             None
         };
         replaced.as_ref().map_or(Ok(()), lock)?;
-        let mut beside = beside(&path)?;
+        let mut beside = create_beside(&path)?;
         let mut line = serde_json::to_vec(&Begun {
             question: question.clone(),
             overwrite,
@@ -135,7 +135,7 @@ impl Journal {
         lock(beside.as_file())?;
         let (file, at) = beside.into_parts();
         // of two that begin at once one finds the other's
-        put(at, &path, replaced.is_some()).map_err(|failed| match failed.error.kind() {
+        persist(at, &path, replaced.is_some()).map_err(|failed| match failed.error.kind() {
             io::ErrorKind::AlreadyExists => busy(),
             _ => failed.error,
         })?;

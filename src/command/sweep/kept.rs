@@ -2,10 +2,10 @@ use super::journal::{Entry, Journal};
 #[cfg(feature = "parquet")]
 use super::rows::Table;
 use super::rows::{Content, Rows, Writer};
+use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
 use crate::batch::Tally;
-use crate::beside::put;
 use crate::command::files::{exists, refused, unwritable};
 use crate::command::output::tell;
 #[cfg(feature = "parquet")]
@@ -273,7 +273,7 @@ impl<'a> Kept<'a> {
             let in_place = || {
                 self.file.sync_all()?;
                 let part = TempPath::try_from_path(&self.files.part)?;
-                put(part, &self.files.whole, self.journal.overwrite).map_err(|failed| {
+                persist(part, &self.files.whole, self.journal.overwrite).map_err(|failed| {
                     // it is not for us to delete
                     let _ = failed.path.keep();
                     failed.error

@@ -14,7 +14,7 @@ use crate::batch::{Run, Status, Tally};
 use crate::command::args::Sweep;
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, say_error, tell, warn};
-use crate::drive::Looked;
+use crate::drive::CheckScope;
 use crate::report::Reply;
 use crate::units::{Message, counted};
 use crate::{Error, Result};
@@ -100,7 +100,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     let beyond = beyond.warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
-        Looked::AtLaunch,
+        CheckScope::Launch,
     );
     warn(&beyond);
     warnings.extend(beyond);

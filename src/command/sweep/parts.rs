@@ -6,7 +6,7 @@ use crate::command::args::{PartOf, Sweep};
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, system, tell, warn};
-use crate::drive::Looked;
+use crate::drive::CheckScope;
 use crate::parts::{self, Checked, Dataset, Manifest, Question, Written};
 use crate::report::{Reply, summary_text};
 use crate::statistics::{Bins, Sought};
@@ -87,7 +87,7 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     let beyond = beyond.warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
-        Looked::AtLaunch,
+        CheckScope::Launch,
     );
     warn(&beyond);
     warnings.extend(beyond);

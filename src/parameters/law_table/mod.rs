@@ -10,8 +10,8 @@ pub use grid::{Along, Axis};
 pub(crate) use surface::{Cell, Surface, cells_of};
 
 use crate::error::{Error, Result};
+use crate::external_errors::read_error_text;
 use crate::fingerprint::Fingerprint;
-use crate::foreign::of_io;
 use std::fmt;
 use std::path::{Path, absolute};
 use std::sync::{Mutex, PoisonError};
@@ -50,8 +50,8 @@ impl LawTable {
             place,
             reason,
         };
-        let text =
-            std::fs::read_to_string(path).map_err(|error| refuse(String::new(), of_io(&error)))?;
+        let text = std::fs::read_to_string(path)
+            .map_err(|error| refuse(String::new(), read_error_text(&error)))?;
         let nodes = read::nodes(&text).map_err(|(place, reason)| refuse(place, reason))?;
         let whole = absolute(path)
             .ok()

@@ -1,9 +1,9 @@
 //! The nodes of a table as its file has them.
 
 use super::grid::Along;
-use crate::cells::separated;
+use crate::csv_dialect::detect_separator;
 use crate::error::Error;
-use crate::foreign::of_csv_row;
+use crate::external_errors::csv_row_error_text;
 use crate::units::Quantity;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
@@ -50,7 +50,7 @@ const COLUMNS: &str = "the columns are cd, cl, spin_ratio (or s) or spin [rpm], 
 
 /// Reads the text of a table.
 pub(super) fn nodes(text: &str) -> Result<Nodes, Wrong> {
-    let (separator, rest) = separated(text);
+    let (separator, rest) = detect_separator(text);
     let skipped = text[..text.len() - rest.len()].matches('\n').count() as u64;
     let mut reader = ReaderBuilder::new()
         .trim(Trim::All)
@@ -61,7 +61,7 @@ pub(super) fn nodes(text: &str) -> Result<Nodes, Wrong> {
     let unreadable = |error: &csv::Error| {
         (
             format!(", line {}", line(error.position())),
-            of_csv_row(error, text.as_bytes()),
+            csv_row_error_text(error, text.as_bytes()),
         )
     };
     let heads = reader

@@ -74,7 +74,7 @@ fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
             .parse::<f64>()
             .map_or(value, |number| number * size)
     };
-    let by = printed(of.beside(to, from)) - printed(from);
+    let by = printed(of.unwrap_angle(to, from)) - printed(from);
     signed(by, of.quantity().read_off(by, unit))
 }
 

@@ -2,7 +2,7 @@
 
 use super::findings::{Findings, SETUP_FILE};
 use super::numbers::{loss, outcome, parameter};
-use crate::drive::{Outcome, Part};
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{GOLFER, METHOD, Parameter, SPEED_OF};
 use crate::report::certificate::settled;
@@ -69,7 +69,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
             thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "what \
                 it is" } } }
             tbody {
-                @for of in Outcome::of_part(Part::Launch).chain(Outcome::of_part(Part::Flight)) {
+                @for of in Outcome::in_group(OutcomeGroup::Launch).chain(Outcome::in_group(OutcomeGroup::Flight)) {
                     tr {
                         td { (of.name().replace('_', " ")) }
                         @for one in flown { td.number { (outcome(of, of.value(&one.drive))) } }

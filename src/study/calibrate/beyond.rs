@@ -2,7 +2,7 @@
 
 use super::residuals::at_shot;
 use super::shot::Shot;
-use crate::drive::{BeyondCount, Drive, Looked};
+use crate::drive::{CheckScope, Drive, ExceededCount};
 use crate::parameters::Setup;
 use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
@@ -22,9 +22,9 @@ pub fn beyond(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Vec<Mess
         drive
             .landed()
             .is_ok()
-            .then(|| drive.beyond(&setup, Looked::AtFlight, &of))
+            .then(|| drive.exceeded_limits(&setup, CheckScope::Flight, &of))
     };
-    let mut count = BeyondCount::default();
+    let mut count = ExceededCount::default();
     let Some(drives) = each_until(shots, stop, looked_at) else {
         return vec![NOT_LOOKED_AT.into()];
     };
@@ -32,5 +32,5 @@ pub fn beyond(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Vec<Mess
         .into_iter()
         .flatten()
         .for_each(|drive| count.add(drive));
-    count.warnings(&setup.law, ["shot", "shots"], Looked::AtFlight)
+    count.warnings(&setup.law, ["shot", "shots"], CheckScope::Flight)
 }

@@ -4,7 +4,7 @@ use super::reading::Reading;
 use super::rows::Rows;
 use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
-use crate::foreign::of_io;
+use crate::external_errors::read_error_text;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
 use crate::table::{ClubColumns, Entry, Text, TextTable, Wanted};
@@ -35,7 +35,7 @@ impl ShotTable {
         let source = File::open(path).map_err(|error| Error::Table {
             file: file.clone(),
             place: String::new(),
-            reason: of_io(&error),
+            reason: read_error_text(&error),
         })?;
         Self::read_rows(setup, &file, source, club)
     }
@@ -68,7 +68,7 @@ impl ShotTable {
             .map_err(|error| Error::Table {
                 file: file.into(),
                 place: String::new(),
-                reason: of_io(&error),
+                reason: read_error_text(&error),
             })?;
         let text = Text::open(file, Cursor::new(bytes))?;
         if is_json(&text.beginning) {

@@ -3,7 +3,7 @@
 use super::instrument::instrument;
 use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
-use crate::drive::{Outcome, Part};
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
@@ -298,7 +298,7 @@ impl Reading {
     fn is_used(&self, outcome: Outcome) -> bool {
         match self.club {
             ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
-            ClubColumns::Read => outcome.part() == Part::Launch,
+            ClubColumns::Read => outcome.group() == OutcomeGroup::Launch,
         }
     }
 
@@ -353,7 +353,7 @@ impl Reading {
                         value => value?,
                     };
                     if let Some(value) = value {
-                        if self.is_launched && outcome.part() == Part::Launch {
+                        if self.is_launched && outcome.group() == OutcomeGroup::Launch {
                             return Err((here(), "rows of launch conditions have no club").into());
                         }
                         let name = || column.head.clone();
@@ -678,8 +678,7 @@ impl Reading {
 /// Takes the columns of where the ball comes to rest out of an export, since its ground is not
 /// known; and says so.
 fn without_totals(head: &mut Head) -> Option<Message> {
-    let is_total =
-        |column: &Column| matches!(column.holds, Holds::Outcome(of) if of.is_of_the_run());
+    let is_total = |column: &Column| matches!(column.holds, Holds::Outcome(of) if of.needs_run());
     let told = head
         .named(is_total)
         .told("where the ball comes to rest is not compared, since the ground is not known");

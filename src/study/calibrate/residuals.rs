@@ -116,7 +116,9 @@ impl ShotResiduals<'_> {
             };
             let asked = Evaluator::new(&setup, &of, &self.fitted, order)?;
             for (taylor, measurement) in asked.at(&values)?.into_iter().zip(&shot.measured) {
-                let computed = measurement.outcome.beside(taylor.value, measurement.value);
+                let computed = measurement
+                    .outcome
+                    .unwrap_angle(taylor.value, measurement.value);
                 let residual = (computed - measurement.value) / measurement.sigma;
                 if residual.abs() > TOO_FAR {
                     return Err(too_far(measurement, computed));

@@ -241,7 +241,7 @@ fn expected(setup: &Setup<f64>, of: Outcome) -> Expected {
     let interpolated = match of {
         // the spin at the landing is interpolated by degree 5 where it is damped by the way through
         // the air
-        _ if of.is_of_the_run() => [6, 5],
+        _ if of.needs_run() => [6, 5],
         _ if is_of_a_velocity => [7, 6],
         _ => [8, 7],
     };

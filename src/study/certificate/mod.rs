@@ -23,7 +23,7 @@ pub use step::StepError;
 
 use crate::derivative::check::Verdict;
 use crate::derivative::{Order, evaluate};
-use crate::drive::{Drive, Outcome, Part};
+use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
@@ -205,7 +205,7 @@ pub fn certify(
     let flown: Vec<Outcome> = of
         .iter()
         .copied()
-        .filter(|of| of.part() == Part::Flight)
+        .filter(|of| of.group() == OutcomeGroup::Flight)
         .collect();
     // at a corner of the model nothing is smooth, and what is said of each parameter is said in its
     // row

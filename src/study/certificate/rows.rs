@@ -125,7 +125,7 @@ pub(super) fn rows(
                 .collect()
         })
     };
-    let beside = |i: usize, taylor: &Taylor| of[i].beside(taylor.value, own[i]);
+    let beside = |i: usize, taylor: &Taylor| of[i].unwrap_angle(taylor.value, own[i]);
     let of_values = Ladder::sample(at, scale, STEPS, &mut |x| told(&values, x, &beside));
     let of_values: Vec<Ladder> = of_values
         .into_iter()

@@ -6,7 +6,7 @@ mod way;
 
 pub use way::{Cause, Share};
 
-use crate::drive::{Drive, Outcome, Part};
+use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
 use split::{Found, Split};
@@ -72,7 +72,7 @@ impl Difference {
     /// turn.
     pub fn amount(&self) -> f64 {
         let [a, b] = self.values;
-        self.of.beside(b, a) - a
+        self.of.unwrap_angle(b, a) - a
     }
 }
 
@@ -163,7 +163,7 @@ impl Comparison {
         let of_flight = || {
             of.iter()
                 .copied()
-                .filter(|of| of.part() == Part::Flight)
+                .filter(|of| of.group() == OutcomeGroup::Flight)
                 .collect()
         };
         let by_launch = self
@@ -186,7 +186,7 @@ impl Comparison {
         let size = values
             .iter()
             .fold(unit, |most, value| most.max(value.abs()));
-        let amount = of.beside(values[1], values[0]) - values[0];
+        let amount = of.unwrap_angle(values[1], values[0]) - values[0];
         let shares = |split: &mut Split<'_>, way: &Way| -> Result<Shares> {
             let Found { shares, error } = split
                 .shares(of, size)
@@ -200,7 +200,9 @@ impl Comparison {
             })
         };
         let by_launch = match (by_launch, &self.launches) {
-            (Some(split), Some(way)) if of.part() == Part::Flight => Some(shares(split, way)?),
+            (Some(split), Some(way)) if of.group() == OutcomeGroup::Flight => {
+                Some(shares(split, way)?)
+            }
             _ => None,
         };
         Ok(Difference {

@@ -158,7 +158,8 @@ impl Way {
             for &place in order {
                 self.change(&mut setup, self.at_once[place]);
                 let after = value(&setup, of)?;
-                shares[place].amount += (of.beside(after, before) - before) / last.min(2) as f64;
+                shares[place].amount +=
+                    (of.unwrap_angle(after, before) - before) / last.min(2) as f64;
                 before = after;
             }
         }

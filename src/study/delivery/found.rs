@@ -35,7 +35,7 @@ impl Explained {
             value,
             sigma,
         } = self.measured;
-        (outcome.beside(self.computed, value) - value) / sigma
+        (outcome.unwrap_angle(self.computed, value) - value) / sigma
     }
 }
 

@@ -67,8 +67,9 @@ impl Launches {
                 let share = |i| sobol::coordinate(k / 2, i, 0).clamp(1e-6, 1.0 - 1e-6);
                 let off = &root * DVector::from_fn(n, |i, _| side * normal.inverse_cdf(share(i)));
                 let found = strike.at(&values(unknowns, &(mean + &off))).ok()?;
-                let changed =
-                    |k: usize| of[k].beside(found[k].value, straight[k].value) - straight[k].value;
+                let changed = |k: usize| {
+                    of[k].unwrap_angle(found[k].value, straight[k].value) - straight[k].value
+                };
                 let changed = DVector::from_fn(count, |k, _| changed(k));
                 let rest = &changed - &slopes * off;
                 Some([changed, rest])

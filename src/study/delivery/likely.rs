@@ -75,7 +75,7 @@ impl Told {
                         - one
                             .measured
                             .outcome
-                            .beside(taylor.value, one.measured.value)
+                            .unwrap_angle(taylor.value, one.measured.value)
                 })
                 .collect();
             let size = own.len();

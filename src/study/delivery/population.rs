@@ -247,7 +247,7 @@ fn returned(
                 if *at == place {
                     let Measurement { value, sigma, .. } = explained.measured;
                     // of a direction all within half a turn of the mean swing's
-                    let computed = of.beside(value - off, launches.at[place]);
+                    let computed = of.unwrap_angle(value - off, launches.at[place]);
                     rows.push(DVector::from_vec(vec![
                         computed + off,
                         off - launches.bend[place],

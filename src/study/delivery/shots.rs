@@ -1,7 +1,7 @@
 use super::found::Delivered;
 use super::solve::delivery;
 use super::unknown::Unknown;
-use crate::drive::{Outcome, Part};
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::study::calibrate::{Measurement, Shot, ShotTable, instrument};
@@ -83,7 +83,7 @@ fn of_shot(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Result<Deli
     let mut launch: Vec<Measurement> = shot
         .measured
         .iter()
-        .filter(|measured| measured.outcome.part() == Part::Launch)
+        .filter(|measured| measured.outcome.group() == OutcomeGroup::Launch)
         .copied()
         .collect();
     for &(parameter, value) in &shot.inputs {

@@ -2,7 +2,7 @@ use super::found::{Delivered, Explained, Known};
 use super::unknown::Unknown;
 use super::untold::untold;
 use crate::derivative::{Evaluator, Order, Taylor};
-use crate::drive::{Outcome, Part};
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::optimize::Domain;
 use crate::optimize::least_squares::{Options, Rows, fit};
@@ -36,7 +36,7 @@ pub fn delivery(
     }
     if let Some(other) = measured
         .iter()
-        .find(|measurement| measurement.outcome.part() != Part::Launch)
+        .find(|measurement| measurement.outcome.group() != OutcomeGroup::Launch)
     {
         return Err(refuse(format!(
             "{} is not of the launch; leave it out",

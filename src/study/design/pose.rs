@@ -2,7 +2,7 @@
 
 use super::held::{By, Held, Standing};
 use super::rules::{Limited, RULES, Rule};
-use crate::drive::{Outcome, is_beside_any_face};
+use crate::drive::{Outcome, is_outside_any_face};
 use crate::error::{Error, Result};
 use crate::impact::Head;
 use crate::parameters::{Parameter, Setup, Vary};
@@ -466,7 +466,7 @@ fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Re
                 source: format!("{strike}, {why}; {advice}").into(),
             })
         };
-        if is_beside_any_face(toe, high) {
+        if is_outside_any_face(toe, high) {
             return refuse(format!("beside {}", crate::drive::any_face()));
         }
         let club = &widest.club;

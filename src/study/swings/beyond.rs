@@ -5,7 +5,7 @@ use super::optimum::{SwingsOptimum, SwingsSearch};
 use super::pareto::Pareto;
 use super::robust::Robust;
 use super::scenarios::Scenarios;
-use crate::drive::{Beyond, BeyondCount, BeyondShare, Drive, Looked, Outcome};
+use crate::drive::{CheckScope, Drive, ExceededCount, ExceededLimits, ExceededShare, Outcome};
 use crate::parameters::Setup;
 use crate::study::problem::moved;
 use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
@@ -19,17 +19,17 @@ pub fn beyond_share(
     scenarios: &Scenarios,
     of: &[Outcome],
     stop: &AtomicBool,
-) -> Option<BeyondShare> {
+) -> Option<ExceededShare> {
     let looked_at = |point: &Vec<f64>| {
         let setup = moved(setup, &scenarios.parameters, point).ok()?;
         let drive = Drive::new(&setup).ok()?;
         drive
             .landed()
             .is_ok()
-            .then(|| drive.beyond(&setup, Looked::AtFlight, of))
+            .then(|| drive.exceeded_limits(&setup, CheckScope::Flight, of))
     };
-    let drives: Vec<Option<Beyond>> = each_until(&scenarios.points, stop, looked_at)?;
-    let mut share = BeyondShare::default();
+    let drives: Vec<Option<ExceededLimits>> = each_until(&scenarios.points, stop, looked_at)?;
+    let mut share = ExceededShare::default();
     for (drive, weight) in drives.into_iter().zip(&scenarios.weights) {
         share.add(drive.unwrap_or_default(), *weight);
     }
@@ -122,7 +122,7 @@ impl Pareto {
             .chain(self.search.subject_to.iter().map(|limit| &limit.goal))
             .flat_map(|goal| goal.outcomes())
             .collect();
-        let mut count = BeyondCount::default();
+        let mut count = ExceededCount::default();
         for point in &self.points {
             let Some(share) = beyond_share(&point.setup, &self.scenarios, &of, stop) else {
                 return vec![NOT_LOOKED_AT.into()];
@@ -136,6 +136,6 @@ impl Pareto {
                 "points of the front, with 1 % of the swings or more",
             ],
         };
-        count.warnings(&first.setup.law, what, Looked::AtFlight)
+        count.warnings(&first.setup.law, what, CheckScope::Flight)
     }
 }

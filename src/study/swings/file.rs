@@ -1,7 +1,7 @@
 use super::golfer::{Correlation, Swings};
 use crate::batch::Points;
 use crate::error::{Error, Result};
-use crate::foreign::{of_io, of_toml};
+use crate::external_errors::{read_error_text, toml_error_text};
 use crate::parameters::{Setup, in_file, place_in};
 use crate::study::uncertainty::Uncertain;
 use crate::table::open_table;
@@ -40,7 +40,7 @@ impl Swings {
         let file = path.display().to_string();
         let text = std::fs::read_to_string(path).map_err(|error| Error::Unreadable {
             name: format!("the swings in {file}"),
-            source: of_io(&error).into(),
+            source: read_error_text(&error).into(),
         })?;
         read(setup, &text, &file)
     }
@@ -98,7 +98,7 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
 fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
     let table = DeTable::parse(text).map_err(|error| Error::Toml {
         file: file.into(),
-        message: of_toml(&error, text, |at| place_in(text, at)),
+        message: toml_error_text(&error, text, |at| place_in(text, at)),
     })?;
     let wrong = |at: usize, source: Error| in_file(text, file, at, source);
     let (mut inputs, mut correlations) = (vec![], vec![]);

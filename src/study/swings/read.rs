@@ -254,7 +254,7 @@ fn read_term(
     let Some((name, rest)) = call.split_once('(') else {
         return match Outcome::named(call) {
             // no swing changes it: its mean is its value
-            Ok(of) if of.part() == drive::Part::Head => {
+            Ok(of) if of.group() == drive::OutcomeGroup::Head => {
                 let text = term.text.replace(call, &format!("mean({call})"));
                 read_term(
                     expression,

@@ -104,7 +104,7 @@ fn refuse_outcome(expression: &str, name: &str) -> Result<()> {
     let Ok(of) = Outcome::named(name.trim()) else {
         return Ok(());
     };
-    let limit = if of.part() == drive::Part::Head {
+    let limit = if of.group() == drive::OutcomeGroup::Head {
         of.name().to_owned()
     } else {
         format!("mean({})", of.name())

@@ -18,7 +18,7 @@ pub use model::{Design, Indices, Interval, Plan, Statistics};
 
 use crate::batch::{Batch, CHUNK, Status, Tally};
 use crate::derivative::{Order, Taylor, evaluate};
-use crate::drive::{Outcome, Part};
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::units::{Message, counted, significant};
@@ -68,7 +68,7 @@ impl Uncertainty {
             self.part_without_landing(),
             self.outcomes
                 .iter()
-                .any(|each| each.of.part() == Part::Flight),
+                .any(|each| each.of.group() == OutcomeGroup::Flight),
         );
         let missing = (flies && missing > MANY).then(|| {
             format!(
@@ -249,7 +249,7 @@ pub fn uncertainty(
             .unwrap_or_default();
         column(blocks, i)
             .into_iter()
-            .map(|value| Some(of[i].beside(value?, reference)))
+            .map(|value| Some(of[i].unwrap_angle(value?, reference)))
             .collect::<Vec<_>>()
     };
     let of_len = of.len();

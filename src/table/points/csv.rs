@@ -101,8 +101,13 @@ impl CsvRows {
 
 fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, Head)> {
     let name = path.display().to_string();
-    let file = File::open(path)
-        .map_err(|error| refused(path, String::new(), crate::foreign::of_io(&error)))?;
+    let file = File::open(path).map_err(|error| {
+        refused(
+            path,
+            String::new(),
+            crate::external_errors::read_error_text(&error),
+        )
+    })?;
     TextTable::open(Text::open(&name, file)?, setup, &Wanted::POINTS)
 }
 

@@ -1,5 +1,5 @@
 use super::pieces::Pieces;
-use crate::foreign::{of_io, of_parquet};
+use crate::external_errors::{parquet_error_text, read_error_text};
 use parquet::basic::{Compression, Type};
 use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
@@ -68,7 +68,8 @@ impl ParquetPieces {
 
 impl Pieces for ParquetPieces {
     fn open(path: &Path) -> Result<Self, String> {
-        let file = SerializedFileReader::new(whole(path)?).map_err(|error| of_parquet(&error))?;
+        let file =
+            SerializedFileReader::new(whole(path)?).map_err(|error| parquet_error_text(&error))?;
         Ok(Self {
             file,
             group: 0,
@@ -124,7 +125,8 @@ impl Pieces for ParquetPieces {
     }
 
     fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String> {
-        self.next(column, rows).map_err(|error| of_parquet(&error))
+        self.next(column, rows)
+            .map_err(|error| parquet_error_text(&error))
     }
 
     fn pass(&mut self, rows: usize) {
@@ -136,7 +138,7 @@ impl Pieces for ParquetPieces {
 fn whole(path: &Path) -> Result<File, String> {
     const MAGIC: &[u8; 4] = b"PAR1";
     const ENCRYPTED: &[u8; 4] = b"PARE";
-    let unreadable = |error: std::io::Error| of_io(&error);
+    let unreadable = |error: std::io::Error| read_error_text(&error);
     let mut file = File::open(path).map_err(unreadable)?;
     let mut begins = vec![];
     file.by_ref()

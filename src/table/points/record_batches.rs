@@ -1,4 +1,4 @@
-use crate::foreign::{DAMAGED, of_arrow, of_io};
+use crate::external_errors::{DAMAGED, arrow_error_text, read_error_text};
 use crate::units::counted;
 use arrow_array::RecordBatch;
 use arrow_buffer::Buffer;
@@ -48,7 +48,7 @@ struct Head {
 impl RecordBatches {
     /// Those of a file, or the reason why there are none.
     pub(super) fn open(path: &Path) -> Result<Self, String> {
-        let unreadable = |error: std::io::Error| of_io(&error);
+        let unreadable = |error: std::io::Error| read_error_text(&error);
         let mut file = File::open(path).map_err(unreadable)?;
         let length = file.metadata().map_err(unreadable)?.len();
         let mut magic = vec![];
@@ -192,7 +192,7 @@ impl RecordBatches {
         let (schema, version) = (Arc::clone(&self.schema), message.version());
         RecordBatchDecoder::try_new(&body, batch, schema, &HashMap::new(), &version)
             .and_then(RecordBatchDecoder::read_record_batch)
-            .map_err(|error| of_arrow(&error))
+            .map_err(|error| arrow_error_text(&error))
     }
 
     /// The message at a place; none at the mark of the end.
@@ -272,6 +272,6 @@ fn bytes(file: &mut File, part: Range<u64>) -> Result<Vec<u8>, String> {
     let mut bytes = vec![0; length];
     file.seek(SeekFrom::Start(part.start))
         .and_then(|_| file.read_exact(&mut bytes))
-        .map_err(|error| of_io(&error))?;
+        .map_err(|error| read_error_text(&error))?;
     Ok(bytes)
 }

@@ -2,7 +2,7 @@
 
 /// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head;
 /// and the text without a line `sep=;` that says so.
-pub(crate) fn separated(text: &str) -> (u8, &str) {
+pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {
         let (stated, rest) = rest.split_once('\n').unwrap_or((rest, ""));
@@ -25,13 +25,13 @@ pub(crate) fn separated(text: &str) -> (u8, &str) {
 
 #[cfg(test)]
 mod tests {
-    use super::separated;
+    use super::detect_separator;
 
     #[test]
     fn the_separator_is_that_of_the_head_or_of_a_sep_line() {
-        assert_eq!(separated("# a, b; c\na;b;c\n").0, b';');
-        assert_eq!(separated("\u{feff}a\tb, c\td\n").0, b'\t');
-        assert_eq!(separated("a,b\n").0, b',');
-        assert_eq!(separated("sep=;\r\na;b\n"), (b';', "a;b\n"));
+        assert_eq!(detect_separator("# a, b; c\na;b;c\n").0, b';');
+        assert_eq!(detect_separator("\u{feff}a\tb, c\td\n").0, b'\t');
+        assert_eq!(detect_separator("a,b\n").0, b',');
+        assert_eq!(detect_separator("sep=;\r\na;b\n"), (b';', "a;b\n"));
     }
 }

@@ -1,7 +1,7 @@
 //! Drives outside of what the model is made for: of what their law was fitted to, of any face, of
 //! the landings that were measured.
 
-use super::flat::{assumed, flat};
+use super::flat::{assumed, flat_landing_angle};
 use super::{Drive, Outcome};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::flight::Inputs;
@@ -13,7 +13,7 @@ use crate::units::{Message, Quantity, counted_of};
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
 
 /// Whether a strike, m from the middle of the face, lies beside the face of any head that conforms.
-pub(crate) fn is_beside_any_face(toe: f64, high: f64) -> bool {
+pub(crate) fn is_outside_any_face(toe: f64, high: f64) -> bool {
     let [wide, tall] = LARGEST_HEAD;
     toe.abs() > 0.5 * wide || high.abs() > 0.5 * tall
 }
@@ -29,7 +29,7 @@ pub(crate) fn any_face() -> String {
 
 /// In what a drive is outside of what the model is made for, by its launch or by its whole flight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Beyond {
+pub struct ExceededLimits {
     /// The ball has a spin ratio, a Reynolds number or a speed through the air that its law was not
     /// fitted to.
     pub law: bool,
@@ -42,40 +42,45 @@ pub struct Beyond {
 
 /// How much of a drive is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Looked {
+pub enum CheckScope {
     /// The launch alone: cheap enough for every drive of a batch.
-    AtLaunch,
+    Launch,
     /// The whole flight, flown once more.
-    AtFlight,
+    Flight,
 }
 
 impl Drive<f64> {
     /// In what the drive of a setup is outside of what the model is made for, where these outcomes
     /// are asked for.
-    pub fn beyond(&self, setup: &Setup<f64>, looked: Looked, of: &[Outcome]) -> Beyond {
+    pub fn exceeded_limits(
+        &self,
+        setup: &Setup<f64>,
+        looked: CheckScope,
+        of: &[Outcome],
+    ) -> ExceededLimits {
         let law = match looked {
-            Looked::AtLaunch => !setup
+            CheckScope::Launch => !setup
                 .law
                 .fitted()
                 .holds(Inputs::new(setup, &self.launch, false).stream()),
-            Looked::AtFlight => !self.outside_of_the_law(setup).is_empty(),
+            CheckScope::Flight => !self.law_warnings(setup).is_empty(),
         };
         let slopes = [setup.ground.slope, setup.ground.side_slope];
         let is_flat = || {
             self.landed()
-                .is_ok_and(|landed| flat(slopes, landed).is_some())
+                .is_ok_and(|landed| flat_landing_angle(slopes, landed).is_some())
         };
-        Beyond {
+        ExceededLimits {
             law,
-            face: self.impact.is_some() && is_beside_any_face(setup.strike.toe, setup.strike.high),
-            flat: of.iter().any(|of| of.is_of_the_run()) && is_flat(),
+            face: self.impact.is_some() && is_outside_any_face(setup.strike.toe, setup.strike.high),
+            flat: of.iter().any(|of| of.needs_run()) && is_flat(),
         }
     }
 }
 
 /// How many of some drives are outside of what the model is made for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct BeyondCount {
+pub struct ExceededCount {
     /// All that flew and landed.
     pub all: u64,
     /// Those launched with what the law was not fitted to.
@@ -86,9 +91,9 @@ pub struct BeyondCount {
     pub flat: u64,
 }
 
-impl BeyondCount {
+impl ExceededCount {
     /// Counts a drive.
-    pub fn add(&mut self, drive: Beyond) {
+    pub fn add(&mut self, drive: ExceededLimits) {
         self.all += 1;
         self.law += u64::from(drive.law);
         self.face += u64::from(drive.face);
@@ -105,7 +110,7 @@ impl BeyondCount {
 
     /// Warnings: a sentence for each kind of which there are any. `of` is what they are: "drive",
     /// "optimum".
-    pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: Looked) -> Vec<Message> {
+    pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: CheckScope) -> Vec<Message> {
         let some = |count: u64| (count > 0).then(|| counted_of(count, self.all, of));
         in_words(
             [self.law, self.face, self.flat].map(some),
@@ -118,7 +123,7 @@ impl BeyondCount {
 
 /// Which shares of some drives, from 0 to 1, are outside of what the model is made for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BeyondShare {
+pub struct ExceededShare {
     /// The share that flies with what the law was not fitted to.
     pub law: f64,
     /// The share struck beside any face.
@@ -127,22 +132,22 @@ pub struct BeyondShare {
     pub flat: f64,
 }
 
-impl BeyondShare {
+impl ExceededShare {
     /// Less than this share of drives that vary is not worth a word, as less than 1 % of a flight
     /// is not.
     const WORTH_A_WORD: f64 = 0.01;
 
     /// Adds a drive that is this share of all.
-    pub fn add(&mut self, drive: Beyond, share: f64) {
+    pub fn add(&mut self, drive: ExceededLimits, share: f64) {
         self.law += share * f64::from(u8::from(drive.law));
         self.face += share * f64::from(u8::from(drive.face));
         self.flat += share * f64::from(u8::from(drive.flat));
     }
 
     /// The kinds that 1 % of the drives or more are of.
-    pub fn worth_a_word(&self) -> Beyond {
+    pub fn worth_a_word(&self) -> ExceededLimits {
         let is = |share: f64| share >= Self::WORTH_A_WORD;
-        Beyond {
+        ExceededLimits {
             law: is(self.law),
             face: is(self.face),
             flat: is(self.flat),
@@ -152,7 +157,7 @@ impl BeyondShare {
     /// Warnings about drives that were looked at along their flights: a sentence for each kind that
     /// 1 % of them or more are of. `of` is what they are: "the swings".
     pub fn warnings(&self, law: &Law<f64>, of: &str) -> Vec<Message> {
-        let Beyond {
+        let ExceededLimits {
             law: of_law,
             face,
             flat,
@@ -160,7 +165,7 @@ impl BeyondShare {
         let shares = [(of_law, self.law), (face, self.face), (flat, self.flat)];
         let which = shares
             .map(|(is_told, share)| is_told.then(|| format!("{:.0} % of {of}", 100.0 * share)));
-        in_words(which, false, law, Looked::AtFlight)
+        in_words(which, false, law, CheckScope::Flight)
     }
 }
 
@@ -170,15 +175,15 @@ fn in_words(
     which: [Option<String>; 3],
     is_one_flat: bool,
     law: &Law<f64>,
-    looked: Looked,
+    looked: CheckScope,
 ) -> Vec<Message> {
     let [of_law, face, flat] = which;
     let mut warnings = vec![];
     if let Some(which) = of_law {
         let fitted = law.fitted();
         let (when, rest) = match looked {
-            Looked::AtLaunch => ("at launch", "; the rest of the flight was not checked"),
-            Looked::AtFlight => ("in 1 % of the flight or more", ""),
+            CheckScope::Launch => ("at launch", "; the rest of the flight was not checked"),
+            CheckScope::Flight => ("in 1 % of the flight or more", ""),
         };
         let name = law.name();
         let before = Message::from(format!(

@@ -5,7 +5,7 @@ use std::path::Path;
 use tempfile::{PathPersistError, TempPath};
 
 /// A new file in the same folder, which is gone again unless it is put in place.
-pub(crate) fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+pub(crate) fn create_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".longdrive-");
     #[cfg(unix)]
@@ -26,7 +26,11 @@ pub(crate) fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
 
 /// Puts a file in its place. One that is there is replaced only if that is allowed; else it stays
 /// ([`io::ErrorKind::AlreadyExists`]).
-pub(crate) fn put(file: TempPath, at: &Path, may_replace: bool) -> Result<(), PathPersistError> {
+pub(crate) fn persist(
+    file: TempPath,
+    at: &Path,
+    may_replace: bool,
+) -> Result<(), PathPersistError> {
     if may_replace {
         return file.persist(at);
     }

@@ -7,7 +7,7 @@ use crate::number::{Mask, Numbers, Vector};
 
 /// What is asked of flights beside where and how they land.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Asked {
+pub(crate) struct RequestedOutputs {
     /// The highest point.
     pub apex: bool,
     /// What tells of the error of the integration.
@@ -16,7 +16,7 @@ pub(crate) struct Asked {
 
 /// Flights side by side, or one, that have ended.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ended<T: Numbers> {
+pub(crate) struct FlightResult<T: Numbers> {
     /// The landings, where `has_landed`.
     pub landed: Landed<T>,
     pub has_landed: T::Mask,
@@ -37,10 +37,10 @@ pub(crate) struct Ended<T: Numbers> {
     pub time: f64,
 }
 
-impl<T: Numbers> Ended<T> {
+impl<T: Numbers> FlightResult<T> {
     /// Before the first step.
     #[inline(always)]
-    pub(super) fn not_yet(asked: Asked) -> Self {
+    pub(super) fn initial(asked: RequestedOutputs) -> Self {
         let (zero, none) = (T::zero(), T::Mask::none());
         let landed = Landed {
             carry: zero,
@@ -76,7 +76,7 @@ impl<T: Numbers> Ended<T> {
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or
     /// numbers overflow.
     #[inline(always)]
-    pub(crate) fn missing(
+    pub(crate) fn no_landing_reason(
         &self,
         inputs: &Inputs<T>,
         value: impl Fn(T) -> f64 + Copy,

@@ -2,7 +2,7 @@
 //! do.
 
 /// What is wrong with a file of comma-separated values.
-pub(crate) fn of_csv(error: &csv::Error) -> String {
+pub(crate) fn csv_error_text(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths {
             expected_len, len, ..
@@ -23,7 +23,7 @@ pub(crate) fn of_csv(error: &csv::Error) -> String {
         csv::ErrorKind::Utf8 { .. } => {
             "it holds bytes that are not text in UTF-8; save the table as CSV in UTF-8".into()
         }
-        csv::ErrorKind::Io(error) => of_io(error),
+        csv::ErrorKind::Io(error) => read_error_text(error),
         _ => format!("it cannot be read as CSV (the reader says: {error})"),
     }
 }
@@ -34,14 +34,14 @@ pub(crate) const DAMAGED: &str = "copy it again, or write it again with the prog
 
 /// What is wrong with a Parquet file, whose first and last bytes are those of one.
 #[cfg(feature = "parquet")]
-pub(crate) fn of_parquet(error: &parquet::errors::ParquetError) -> String {
+pub(crate) fn parquet_error_text(error: &parquet::errors::ParquetError) -> String {
     use parquet::errors::ParquetError;
     match error {
         ParquetError::NYI(_) => {
             "it uses a part of Parquet that is not read here; write plain columns of numbers".into()
         }
         ParquetError::External(error) => match error.downcast_ref::<std::io::Error>() {
-            Some(error) if error.raw_os_error().is_some() => of_io(error),
+            Some(error) if error.raw_os_error().is_some() => read_error_text(error),
             // of a decoder
             _ => format!("it is damaged; {DAMAGED}"),
         },
@@ -51,14 +51,14 @@ pub(crate) fn of_parquet(error: &parquet::errors::ParquetError) -> String {
 
 /// What is wrong with a record batch of Arrow IPC.
 #[cfg(feature = "arrow")]
-pub(crate) fn of_arrow(error: &arrow_schema::ArrowError) -> String {
+pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
     use arrow_schema::ArrowError;
     match error {
         ArrowError::NotYetImplemented(_) => {
             "it uses a part of Arrow that is not read here; write plain columns of numbers".into()
         }
         // others are of a decoder
-        ArrowError::IoError(_, error) if error.raw_os_error().is_some() => of_io(error),
+        ArrowError::IoError(_, error) if error.raw_os_error().is_some() => read_error_text(error),
         ArrowError::MemoryError(_) => {
             "there is no memory for it; write smaller record batches".into()
         }
@@ -68,7 +68,7 @@ pub(crate) fn of_arrow(error: &arrow_schema::ArrowError) -> String {
 
 /// What is wrong with a setup file that is not TOML, with the line where it is; `place` finds line
 /// and column.
-pub(crate) fn of_toml(
+pub(crate) fn toml_error_text(
     error: &toml::de::Error,
     text: &str,
     place: impl Fn(usize) -> (usize, usize),
@@ -176,7 +176,7 @@ pub(crate) const NOT_UTF_8: &str = "it holds bytes that are not text in UTF-8; s
                                     UTF-8 (it may be in Windows-1252, ANSI or Latin-1)";
 
 /// Why a file cannot be read. What this program says itself stays as it is.
-pub(crate) fn of_io(error: &std::io::Error) -> String {
+pub(crate) fn read_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
         ErrorKind::InvalidData => return NOT_UTF_8.into(),
@@ -190,7 +190,7 @@ pub(crate) fn of_io(error: &std::io::Error) -> String {
 }
 
 /// Why a file cannot be written. What this program says itself stays as it is.
-pub(crate) fn of_write(error: &std::io::Error) -> String {
+pub(crate) fn write_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
         _ if error.raw_os_error().is_none() && error.get_ref().is_some() => {
@@ -219,26 +219,26 @@ pub(crate) fn unclosed_quote(text: impl std::io::BufRead) -> Option<usize> {
 
 /// What is wrong with a row of a CSV table, `text` anew: a quote that is not closed takes the rows
 /// after it in.
-pub(crate) fn of_csv_row(error: &csv::Error, text: impl std::io::BufRead) -> String {
+pub(crate) fn csv_row_error_text(error: &csv::Error, text: impl std::io::BufRead) -> String {
     match (error.kind(), unclosed_quote(text)) {
         (csv::ErrorKind::UnequalLengths { .. }, Some(line)) => {
             format!(
                 "line {line} opens a quote (\") and does not close it; close it, or take it out"
             )
         }
-        _ => of_csv(error),
+        _ => csv_error_text(error),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::of_csv;
+    use super::csv_error_text;
 
     #[test]
     fn a_row_that_is_too_short_is_reported_in_cells_and_columns() {
         let mut reader = csv::Reader::from_reader("a,b,c\n1,2\n".as_bytes());
         let error = reader.records().next().unwrap().unwrap_err();
-        let told = of_csv(&error);
+        let told = csv_error_text(&error);
         assert!(
             told.starts_with("the row has 2 cells, but the head has 3 cells; "),
             "{told}"
