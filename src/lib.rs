@@ -89,9 +89,10 @@ pub use drive::{Drive, Outcome};
 pub use error::{Error, Result};
 pub use parameters::Setup;
 
-/// The README's example is run with the documentation's.
+/// The examples of README and docs/library.md run with those of the documentation.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
+#[doc = include_str!("../docs/library.md")]
 struct Readme;
 
 /// And that of the plots.
