@@ -89,7 +89,7 @@ pub enum Error {
     /// A value that breaks a rule of golf.
     #[error(
         "against {rule}: {found}, and the rule is {limit}; {advice}, or leave the Rules of Golf \
-         out with --rules none"
+         out with `rules none`"
     )]
     Rule {
         /// The rule with its source.
@@ -305,7 +305,7 @@ pub enum Error {
         reason: String,
     },
     /// A constraint that cannot be read.
-    #[error("--subject-to: {reason}\n  {expression}\n  {}^", " ".repeat(*.column))]
+    #[error("`subject_to`: {reason}\n  {expression}\n  {}^", " ".repeat(*.column))]
     Constraint {
         /// The constraint as given.
         expression: String,

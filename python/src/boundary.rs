@@ -1,6 +1,7 @@
 //! Where Rust meets Python: every function that Python calls answers through [`answer`], so that
 //! errors become the exceptions of `longdrive.errors` and a panic becomes one too.
 
+use crate::wording::in_python;
 use pyo3::exceptions::{PyRuntimeError, PyUnicodeEncodeError};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
@@ -52,18 +53,13 @@ impl From<Failure> for PyErr {
 }
 
 /// An exception of `longdrive.errors`; they are classes of Python, so that they pickle as any
-/// other. Options of the command line in its message are named as the arguments that they are.
+/// other. Arguments in its message are in the words of Python.
 fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     Python::attach(|py| {
         let class = py
             .import("longdrive.errors")
             .and_then(|module| module.getattr(name));
-        let wording = py
-            .import("longdrive.wording")
-            .and_then(|module| module.getattr("in_python"));
-        let message = wording
-            .and_then(|wording| wording.call1((&message,))?.extract())
-            .unwrap_or(message);
+        let message = in_python(&message);
         let made = class.and_then(|class| match status {
             Some(status) => class.call1((message, status)),
             None => class.call1((message,)),

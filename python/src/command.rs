@@ -3,10 +3,12 @@
 use crate::boundary::{Answer, answer};
 use crate::json::to_python;
 use crate::pool::{self, Ended};
+use crate::wording;
 use indicatif::{ProgressBar, ProgressDrawTarget};
-use longdrive::command::{Hold, Host, Kind, run, run_in_terminal};
+use longdrive::command::{Hold, Host, Kind, Mention, mark_options, run, run_in_terminal};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
+use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
 use std::panic::resume_unwind;
@@ -112,6 +114,10 @@ impl Host for Caller {
             Kind::Error => "error",
         };
         self.now().said.push((kind, text.to_owned()));
+    }
+
+    fn mention(&self, mention: Mention<'_>) -> String {
+        wording::mention(mention)
     }
 
     fn input(&self) -> io::Result<String> {
@@ -250,7 +256,7 @@ fn parsed<'py>(py: Python<'py>, text: &str) -> Answer<Bound<'py, PyAny>> {
     if text.is_empty() {
         return Ok(py.None().into_bound(py));
     }
-    match serde_json::from_str::<serde_json::Value>(text) {
+    match serde_json::from_str::<Value>(text) {
         Ok(value) => to_python(py, &value),
         Err(_) => Ok(pyo3::types::PyString::new(py, text).into_any()),
     }
@@ -268,8 +274,27 @@ pub fn main(py: Python<'_>, words: Vec<OsString>) -> PyResult<u8> {
     })
 }
 
-/// Every command with its options: what the functions of ``longdrive.commands`` are made of.
+/// Every command with its options, from which the functions of ``longdrive.commands`` are made. An
+/// option also has its ``argument``, and as ``words`` its help in the words of Python.
 #[pyfunction]
 pub fn described(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-    answer(|| to_python(py, &longdrive::command::described()))
+    fn describe(command: &mut Value) {
+        for option in command["options"].as_array_mut().into_iter().flatten() {
+            let name = option["name"]
+                .as_str()
+                .unwrap_or_default()
+                .replace('-', "_");
+            option["argument"] = wording::argument_of(&name).into();
+            let help = option["help"].as_str().unwrap_or_default();
+            option["words"] = wording::in_python(&mark_options(help)).into();
+        }
+        for below in command["commands"].as_array_mut().into_iter().flatten() {
+            describe(below);
+        }
+    }
+    let mut commands = longdrive::command::described();
+    for command in commands.as_array_mut().into_iter().flatten() {
+        describe(command);
+    }
+    answer(|| to_python(py, &commands))
 }

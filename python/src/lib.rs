@@ -19,6 +19,7 @@ mod plan;
 mod pool;
 mod setup;
 mod step;
+mod wording;
 
 use pyo3::prelude::*;
 
@@ -47,6 +48,8 @@ mod _longdrive {
     use crate::plan::plan;
     #[pymodule_export]
     use crate::setup::PySetup;
+    #[pymodule_export]
+    use crate::wording::in_python;
 
     use super::*;
 

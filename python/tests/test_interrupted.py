@@ -154,7 +154,7 @@ def test_shots_that_were_not_written_anywhere_name_no_file(pressing_at: Callable
     assert caught.value.answer is not None and caught.value.answer.file is None
 
 
-@pytest.mark.parametrize("function", ["answer_in_python", "_reply", "warn_of"])
+@pytest.mark.parametrize("function", ["_reply", "warn_of"])
 def test_ctrl_c_once_the_work_is_done_says_so(function: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     from longdrive import _ask
 

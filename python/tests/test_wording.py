@@ -14,35 +14,33 @@ import pytest
 
 import longdrive
 from longdrive import InputError, parts
-from longdrive.wording import in_python
+from longdrive._longdrive import _in_python as in_python
 
 
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("--subject-to: expected a limit", "subject_to: expected a limit"),
-        ("it already exists; use --overwrite to replace it", "it already exists; use overwrite=True to replace it"),
-        ("as in --vary club.loft=4deg..20deg", 'as in vary="club.loft=4deg..20deg"'),
-        ('with --subject-to "head_mass <= 205 g"', 'with subject_to="head_mass <= 205 g"'),
-        ("for example --minimize \"strokes(400yd)\", or", 'for example minimize="strokes(400yd)", or'),
-        ("with --swings FILE or --distribution NAME=KIND(…)", 'with swings=FILE or distribution="NAME=KIND(…)"'),
-        ("give two with --maximize and --minimize, for example --maximize carry --minimize apex_height", 'give two with maximize and minimize, for example maximize="carry" minimize="apex_height"'),
-        ("or leave the Rules of Golf out with --rules none", 'or leave the Rules of Golf out with rules="none"'),
-        ("write for example --width 800", "write for example width=800"),
-        ("invalid value '10' for '--width <PIXELS>': it must be", "invalid value '10' for 'width': it must be"),
-        ("name it with --set ground.turf=average, or another", 'name it with setup.replace({"ground.turf": "average"}), or another'),
-        ("check the club (--set) and the ranges (--vary)", "check the club (setup.replace({…})) and the ranges (vary)"),
-        ("add it to --outcomes", "add it to of"),
-        ("the same command with --resume continues", "the same command with resume=True continues"),
-        ("name a file with -o, or take --format csv", 'name a file with output, or take format="csv"'),
-        ("'longdrive parameters' lists them all", "longdrive.parameters() lists them all"),
-        # these are for a shell, or no options of longdrive
+        ("`subject_to`: expected a limit", "subject_to: expected a limit"),
+        ("it already exists; use `overwrite` to replace it", "it already exists; use overwrite=True to replace it"),
+        ("as in `vary club.loft=4deg..20deg`", 'as in vary="club.loft=4deg..20deg"'),
+        ('with `subject_to "head_mass <= 205 g"`', 'with subject_to="head_mass <= 205 g"'),
+        ("with `swings FILE` or `distribution NAME=KIND(…)`", 'with swings=FILE or distribution="NAME=KIND(…)"'),
+        ("give two with `maximize` and `minimize`, for example `maximize carry`", 'give two with maximize and minimize, for example maximize="carry"'),
+        ("write for example `width 800`", "write for example width=800"),
+        ("name it with `set ground.turf=average`, or another", 'name it with setup.replace({"ground.turf": "average"}), or another'),
+        ('set it, for example `set club.mass="205 g"`', 'set it, for example setup.replace({"club.mass": "205 g"})'),
+        ("check the club (`set`) and the ranges (`vary`)", "check the club (setup.replace({…})) and the ranges (vary)"),
+        ("add it to `outcomes`", "add it to of"),
+        ("name a file with `output`, or take `format csv`", 'name a file with output, or take format="csv"'),
+        ("`parameters()` lists them all", "longdrive.parameters() lists them all"),
+        ("`plot laws()` draws them", "longdrive.plot.laws() draws them"),
+        # these are for a shell, options of the program only, or no arguments
         ("'longdrive optimize a.toml --vary club.loft=4deg..20deg' finds", "'longdrive optimize a.toml --vary club.loft=4deg..20deg' finds"),
-        ("cargo install --path . --features png", "cargo install --path . --features png"),
-        ("the file 'a--vary.csv' is -0.5 m -- or not", "the file 'a--vary.csv' is -0.5 m -- or not"),
+        ("the summary of `json`", "the summary of --json"),
+        ("the file 'a`b`.csv', expected `=`", "the file 'a`b`.csv', expected `=`"),
     ],
 )
-def test_options_are_named_as_arguments(text: str, words: str) -> None:
+def test_mentions_are_written_as_arguments(text: str, words: str) -> None:
     assert in_python(text) == words
 
 

@@ -97,7 +97,7 @@ impl Grid {
                 rows: format!("{rows:.1e}"),
                 size: format!("{:.1e} GB", rows * 8.0 * (axes.len() + 1) as f64 / 1e9),
                 limit: "any disk".into(),
-                advice: "take fewer values, or --sample points of the same ranges".into(),
+                advice: "take fewer values, or `sample` points of the same ranges".into(),
             }
         })?;
         Ok(Self {

@@ -110,7 +110,7 @@ impl Batch {
         let most = Level::here();
         if !level.is_here() {
             let reason = format!(
-                "this processor does not have them; the most it has is {most}. Take --instructions \
+                "this processor does not have them; the most it has is {most}. Take `instructions` \
                  {most} on every machine, or a machine that has {level}"
             );
             return Err(Error::Together {

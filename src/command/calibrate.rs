@@ -90,7 +90,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     }
     for Compared { law, plan, .. } in &compared {
         check_folds(&table, plan, folds).map_err(|error| Error::Unreadable {
-            name: format!("--compare {law}"),
+            name: format!("`compare {law}`"),
             source: error.into(),
         })?;
     }

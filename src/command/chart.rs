@@ -23,7 +23,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         "begins at",
     )?;
     let search = args.search.search(&setup)?;
-    request.refuse_stated_with_default(&[along.parameter], "--along gives its values")?;
+    request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
     let mut warnings = setup.warnings();
@@ -48,7 +48,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         }
     };
     if !at.is_sorted_by(|a, b| a < b) {
-        tell("the values of --at are taken in rising order, each once");
+        tell("the values of `at` are taken in rising order, each once");
     }
     let observer = ChartObserver {
         interrupt: stop.clone(),
@@ -129,7 +129,7 @@ impl ChartArgs {
         if !self.along.contains('=') && self.at.is_empty() {
             let reason =
                 "write NAME=LOW..HIGH, for example swing.speed=80mph..130mph, or give the places \
-                 with --at"
+                 with `at`"
                     .into();
             return Err(Error::SearchRange {
                 name: self.along.clone(),

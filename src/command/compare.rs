@@ -75,7 +75,7 @@ impl Pair {
         let own = [&self.set_a, &self.set_b, &self.launch_a, &self.launch_b];
         if self.other.is_none() && own.iter().all(|options| options.is_empty()) {
             let source = "there is one drive; name a second setup, or say in what drive b differs, \
-                          for example --set-b club.loft=10.5deg";
+                          for example `set_b club.loft=10.5deg`";
             return Err(Error::Unreadable {
                 name: "compare".into(),
                 source: source.into(),
@@ -87,12 +87,12 @@ impl Pair {
             None => source_a.clone(),
         };
         let settings_a = self.settings(
-            Setting::read_all("--set-a", &self.set_a)?,
-            Setting::read_all_launch("--launch-a", &self.launch_a)?,
+            Setting::read_all("set_a", &self.set_a)?,
+            Setting::read_all_launch("launch_a", &self.launch_a)?,
         )?;
         let settings_b = self.settings(
-            Setting::read_all("--set-b", &self.set_b)?,
-            Setting::read_all_launch("--launch-b", &self.launch_b)?,
+            Setting::read_all("set_b", &self.set_b)?,
+            Setting::read_all_launch("launch_b", &self.launch_b)?,
         )?;
         Ok([
             Request::new(source_a, settings_a, &self.setup_args).map_err(of_a)?,

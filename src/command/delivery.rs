@@ -274,7 +274,7 @@ fn is_table(file: &Path) -> Result<bool> {
                 file.display()
             );
             Err(Error::Unreadable {
-                name: "--swings".into(),
+                name: "`swings`".into(),
                 source: source.into(),
             })
         }
@@ -387,21 +387,17 @@ impl Requests {
             .into_iter()
             .partition(Setting::is_of_launch);
         let options = [
-            ("--ball-speed", "ball_speed", &args.ball_speed),
-            ("--launch-angle", "launch_angle", &args.launch_angle),
-            (
-                "--launch-direction",
-                "launch_direction",
-                &args.launch_direction,
-            ),
-            ("--backspin", "backspin", &args.backspin),
-            ("--sidespin", "sidespin", &args.sidespin),
-            ("--spin", "spin", &args.spin),
-            ("--spin-axis", "spin_axis", &args.spin_axis),
+            ("ball_speed", &args.ball_speed),
+            ("launch_angle", &args.launch_angle),
+            ("launch_direction", &args.launch_direction),
+            ("backspin", &args.backspin),
+            ("sidespin", &args.sidespin),
+            ("spin", &args.spin),
+            ("spin_axis", &args.spin_axis),
         ];
-        for (option, name, text) in options {
+        for (name, text) in options {
             if let Some(text) = text {
-                of_launch.push(Setting::of_launch(option, name, text)?);
+                of_launch.push(Setting::of_launch(name, name, text)?);
             }
         }
         Ok(Self {
@@ -430,7 +426,7 @@ impl Requests {
             .collect();
         if args.shots.is_some() && !options.is_empty() {
             return Err(Error::Unreadable {
-                name: format!("--shots with {}", options.join(", ")),
+                name: format!("`shots` with {}", options.join(", ")),
                 source: "the shots have launches of their own; give one of the two".into(),
             });
         }
@@ -438,8 +434,8 @@ impl Requests {
         if args.shots.is_none() && !launched.launch.is_given() {
             return Err(Error::Unreadable {
                 name: "delivery".into(),
-                source: "no launch is given; add --ball-speed, --launch-angle and --spin (or \
-                         --backspin), or --shots FILE"
+                source: "no launch is given; add `ball_speed`, `launch_angle` and `spin` (or \
+                         `backspin`), or `shots FILE`"
                     .into(),
             });
         }
@@ -450,8 +446,8 @@ impl Requests {
 /// Refuses an accuracy of the flight: only the impact is computed.
 fn refuse_step(args: &SetupArgs) -> Result<()> {
     let option = match (&args.tolerance, args.own_step) {
-        (Some(_), _) => "--tolerance",
-        (None, true) => "--own-step",
+        (Some(_), _) => "`tolerance`",
+        (None, true) => "`own_step`",
         (None, false) => return Ok(()),
     };
     let source = "delivery looks at the impact alone and flies nothing, so that this has no \

@@ -30,7 +30,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     if !search.swings.is_given() {
         search.swings.refuse_correlation()?;
         notes.push(format!(
-            "the swings vary as those of {GOLFER}, about what is set up; yours: --swings FILE"
+            "the swings vary as those of {GOLFER}, about what is set up; yours: `swings FILE`"
         ));
     }
     let swings = if search.swings.is_given() {
@@ -55,13 +55,13 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     if search.search.maximize.is_none() && search.search.minimize.is_none() {
         notes.push(format!(
             "nothing was asked for: the design with the largest {GOAL} is sought; another: \
-             --maximize GOAL"
+             `maximize GOAL`"
         ));
     }
     if search.search.vary.is_empty() {
         notes.push(
-            "nothing was asked to vary: bulge, roll and loft are varied; others: --vary \
-                    NAME=LOW..HIGH"
+            "nothing was asked to vary: bulge, roll and loft are varied; others: `vary \
+                    NAME=LOW..HIGH`"
                 .into(),
         );
     }

@@ -43,7 +43,7 @@ impl Rule {
     /// [`Error::Results`] for a folder, an input, a file that exists, and a place that cannot be
     /// written to.
     pub fn file(&self, path: &Path) -> Result<Destination> {
-        refuse_standard_output(path, "file, as in -o mine.toml")?;
+        refuse_standard_output(path, "file, as in `output mine.toml`")?;
         let destination = self.place(path)?;
         if destination.is_file {
             // what cannot be written there is said now, not after the work
@@ -265,7 +265,7 @@ impl Destination {
         match error.kind() {
             ErrorKind::AlreadyExists => refused(
                 &self.shown,
-                "it was made by another program while this command ran; use --overwrite to replace \
+                "it was made by another program while this command ran; use `overwrite` to replace \
                  it",
             ),
             _ => unwritable(&self.shown, error),
@@ -393,7 +393,7 @@ pub fn refused(path: &Path, reason: impl Into<String>) -> Error {
 }
 
 pub fn exists(path: &Path) -> Error {
-    refused(path, "it already exists; use --overwrite to replace it")
+    refused(path, "it already exists; use `overwrite` to replace it")
 }
 
 pub fn unwritable(path: &Path, error: &io::Error) -> Error {

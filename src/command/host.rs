@@ -1,3 +1,4 @@
+use super::wording::Mention;
 use indicatif::ProgressBar;
 use std::io;
 use std::path::Path;
@@ -30,6 +31,11 @@ pub trait Host: Send + Sync {
 
     /// Takes what is said beside the answer.
     fn say(&self, kind: Kind, text: &str);
+
+    /// The words for an argument or a command in a message: those of the command line.
+    fn mention(&self, mention: Mention<'_>) -> String {
+        mention.in_words_of_the_program()
+    }
 
     /// Begins a command.
     fn begin(&self, _command: &'static str, _is_json: bool) {}

@@ -73,6 +73,7 @@ mod wording;
 
 pub use described::described;
 pub use host::{Hold, Host, Kind};
+pub use wording::{Argument, Mention, mark_options, with_mentions};
 
 use crate::{Error, Result};
 use args::{Args, Command};
@@ -115,7 +116,7 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
             Ok(status) => status,
             // a reader that has gone away, as `head` does, is no failure of ours
             Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
-            Err(error) => output::complain(&wording::in_words_of_the_program(error), name, is_json),
+            Err(error) => output::complain(&wording::with_argument(error), name, is_json),
         }
     })
 }

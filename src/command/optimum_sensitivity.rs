@@ -23,7 +23,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         let source =
             "the sensitivity of an optimum is that of one drive; leave it out, or use \"optimize\"";
         return Err(Error::Unreadable {
-            name: "--swings or --distribution".into(),
+            name: "`swings` or `distribution`".into(),
             source: source.into(),
         });
     }
@@ -144,7 +144,7 @@ fn analysed(
 
 fn loss(of: Outcome, text: &str) -> Result<f64> {
     let refuse = |source| Error::Unreadable {
-        name: format!("--loss {text}"),
+        name: format!("`loss {text}`"),
         source,
     };
     match of.quantity().read(text) {

@@ -1,6 +1,6 @@
 use super::host::Kind;
 use super::running::running;
-use super::wording::advice_on;
+use super::wording::{advice_on, in_words_of_the_host, name_in_words_of_the_host};
 use crate::report::{Empty, Reply};
 use crate::units::{Message, System};
 use crate::{Error, Result};
@@ -35,7 +35,10 @@ pub struct Answer {
 
 impl Answer {
     pub fn text(text: String) -> Self {
-        Self { text, found: true }
+        Self {
+            text: in_words_of_the_host(&text),
+            found: true,
+        }
     }
 
     pub fn json(value: &impl Serialize) -> Self {
@@ -50,6 +53,7 @@ impl Answer {
                     .map(|warning| warning.to_string().into()),
             );
         }
+        put_in_words_of_the_host(&mut value);
         Self::text(serde_json::to_string_pretty(&value).unwrap_or_default() + "\n")
     }
 
@@ -65,6 +69,16 @@ impl Answer {
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
             _ => Ok(u8::from(!self.found)),
         }
+    }
+}
+
+/// Writes the arguments that the strings of a JSON value mention in the words of the host.
+fn put_in_words_of_the_host(value: &mut Value) {
+    match value {
+        Value::String(text) if text.contains('`') => *text = in_words_of_the_host(text),
+        Value::Array(values) => values.iter_mut().for_each(put_in_words_of_the_host),
+        Value::Object(fields) => fields.values_mut().for_each(put_in_words_of_the_host),
+        _ => {}
     }
 }
 
@@ -92,9 +106,10 @@ pub fn tell(text: &str) {
 pub fn warn(warnings: &[Message]) {
     let running = running();
     for warning in warnings {
+        let text = warning.in_units(running.system());
         running
             .host
-            .say(Kind::Warning, &warning.in_units(running.system()));
+            .say(Kind::Warning, &in_words_of_the_host(&text));
     }
 }
 
@@ -105,7 +120,9 @@ pub fn tell_error(error: &Error) {
 
 /// The same in words.
 pub fn say_error(message: &str) {
-    running().host.say(Kind::Error, message);
+    running()
+        .host
+        .say(Kind::Error, &in_words_of_the_host(message));
 }
 
 /// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input. Where
@@ -128,7 +145,9 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
     } else {
         Kind::Help
     };
-    running().host.say(kind, &rendered.ansi().to_string());
+    running()
+        .host
+        .say(kind, &in_words_of_the_host(&rendered.ansi().to_string()));
     if error.use_stderr() && is_json {
         let text = rendered.to_string();
         let text = text.split("\n\nUsage:").next().unwrap_or_default();
@@ -136,10 +155,30 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
             .split("\n\nFor more information")
             .next()
             .unwrap_or_default();
-        let message = text.trim().trim_start_matches("error:").trim().to_owned();
+        let message = text.trim().trim_start_matches("error:").trim();
+        let message = with_named_arguments(message, &error);
         say(&Reply::refused(command, "error", message));
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
+}
+
+/// The message with the arguments that the parser names in the words of the host: the program keeps
+/// `--width <PIXELS>`, Python says `width`.
+fn with_named_arguments(message: &str, error: &clap::Error) -> String {
+    let mut message = message.to_owned();
+    for kind in [ContextKind::InvalidArg, ContextKind::PriorArg] {
+        let names = match error.get(kind) {
+            Some(ContextValue::String(name)) => std::slice::from_ref(name),
+            Some(ContextValue::Strings(names)) => names,
+            _ => &[],
+        };
+        for name in names {
+            if let Some(words) = name_in_words_of_the_host(name) {
+                message = message.replace(name, &words);
+            }
+        }
+    }
+    message
 }
 
 /// Says what to do about an argument that is left over. One that begins with a hyphen and is no

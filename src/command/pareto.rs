@@ -200,8 +200,8 @@ impl ParetoAsked {
         read: impl Fn(&'static str, &str) -> Result<Goal>,
     ) -> Result<[(Goal, Sense); 2]> {
         let given = [
-            ("--maximize", &self.maximize, Sense::Maximize),
-            ("--minimize", &self.minimize, Sense::Minimize),
+            ("`maximize`", &self.maximize, Sense::Maximize),
+            ("`minimize`", &self.minimize, Sense::Minimize),
         ];
         let goals = given
             .into_iter()
@@ -213,9 +213,9 @@ impl ParetoAsked {
             Error::Unreadable {
             name: "the goals".into(),
             source: format!(
-                "{} given, and a front is between two; give two with --maximize and --minimize, \
-                 for example --maximize carry --minimize \
-                 apex_height",
+                "{} given, and a front is between two; give two with `maximize` and `minimize`, \
+                 for example `maximize carry` `minimize \
+                 apex_height`",
                 if all.len() == 1 { "one is".into() } else { format!("{} are", all.len()) }
             )
             .into(),
@@ -269,13 +269,13 @@ impl Output {
             }
         };
         let refuse = |source: &str| Error::Unreadable {
-            name: "--at".into(),
+            name: "`at`".into(),
             source: source.into(),
         };
         let at = match args.at.as_deref().map(str::trim) {
             Some(_) if !is_setup => {
                 return Err(refuse(
-                    "it chooses the point of a setup file; write one, as in -o best.toml, or leave \
+                    "it chooses the point of a setup file; write one, as in `output best.toml`, or leave \
                      it out",
                 ));
             }
@@ -322,11 +322,11 @@ impl Output {
             let why = match self.at {
                 Some(number) => {
                     format!(
-                        "there is no point {number}; choose one with --at, from 1 to {}",
+                        "there is no point {number}; choose one with `at`, from 1 to {}",
                         found.points.len()
                     )
                 }
-                None => "there is no knee; choose a point by its number with --at".into(),
+                None => "there is no knee; choose a point by its number with `at`".into(),
             };
             warnings.push(format!("{file} is not written: {why}").into());
             return Ok(None);

@@ -57,7 +57,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
             let name = args.drawing.output.display().to_string();
             Error::Plot {
                 name,
-                reason: format!("{reason}; take --view side"),
+                reason: format!("{reason}; take `view side`"),
             }
         }
         error => error,
@@ -116,8 +116,8 @@ fn contour(args: &PlotContour) -> Result<Answer> {
 fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
     let [across, up, ..] = search.vary[..] else {
         let (name, reason) = (
-            "--vary".into(),
-            "a map needs two parameters; give --vary twice".into(),
+            "`vary`".into(),
+            "a map needs two parameters; give `vary` twice".into(),
         );
         return Err(Error::SearchRange { name, reason });
     };
@@ -160,7 +160,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let setup = request.setup_with_starts(args.search.vary.iter().chain([&args.along]))?;
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
-    request.refuse_stated_with_default(&[along.parameter], "--along gives its values")?;
+    request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let shown = match &args.show {
         Some(name) if name != search.of.name() => {
             let names = || {
@@ -256,8 +256,8 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
         .and_then(|effects| tornado_figure(effects, causes, At::SetUp, system()));
     let Some(figure) = figure else {
         let reason = format!(
-            "no uncertainty of this kind has an effect on {} here; take another --show (control, \
-             model, all), or give --sigma",
+            "no uncertainty of this kind has an effect on {} here; take another `show` (control, \
+             model, all), or give `sigma`",
             of.name()
         );
         return Err(Error::Plot {
@@ -354,7 +354,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     {
         let source = format!("'{name}' is named twice, as number {} too; keep one", i + 1).into();
         return Err(Error::Unreadable {
-            name: "--laws".into(),
+            name: "`laws`".into(),
             source,
         });
     }
@@ -381,7 +381,7 @@ impl PlotLaws {
         let unused = |name: &str, over: &str| {
             let source = format!(
                 "the laws are drawn over the {over} itself, so this is not used; leave it out, or \
-                 take another --over"
+                 take another `over`"
             );
             Err(Error::Unreadable {
                 name: name.into(),
@@ -390,19 +390,19 @@ impl PlotLaws {
         };
         match self.over {
             LawsOver::SpinRatio if self.spin_ratio.is_some() => {
-                unused("--spin-ratio", "spin ratio")
+                unused("`spin_ratio`", "spin ratio")
             }
             LawsOver::Reynolds if self.reynolds.is_some() => {
-                unused("--reynolds", "Reynolds number")
+                unused("`reynolds`", "Reynolds number")
             }
             LawsOver::SpinRatio => Ok(Over::SpinRatio(held(
-                "--reynolds",
+                "`reynolds`",
                 &self.reynolds,
                 1.5e5,
                 [1.0, 1e7],
             )?)),
             LawsOver::Reynolds => Ok(Over::Reynolds(held(
-                "--spin-ratio",
+                "`spin_ratio`",
                 &self.spin_ratio,
                 0.1,
                 [0.0, 10.0],

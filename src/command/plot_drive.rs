@@ -95,7 +95,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let given = args.search.given();
     if let (Some(_), [option, ..]) = (&after, given.as_slice()) {
         let source =
-            "--after gives the other design, so that none is looked for; leave one of the two out";
+            "`after` gives the other design, so that none is looked for; leave one of the two out";
         return Err(Error::Unreadable {
             name: (*option).into(),
             source: source.into(),
@@ -159,8 +159,8 @@ fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, drawing: &Drawing)
     }
     let reason = format!(
         "the golfer is {} before and {} after, so that the toe is on opposite sides; give both \
-         setups the same golfer (--set changes only the \
-         one before, a setup file of --after has a line of its own: golfer = \"{}\")",
+         setups the same golfer (`set` changes only the \
+         one before, a setup file of `after` has a line of its own: golfer = \"{}\")",
         before.golfer.name(),
         after.golfer.name(),
         before.golfer.name()
@@ -184,7 +184,7 @@ fn beside_the_club(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
     let message = format!(
         "before and after differ in more than the club: {}; to see the effect of the club alone, \
          give the setup that the design was made for \
-         (plot strike SETUP --after FILE)",
+         (plot strike SETUP `after FILE`)",
         names.join(", ")
     );
     vec![message.into()]
@@ -208,7 +208,7 @@ fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Optio
     if setup.launch.is_given() && search.given().is_empty() {
         tell(
             "no optimum is drawn: the drive is given by its launch; give what to vary of it, for \
-             example --vary launch.launch_angle=5deg..20deg",
+             example `vary launch.launch_angle=5deg..20deg`",
         );
         return Ok((request.for_many(setup, &[])?, None));
     }

@@ -5,6 +5,7 @@ use crate::command::names::usual;
 use crate::command::output::{Answer, bar, command_line, system, tell, warn};
 use crate::command::plot::limits;
 use crate::command::running::running;
+use crate::command::wording::in_words_of_the_host;
 use crate::flight::Flight;
 use crate::optimize::{Observer, Status};
 use crate::report::Reply;
@@ -146,6 +147,9 @@ pub fn run(args: &Report) -> Result<Answer> {
     bar.inc(1);
 
     // of a file its name, wherever it is
+    let in_words = |message: Message| message.map_words(in_words_of_the_host);
+    let mut remarks: Vec<_> = remarks.into_iter().map(in_words).collect();
+    let why_none = why_none.map(in_words);
     let name = Path::new(request.source().name()).file_name();
     let name = name.map_or_else(
         || request.source().argument.clone(),
@@ -216,7 +220,7 @@ pub fn run(args: &Report) -> Result<Answer> {
 /// What the report of a launch says where nothing is to be varied.
 const NO_SEARCH: &str = "the drive is given by its launch, so there is no loft and no attack angle \
                          to vary: the optimum, its map and its chart \
-                         are left out; to look for the best launch, give --vary, for example \
+                         are left out; to look for the best launch, give `vary`, for example \
                          launch.launch_angle=5deg..20deg";
 
 impl Report {
@@ -235,13 +239,13 @@ impl Report {
             .search
             .given()
             .into_iter()
-            .chain(self.along.as_ref().map(|_| "--along"));
+            .chain(self.along.as_ref().map(|_| "`along`"));
         match of_search
             .into_iter()
-            .find(|option| !["--maximize", "--minimize"].contains(option))
+            .find(|option| !["`maximize`", "`minimize`"].contains(option))
         {
             Some(option) => {
-                let source = "it is about the search for an optimum; give --vary too, for example \
+                let source = "it is about the search for an optimum; give `vary` too, for example \
                               launch.launch_angle=5deg..20deg, or leave \
                               it out";
                 Err(Error::Unreadable {

@@ -126,7 +126,7 @@ impl RobustArgs {
         for text in &self.model {
             let model = Model::read(setup, text)?;
             let refuse = |source: String| Error::Unreadable {
-                name: format!("--model {}", model.name),
+                name: format!("`model` {}", model.name),
                 source: source.into(),
             };
             if let Some(same) = all.iter().find(|other| other.setup == model.setup) {
@@ -162,7 +162,7 @@ impl RobustArgs {
             return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD));
         };
         let refuse = |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable {
-            name: "--within".into(),
+            name: "`within`".into(),
             source,
         };
         let within = of

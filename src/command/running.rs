@@ -3,6 +3,7 @@
 use super::args::Shown;
 use super::host::{Host, Kind};
 use super::terminal::Terminal;
+use super::wording::with_mentions;
 use crate::units::{Message, System};
 use std::cell::RefCell;
 use std::ffi::OsString;
@@ -92,7 +93,10 @@ impl Running {
     /// A remark or progress, unless --quiet is given.
     pub fn tell(&self, text: &str) {
         if !self.is_quiet() {
-            self.host.say(Kind::Note, text);
+            self.host.say(
+                Kind::Note,
+                &with_mentions(text, |mention| self.host.mention(mention)),
+            );
         }
     }
 

@@ -19,9 +19,9 @@ impl SearchArgs {
             [] if setup.launch.is_given() => {
                 let source = "the drive is given by its launch, so there is no loft and no attack \
                               angle to vary; give what to vary of the \
-                              launch, for example --vary launch.launch_angle=5deg..20deg";
+                              launch, for example `vary launch.launch_angle=5deg..20deg`";
                 return Err(Error::Unreadable {
-                    name: "--vary".into(),
+                    name: "`vary`".into(),
                     source: source.into(),
                 });
             }
@@ -54,8 +54,8 @@ impl SearchArgs {
     /// The outcome that is looked at, and which value of it is sought.
     pub fn sought(&self) -> Result<(Outcome, Sense)> {
         Ok(match (&self.maximize, &self.minimize) {
-            (_, Some(of)) => (of_a_drive("--minimize", of)?, Sense::Minimize),
-            (Some(of), None) => (of_a_drive("--maximize", of)?, Sense::Maximize),
+            (_, Some(of)) => (of_a_drive("`minimize`", of)?, Sense::Minimize),
+            (Some(of), None) => (of_a_drive("`maximize`", of)?, Sense::Maximize),
             (None, None) => (Outcome::Carry, Sense::Maximize),
         })
     }
@@ -63,11 +63,11 @@ impl SearchArgs {
     /// The options that were given.
     pub fn given(&self) -> Vec<&'static str> {
         let given = [
-            ("--maximize", self.maximize.is_some()),
-            ("--minimize", self.minimize.is_some()),
-            ("--vary", !self.vary.is_empty()),
-            ("--subject-to", !self.subject_to.is_empty()),
-            ("--max-iterations", self.max_iterations.is_some()),
+            ("`maximize`", self.maximize.is_some()),
+            ("`minimize`", self.minimize.is_some()),
+            ("`vary`", !self.vary.is_empty()),
+            ("`subject_to`", !self.subject_to.is_empty()),
+            ("`max_iterations`", self.max_iterations.is_some()),
         ];
         given
             .into_iter()
@@ -142,8 +142,8 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {
             let source = format!(
-                "{text} is of many swings; give these too, with --swings FILE or \
-                         --distribution NAME=KIND(…)"
+                "{text} is of many swings; give these too, with `swings FILE` or \
+                         `distribution NAME=KIND(…)`"
             );
             Error::Unreadable {
                 name: option.into(),

@@ -23,7 +23,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let mut best = None;
     if let ([option, ..], false) = (args.search.given().as_slice(), args.at_optimum) {
         let source =
-            "it is about the search for an optimum; add --at-optimum, or leave it out".into();
+            "it is about the search for an optimum; add `at_optimum`, or leave it out".into();
         return Err(Error::Unreadable {
             name: (*option).into(),
             source,

@@ -35,10 +35,10 @@ impl SwingsArgs {
     /// What is given without the swings that it is about.
     fn stray(&self) -> Option<&'static str> {
         let given = [
-            ("--correlation", !self.correlation.is_empty()),
-            ("--scenarios", self.scenarios.is_some()),
-            ("--seed", self.seed.is_some()),
-            ("--strokes", self.strokes.is_some()),
+            ("`correlation`", !self.correlation.is_empty()),
+            ("`scenarios`", self.scenarios.is_some()),
+            ("`seed`", self.seed.is_some()),
+            ("`strokes`", self.strokes.is_some()),
         ];
         given
             .into_iter()
@@ -51,8 +51,8 @@ impl SwingsArgs {
     pub fn refuse_stray(&self) -> Result<()> {
         match self.stray().filter(|_| !self.is_given()) {
             Some(option) => {
-                let source = "it is about many swings; give these too, with --swings FILE or \
-                              --distribution NAME=KIND(…)";
+                let source = "it is about many swings; give these too, with `swings FILE` or \
+                              `distribution NAME=KIND(…)`";
                 Err(Error::Unreadable {
                     name: option.into(),
                     source: source.into(),
@@ -120,11 +120,11 @@ impl SwingsArgs {
             if let Some(option) = self
                 .distribution
                 .first()
-                .map(|_| "--distribution")
-                .or(self.correlation.first().map(|_| "--correlation"))
+                .map(|_| "`distribution`")
+                .or(self.correlation.first().map(|_| "`correlation`"))
             {
                 let source = format!(
-                    "{} gives the swings; write it into that file, or leave --swings out",
+                    "{} gives the swings; write it into that file, or leave `swings` out",
                     file.display()
                 );
                 return Err(Error::Unreadable {
@@ -334,8 +334,8 @@ pub fn sought(
     let strokes = swings.strokes()?;
     let strokes = strokes.as_ref();
     let (of, sense) = match (&search.maximize, &search.minimize) {
-        (_, Some(text)) => (goal("--minimize", text, strokes)?, Sense::Minimize),
-        (Some(text), None) => (goal("--maximize", text, strokes)?, Sense::Maximize),
+        (_, Some(text)) => (goal("`minimize`", text, strokes)?, Sense::Minimize),
+        (Some(text), None) => (goal("`maximize`", text, strokes)?, Sense::Maximize),
         (None, None) => usual()?,
     };
     let vary = match search.vary.as_slice() {
@@ -374,10 +374,10 @@ pub fn refuse_idle_strokes<'a>(
     mut goals: impl Iterator<Item = &'a Goal>,
 ) -> Result<()> {
     if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
-        let source = "no goal asks for strokes; write for example --minimize \"strokes(400yd)\", \
+        let source = "no goal asks for strokes; write for example `minimize \"strokes(400yd)\"`, \
                       or leave it out";
         return Err(Error::Unreadable {
-            name: "--strokes".into(),
+            name: "`strokes`".into(),
             source: source.into(),
         });
     }

@@ -127,7 +127,7 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
             let back: Vec<_> = first
                 .iter()
                 .filter(is_given)
-                .map(|name| format!("--set {name}=none"))
+                .map(|name| format!("`set {name}=none`"))
                 .collect();
             let reason = format!(
                 "{rule}; keep one of the two: leave one out, or take back what the setup gives \
@@ -233,8 +233,8 @@ impl Setup<f64> {
                 "air.pressure and air.altitude are both given",
                 "the altitude gives a pressure too, that of the standard atmosphere; keep one of \
                  the two: \
-                 leave one out, or take back what the setup gives with --set air.altitude=none or \
-                 --set air.pressure=none",
+                 leave one out, or take back what the setup gives with `set air.altitude=none` or \
+                 `set air.pressure=none`",
             );
         }
         match [has("wind.speed", wind.speed), has("wind.from", wind.from)] {

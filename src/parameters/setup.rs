@@ -16,7 +16,7 @@ use std::path::Path;
 pub(crate) const NO_CLUB: &str =
     "no club strikes the ball, since its launch is given; name launch.launch_angle and the like";
 
-const LISTING: &str = "'longdrive parameters' lists them all";
+const LISTING: &str = "`parameters()` lists them all";
 
 impl Parameter {
     /// Reads a value of this parameter. With `bare`, a number without a unit is SI, as a bare
@@ -346,8 +346,8 @@ impl Setup<f64> {
                 return Ok(());
             }
             let reason = format!(
-                "name the file of your table, {TABLE} = \"mine.csv\" in a setup file or --set \
-                 {TABLE}=mine.csv"
+                "name the file of your table, {TABLE} = \"mine.csv\" in a setup file or `set \
+                 {TABLE}=mine.csv`"
             );
             return Err(Error::Together {
                 given: format!("{LAW} = {TABLE_LAW} is given without {TABLE}"),
@@ -476,7 +476,7 @@ impl Setup<f64> {
         };
         if [LAW, TABLE, GOLFER, SPEED_OF].contains(&name) {
             return refuse(format!(
-                "it is a choice, not a number; compare two runs with --set {name}=…"
+                "it is a choice, not a number; compare two runs with `set {name}=…`"
             ));
         }
         if name == TURF {
@@ -501,7 +501,7 @@ impl Setup<f64> {
         match self.value(parameter) {
             Some(value) if value.is_finite() => Ok(parameter),
             Some(_) => refuse(
-                "it is infinite (a flat face) here; give it a finite value with --set".into(),
+                "it is infinite (a flat face) here; give it a finite value with `set`".into(),
             ),
             None => {
                 let meaning = parameter.doc.trim_end_matches('.').split_once("unset: ");
@@ -509,7 +509,7 @@ impl Setup<f64> {
                     format!(", which means: {meaning}")
                 });
                 refuse(format!(
-                    "it is unset here{meaning}; give it a value with --set"
+                    "it is unset here{meaning}; give it a value with `set`"
                 ))
             }
         }

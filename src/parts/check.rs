@@ -131,7 +131,7 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
                 fault.file, fault.reason
             ),
             None => {
-                "there is no part of a sweep in it; name the folder that sweep --part wrote into"
+                "there is no part of a sweep in it; name the folder that sweep `part` wrote into"
                     .into()
             }
         };

@@ -173,7 +173,7 @@ impl Dataset {
 
     /// The part that is in its place, if it is this one; or why it is not.
     fn found(&self, part: u64, path: &Path) -> Result<Manifest, String> {
-        let advice = "take another folder, or replace it with --overwrite";
+        let advice = "take another folder, or replace it with `overwrite`";
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;
         if let Some(difference) = self.question.difference(&footer.question) {
             return Err(format!(

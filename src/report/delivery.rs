@@ -113,7 +113,7 @@ fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
     let message = format!(
         "no delivery within the ranges explains this launch: {} was measured as {} and is {} at \
          the nearest, {} standard uncertainties \
-         away; check the value, the club (--set) and the ranges (--vary)",
+         away; check the value, the club (`set`) and the ranges (`vary`)",
         of.name(),
         of.show(worst.measured.value),
         of.show(worst.computed),
@@ -155,8 +155,8 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
         };
         Some(Message::from(format!(
             "{} of {} lies at the {} end of the range that it is sought in, {ends}: the range \
-             decides it there, and not the launch; --set {} to a \
-             value nearer to the golfer's, or give it a larger --sigma",
+             decides it there, and not the launch; `set` {} to a \
+             value nearer to the golfer's, or give it a larger `sigma`",
             parameter.name,
             counted_of(
                 values.len() as u64,

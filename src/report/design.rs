@@ -130,7 +130,7 @@ impl Designed<'_> {
         let rules = if self.design.is_under_rules {
             "under the Rules of Golf (docs/design.md has their sources)"
         } else {
-            "without the Rules of Golf (--rules none)"
+            "without the Rules of Golf (`rules none`)"
         };
         let lines = std::iter::once(rules).chain(self.notes.iter().map(String::as_str));
         text + "\n" + &lines.map(paragraph).collect::<String>()

@@ -75,8 +75,8 @@ pub fn laws_text(own: Option<Law<f64>>, system: System) -> String {
     };
     let laws: Vec<String> = all(own).map(one).collect();
     laws.join("\n")
-        + "\n  choose one with '--set aero.law=NAME'; 'longdrive parameters' lists the \
+        + "\n  choose one with `set aero.law=NAME`; `parameters()` lists the \
            coefficients\n  \
-           or your own table with '--set aero.table=mine.csv'; 'longdrive plot laws -o laws.svg' \
+           or your own table with `set aero.table=mine.csv`; `plot laws()` \
            draws them\n"
 }

@@ -315,7 +315,7 @@ fn sample_text(optimum: &Optimum) -> String {
         0 => format!("none of {points} other points in the ranges is better"),
         _ => format!(
             "{better} of {points} other points in the ranges are better; search from more starts, \
-             for example --starts 32"
+             for example `starts 32`"
         ),
     };
     let met = match (optimum.search.subject_to.is_empty(), feasible) {

@@ -68,7 +68,7 @@ pub struct PlacedGroup(RowGroupMetaData);
 /// wrong.
 fn failed(_: ParquetError) -> Error {
     let reason = "its record of a row group of the Parquet file is damaged; start the sweep again \
-                  with --overwrite";
+                  with `overwrite`";
     Error::Output(std::io::Error::other(reason))
 }
 

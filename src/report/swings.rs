@@ -384,7 +384,7 @@ fn doubts(
             goal.expression,
             between(found),
             if matches!(best.scenarios.rule, Rule::Sequence { .. }) {
-                "; it is known better with more --scenarios"
+                "; it is known better with more `scenarios`"
             } else {
                 ""
             }

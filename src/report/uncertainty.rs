@@ -263,7 +263,7 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     if found.plan.samples < ENOUGH {
         return text
             + &format!(
-                "  shares of the variance are shown from {ENOUGH} points on; --samples gives their \
+                "  shares of the variance are shown from {ENOUGH} points on; `samples` gives their \
                  number\n"
             );
     }

@@ -48,7 +48,7 @@ impl Summarized {
                 .position(|known| *known == of)
                 .ok_or_else(|| Error::Together {
                     given: of.name().into(),
-                    reason: "it is not among the outcomes that are computed; add it to --outcomes"
+                    reason: "it is not among the outcomes that are computed; add it to `outcomes`"
                         .into(),
                 })
         };

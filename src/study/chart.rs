@@ -246,7 +246,7 @@ pub fn chart_at(
         let name = along.parameter.name;
         let source = format!(
             "{name} is one of the parameters varied, so that the search chooses it; take it out of \
-             those (--vary), or follow the optimum \
+             those (`vary`), or follow the optimum \
              along another parameter"
         );
         return Err(Error::Unreadable {

@@ -22,8 +22,8 @@ pub(super) fn of_parameter(text: &str) -> Option<String> {
     let is_parameter = matches!(found, Ok(_) | Err(Error::OtherLaw { .. }));
     is_parameter.then(|| {
         format!(
-            "{text} is a parameter, and limits are of outcomes; give its range with --vary \
-                 {text}=LOW..HIGH"
+            "{text} is a parameter, and limits are of outcomes; give its range with `vary \
+                 {text}=LOW..HIGH`"
         )
     })
 }
@@ -52,9 +52,9 @@ impl Constraint {
     pub fn read(expression: &str) -> Result<Self> {
         let example = "descent_angle >= 38deg, lateral == 0m or 20yd <= apex_height <= 35yd";
         if let Some((name, _)) = expression.split_once(':') {
-            let reason = "a relation of parameters is a limit over many swings (--swings or \
-                          --distribution) and of 'longdrive design'; for one \
-                          drive, give the range of a parameter with --vary, or limit an outcome";
+            let reason = "a relation of parameters is a limit over many swings (`swings` or \
+                          `distribution`) and of `design()`; for one \
+                          drive, give the range of a parameter with `vary`, or limit an outcome";
             return Err(at(
                 expression,
                 &Part {

@@ -71,7 +71,7 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
         let source = format!(
             "{name} is one of the parameters varied, so that the search chooses it; ask about \
              another parameter, or take it out of those \
-             (--vary)"
+             (`vary`)"
         );
         return Err(Error::Unreadable {
             name: format!("the sensitivity of the optimum to {name}"),

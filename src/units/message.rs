@@ -85,6 +85,17 @@ impl Message {
         })
     }
 
+    /// The message with its words as `write` changes them; quantities stay.
+    #[must_use]
+    pub fn map_words(mut self, write: impl Fn(&str) -> String) -> Self {
+        for part in &mut self.parts {
+            if let Part::Words(words) = part {
+                *words = write(words);
+            }
+        }
+        self
+    }
+
     /// Messages in a row, with these words between them.
     pub fn joined(messages: impl IntoIterator<Item = Self>, between: &str) -> Self {
         let mut messages = messages.into_iter();

@@ -437,19 +437,19 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
             ],
             vec![
                 "unknown setup 'm'",
-                "stands in quotes, as in --set \"ground.height=-20 m\"",
+                "with a space in quotes, as in --set \"ground.height=-20 m\"",
             ],
         ),
         (
             vec!["optimize", "--set=swing.speed=100", "mph", "modern-driver"],
             vec![
                 "unexpected argument",
-                "stands in quotes, as in --set \"swing.speed=100 mph\"",
+                "with a space in quotes, as in --set \"swing.speed=100 mph\"",
             ],
         ),
         (
             vec!["sweep", "--over", "swing.speed=90", "mph..100", "mph:3"],
-            vec!["stands in quotes, as in --over \"swing.speed=90 mph..100 mph:3\""],
+            vec!["with a space in quotes, as in --over \"swing.speed=90 mph..100 mph:3\""],
         ),
         (
             vec![
@@ -460,7 +460,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
             ],
             vec![
                 "unknown setup",
-                "stands in quotes, as in --launch \"ball_speed=160 \
+                "with a space in quotes, as in --launch \"ball_speed=160 \
                  mph,launch_angle=11deg,backspin=2600rpm\"",
             ],
         ),
@@ -470,7 +470,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         ),
         (
             vec!["simulate", "--set", "swing.speed=103mph", "club.loft=10deg"],
-            vec!["every value stands after an option of its own, here --set"],
+            vec!["each value needs its own option: write --set NAME=VALUE"],
         ),
         (
             vec![
@@ -480,7 +480,9 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
                 "club.loft=4deg..20deg",
                 "swing.attack_angle=-5deg..5deg",
             ],
-            vec!["every value stands after an option of its own, here --vary or --over"],
+            vec![
+                "each range needs its own option: write --vary NAME=LOW..HIGH or --over NAME=LOW..HIGH",
+            ],
         ),
         (
             vec!["delivery", "examples/shots.csv"],
@@ -504,7 +506,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
                 "-o",
                 "best.toml",
             ],
-            vec!["stands in quotes, as in --vary \"club.loft=-4 deg..20 deg\"\n"],
+            vec!["with a space in quotes, as in --vary \"club.loft=-4 deg..20 deg\"\n"],
         ),
         (
             vec!["simulate", "no/such/file.toml"],

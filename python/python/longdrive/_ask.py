@@ -14,7 +14,6 @@ from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_
 from .interruption import interruption
 from .progress import follower
 from .reply import Reply
-from .wording import answer_in_python, in_python
 
 __all__ = ["ask"]
 
@@ -57,7 +56,7 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
     def said(kind: str, text: str) -> None:
         # warnings and errors stand in the answer
         if kind == "note":
-            notes.append(in_python(question.shown(text)))
+            notes.append(question.shown(text))
             import logging
 
             logging.getLogger("longdrive").info(notes[-1])
@@ -68,7 +67,7 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
         raise raised
     with interruptible(_done(function)):
         if isinstance(answer, dict):
-            answer = question.shown(answer_in_python(answer))
+            answer = question.shown(answer)
         if raised is None:
             return _reply(status, answer, question)
     # a search that had not finished one point has none
@@ -84,7 +83,7 @@ OF_EVERY = {"command", "status", "message", "warnings"}
 
 def _reply(status: int | None, answer: Any, question: Question) -> Reply:
     if not isinstance(answer, dict):
-        raise InputError("the command has no answer" if answer is None else in_python(str(answer)))
+        raise InputError("the command has no answer" if answer is None else str(answer))
     if status == 2 or (status == 1 and not answer.keys() - OF_EVERY):
         message = answer["message"] or answer["status"]
         raise InputError(question.meant(message)) if answer["status"] == "error" else NoAnswerError(message, answer["status"])

@@ -18,7 +18,6 @@ from ._longdrive import Setup
 from .arguments import kind_of, path_of, shown, switch_of, whole_characters
 from .described import commands
 from .errors import InputError
-from .wording import argument_of, in_python
 from .written import count_text, is_quantity, number_text, parts_of, write_table
 
 if TYPE_CHECKING:
@@ -55,7 +54,7 @@ class Question:
         """
         self.goal = str(next((given[name] for name in ("maximize", "minimize") if given.get(name) is not None), self.goal))
         for option in commands()[self.command]:
-            name = argument_of(option["name"])
+            name = option["argument"]
             if name in given:
                 with whole_characters(name):
                     self._take(name, option, given)
@@ -69,14 +68,14 @@ class Question:
             if value is not None and given.get("overwrite") is not None and switch_of("overwrite", given["overwrite"]):
                 raise InputError("overwrite is about a file, and no file is written; name it with output, or leave overwrite out")
         if value is None and (option["required"] or name == "shots" and option["positional"]):
-            raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
+            raise InputError(f"{name} is None, and {self.command} needs it: {option['words'].removesuffix('. Repeatable')}")
         if not option["positional"] and _is_empty(value):
             _refuse_empty(name, option)
         if name == "at" and not isinstance(value, str) and value is not None and "along" in given:
             value = self.places(name, value, given["along"])
         at = len(self.words)
         if not option["positional"]:
-            self.option(option["name"], value, option["takes"], what)
+            self.option(option["name"], value, option["takes"], what, name)
         elif name == "setup":
             self.take_setup(option["default"] if value is None else value)
         elif name == "other":
@@ -167,11 +166,11 @@ class Question:
         write_table(name, given, path)
         return str(path)
 
-    def option(self, name: str, value: Any, kind: str, what: str) -> None:
-        """An option as Python has it: `kind` is what it takes (nothing, one, several), `what` the name of its value."""
+    def option(self, name: str, value: Any, kind: str, what: str, argument: str | None = None) -> None:
+        """An option with its value: `kind` is what it takes (nothing, one, several), `what` the name of its value, `argument` its name in Python."""
         if value is None or value is False:
             return
-        option, name = "--" + name.replace("_", "-"), argument_of(name)
+        option, name = "--" + name.replace("_", "-"), argument or name
         if kind == "nothing":
             self.words.extend([option] if switch_of(name, value) else [])
         elif kind == "one":
@@ -183,7 +182,7 @@ class Question:
         """What an option takes several times, as texts."""
         if value is None:
             return []
-        option = next(option for option in commands()[self.command] if argument_of(option["name"]) == name)
+        option = next(option for option in commands()[self.command] if option["argument"] == name)
         if _is_empty(value):
             _refuse_empty(name, option)
         with whole_characters(name):
@@ -344,5 +343,5 @@ def _refuse_empty(name: str, option: Mapping[str, Any]) -> None:
     """An empty dict or list of what has a default, or stands for another question, which nobody asked for: no constraints are what an empty list of them says."""
     if name in REFUSED_EMPTY or option["required"] or option["default"] or "default" in option["help"]:
         left_out = "" if option["required"] else ", or leave it out"
-        about = in_python(option["help"]).removesuffix(". Repeatable").replace(". Repeatable [", " [")
+        about = option["words"].removesuffix(". Repeatable").replace(". Repeatable [", " [")
         raise InputError(f"{name} is empty; give one or more{left_out}: {about}")

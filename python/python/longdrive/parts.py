@@ -23,7 +23,6 @@ from ._question import Question as Words
 from .arguments import count_of, kind_of, path_of, refuse_idle_seed
 from .errors import Error, InputError, Interrupted
 from .types import Amount, Given, Names, SetupLike
-from .wording import in_python
 from .written import parts_of
 
 __all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
@@ -113,7 +112,7 @@ class Question:
         refuse_idle_seed(seed, sample)
         asked.option("seed", seed, "one", "SEED")
         asked.option("points", file, "one", "FILE")
-        asked.option("outcomes", _joined("of", of), "one", "OUTCOMES")
+        asked.option("outcomes", _joined("of", of), "one", "OUTCOMES", "of")
         if wrt == "points":
             asked.option("gradient", True, "nothing", "GRADIENT")
         else:
@@ -201,9 +200,9 @@ def _sweep(words: list[str], setup: str) -> dict[str, Any]:
     status, answer, raised = _longdrive.command([*words, "--quiet"], setup, lambda kind, text: None)
     if raised is not None:
         why = answer["message"] if isinstance(answer, dict) and answer["message"] else "interrupted before there was an answer"
-        raise Interrupted(in_python(why)) from raised
+        raise Interrupted(why) from raised
     if status == 2:
-        raise InputError(in_python(answer["message"]))
+        raise InputError(answer["message"])
     found: dict[str, Any] = answer
     return found
 

@@ -92,7 +92,7 @@ pub struct UncertaintyArgs {
         long,
         value_name = "N",
         default_value_t = 4096,
-        value_parser = whole::<u64>(2..=1_000_000, "--samples 4096"),
+        value_parser = whole::<u64>(2..=1_000_000, "`samples 4096`"),
         allow_negative_numbers = true,
     )]
     pub samples: u64,
@@ -102,7 +102,7 @@ pub struct UncertaintyArgs {
         long,
         value_name = "SEED",
         default_value_t = 0,
-        value_parser = whole::<u64>(0..=u64::MAX, "--seed 7"),
+        value_parser = whole::<u64>(0..=u64::MAX, "`seed 7`"),
         allow_negative_numbers = true,
     )]
     pub seed: u64,

@@ -35,7 +35,7 @@ pub struct Calibrate {
         long,
         value_name = "N",
         default_value_t = 1,
-        value_parser = whole::<u32>(1..=U32, "--starts 8"),
+        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
         allow_negative_numbers = true,
     )]
     pub starts: u32,
@@ -46,7 +46,7 @@ pub struct Calibrate {
         long,
         value_name = "K",
         default_value_t = 0,
-        value_parser = whole::<u32>(0..=U32, "--folds 5"),
+        value_parser = whole::<u32>(0..=U32, "`folds 5`"),
         allow_negative_numbers = true,
     )]
     pub folds: u32,
@@ -61,7 +61,7 @@ pub struct Calibrate {
         long,
         value_name = "N",
         default_value_t = 200,
-        value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"),
+        value_parser = whole::<u64>(0..=u64::MAX, "`max_iterations 200`"),
         allow_negative_numbers = true,
     )]
     pub max_iterations: u64,

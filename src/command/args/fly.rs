@@ -52,7 +52,7 @@ pub struct Fly {
         long,
         value_name = "N",
         default_value_t = 0,
-        value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"),
+        value_parser = whole::<usize>(0..=u64::MAX, "`threads 4`"),
         allow_negative_numbers = true,
     )]
     pub threads: usize,
@@ -64,7 +64,7 @@ pub struct Fly {
         value_name = "PORT",
         num_args = 0..=1,
         default_missing_value = "921",
-        value_parser = whole::<u16>(0..=65_535, "--listen 9210"),
+        value_parser = whole::<u16>(0..=65_535, "`listen 9210`"),
         allow_negative_numbers = true,
     )]
     pub listen: Option<u16>,

@@ -22,7 +22,7 @@ pub struct Sweep {
     #[arg(
         long,
         value_name = "N",
-        value_parser = whole::<u64>(1..=u64::MAX, "--sample 1000"),
+        value_parser = whole::<u64>(1..=u64::MAX, "`sample 1000`"),
         allow_negative_numbers = true,
     )]
     pub sample: Option<u64>,
@@ -33,7 +33,7 @@ pub struct Sweep {
         value_name = "SEED",
         default_value_t = 0,
         requires = "sample",
-        value_parser = whole::<u32>(0..=U32, "--seed 7"),
+        value_parser = whole::<u32>(0..=U32, "`seed 7`"),
         allow_negative_numbers = true,
     )]
     pub seed: u32,
@@ -147,7 +147,7 @@ pub struct Sweep {
         long,
         value_name = "N",
         default_value_t = 0,
-        value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"),
+        value_parser = whole::<usize>(0..=u64::MAX, "`threads 4`"),
         allow_negative_numbers = true,
     )]
     pub threads: usize,
@@ -181,7 +181,7 @@ impl PartOf {
                 "there are {parts} parts; give one from 1/{parts} to {parts}/{parts}"
             )),
             None => Err(
-                "write a number of a part, from 1, and how many there are, e.g. --part 17/1000"
+                "write a number of a part, from 1, and how many there are, e.g. `part 17/1000`"
                     .into(),
             ),
         }

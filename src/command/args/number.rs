@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn ends_of_the_ranges_are_accepted_and_messages_name_range_and_example() {
-        let starts = whole::<u32>(1..=U32, "--starts 8");
+        let starts = whole::<u32>(1..=U32, "`starts 8`");
         assert_eq!((starts("1"), starts("4294967295")), (Ok(1), Ok(u32::MAX)));
         for wrong in [
             "0",
@@ -56,16 +56,16 @@ mod tests {
             assert_eq!(
                 told,
                 "it must be a whole number of 1 or more (at most 4294967295); write for example \
-                 --starts 8"
+                 `starts 8`"
             );
         }
-        let told = whole::<u32>(240..=4000, "--width 800")("100").unwrap_err();
+        let told = whole::<u32>(240..=4000, "`width 800`")("100").unwrap_err();
         assert_eq!(
             told,
-            "it must be a whole number from 240 to 4000; write for example --width 800"
+            "it must be a whole number from 240 to 4000; write for example `width 800`"
         );
         assert_eq!(
-            whole::<u64>(0..=u64::MAX, "--seed 7")("18446744073709551615"),
+            whole::<u64>(0..=u64::MAX, "`seed 7`")("18446744073709551615"),
             Ok(u64::MAX)
         );
     }

@@ -31,7 +31,7 @@ pub struct ParetoAsked {
         long,
         value_name = "N",
         default_value_t = 15,
-        value_parser = whole::<usize>(2..=1000, "--points 15"),
+        value_parser = whole::<usize>(2..=1000, "`points 15`"),
         allow_negative_numbers = true,
     )]
     pub points: usize,
@@ -40,7 +40,7 @@ pub struct ParetoAsked {
     #[arg(
         long,
         value_name = "N",
-        value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"),
+        value_parser = whole::<u64>(0..=u64::MAX, "`max_iterations 200`"),
         allow_negative_numbers = true,
     )]
     pub max_iterations: Option<u64>,

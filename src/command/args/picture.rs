@@ -85,7 +85,7 @@ pub struct Drawing {
     #[arg(
         long,
         value_name = "PIXELS",
-        value_parser = whole::<u32>(240..=4000, "--width 800"),
+        value_parser = whole::<u32>(240..=4000, "`width 800`"),
         allow_negative_numbers = true,
     )]
     pub width: Option<u32>,
@@ -94,7 +94,7 @@ pub struct Drawing {
 impl Drawing {
     /// The options given about how a picture looks.
     pub fn look(&self) -> Vec<&'static str> {
-        let given = [("--dark", self.dark), ("--width", self.width.is_some())];
+        let given = [("`dark`", self.dark), ("`width`", self.width.is_some())];
         given
             .into_iter()
             .filter(|(_, is_given)| *is_given)

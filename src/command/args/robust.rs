@@ -21,7 +21,7 @@ pub struct RobustArgs {
         long,
         value_name = "N",
         default_value_t = 1,
-        value_parser = whole::<u32>(1..=U32, "--starts 8"),
+        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
         allow_negative_numbers = true,
     )]
     pub starts: u32,

@@ -31,7 +31,7 @@ pub struct SearchArgs {
     #[arg(
         long,
         value_name = "N",
-        value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"),
+        value_parser = whole::<u64>(0..=u64::MAX, "`max_iterations 200`"),
         allow_negative_numbers = true,
     )]
     pub max_iterations: Option<u64>,
@@ -46,7 +46,7 @@ pub struct WorkArgs {
         long,
         value_name = "N",
         default_value_t = 1,
-        value_parser = whole::<u32>(1..=U32, "--starts 8"),
+        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
         allow_negative_numbers = true,
     )]
     pub starts: u32,
@@ -82,7 +82,7 @@ pub struct SwingsArgs {
     #[arg(
         long,
         value_name = "N",
-        value_parser = whole::<usize>(2..=100_000, "--scenarios 1024"),
+        value_parser = whole::<usize>(2..=100_000, "`scenarios 1024`"),
         allow_negative_numbers = true,
     )]
     pub scenarios: Option<usize>,
@@ -91,7 +91,7 @@ pub struct SwingsArgs {
     #[arg(
         long,
         value_name = "SEED",
-        value_parser = whole::<u32>(0..=U32, "--seed 7"),
+        value_parser = whole::<u32>(0..=U32, "`seed 7`"),
         allow_negative_numbers = true,
     )]
     pub seed: Option<u32>,

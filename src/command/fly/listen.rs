@@ -47,11 +47,11 @@ struct Summary {
 fn both_given(file: &Path, why: &str) -> Error {
     let file = file.display();
     let source = format!(
-        "beside --listen the one file is the setup of all messages, and {file} is not one ({why}); \
-         to fly the shots of {file} leave --listen out"
+        "beside `listen` the one file is the setup of all messages, and {file} is not one ({why}); \
+         to fly the shots of {file} leave `listen` out"
     );
     Error::Unreadable {
-        name: format!("--listen and the shots {file} are both given"),
+        name: format!("`listen` and the shots {file} are both given"),
         source: source.into(),
     }
 }
@@ -210,16 +210,16 @@ fn refused(address: SocketAddr, error: &io::Error) -> Error {
         }
         ErrorKind::PermissionDenied => {
             "ports below 1024 need the rights of an administrator; take another port, as in \
-             --listen 9210"
+             `listen 9210`"
                 .into()
         }
         ErrorKind::AddrNotAvailable => {
-            "it is not an address of this machine; leave --address out, or name one that is".into()
+            "it is not an address of this machine; leave `address` out, or name one that is".into()
         }
         _ => format!("the system says: {error}"),
     };
     Error::Unreadable {
-        name: format!("--listen {address}"),
+        name: format!("`listen {address}`"),
         source: why.into(),
     }
 }

@@ -73,7 +73,7 @@ fn fly(args: &Fly) -> Result<Answer> {
     if !is_on_their_ground && of.iter().any(|of| of.needs_run() && shots.has(*of)) {
         remarks.push(
             "the measured totals are not compared: the ground is not given; name it with \
-                      --set ground.turf=average, or another"
+                      `set ground.turf=average`, or another"
                 .into(),
         );
     }
@@ -83,7 +83,7 @@ fn fly(args: &Fly) -> Result<Answer> {
     {
         remarks.push(
             "the measured carry is not compared: it is the distance from the tee, carry_distance; \
-             name that with --of"
+             name that with `of`"
                 .into(),
         );
     }
@@ -156,7 +156,7 @@ fn of_lofted(tally: &Tally, law: &Law<f64>) -> Option<String> {
         format!(
             "{} of clubs with more loft than a driver (spin ratio above 0.12): launch monitors \
              predict carries 4 to 8 yd longer there; \
-             --set aero.law=ferguson halves that",
+             `set aero.law=ferguson` halves that",
             counted(tally.lofted, "shot")
         )
     })

@@ -48,7 +48,7 @@ impl Target {
             (None, _) => {
                 return Err(refused(
                     path,
-                    "its name must end in .csv, .jsonl, .json or .parquet, or --format must name \
+                    "its name must end in .csv, .jsonl, .json or .parquet, or `format` must name \
                      the format",
                 ));
             }
@@ -57,12 +57,12 @@ impl Target {
         if is_standard && format == Written::Parquet && !request.is_json() {
             return Err(refused(
                 path,
-                "Parquet needs a file; name one with -o, or take --format csv or jsonl",
+                "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",
             ));
         }
         if is_standard && args.overwrite {
-            let reason = "--overwrite replaces a file, and the rows go to standard output; name a \
-                          file with -o, or leave --overwrite out";
+            let reason = "`overwrite` replaces a file, and the rows go to standard output; name a \
+                          file with `output`, or leave `overwrite` out";
             return Err(refused(path, reason));
         }
         let inputs = request

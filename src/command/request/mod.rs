@@ -49,8 +49,8 @@ impl SetupArgs {
     /// # Errors
     /// For one that cannot be read.
     pub fn settings(&self) -> Result<Vec<Setting>> {
-        let mut settings = Setting::read_all("--set", &self.set)?;
-        settings.extend(Setting::read_all_launch("--launch", &self.launch)?);
+        let mut settings = Setting::read_all("set", &self.set)?;
+        settings.extend(Setting::read_all_launch("launch", &self.launch)?);
         Ok(settings)
     }
 }
@@ -248,7 +248,7 @@ impl Request {
             .or(of_launch().next())
             .map_or_else(
                 || format!("the launch in {}", self.source.name()),
-                Setting::option_of_launch,
+                Setting::argument_of_launch,
             )
     }
 
@@ -491,15 +491,19 @@ impl OwnLaw {
     /// # Errors
     /// As for a setup; for a setting of anything else.
     pub fn law(&self) -> Result<Option<Law<f64>>> {
-        let settings = Setting::read_all("--set", &self.set)?;
+        let settings = Setting::read_all("set", &self.set)?;
         refuse_duplicates(&settings)?;
         if settings.is_empty() {
             return Ok(None);
         }
         let refused = || Error::Unreadable {
-            name: format!("--set {}", self.set.join(" --set ")),
-            source: "this command takes every law as it is published; --set gives it your own \
-                     table beside them, and the table's factors: --set aero.table=mine.csv"
+            name: settings
+                .iter()
+                .map(Setting::to_string)
+                .collect::<Vec<_>>()
+                .join(" "),
+            source: "this command takes every law as it is published; `set` gives it your own \
+                     table beside them, and the table's factors: `set aero.table=mine.csv`"
                 .into(),
         };
         let mut setup = Setup::default();

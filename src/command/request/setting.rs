@@ -7,7 +7,8 @@ use std::fmt;
 /// A parameter with its value, as an option of the command line gives them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    option: &'static str,
+    /// The argument that gives it: `set`, `launch_a`, `ball_speed`.
+    argument: &'static str,
     /// The name as it was typed: `ball_speed` after `--launch`.
     name: String,
     /// The name of the parameter: `launch.ball_speed`.
@@ -20,10 +21,10 @@ impl Setting {
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a text without `=`.
-    fn read(option: &'static str, text: &str) -> Result<Self> {
-        let (name, value) = split(option, text, "club.loft=10.5deg")?;
+    fn read(argument: &'static str, text: &str) -> Result<Self> {
+        let (name, value) = split(argument, text, "club.loft=10.5deg")?;
         Ok(Self {
-            option,
+            argument,
             name: name.into(),
             parameter: name.into(),
             value: value.into(),
@@ -34,9 +35,9 @@ impl Setting {
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a text without `=`; for an unknown condition.
-    fn read_launch(option: &'static str, text: &str) -> Result<Self> {
-        let (name, value) = split(option, text, "ball_speed=167mph")?;
-        Self::of_launch(option, name, value)
+    fn read_launch(argument: &'static str, text: &str) -> Result<Self> {
+        let (name, value) = split(argument, text, "ball_speed=167mph")?;
+        Self::of_launch(argument, name, value)
     }
 
     /// A launch condition with its value, from an option of its own (`--ball-speed 167mph`) or from
@@ -44,7 +45,7 @@ impl Setting {
     ///
     /// # Errors
     /// For an unknown condition.
-    pub fn of_launch(option: &'static str, name: &str, value: &str) -> Result<Self> {
+    pub fn of_launch(argument: &'static str, name: &str, value: &str) -> Result<Self> {
         let setup = Setup::default();
         let condition = setup.launch_condition(name).ok_or_else(|| {
             let names = setup.launch_conditions();
@@ -52,7 +53,7 @@ impl Setting {
             Error::unknown("launch condition", name, names, advice)
         })?;
         Ok(Self {
-            option,
+            argument,
             name: name.into(),
             parameter: condition.name.into(),
             value: value.trim().into(),
@@ -63,18 +64,21 @@ impl Setting {
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a text without `=`.
-    pub fn read_all(option: &'static str, texts: &[String]) -> Result<Vec<Self>> {
-        texts.iter().map(|text| Self::read(option, text)).collect()
+    pub fn read_all(argument: &'static str, texts: &[String]) -> Result<Vec<Self>> {
+        texts
+            .iter()
+            .map(|text| Self::read(argument, text))
+            .collect()
     }
 
     /// Reads the texts of an option such as `--launch`.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a text without `=`; for an unknown condition.
-    pub fn read_all_launch(option: &'static str, texts: &[String]) -> Result<Vec<Self>> {
+    pub fn read_all_launch(argument: &'static str, texts: &[String]) -> Result<Vec<Self>> {
         texts
             .iter()
-            .map(|text| Self::read_launch(option, text))
+            .map(|text| Self::read_launch(argument, text))
             .collect()
     }
 
@@ -100,37 +104,37 @@ impl Setting {
         is_taken_back(&self.parameter, &self.value)
     }
 
-    /// The option with the name: `--set club.loft`.
+    /// The argument with the name, for messages: `--set club.loft`.
     pub fn named(&self) -> String {
         if self.has_own_option() {
-            self.option.into()
+            format!("`{}`", self.argument)
         } else {
-            format!("{} {}", self.option, self.name)
+            format!("`{}` {}", self.argument, self.name)
         }
     }
 
-    /// The option that gives it, for a launch: `--launch`, or `--set launch.…`.
-    pub fn option_of_launch(&self) -> String {
+    /// The argument that gives it, for a launch: `--launch`, or `--set launch.…`.
+    pub fn argument_of_launch(&self) -> String {
         if self.replaces_launch() {
-            self.option.into()
+            format!("`{}`", self.argument)
         } else {
-            format!("{} launch.…", self.option)
+            format!("`{} launch.…`", self.argument)
         }
     }
 
     /// Whether the option is for this parameter only, as `--ball-speed` is.
     fn has_own_option(&self) -> bool {
-        self.option.trim_start_matches('-').replace('-', "_") == self.name
+        self.argument == self.name
     }
 }
 
-/// The setting as it was typed: `--set club.loft=11deg`.
+/// The setting as it was typed, for messages: `--set club.loft=11deg`.
 impl fmt::Display for Setting {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.has_own_option() {
-            write!(to, "{} {}", self.option, self.value)
+            write!(to, "`{} {}`", self.argument, self.value)
         } else {
-            write!(to, "{} {}={}", self.option, self.name, self.value)
+            write!(to, "`{} {}={}`", self.argument, self.name, self.value)
         }
     }
 }
@@ -160,11 +164,11 @@ pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
 }
 
 /// Splits `NAME=VALUE`.
-fn split<'a>(option: &str, text: &'a str, example: &str) -> Result<(&'a str, &'a str)> {
+fn split<'a>(argument: &str, text: &'a str, example: &str) -> Result<(&'a str, &'a str)> {
     text.split_once('=')
         .map(|(name, value)| (name.trim(), value.trim()))
         .ok_or_else(|| Error::Unreadable {
-            name: format!("{option} {text}"),
+            name: format!("`{argument} {text}`"),
             source: format!("write NAME=VALUE, for example {example}").into(),
         })
 }

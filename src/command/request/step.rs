@@ -137,7 +137,7 @@ pub fn read_tolerance(text: &str) -> Result<f64> {
 
 fn bad_tolerance(reason: String) -> Error {
     Error::Unreadable {
-        name: "--tolerance".into(),
+        name: "`tolerance`".into(),
         source: reason.into(),
     }
 }

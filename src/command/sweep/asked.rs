@@ -77,5 +77,5 @@ impl Asked {
 fn described(args: &Sweep) -> String {
     args.points
         .as_ref()
-        .map_or("--over".into(), |table| table.display().to_string())
+        .map_or("`over`".into(), |table| table.display().to_string())
 }

@@ -98,7 +98,7 @@ impl Files {
             ));
         }
         if !resume && !overwrite {
-            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite \
+            let reason = "an earlier sweep into it did not end; `resume` continues it, `overwrite` \
                           starts again";
             return Err(refused(&self.whole, reason));
         }
@@ -108,7 +108,7 @@ impl Files {
 
 fn nothing_left(path: &Path) -> Error {
     let reason = format!(
-        "there is nothing to resume: without {} it is complete, or not from a sweep; --overwrite \
+        "there is nothing to resume: without {} it is complete, or not from a sweep; `overwrite` \
          replaces it",
         Journal::path(path).display()
     );
@@ -184,14 +184,14 @@ impl<'a> Kept<'a> {
         if let Some(part) = writer.question.difference(&question) {
             let reason = format!(
                 "it belongs to another command ({part} differ); repeat the command that began it, \
-                 or replace it with --overwrite"
+                 or replace it with `overwrite`"
             );
             return Err(refused(&path, reason));
         }
         if !journal.overwrite && files.whole.exists() {
-            let reason = "it exists, and the sweep into it was begun without --overwrite; move it \
+            let reason = "it exists, and the sweep into it was begun without `overwrite`; move it \
                           away, then repeat the \
-                          same command with --resume";
+                          same command with `resume`";
             return Err(refused(&path, reason));
         }
         let mut kept = Self::at_the_beginning(files, file, journal, writer);
@@ -321,7 +321,7 @@ impl<'a> Kept<'a> {
         };
         let reason = format!(
             "{what}; {part} keeps its first {rows}; {remedy}, then repeat the same command with \
-             --resume"
+             `resume`"
         );
         refused(&self.files.whole, reason)
     }

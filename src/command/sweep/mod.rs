@@ -34,13 +34,13 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         return of_parts(args, path);
     }
     let of_parts = [
-        ("--histogram", &args.histogram),
-        ("--highest", &args.highest),
-        ("--lowest", &args.lowest),
+        ("`histogram`", &args.histogram),
+        ("`highest`", &args.highest),
+        ("`lowest`", &args.lowest),
     ];
     if let Some((option, _)) = of_parts.into_iter().find(|(_, given)| !given.is_empty()) {
         let reason =
-            "it is kept with a part of a sweep; add --part 1/1 for a sweep in one part".into();
+            "it is kept with a part of a sweep; add `part 1/1` for a sweep in one part".into();
         return Err(Error::Together {
             given: option.into(),
             reason,
@@ -108,12 +108,12 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         let drives = summary.text(None);
         tell(&match target.part() {
             Some(part) => format!(
-                "stopped: {drives}; the rows so far are in {}; the same command with --resume \
+                "stopped: {drives}; the rows so far are in {}; the same command with `resume` \
                  continues after {}",
                 part.display(),
                 counted(output.safe(), "row")
             ),
-            None => format!("stopped: {drives}; with -o FILE it could be resumed"),
+            None => format!("stopped: {drives}; with `output FILE` it could be resumed"),
         });
     }
     let nothing = (is_complete && !output.tally().has_any(&of)).then(|| {

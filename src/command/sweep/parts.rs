@@ -137,7 +137,7 @@ fn make(folder: &Path) -> Result<()> {
     if folder == Path::new("-") {
         return Err(refused(
             folder,
-            "a part is written into a folder; name one with -o, as in -o parts",
+            "a part is written into a folder; name one with `output`, as in `output parts`",
         ));
     }
     match std::fs::create_dir(folder) {
@@ -191,9 +191,9 @@ fn wanted(args: &Sweep) -> Result<Option<Question>> {
         return match args.instructions {
             None => Ok(None),
             Some(_) => Err(Error::Together {
-                given: "--check with --instructions".into(),
+                given: "`check` with `instructions`".into(),
                 reason:
-                    "say what was swept too (--over or --points), or leave --instructions out: the \
+                    "say what was swept too (`over` or `points`), or leave `instructions` out: the \
                      answer names them"
                         .into(),
             }),

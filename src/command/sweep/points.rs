@@ -28,7 +28,7 @@ fn range(setup: &Setup<f64>, text: &str) -> Result<Vary> {
         Some((range, _)) => Err(Error::SearchRange {
             name: text.into(),
             reason: format!(
-                "--sample says how many points there are; write {range}, without a count"
+                "`sample` says how many points there are; write {range}, without a count"
             ),
         }),
         None => Vary::read_column(setup, text),

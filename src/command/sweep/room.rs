@@ -20,7 +20,7 @@ pub fn check(
     target: &Target,
 ) -> Result<()> {
     let (most, limit) = match (&args.max_size, target.file()) {
-        (Some(text), _) => (read_size(text)?, format!("--max-size {text}")),
+        (Some(text), _) => (read_size(text)?, format!("`max_size {text}`")),
         (None, Some(path)) => match free(path) {
             Some((bytes, folder)) => (
                 bytes,
@@ -59,8 +59,8 @@ pub fn check(
         rows: rows.to_string(),
         size: format!("{} and about {time}", size(bytes)),
         limit,
-        advice: "take fewer values or outcomes, --sample points of the same ranges, or a larger \
-                 --max-size"
+        advice: "take fewer values or outcomes, `sample` points of the same ranges, or a larger \
+                 `max_size`"
             .into(),
     })
 }
@@ -88,7 +88,7 @@ const SIZES: [(&str, f64); 5] = [
 
 fn read_size(text: &str) -> Result<f64> {
     let refuse = || Error::Unreadable {
-        name: format!("--max-size {text}"),
+        name: format!("`max_size {text}`"),
         source: "write a size like 500MB, 50GB or 1.5TB".into(),
     };
     let digits = text

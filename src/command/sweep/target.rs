@@ -31,12 +31,12 @@ impl Target {
             .iter()
             .any(|name| target.path == Path::new(name))
         {
-            return refuse("it is standard output; write -o - with --format csv or jsonl");
+            return refuse("it is standard output; write `output -` with `format csv` or jsonl");
         }
         if target.is_standard_output() && args.overwrite {
             return refuse(
-                "--overwrite replaces a file, and the rows go to standard output; name a file with \
-                 -o, or leave --overwrite out",
+                "`overwrite` replaces a file, and the rows go to standard output; name a file with \
+                 `output`, or leave `overwrite` out",
             );
         }
         let ending = target
@@ -56,23 +56,25 @@ impl Target {
             (None, _) if target.is_standard_output() => Format::Csv,
             _ => {
                 return refuse(
-                    "its name must end in .csv, .jsonl or .parquet, or --format must name the \
+                    "its name must end in .csv, .jsonl or .parquet, or `format` must name the \
                      format",
                 );
             }
         };
         if target.is_standard_output() && request.is_json() {
             return refuse(
-                "standard output cannot hold both the rows and the summary of --json; name a file \
-                 with -o",
+                "standard output cannot hold both the rows and the summary of `json`; name a file \
+                 with `output`",
             );
         }
         if target.is_stream() && args.resume {
-            return refuse("only a file can be resumed; name one with -o");
+            return refuse("only a file can be resumed; name one with `output`");
         }
         #[cfg(feature = "parquet")]
         if target.is_stream() && format == Format::Parquet {
-            return refuse("Parquet needs a file; name one with -o, or take --format csv or jsonl");
+            return refuse(
+                "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",
+            );
         }
         if target.is_standard_output() {
             return Ok(Self { format, ..target });

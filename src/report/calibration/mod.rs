@@ -180,8 +180,8 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
             )
         }) {
             document.paragraph(
-                "Starts are spread over the ranges of the parameters: with narrower ones, --fit \
-                 NAME=LOW..HIGH, more of them come to a minimum.",
+                "Starts are spread over the ranges of the parameters: with narrower ones more of \
+                 them come to a minimum.",
             );
         }
     }

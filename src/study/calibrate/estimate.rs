@@ -56,7 +56,7 @@ impl Plan {
                 return Err(Error::Calibration {
                     reason: format!(
                         "the range of {name} is the single value {value}, so nothing is left to \
-                         fit; give a wider one, or --set it"
+                         fit; give a wider one, or `set` it"
                     ),
                 });
             }

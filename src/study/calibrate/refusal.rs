@@ -60,8 +60,8 @@ fn refusal(failed: &[(usize, Error)]) -> String {
     let advice = match groups.iter().all(|group| group.is_of_the_setup) {
         true => "",
         false => {
-            "; correct these rows or take them out, or start the fit elsewhere (--set, or --fit \
-             NAME=LOW..HIGH)"
+            "; correct these rows or take them out, or start the fit elsewhere (`set`, or `fit \
+             NAME=LOW..HIGH`)"
         }
     };
     said.join("; ") + advice

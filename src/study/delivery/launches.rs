@@ -78,7 +78,7 @@ impl Launches {
         if struck.len() < PAIRS as usize {
             let reason = "the swings behind the shots would vary so much that more than half of \
                           them are no strike; \
-                 name fewer parameters (--vary), or what is known of them (--sigma)";
+                 name fewer parameters (`vary`), or what is known of them (`sigma`)";
             return Err(Error::Delivery {
                 reason: reason.into(),
             });

@@ -171,7 +171,7 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
         }
         if low == high {
             return Err(refuse(format!(
-                "the range of {name} is a single value; give a wider one, or --set it"
+                "the range of {name} is a single value; give a wider one, or `set` it"
             )));
         }
         let before = setup.value(parameter).unwrap_or(0.5 * (low + high));
@@ -181,7 +181,7 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
                 [low, high].map(|end| parameter.show(Some(end))),
             );
             return Err(refuse(format!(
-                "{name} = {value} is outside of the range {} .. {} that it is sought in; --set it \
+                "{name} = {value} is outside of the range {} .. {} that it is sought in; `set` it \
                  to a value within",
                 ends[0], ends[1]
             )));
@@ -212,7 +212,7 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
             names.join(", ")
         );
         return Err(Error::Unreadable {
-            name: format!("--sigma {}", unused.parameter.name),
+            name: format!("`sigma` {}", unused.parameter.name),
             source: source.into(),
         });
     }

@@ -144,8 +144,8 @@ impl Design {
                         let source = format!(
                             "the swings have values of it, and what is varied changes {} too: the \
                              rule on the {} could be kept on average \
-                             only; leave it out of the swings, or leave the rules out with --rules \
-                             none",
+                             only; leave it out of the swings, or leave the rules out with `rules \
+                             none`",
                             of.name(),
                             rule.name
                         );
@@ -316,7 +316,7 @@ impl Design {
         }
         let value = setup.value(parameter).unwrap_or_default();
         let advice = format!(
-            "set it, for example --set {}=\"{}\"{}",
+            "set it, for example `set {}=\"{}\"`{}",
             parameter.name,
             rule.show(bound),
             rule.hint
@@ -395,7 +395,7 @@ impl Design {
         let shown = Quantity::MASS.show(most, "g");
         self.notes.push(format!(
             "the head may have as much mass as the one that is set up, \
-                                 {shown}; say how much with --subject-to \"head_mass <= 205 g\""
+                                 {shown}; say how much with `subject_to \"head_mass <= 205 g\"`"
         ));
         self.limit(
             "mass budget",

@@ -73,7 +73,7 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
         if parameter.is_of_launch() && !setup.launch.is_given() {
             let reason = format!(
                 "it has {}, which is of the ball, and a table of swings has parameters of swing \
-                 and strike; longdrive delivery --shots \
+                 and strike; `delivery()` with `shots` \
                  finds the swings behind launches",
                 parameter.name
             );

@@ -337,7 +337,7 @@ fn read_term(
             Some(strokes) => Measure::Strokes(strokes.clone(), amount(Quantity::LENGTH, words[0])?),
             None => {
                 return refuse(
-                    "expected strokes need a table of them; give it with --strokes FILE",
+                    "expected strokes need a table of them; give it with `strokes FILE`",
                 );
             }
         },

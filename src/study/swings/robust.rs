@@ -61,7 +61,7 @@ impl Model {
         };
         let pairs = text.split(',').map(pair).collect::<Option<Vec<_>>>();
         let pairs = pairs.ok_or_else(|| Error::Unreadable {
-            name: format!("--model {}", text.trim()),
+            name: format!("`model` {}", text.trim()),
             source: "write NAME=VALUE, several of them with commas between, for example \
                      aero.law=ferguson,impact.gear_scale=0.5"
                 .into(),
@@ -85,7 +85,7 @@ impl Model {
                 format!("{name} changes nothing: {NO_CLUB}").into(),
             );
             return Err(Error::Unreadable {
-                name: format!("--model {model}"),
+                name: format!("`model {model}`"),
                 source,
             });
         }
@@ -270,11 +270,11 @@ pub fn robust(
 ) -> Result<Robust> {
     if models.len() < 2 {
         let source =
-            "one design for several models needs two or more; give --model once for each beside \
+            "one design for several models needs two or more; give `model` once for each beside \
              the setup"
                 .into();
         return Err(Error::Unreadable {
-            name: "--model".into(),
+            name: "`model`".into(),
             source,
         });
     }

@@ -65,14 +65,14 @@ impl Rule {
     pub fn of(swings: &Swings, count: Option<usize>, seed: u32) -> Result<Self> {
         let refuse = |count: usize, reason: String| {
             Err(Error::Unreadable {
-                name: format!("--scenarios {count}"),
+                name: format!("`scenarios {count}`"),
                 source: reason.into(),
             })
         };
         match (swings, count) {
             (Swings::Recorded { .. }, Some(count)) => refuse(
                 count,
-                "recorded swings are the scenarios themselves; leave --scenarios out".into(),
+                "recorded swings are the scenarios themselves; leave `scenarios` out".into(),
             ),
             (Swings::Recorded { .. }, None) => Ok(Self::Recorded),
             (_, Some(count)) if !(2..=MOST_SCENARIOS).contains(&count) => {
@@ -110,7 +110,7 @@ impl Rule {
             (Self::Sequence { .. }, _) | (_, None) => return Ok(()),
             (Self::Quadrature(_), _) => {
                 "up to 3 distributed parameters are integrated by Gauss's rules, in which nothing \
-                 is random; give --scenarios too, or leave it out"
+                 is random; give `scenarios` too, or leave it out"
             }
             (Self::Recorded, _) => {
                 "recorded swings are the scenarios themselves, in which nothing is random; leave \
@@ -118,7 +118,7 @@ impl Rule {
             }
         };
         Err(Error::Unreadable {
-            name: "--seed".into(),
+            name: "`seed`".into(),
             source: why.into(),
         })
     }

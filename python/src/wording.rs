@@ -1,0 +1,66 @@
+//! Messages in the words of Python: arguments and functions where the program has options and
+//! commands.
+
+use longdrive::command::{Argument, Mention, with_mentions};
+use pyo3::prelude::*;
+
+/// A message with its arguments as those of functions: `subject_to="apex_height <= 30 m"`.
+#[pyfunction]
+#[pyo3(name = "_in_python")]
+pub fn in_python(message: &str) -> String {
+    with_mentions(message, mention)
+}
+
+/// The words of Python for an argument or a command.
+pub fn mention(mention: Mention<'_>) -> String {
+    let Argument {
+        name,
+        value,
+        takes_value,
+    } = match mention {
+        Mention::Command(name) => {
+            return format!("longdrive.{}()", name.replace('-', "_").replace(' ', "."));
+        }
+        Mention::Argument(argument) => argument,
+    };
+    match (name, value) {
+        ("set" | "set_a" | "set_b", value) => replacing(value),
+        // these are options of the program only
+        ("json" | "csv" | "listen" | "address", _) => mention.in_words_of_the_program(),
+        _ if !takes_value => format!("{}=True", argument_of(name)),
+        (_, None) => argument_of(name).into(),
+        (_, Some(value)) => format!("{}={}", argument_of(name), literal(value)),
+    }
+}
+
+/// The name of the argument for an option.
+pub fn argument_of(option: &str) -> &str {
+    match option {
+        "outcomes" => "of",
+        name => name,
+    }
+}
+
+/// A call that sets a parameter.
+fn replacing(value: Option<&str>) -> String {
+    match value.and_then(|value| value.split_once('=')) {
+        Some((name, amount)) => {
+            let amount = amount.trim_matches('"');
+            format!(r#"setup.replace({{"{name}": "{amount}"}})"#)
+        }
+        None => {
+            let name = value.map_or(String::new(), |name| format!(" {name}"));
+            format!("setup.replace({{…}}){name}")
+        }
+    }
+}
+
+/// A value as Python writes it: a placeholder such as FILE, a number, or a text in quotes.
+fn literal(value: &str) -> String {
+    let is_placeholder = value.chars().all(|c| c.is_ascii_uppercase() || c == '_');
+    if is_placeholder || value.starts_with('"') || value.parse::<f64>().is_ok() {
+        value.into()
+    } else {
+        format!("\"{value}\"")
+    }
+}
