@@ -3,14 +3,15 @@
 use super::block::{Block, Status};
 use super::question::Batch;
 use crate::aerodynamics::AerodynamicLaw;
-use crate::derivative::MOST_PER_LANE;
 use crate::drive::{
     ExceededLimits, LaunchState, Outcome, OutcomeGroup, OutcomeInputs, flat_landing_angle,
     is_outside_any_face,
 };
 use crate::flight::{Inputs, RequestedOutputs};
 use crate::impact::Head;
-use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, in_lane, inlined};
+use crate::number::{
+    Derivatives, Lanes, Mask, Number, OverNumbers, Task, in_lane, inlined, over_drives,
+};
 use crate::parameters::Parameter;
 
 /// The drives of a block, with derivatives by a few parameters.
@@ -31,13 +32,30 @@ impl Task for Abreast<'_> {
         let (mut flying, mut alone) = self.line_up::<V>();
         // flights of about the same length side by side: a group takes as long as its longest
         flying.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        match self.wrt.len() {
-            0 => self.fly::<V>(&flying, &mut alone),
-            1 => self.fly::<Jet<1, V>>(&flying, &mut alone),
-            2 => self.fly::<Jet<2, V>>(&flying, &mut alone),
-            _ => self.fly::<Jet<MOST_PER_LANE, V>>(&flying, &mut alone),
-        }
+        let parameters = self.wrt.len();
+        let mut flight = Flying {
+            drives: self,
+            rows: &flying,
+            alone: &mut alone,
+        };
+        over_drives::<V, _>(&mut flight, parameters);
         alone
+    }
+}
+
+/// Rows that fly, each with its upward speed at launch, and those left to be computed alone.
+struct Flying<'a, 'b> {
+    drives: &'a mut Abreast<'b>,
+    rows: &'a [(f64, usize)],
+    alone: &'a mut Vec<usize>,
+}
+
+impl OverNumbers for Flying<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn over<J: Lanes<Lane: Derivatives>>(&mut self, _per_lane: usize) {
+        self.drives.fly::<J>(self.rows, self.alone);
     }
 }
 

@@ -3,10 +3,11 @@
 use super::abreast::Abreast;
 use super::block::{Block, Status};
 use super::question::Batch;
-use crate::derivative::{Evaluator, MOST_PER_LANE, Order};
+use crate::derivative::{Evaluator, Order};
 use crate::drive::{CheckScope, Drive, ExceededLimits, Outcome};
 use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
+use crate::number::MOST_PER_LANE;
 use crate::parameters::{Parameter, Setup};
 
 /// Halvings of the step within which a drive has to get below the largest defect.

@@ -1,7 +1,4 @@
-use crate::number::{Lanes, Level, Mask, inlined};
-
-/// The most directions in a lane: in sweeps too, so that both have the same flights.
-pub(crate) const MOST_PER_LANE: usize = 3;
+use crate::number::{Lanes, Level, MOST_PER_LANE, Mask, inlined};
 
 /// The variables, by their indices, that are differentiated by: the lanes all hold the same drive,
 /// each with directions of its own.

@@ -8,7 +8,6 @@ mod pass;
 mod split;
 
 pub use crate::number::Taylor;
-pub(crate) use directions::MOST_PER_LANE;
 pub use evaluator::{Evaluator, Order};
 
 use crate::drive::Outcome;

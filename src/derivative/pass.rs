@@ -1,12 +1,13 @@
 use super::Taylor;
-use super::directions::{Directions, MOST_PER_LANE, pairs};
+use super::directions::{Directions, pairs};
 use crate::drive::{LaunchState, Outcome, OutcomeGroup, OutcomeInputs};
 use crate::error::{Error, Result};
 use crate::flight::{Inputs, RequestedOutputs};
 use crate::impact::{Head, strike};
 use crate::launch::Launch;
 use crate::number::{
-    Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, in_lane, inlined,
+    Derivatives, Lanes, Level, Mask, Number, OverNumbers, Task, Vector, in_lane, inlined,
+    over_directions,
 };
 use crate::parameters::{Parameter, Setup};
 
@@ -109,16 +110,17 @@ impl Task for Pass<'_> {
 
     #[inline(always)]
     fn run<V: Lanes<Lane = f64>>(&mut self) -> Result<()> {
-        match (self.directions.variables.len(), self.directions.are_pairs) {
-            (0, _) => self.over::<V>(1),
-            (_, true) => self.over::<Mixed<V>>(2),
-            (count, false) if count <= V::WIDTH => self.over::<Jet<1, V>>(1),
-            _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
-        }
+        let Directions {
+            variables,
+            are_pairs,
+        } = self.directions;
+        over_directions::<V, Self>(self, variables.len(), are_pairs)
     }
 }
 
-impl Pass<'_> {
+impl OverNumbers for Pass<'_> {
+    type Output = Result<()>;
+
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Result<()> {
         let Self {

@@ -1,6 +1,5 @@
-use super::directions::MOST_PER_LANE;
 use super::pass::COMPONENTS;
-use crate::number::Level;
+use crate::number::{Level, MOST_PER_LANE};
 use crate::parameters::Parameter;
 
 /// Which parameters the launch depends on, and which the flight depends on beside the launch. A

@@ -6,6 +6,7 @@
 //! which carries derivatives and, over itself, second derivatives, and the lanes, which hold
 //! several drives, or several directions of one, side by side, have implementations of their own.
 
+mod compiled;
 mod derivatives;
 mod dual;
 mod held;
@@ -19,6 +20,7 @@ mod tanh;
 mod taylor;
 mod vector;
 
+pub(crate) use compiled::{MOST_PER_LANE, OverNumbers, over_directions, over_drives};
 pub(crate) use derivatives::Derivatives;
 pub(crate) use held::{held_above, held_below, smooth_step};
 pub(crate) use inlined::inlined;

@@ -192,7 +192,10 @@ fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
             time(&tasks, "T5", 4) / 1000.0
         ),
     ] {
-        assert!(head.contains(&said), "docs/performance.md should say: {said}");
+        assert!(
+            head.contains(&said),
+            "docs/performance.md should say: {said}"
+        );
     }
     let sweeps = table(&performance, "| A drive of a sweep by two parameters |");
     for row in &sweeps {
@@ -222,7 +225,9 @@ fn questions_md_names_every_outcome_of_a_drive() {
 #[test]
 fn commands_on_the_samples_run_as_they_are_written() {
     let folder = tempfile::tempdir().unwrap();
-    let texts = ["README.md", "docs/questions.md", "docs/calibration.md"].map(document).concat();
+    let texts = ["README.md", "docs/questions.md", "docs/calibration.md"]
+        .map(document)
+        .concat();
     let samples = texts
         .lines()
         .filter(|line| line.starts_with("longdrive ") && line.contains("examples/"));

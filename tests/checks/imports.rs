@@ -1,4 +1,4 @@
-//! Which files of the library import which: none in a circle.
+//! Imports between files of the library: no circle.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ pub fn source() -> PathBuf {
         .join("src")
 }
 
-/// A file, or those of a folder and of the folders in it.
+/// A file, or all files below a folder.
 pub fn files(place: PathBuf) -> Vec<PathBuf> {
     if place.is_file() {
         return vec![place];
@@ -42,11 +42,11 @@ fn paths(tree: &str) -> Vec<String> {
 struct Use {
     is_handed_on: bool,
     path: String,
-    /// What it is called in the file.
+    /// Its name in the file.
     name: String,
 }
 
-/// What a file names.
+/// The names in a file.
 struct Names {
     uses: Vec<Use>,
     /// The paths in its code, such as `super::map::capital`.
@@ -54,8 +54,8 @@ struct Names {
 }
 
 impl Names {
-    /// Those of a text, without comments and unit tests. A macro's `$crate` is none: it stands
-    /// where the macro is called.
+    /// Names in a text, without comments and unit tests. The `$crate` of a macro counts where the
+    /// macro is called.
     fn of(text: &str) -> Self {
         let text = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap();
         let is_use = |line: &&str| {
@@ -85,7 +85,7 @@ impl Names {
         let code = text
             .lines()
             .filter(|line| !is_use(line) && !line.trim().starts_with("//"));
-        // that something is seen in a module imports nothing from it
+        // visibility within a module is no import
         let code = code.map(|line| {
             line.split_once("pub(in ")
                 .and_then(|(_, rest)| rest.split_once(')'))
@@ -103,7 +103,7 @@ impl Names {
     }
 }
 
-/// The module in whose file stands what a path in a module leads to.
+/// The module in whose file the target of a path is.
 fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String {
     let (name, rest) = path.split_once("::").unwrap_or((path, ""));
     let next = match name {
@@ -121,11 +121,11 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
     handed_on.map_or(module.to_owned(), |of| defined(files, module, &of.path))
 }
 
-/// What imports what.
+/// Imports of each file.
 type Imports = BTreeMap<String, BTreeSet<String>>;
 
-/// The files of the library, by the modules that they are, and what each imports: by `use` lines,
-/// and by paths in its code. What is only handed on is no import.
+/// The files of the library as modules, with the imports of each: by `use` lines, and by paths in
+/// its code. Re-exports are no imports.
 fn imports() -> Imports {
     let source = source();
     let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap();
@@ -168,7 +168,7 @@ fn imports() -> Imports {
 
 /// A circle: each imports the next, and the last the first.
 fn circle(mut imports: Imports) -> Option<Vec<String>> {
-    // what imports nothing that is left is in no circle
+    // a file that imports no remaining file is in no circle
     loop {
         let is_end =
             |others: &BTreeSet<String>| others.iter().all(|other| !imports.contains_key(other));
@@ -182,7 +182,7 @@ fn circle(mut imports: Imports) -> Option<Vec<String>> {
         }
         imports.retain(|one, _| !ends.contains(one));
     }
-    // the others all import one that is left: who goes on and on comes back
+    // every remaining file imports another one: a walk along imports returns to a file
     let mut way = vec![imports.keys().next()?.clone()];
     loop {
         let next = imports[way.last()?]
@@ -196,7 +196,7 @@ fn circle(mut imports: Imports) -> Option<Vec<String>> {
 }
 
 #[test]
-fn regress_no_circle_of_imports_between_files() {
+fn no_circle_of_imports_between_files() {
     let imports = imports();
     let count: usize = imports.values().map(BTreeSet::len).sum();
     assert!(count > 2500, "{count} imports");
@@ -204,7 +204,7 @@ fn regress_no_circle_of_imports_between_files() {
 }
 
 #[test]
-fn regress_no_circle_of_imports_between_modules() {
+fn no_circle_of_imports_between_modules() {
     let module = |file: &String| file.split("::").nth(1).map(str::to_owned);
     let mut modules = Imports::new();
     for (file, others) in imports() {
@@ -225,7 +225,7 @@ fn regress_no_circle_of_imports_between_modules() {
 }
 
 #[test]
-fn exact_a_circle_is_found_however_long_it_is() {
+fn a_circle_of_any_length_is_found() {
     let of = |pairs: &[(&str, &str)]| {
         let mut imports = Imports::new();
         for (one, other) in pairs {
@@ -248,4 +248,52 @@ fn exact_a_circle_is_found_however_long_it_is() {
     ]);
     assert_eq!(found.unwrap(), ["b", "c", "d"]);
     assert_eq!(of(&[("a", "b"), ("b", "a")]).unwrap(), ["a", "b"]);
+}
+
+/// Each number of the core is compiled again at each level, so new ones go through one list.
+#[test]
+fn the_core_is_compiled_for_the_numbers_of_one_list() {
+    let list = std::fs::read_to_string(source().join("number/compiled.rs")).unwrap();
+    let largest = "const MOST_PER_LANE: usize = ";
+    let largest = list.split(largest).nth(1).unwrap().split(';').next();
+    let list = list.replace("MOST_PER_LANE, ", &format!("{}, ", largest.unwrap()));
+    let numbers: BTreeSet<&str> = list
+        .split("work.over::<")
+        .skip(1)
+        .map(|rest| rest.split(">(").next().unwrap())
+        .collect();
+
+    let text = std::fs::read_to_string(source().join("../docs/architecture.md")).unwrap();
+    let documented: BTreeSet<&str> = text
+        .split("| number | holds |")
+        .nth(1)
+        .unwrap()
+        .lines()
+        .skip(2)
+        .map_while(|line| line.strip_prefix("| `")?.split('`').next())
+        .collect();
+    assert_eq!(numbers, documented, "src/number/compiled.rs and its table");
+
+    let others = files(source()).into_iter().filter(|file| {
+        let name = file.strip_prefix(source()).unwrap();
+        !name.starts_with("number") && name.extension().is_some_and(|ending| ending == "rs")
+    });
+    let mut with_num_dual = vec![];
+    for file in others {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let code = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap();
+        let has = |name: &str| {
+            code.lines()
+                .any(|line| !line.trim_start().starts_with("//") && line.contains(name))
+        };
+        let name = file.strip_prefix(source()).unwrap().to_str().unwrap();
+        assert!(
+            !has("Jet<") && !has("Mixed<"),
+            "{name} names a number of the core: add it to src/number/compiled.rs"
+        );
+        if has("constant::<Dual64>") {
+            with_num_dual.push(name.replace('\\', "/"));
+        }
+    }
+    assert_eq!(with_num_dual, ["study/certificate/agreement.rs"]);
 }

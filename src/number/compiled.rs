@@ -1,0 +1,52 @@
+//! The numbers that impact and flight are compiled for.
+//!
+//! This list is the only place that names them, and a test compares it with docs/architecture.md.
+//! Each number below is compiled once at each [`Level`](super::Level) of the processor: five
+//! numbers at three levels on x86-64. Two more numbers reach the same code through the public
+//! generics: `f64` ([`Drive::new`](crate::Drive::new)), which is the number of the baseline, and
+//! `num_dual::Dual64` (`study::certificate`), one more copy.
+
+use super::{Derivatives, Jet, Lanes, Mixed};
+
+/// Largest number of directions in a lane. One drive and sweeps share it, so that they share the
+/// compiled flight.
+pub(crate) const MOST_PER_LANE: usize = 3;
+
+/// Work that is compiled for each number of a list below. As for [`Task`](super::Task), `over` and
+/// its calls on numbers must be `#[inline(always)]`.
+pub(crate) trait OverNumbers {
+    /// Result of the work.
+    type Output;
+    /// Runs over numbers with this many directions in each lane.
+    fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Self::Output;
+}
+
+/// One drive, whose lanes are directions: values, gradients, or Hessians (a pair of variables in
+/// each lane).
+#[inline(always)]
+pub(crate) fn over_directions<V: Lanes<Lane = f64>, W: OverNumbers>(
+    work: &mut W,
+    variables: usize,
+    are_pairs: bool,
+) -> W::Output {
+    match (variables, are_pairs) {
+        (0, _) => work.over::<V>(1),
+        (_, true) => work.over::<Mixed<V>>(2),
+        (count, false) if count <= V::WIDTH => work.over::<Jet<1, V>>(1),
+        _ => work.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
+    }
+}
+
+/// Sweeps, whose lanes are drives, with derivatives by up to [`MOST_PER_LANE`] parameters.
+#[inline(always)]
+pub(crate) fn over_drives<V: Lanes<Lane = f64>, W: OverNumbers>(
+    work: &mut W,
+    parameters: usize,
+) -> W::Output {
+    match parameters {
+        0 => work.over::<V>(1),
+        1 => work.over::<Jet<1, V>>(1),
+        2 => work.over::<Jet<2, V>>(2),
+        _ => work.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
+    }
+}
