@@ -39,8 +39,8 @@ fn names(best: &Optimum) -> Vec<String> {
 
 const BOX: [&str; 2] = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
 
-/// A drive in three dimensions: off the centre, in the wind, with the face and path askew.
-fn askew() -> Setup<f64> {
+/// A drive in three dimensions: off the centre, in the wind, with the face and path off_centre.
+fn off_centre() -> Setup<f64> {
     let mut setup = Setup::default();
     for (name, value) in [
         ("strike.high", "6 mm"),
@@ -138,7 +138,7 @@ fn differences_of_new_optima_confirm_every_sensitivity_on_a_bound() {
 
 #[test]
 fn differences_of_new_optima_confirm_every_sensitivity_at_a_constraint() {
-    let setup = askew();
+    let setup = off_centre();
     let search = search(
         &setup,
         &[

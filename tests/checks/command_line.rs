@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::process::Child;
 use std::time::Duration;
 
-pub struct Said {
+pub struct Output {
     pub status: i32,
     pub out: String,
     pub err: String,
@@ -25,7 +25,7 @@ pub fn wait_until(child: &mut Child, is_time: impl Fn() -> bool) {
 
 /// Output of a command, and the files that it writes into a new folder.
 pub struct Written {
-    pub said: Said,
+    pub said: Output,
     files: BTreeMap<String, String>,
 }
 
@@ -54,10 +54,10 @@ pub fn written(args: &[&str]) -> Written {
     Written { said, files }
 }
 
-pub fn longdrive(args: &[&str]) -> Said {
+pub fn longdrive(args: &[&str]) -> Output {
     let output = program::command().args(args).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
-    Said {
+    Output {
         status: output.status.code().unwrap(),
         out: text(output.stdout),
         err: text(output.stderr),

@@ -441,7 +441,7 @@ fn of_other_version(path: &Path) {
 
 #[test]
 fn a_check_names_missing_double_damaged_and_foreign_parts() {
-    let spoilt = |spoil: &dyn Fn(&Path), more: &[&str]| {
+    let checked_copy = |spoil: &dyn Fn(&Path), more: &[&str]| {
         let copy = SET.copy();
         spoil(copy.path());
         let (status, answer) = checked(copy.path(), more);
@@ -459,7 +459,7 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
     let none: Vec<(Value, Value)> = vec![];
     let fault = |file: &str, kind: &str| vec![(Value::from(file), Value::from(kind))];
     let place = |folder: &Path| folder.join(NAMES[2]);
-    let (missing, faults, answer) = spoilt(
+    let (missing, faults, answer) = checked_copy(
         &|folder| {
             fs::remove_file(folder.join(NAMES[0])).unwrap();
             fs::remove_file(folder.join(NAMES[2])).unwrap();
@@ -484,24 +484,27 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
             .unwrap();
         file.set_len(file.metadata().unwrap().len() - 9).unwrap();
     };
-    assert_eq!(spoilt(&cut, &[]).0, serde_json::json!([3]));
-    assert_eq!(spoilt(&cut, &[]).1, fault(NAMES[2], "damaged"));
+    assert_eq!(checked_copy(&cut, &[]).0, serde_json::json!([3]));
+    assert_eq!(checked_copy(&cut, &[]).1, fault(NAMES[2], "damaged"));
     let doubled = |folder: &Path| {
         fs::copy(place(folder), folder.join("part-00003 (1).parquet")).unwrap();
     };
-    assert_eq!(spoilt(&doubled, &[]).0, serde_json::json!([]));
+    assert_eq!(checked_copy(&doubled, &[]).0, serde_json::json!([]));
     assert_eq!(
-        spoilt(&doubled, &[]).1,
+        checked_copy(&doubled, &[]).1,
         fault("part-00003 (1).parquet", "doubled")
     );
     let swapped =
         |folder: &Path| fs::rename(place(folder), folder.join("part-00007.parquet")).unwrap();
     assert_eq!(
-        spoilt(&swapped, &[]).1,
+        checked_copy(&swapped, &[]).1,
         fault("part-00007.parquet", "foreign")
     );
     let strange = |folder: &Path| fs::write(folder.join("mine.parquet"), "PAR1").unwrap();
-    assert_eq!(spoilt(&strange, &[]).1, fault("mine.parquet", "foreign"));
+    assert_eq!(
+        checked_copy(&strange, &[]).1,
+        fault("mine.parquet", "foreign")
+    );
     let other = |folder: &Path| {
         fs::remove_file(place(folder)).unwrap();
         let apart = tempfile::tempdir().unwrap();
@@ -509,8 +512,11 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
         assert_eq!(write(&question, 3, PARTS, apart.path(), &[]).0, 0);
         fs::copy(place(apart.path()), place(folder)).unwrap();
     };
-    assert_eq!(spoilt(&other, &[]).1, fault(NAMES[2], "other-question"));
-    let (missing, faults, answer) = spoilt(&|folder| of_other_version(&place(folder)), &[]);
+    assert_eq!(
+        checked_copy(&other, &[]).1,
+        fault(NAMES[2], "other-question")
+    );
+    let (missing, faults, answer) = checked_copy(&|folder| of_other_version(&place(folder)), &[]);
     assert_eq!(
         (missing, faults),
         (serde_json::json!([3]), fault(NAMES[2], "other-version"))
@@ -533,7 +539,10 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
     let copy = SET.copy();
     flipped(copy.path());
     assert_eq!(checked(copy.path(), &[]).0, 0);
-    assert_eq!(spoilt(&flipped, &["--hash"]).1, fault(NAMES[2], "damaged"));
+    assert_eq!(
+        checked_copy(&flipped, &["--hash"]).1,
+        fault(NAMES[2], "damaged")
+    );
 
     // compared with the arguments of a sweep
     let folder = SET.path().to_str().unwrap();

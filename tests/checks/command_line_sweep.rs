@@ -61,17 +61,17 @@ fn sidecar(file: &Path) -> PathBuf {
 }
 
 /// The unfinished file of the rows.
-fn so_far(file: &Path) -> PathBuf {
+fn unfinished_file(file: &Path) -> PathBuf {
     PathBuf::from(format!("{}.part", file.display()))
 }
 
 /// Waits until some rows are written, or the program ends.
 fn wait_for_rows(child: &mut Child, file: &Path) {
-    wait_until(child, || promises(file) > 1);
+    wait_until(child, || announced_rows(file) > 1);
 }
 
 /// Number of complete lines of the sidecar.
-fn promises(file: &Path) -> usize {
+fn announced_rows(file: &Path) -> usize {
     fs::read_to_string(sidecar(file)).map_or(0, |text| text.matches('\n').count())
 }
 
@@ -90,12 +90,12 @@ fn many_of(table: &str) -> Vec<&str> {
 }
 
 /// An uninterrupted sweep: its file, and its number of drives beyond the fitted range of the law.
-struct Whole {
+struct Uninterrupted {
     bytes: Vec<u8>,
     beyond: String,
 }
 
-impl Whole {
+impl Uninterrupted {
     fn new(many: &[&str], format: &str) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join(format!("whole.{format}"));
@@ -110,7 +110,8 @@ impl Whole {
 
     /// The result of `many`, computed once for all tests.
     fn of_many(format: &'static str) -> &'static Self {
-        static WHOLE: [OnceLock<Whole>; FORMATS.len()] = [const { OnceLock::new() }; FORMATS.len()];
+        static WHOLE: [OnceLock<Uninterrupted>; FORMATS.len()] =
+            [const { OnceLock::new() }; FORMATS.len()];
         let at = FORMATS.iter().position(|known| *known == format).unwrap();
         WHOLE[at].get_or_init(|| Self::new(&many(), format))
     }
@@ -122,14 +123,14 @@ fn beyond(said: &str) -> Option<String> {
         .map(str::to_owned)
 }
 
-fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
+fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
     let folder = tempfile::tempdir().unwrap();
     let part = folder.path().join(format!("part.{format}"));
     let mut child = start(many, &part, &["--threads", "2"]);
     wait_for_rows(&mut child, &part);
     child.kill().unwrap();
     child.wait().unwrap();
-    let mut promised = None;
+    let mut announced_row = None;
     if sidecar(&part).exists() {
         // a kill may truncate a row, a row group or a line of the sidecar
         let append = |path: &Path, bytes: &[u8]| {
@@ -144,7 +145,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
             !part.exists(),
             "an incomplete file has the name of a complete one"
         );
-        append(&so_far(&part), b"0.1,0.2,lan");
+        append(&unfinished_file(&part), b"0.1,0.2,lan");
         append(&sidecar(&part), b"{\"rows\":99");
 
         // refused without --resume, and with other arguments
@@ -166,9 +167,9 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
         assert!(said.contains("the derivatives differ"), "{said}");
 
         // Ctrl-C after more rows are written, unless it has ended
-        let before = promises(&part);
+        let before = announced_rows(&part);
         let mut child = start(many, &part, &["--resume"]);
-        wait_until(&mut child, || promises(&part) > before);
+        wait_until(&mut child, || announced_rows(&part) > before);
         if child.try_wait().unwrap().is_none() {
             let _ = Command::new("kill")
                 .args(["-INT", &child.id().to_string()])
@@ -182,11 +183,11 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
                 "{said}"
             );
             // it continues after the rows that it announced
-            promised = said
+            announced_row = said
                 .split("continues after ")
                 .nth(1)
                 .map(|rest| rest.trim().to_owned());
-            readable(&so_far(&part), format);
+            readable(&unfinished_file(&part), format);
         }
     }
     if sidecar(&part).exists() {
@@ -198,15 +199,15 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Whole) {
             Some(&whole.beyond),
             "the count differs from an uninterrupted run"
         );
-        if let Some(promised) = promised {
-            let rows = promised.split(' ').next().unwrap_or_default();
+        if let Some(announced_row) = announced_row {
+            let rows = announced_row.split(' ').next().unwrap_or_default();
             assert!(
                 said.contains(&format!("resuming after {rows} ")),
-                "{promised}: {said}"
+                "{announced_row}: {said}"
             );
         }
     }
-    assert!(!sidecar(&part).exists() && !so_far(&part).exists());
+    assert!(!sidecar(&part).exists() && !unfinished_file(&part).exists());
     assert!(
         fs::read(&part).unwrap() == whole.bytes,
         "the file differs from an uninterrupted run"
@@ -246,17 +247,17 @@ fn readable(path: &Path, format: &str) -> usize {
 
 #[test]
 fn same_csv_of_a_killed_and_resumed_sweep() {
-    killed_and_resumed(&many(), "csv", Whole::of_many("csv"));
+    killed_and_resumed(&many(), "csv", Uninterrupted::of_many("csv"));
 }
 
 #[test]
 fn same_json_lines_of_a_killed_and_resumed_sweep() {
-    killed_and_resumed(&many(), "jsonl", Whole::of_many("jsonl"));
+    killed_and_resumed(&many(), "jsonl", Uninterrupted::of_many("jsonl"));
 }
 
 #[test]
 fn same_parquet_of_a_killed_and_resumed_sweep() {
-    killed_and_resumed(&many(), "parquet", Whole::of_many("parquet"));
+    killed_and_resumed(&many(), "parquet", Uninterrupted::of_many("parquet"));
 }
 
 #[test]
@@ -285,7 +286,7 @@ fn same_rows_of_an_arrow_table_killed_and_resumed() {
         .for_each(|batch| writer.write(batch).unwrap());
     writer.finish().unwrap();
     let many = many_of(path.to_str().unwrap());
-    killed_and_resumed(&many, "csv", &Whole::new(&many, "csv"));
+    killed_and_resumed(&many, "csv", &Uninterrupted::new(&many, "csv"));
 }
 
 /// Tables of the same points, written by pyarrow in each format and by Python in CSV.
@@ -379,7 +380,7 @@ fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
     let folder = tempfile::tempdir().unwrap();
     for format in FORMATS {
         let (whole, part) = (
-            &Whole::of_many(format).bytes,
+            &Uninterrupted::of_many(format).bytes,
             folder.path().join(format!("part.{format}")),
         );
         // a file must not grow beyond this number of KiB; the signal is ignored, and writing fails
@@ -408,7 +409,7 @@ fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
             rows > 10_000 && said.contains("complete rows; make room"),
             "{said}"
         );
-        assert_eq!(readable(&so_far(&part), format), rows);
+        assert_eq!(readable(&unfinished_file(&part), format), rows);
         assert!(!part.exists());
         assert_eq!(finish(start(&many(), &part, &["--resume"])).0, Some(0));
         assert!(fs::read(&part).unwrap() == *whole, "{format}");
@@ -542,7 +543,7 @@ fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
             "{said}"
         );
         assert!(fs::read(&file).unwrap() == wholes[winner]);
-        assert!(!so_far(&file).exists() && !sidecar(&file).exists());
+        assert!(!unfinished_file(&file).exists() && !sidecar(&file).exists());
     }
 }
 
@@ -551,7 +552,7 @@ fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("rows.csv");
     let mut child = start(&many(), &file, &[]);
-    wait_until(&mut child, || so_far(&file).exists());
+    wait_until(&mut child, || unfinished_file(&file).exists());
     fs::write(&file, "theirs").unwrap();
     // a later sweep reports the running one
     let (status, said) = finish(start(
@@ -586,7 +587,7 @@ fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
         "{said}"
     );
     assert_eq!(finish(start(&many(), &file, &["--resume"])).0, Some(0));
-    assert!(fs::read(&file).unwrap() == Whole::of_many("csv").bytes);
+    assert!(fs::read(&file).unwrap() == Uninterrupted::of_many("csv").bytes);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Printed text: units, digits, widths, colours and manual pages.
 
-use crate::command_line::{Said, longdrive};
+use crate::command_line::{Output, longdrive};
 use crate::program;
 use crate::reproduce::REPORT;
 use std::collections::BTreeMap;
@@ -384,7 +384,7 @@ fn same_points_from_written_columns() {
 fn messages_have_plain_numbers_chosen_units_and_suggestions() {
     /// Exit status and all output, with single spaces.
     fn answer(args: &[&str]) -> (i32, String) {
-        let own: Said;
+        let own: Output;
         let said = if args == ["reproduce", "mae494"] {
             &REPORT.said
         } else {

@@ -20,7 +20,7 @@ const TRUTH: [(&str, f64, f64); 4] = [
     ("swing.face_angle", 0.5 * DEGREE, 2.0 * DEGREE),
 ];
 const CORRELATION: f64 = 0.6;
-const SOUGHT: [&str; 8] = [
+const UNKNOWNS: [&str; 8] = [
     "--vary",
     "swing.speed=90mph..118mph",
     "--vary",
@@ -100,7 +100,7 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
     );
     std::fs::write(&file, shots(80, 1)).unwrap();
     let delivery =
-        |more: &[&str]| json(&[&["delivery", "--shots", &file], &SOUGHT[..], more].concat());
+        |more: &[&str]| json(&[&["delivery", "--shots", &file], &UNKNOWNS[..], more].concat());
     let (status, answer) = delivery(&["--swings", &distribution, "-o", &setup]);
     assert_eq!(status, 0, "{}", answer["message"]);
     let found = &answer["population"];
@@ -356,7 +356,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
         longdrive(
             &[
                 &["delivery", "--shots", &file, "--swings", &at(swings)],
-                &SOUGHT[..],
+                &UNKNOWNS[..],
             ]
             .concat(),
         )
@@ -376,7 +376,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
         4
     );
     // the next command has the setup of the swings
-    let follows = |ran: &crate::command_line::Said| {
+    let follows = |ran: &crate::command_line::Output| {
         let told = words(&ran.err);
         told.split("the design that is best over them: longdrive ")
             .nth(1)
@@ -393,7 +393,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     let (table, golfer) = (at("others.csv"), at("golfer.toml"));
     let asked = [
         &["delivery", "--shots", &file, "--swings", &table],
-        &SOUGHT[..],
+        &UNKNOWNS[..],
         &set,
     ]
     .concat();

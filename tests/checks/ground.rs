@@ -12,7 +12,7 @@ use longdrive::{Drive, Outcome, Setup};
 const OF_THE_RUN: [Outcome; 3] = [Outcome::Total, Outcome::Run, Outcome::LateralTotal];
 
 /// A ball in a vacuum, which lands at its launch speed.
-fn thrown(speed: f64, degrees: f64, backspin: f64) -> Setup<f64> {
+fn launched(speed: f64, degrees: f64, backspin: f64) -> Setup<f64> {
     let mut setup = Setup::default();
     setup.air.density = 0.0;
     setup.aero.spin_decay = 0.0;
@@ -45,7 +45,7 @@ fn independent_runs_within_a_millimetre() {
     for case in data("independent_runs.json")["drives"].as_array().unwrap() {
         let name = case["name"].as_str().unwrap();
         let launch = |of: &str| number(&case["launch"][of]);
-        let mut setup = thrown(
+        let mut setup = launched(
             launch("ball_speed"),
             launch("launch_angle"),
             launch("backspin"),
@@ -127,7 +127,7 @@ fn same_flight_with_and_without_the_run() {
 #[test]
 fn exact_roll_on_a_slope() {
     for degrees in [0.0_f64, 4.0, -4.0] {
-        let mut setup = thrown(10.0, 35.0, 0.0);
+        let mut setup = launched(10.0, 35.0, 0.0);
         (
             setup.ground.restitution,
             setup.ground.compliance,
@@ -212,7 +212,7 @@ fn exact_continuity_across_numbers_of_bounces() {
     let (mut changes, mut worst) = (0, [0.0_f64; 3]);
     for speed in [8.0, 18.0, 30.0, 40.0, 57.0] {
         for spin in [-300.0, 0.0, 250.0, 900.0] {
-            let at = |degrees: f64| thrown(speed, degrees, spin);
+            let at = |degrees: f64| launched(speed, degrees, spin);
             for k in 0..280 {
                 let [mut low, mut high] = [k, k + 1].map(|k| 1.0 + 0.3 * f64::from(k));
                 let few = bounces(&at(low));

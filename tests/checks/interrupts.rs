@@ -2,7 +2,7 @@
 
 #![cfg(unix)]
 
-use crate::command_line::Said;
+use crate::command_line::Output;
 use crate::program;
 use crate::schema::faults;
 use longdrive::optimize::Follow;
@@ -21,7 +21,7 @@ use tempfile::TempDir;
 
 /// Processor time before the interruption, in hundredths of a second: enough that work is in
 /// progress.
-const UNDER_WAY: u64 = 20;
+const STARTED_AFTER: u64 = 20;
 
 /// The most processor time after it, in hundredths of a second: the work here takes longer.
 const LAST: u64 = 1000;
@@ -77,7 +77,7 @@ impl AtWork {
     }
 
     fn has_computed(&self) -> bool {
-        self.has_computed_for(UNDER_WAY)
+        self.has_computed_for(STARTED_AFTER)
     }
 
     fn has_computed_for(&self, hundredths: u64) -> bool {
@@ -91,7 +91,7 @@ impl AtWork {
     }
 
     /// Presses Ctrl-C and returns the output; little processor time is allowed after it.
-    fn interrupted(mut self) -> Said {
+    fn interrupted(mut self) -> Output {
         let before = self.used();
         assert!(
             Command::new("kill")
@@ -111,7 +111,7 @@ impl AtWork {
                 (after - before) as f64 / 100.0
             );
         }
-        Said {
+        Output {
             status: status.code().unwrap_or_else(|| panic!("it died: {err}")),
             out,
             err,
@@ -120,7 +120,7 @@ impl AtWork {
 }
 
 /// Output of a command that is interrupted once it works.
-pub fn interrupted(args: &[&str]) -> Said {
+pub fn interrupted(args: &[&str]) -> Output {
     let mut program = AtWork::new(args);
     program.wait_until(AtWork::has_computed);
     program.interrupted()
@@ -411,7 +411,7 @@ fn searches_over_very_many_swings_are_interrupted_within_an_evaluation() {
         };
         // a later Ctrl-C if it came before the search
         let mut within = [1, 2, 4, 8, 16, 32]
-            .map(|times| times * UNDER_WAY)
+            .map(|times| times * STARTED_AFTER)
             .into_iter()
             .map(after);
         let (message, found) = within

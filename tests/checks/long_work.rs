@@ -1,6 +1,6 @@
 //! Searches that are stopped, saved and resumed.
 
-use crate::command_line::{Said, wait_until};
+use crate::command_line::{Output, wait_until};
 use crate::program;
 use longdrive::number::Number;
 use longdrive::optimize::{
@@ -438,7 +438,8 @@ fn a_chart_is_interrupted_in_its_first_search() {
             "--own-step",
             "--json",
         ];
-        let Said { status, out, err } = crate::interrupts::interrupted(&[command, &asked].concat());
+        let Output { status, out, err } =
+            crate::interrupts::interrupted(&[command, &asked].concat());
         assert_eq!(status, 1, "{out} {err}");
         assert!(out.contains("\"interrupted\""), "{out} {err}");
         assert!(

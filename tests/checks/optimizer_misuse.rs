@@ -63,7 +63,7 @@ fn snapshot() -> Snapshot {
     snapshot
 }
 
-fn gone_on(
+fn resumed(
     problem: &dyn Problem,
     domain: &Domain,
     snapshot: Snapshot,
@@ -84,7 +84,7 @@ fn gone_on(
 #[test]
 fn a_saved_search_of_another_problem_is_refused() {
     let other = |domain: Domain, what: &str| {
-        let error = gone_on(&Exact(Valley), &domain, snapshot()).unwrap_err();
+        let error = resumed(&Exact(Valley), &domain, snapshot()).unwrap_err();
         assert!(
             error.to_string().contains("another problem"),
             "{what}: {error}"
@@ -95,7 +95,7 @@ fn a_saved_search_of_another_problem_is_refused() {
         Domain::new(vec![-2.0; 2], vec![2.0; 2]).unwrap(),
         "no constraint",
     );
-    let own = gone_on(&Exact(Valley), &disc(2), snapshot()).unwrap();
+    let own = resumed(&Exact(Valley), &disc(2), snapshot()).unwrap();
     assert_eq!(
         own,
         minimize(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default()).unwrap()
@@ -140,7 +140,7 @@ fn a_damaged_search_is_refused_and_nothing_panics() {
         let Ok(snapshot) = serde_json::from_value::<Snapshot>(damaged) else {
             continue;
         };
-        let end = gone_on(&Exact(Valley), &disc(2), snapshot);
+        let end = resumed(&Exact(Valley), &disc(2), snapshot);
         assert!(end.is_err(), "{path}: {end:?}");
         refused += 1;
     }

@@ -43,7 +43,7 @@ impl Bar {
     }
 
     #[track_caller]
-    fn hold(&self, ours: f64, theirs: f64, per_parameters: f64, what: &str) {
+    fn compare(&self, ours: f64, theirs: f64, per_parameters: f64, what: &str) {
         close(
             ours,
             theirs,
@@ -131,7 +131,7 @@ fn independent_gradients_of_every_outcome_by_every_parameter_within_1e8() {
                     outcome.name(),
                     parameter.name
                 );
-                Bar::of(&drive, 1e-8).hold(
+                Bar::of(&drive, 1e-8).compare(
                     *slope,
                     expected,
                     ours.value.abs().max(1.0) / size(&setup, parameter),
@@ -178,7 +178,12 @@ fn independent_hessians_over_six_parameters_within_1e7() {
                         names[i],
                         names[j]
                     );
-                    Bar::of(&drive, 1e-7).hold(ours.hessian[i][j], expected, per_parameters, &what);
+                    Bar::of(&drive, 1e-7).compare(
+                        ours.hessian[i][j],
+                        expected,
+                        per_parameters,
+                        &what,
+                    );
                 }
             }
         }

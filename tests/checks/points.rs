@@ -8,7 +8,7 @@ use longdrive::{Error, Outcome, Result, Setup};
 
 /// Rows of some parameters. `appended` values of each row are passed on, and `more` rows than
 /// requested.
-struct Mine {
+struct CustomPoints {
     parameters: Vec<&'static Parameter>,
     rows: Vec<[f64; 2]>,
     next: usize,
@@ -16,7 +16,7 @@ struct Mine {
     more: usize,
 }
 
-impl Mine {
+impl CustomPoints {
     fn new(parameters: &[&'static Parameter], count: usize) -> Self {
         let rows = (0..count).map(|i| [0.15 + 1e-5 * i as f64, 45.0]).collect();
         Self {
@@ -29,7 +29,7 @@ impl Mine {
     }
 }
 
-impl Points for Mine {
+impl Points for CustomPoints {
     fn parameters(&self) -> &[&'static Parameter] {
         &self.parameters
     }
@@ -72,7 +72,7 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
     ] {
         let mut handed_on = 0;
         let run = batch.run(
-            &mut Mine::new(&parameters, 3),
+            &mut CustomPoints::new(&parameters, 3),
             &Run::default(),
             |block| block,
             |_| {
@@ -94,7 +94,7 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
     assert_eq!(
         batch
             .run(
-                &mut Mine::new(&[loft, speed], 3),
+                &mut CustomPoints::new(&[loft, speed], 3),
                 &Run::default(),
                 |_| (),
                 |()| Ok(())
@@ -109,13 +109,13 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
 fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
     let setup = Setup::default();
     let of_both = loft_and_speed(&setup);
-    let short = Mine {
+    let short = CustomPoints {
         appended: 1,
-        ..Mine::new(&of_both, 10)
+        ..CustomPoints::new(&of_both, 10)
     };
-    let long = Mine {
+    let long = CustomPoints {
         more: 5,
-        ..Mine::new(&of_both, 5000)
+        ..CustomPoints::new(&of_both, 5000)
     };
     for (mut points, says) in [
         (
@@ -139,8 +139,8 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
         assert!(error.contains(says), "{error}");
     }
     // only the last chunk lacks a value
-    struct Late(Mine);
-    impl Points for Late {
+    struct StartsAfterTheEnd(CustomPoints);
+    impl Points for StartsAfterTheEnd {
         fn parameters(&self) -> &[&'static Parameter] {
             self.0.parameters()
         }
@@ -165,7 +165,7 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
         }
     }
     let mut rows = 0;
-    let mut points = Late(Mine::new(&of_both, 1500));
+    let mut points = StartsAfterTheEnd(CustomPoints::new(&of_both, 1500));
     let end = gradient_batch(
         &setup,
         &mut points,
@@ -192,7 +192,7 @@ fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
         first_row: 99_999,
         ..Run::default()
     };
-    let mut points = Mine::new(&loft_and_speed(&setup), 20);
+    let mut points = CustomPoints::new(&loft_and_speed(&setup), 20);
     assert_eq!(
         simulate_batch(&setup, &mut points, &[Outcome::Carry], &run, |_| panic!(
             "no block"

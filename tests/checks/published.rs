@@ -33,7 +33,7 @@ const LPGA: Average = Average {
 impl Average {
     /// Asserts the bounds: 1 % of ball speed, 0.5°, 5 % of spin, 2 % of carry, 2 yd of apex, 2° of
     /// descent.
-    fn hold(&self) {
+    fn compare(&self) {
         let setup = Setup::preset(self.preset).unwrap();
         let [speed, attack] = self.delivery;
         assert!(
@@ -64,12 +64,12 @@ impl Average {
 
 #[test]
 fn published_average_of_the_pga_tour_is_met_by_its_preset() {
-    PGA.hold();
+    PGA.compare();
 }
 
 #[test]
 fn published_average_of_the_lpga_tour_is_met_by_its_preset() {
-    LPGA.hold();
+    LPGA.compare();
 }
 
 /// TrackMan's chart states the loft at impact: with it a club that strikes as the chart's has the

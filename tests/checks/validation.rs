@@ -1,7 +1,7 @@
 //! `validate`: every law compared with published drives, its numbers computed in another way, and
 //! their statements in the documents.
 
-use crate::command_line::{Said, Written, json, longdrive, written};
+use crate::command_line::{Output, Written, json, longdrive, written};
 use crate::common::{close, number};
 use longdrive::report::plot::{Look, figure_svg};
 use longdrive::report::validation_document;
@@ -14,7 +14,7 @@ static FOUND: LazyLock<Vec<SetScores>> = LazyLock::new(|| validation(None).unwra
 /// Output and files of the program, which take it seconds: in a folder, as rows, and in JSON.
 pub static VALIDATED: LazyLock<Written> =
     LazyLock::new(|| written(&["validate", "--units", "metric"]));
-static ROWS: LazyLock<Said> = LazyLock::new(|| longdrive(&["validate", "--csv"]));
+static ROWS: LazyLock<Output> = LazyLock::new(|| longdrive(&["validate", "--csv"]));
 pub static ANSWERED: LazyLock<(i32, Value)> = LazyLock::new(|| json(&["validate"]));
 
 fn set(name: &str) -> &'static SetScores {

@@ -246,9 +246,9 @@ fn contradictions_by_very_little_are_infeasible_in_few_iterations() {
 }
 
 /// (x − 3)² + 1e12.
-struct Raised(f64);
+struct WithConstant(f64);
 
-impl Functions for Raised {
+impl Functions for WithConstant {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
         plain((x[0] - 3.0).powi(2) + self.0)
     }
@@ -257,7 +257,7 @@ impl Functions for Raised {
 #[test]
 fn minimum_of_a_function_with_a_large_constant() {
     for constant in [1e6, 1e9, 1e12, -1e12] {
-        let found = solve(&Exact(Raised(constant)), &[FREE], &[], &[0.0]);
+        let found = solve(&Exact(WithConstant(constant)), &[FREE], &[], &[0.0]);
         assert_eq!(found.status, Status::Converged, "{}", found.message);
         assert!((found.x[0] - 3.0).abs() < 1e-3, "{:?}", found.x);
     }

@@ -53,7 +53,7 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
     if chance.is(0.2) {
         text += "[aero]\nlaw = \"robinson\"\ncd0 = 0.3\n";
     }
-    spoilt(text, chance)
+    with_damage(text, chance)
 }
 
 /// A table of points to sweep.
@@ -132,7 +132,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
         let cells = (0..columns.len()).map(|at| cell(at, chance)).collect();
         text += &joined(cells, more.iter().map(|(_, cell)| *cell).collect());
     }
-    spoilt(text, chance)
+    with_damage(text, chance)
 }
 
 /// A table of points in another format, or a damaged one: its name, and its content.
@@ -245,7 +245,7 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
             .concat(),
         );
     }
-    spoilt(
+    with_damage(
         lines
             .iter()
             .map(|cells| cells.join(separator) + "\n")
@@ -285,7 +285,7 @@ pub fn messages(chance: &mut Chance) -> Vec<u8> {
     } else {
         format!("[{}]", all.join(",\n"))
     };
-    spoilt(text, chance)
+    with_damage(text, chance)
 }
 
 /// A table of measured shots: deliveries or launch conditions, with measured values.
@@ -362,11 +362,11 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
             .join(",")
             + "\n");
     }
-    spoilt(text, chance)
+    with_damage(text, chance)
 }
 
 /// A text; with a mistake, with an error somewhere.
-fn spoilt(text: String, chance: &mut Chance) -> Vec<u8> {
+fn with_damage(text: String, chance: &mut Chance) -> Vec<u8> {
     let mut bytes = text.into_bytes();
     if !(chance.slips() || chance.slips()) {
         return bytes;

@@ -5,12 +5,12 @@
 //! `LONGDRIVE_QUESTIONS=100000` sets the number of questions, on all cores; `LONGDRIVE_SEED` the
 //! seed. A failing question is printed with its number: `LONGDRIVE_QUESTION` runs that one alone.
 
-mod asked;
 mod chance;
 mod files;
 #[path = "../program.rs"]
 mod program;
 mod questions;
+mod run;
 #[path = "../schema/mod.rs"]
 mod schema;
 mod values;
@@ -25,7 +25,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Questions of a normal run.
 const FEW: u64 = 300;
 /// Number of failures that ends the run.
-const ENOUGH: usize = 20;
+const MAX_FAILURES: usize = 20;
 
 fn setting(name: &str) -> Option<u64> {
     std::env::var(name).ok().map(|text| {
@@ -47,11 +47,11 @@ fn the_program_answers_every_generated_question_in_order() {
     let work = || {
         loop {
             let number = next.fetch_add(1, Ordering::Relaxed);
-            if number >= numbers.end || failed.lock().unwrap().len() >= ENOUGH {
+            if number >= numbers.end || failed.lock().unwrap().len() >= MAX_FAILURES {
                 return;
             }
             let question = Question::new(&mut Chance::new(seed, number));
-            let (status, wrong) = asked::ask(&question);
+            let (status, wrong) = run::ask(&question);
             let at = status
                 .and_then(|status| usize::try_from(status).ok())
                 .map_or(3, |status| status.min(3));
