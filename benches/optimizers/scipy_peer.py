@@ -1,7 +1,9 @@
-"""SciPy's optimizers on the problems that `optimizers --serve` evaluates: an outcome a line on standard output.
+"""SciPy's optimizers on the problems that `optimizers --serve` evaluates: an outcome a line on
+standard output.
 
-Each solve has a process of its own, with an evaluator of its own, and 10 s. The time is SciPy's own: everything that
-happens inside the functions it calls (the wait for the evaluator, the conversions) is left out.
+Each solve has a process of its own, with an evaluator of its own, and 10 s. The time is SciPy's
+own: everything that happens inside the functions it calls (the wait for the evaluator, the
+conversions) is left out.
 """
 
 import json
@@ -27,7 +29,12 @@ class Evaluator:
     """A running `optimizers --serve`."""
 
     def __init__(self, program, *how):
-        self.process = subprocess.Popen([program, *(how or ["--serve"])], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen(
+            [program, *(how or ["--serve"])],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
 
     def ask(self, request):
         self.process.stdin.write(json.dumps(request) + "\n")
@@ -83,9 +90,15 @@ class Oracle:
             key = np.asarray(x, dtype=float).tobytes()
             if key not in self.known:
                 if np.all(np.isfinite(x)):
-                    answer = self.evaluator.ask({"problem": self.name, "x": [float(value) for value in x]})
+                    answer = self.evaluator.ask(
+                        {"problem": self.name, "x": [float(value) for value in x]}
+                    )
                 else:
-                    nothing = {"value": None, "gradient": [None] * self.n, "hessian": [[None] * self.n] * self.n}
+                    nothing = {
+                        "value": None,
+                        "gradient": [None] * self.n,
+                        "hessian": [[None] * self.n] * self.n,
+                    }
                     answer = {"f": nothing, "c": [nothing] * len(self.least)}
                 self.known[key] = Point(answer, self.n)
             result = read(self.known[key], *more)
@@ -112,13 +125,19 @@ def slsqp(oracle):
             "jac": oracle.reading(lambda at: at.jacobian[equal]),
         })
     if above.any() or below.any():
-        constraints.append({
-            "type": "ineq",
-            "fun": oracle.reading(
-                lambda at: np.concatenate([oracle.most[above] - at.c[above], at.c[below] - oracle.least[below]])
-            ),
-            "jac": oracle.reading(lambda at: np.concatenate([-at.jacobian[above], at.jacobian[below]])),
-        })
+        constraints.append(
+            {
+                "type": "ineq",
+                "fun": oracle.reading(
+                    lambda at: np.concatenate(
+                        [oracle.most[above] - at.c[above], at.c[below] - oracle.least[below]]
+                    )
+                ),
+                "jac": oracle.reading(
+                    lambda at: np.concatenate([-at.jacobian[above], at.jacobian[below]])
+                ),
+            }
+        )
     return minimize(
         oracle.reading(lambda at: at.f),
         oracle.start.copy(),
@@ -191,7 +210,9 @@ def run(context, program, solver, problem):
     try:
         while receive.poll(PATIENCE):
             outcome = receive.recv()
-            seconds = outcome["seconds"] if found is None else min(outcome["seconds"], found["seconds"])
+            seconds = (
+                outcome["seconds"] if found is None else min(outcome["seconds"], found["seconds"])
+            )
             found = {**outcome, "seconds": seconds}
         why = "more than 10 s"
     except EOFError:

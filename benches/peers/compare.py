@@ -1,4 +1,5 @@
-"""Runs longdrive and its peers in turns, counts their instructions, and writes the tables. Called by run.sh."""
+"""Runs longdrive and its peers in turns, counts their instructions, and writes the tables. Called
+by run.sh."""
 
 import datetime
 import json
@@ -20,12 +21,33 @@ TASKS = ["T1", "T2", "T3", "T4", "T5", "T6"]
 # those that no peer computes
 OWN = ["all", "3-D", "3-D-all", "W&T", "W&T-1um", "T6-whole"]
 TITLES = {
-    "T1": "T1 value", "T2": "T2 gradient, 2", "T3": "T3 Hessian, 2", "T4": "T4 gradient, 12", "T5": "T5 optimum",
-    "T6": "T6 grid, a point", "T6-whole": "T6 whole call, a point", "all": "gradient, all", "3-D": "value, 3-D drive",
-    "3-D-all": "gradient, all, 3-D drive", "W&T": "23 optima, Winfield & Tan", "W&T-1um": "the 23 at 1 µm",
+    "T1": "T1 value",
+    "T2": "T2 gradient, 2",
+    "T3": "T3 Hessian, 2",
+    "T4": "T4 gradient, 12",
+    "T5": "T5 optimum",
+    "T6": "T6 grid, a point",
+    "T6-whole": "T6 whole call, a point",
+    "all": "gradient, all",
+    "3-D": "value, 3-D drive",
+    "3-D-all": "gradient, all, 3-D drive",
+    "W&T": "23 optima, Winfield & Tan",
+    "W&T-1um": "the 23 at 1 µm",
 }
 # operations counted; T6: points of a repetition, by whether a peer computes every 25th attack angle
-OPERATIONS = {"T1": 10, "T2": 10, "T3": 5, "T4": 5, "T5": 2, "T6": 1, "all": 3, "3-D": 5, "3-D-all": 2, "W&T": 1, "W&T-1um": 1}
+OPERATIONS = {
+    "T1": 10,
+    "T2": 10,
+    "T3": 5,
+    "T4": 5,
+    "T5": 2,
+    "T6": 1,
+    "all": 3,
+    "3-D": 5,
+    "3-D-all": 2,
+    "W&T": 1,
+    "W&T-1um": 1,
+}
 GRID_POINTS, SAMPLED_POINTS = 2000, 80
 
 # docs/performance.md, limits: cycles of a single drive, and of a point of the grid
@@ -47,14 +69,20 @@ PIN = ["taskset", "-c", core()] if shutil.which("taskset") else []
 
 
 def run(command, patience=600):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=patience)
+    done = subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, timeout=patience
+    )
     if done.returncode != 0:
         print(f"failed: {' '.join(map(str, command))}\n{done.stderr[-2000:]}", file=sys.stderr)
     return done
 
 
 def lines(command, patience=600):
-    return [json.loads(line) for line in run(PIN + list(command), patience).stdout.splitlines() if line.startswith("{")]
+    return [
+        json.loads(line)
+        for line in run(PIN + list(command), patience).stdout.splitlines()
+        if line.startswith("{")
+    ]
 
 
 class Peer:
@@ -65,7 +93,8 @@ class Peer:
         self.is_sampled, self.note = is_sampled, note
 
     def count(self, task):
-        """Instructions of an operation: those of a run with N of them less those of a run with none, over N."""
+        """Instructions of an operation: those of a run with N of them less those of a run with
+        none, over N."""
         if self.counted is None or task not in OPERATIONS or not shutil.which("valgrind"):
             return None
         n = OPERATIONS[task]
@@ -83,7 +112,11 @@ class Peer:
 
 def compiled(name, tasks, is_sampled=True, suffix=""):
     native, haswell = (BUILD / f"{name}{suffix}.{machine}" for machine in ("native", "haswell"))
-    return [Peer(name, tasks, [native], [haswell] if haswell.exists() else None, is_sampled)] if native.exists() else []
+    return (
+        [Peer(name, tasks, [native], [haswell] if haswell.exists() else None, is_sampled)]
+        if native.exists()
+        else []
+    )
 
 
 def find_peers(near):
@@ -94,8 +127,12 @@ def find_peers(near):
         ("longdrive at 1 µm", ["T6"], near["grid"][0]),
         ("longdrive, steps as in T1", ["T6"], near["single"][0]),
     ):
-        command = [OURS, "--method", choice["method"], "--step", f"{choice['step']:g}", "--peer", name]
-        peers.append(Peer(name, tasks, command, command, note=f"{choice['method']} {choice['step']:g} s"))
+        command = [
+            OURS, "--method", choice["method"], "--step", f"{choice['step']:g}", "--peer", name
+        ]
+        peers.append(
+            Peer(name, tasks, command, command, note=f"{choice['method']} {choice['step']:g} s")
+        )
     for compiler in ("gcc", "clang"):
         peers += compiled(f"cpp-dual-{compiler}", TASKS)
         peers += compiled(f"cpp-tuned-{compiler}", ["T1", "T2", "T6"])
@@ -121,7 +158,9 @@ class Rows:
         self.rows = {}
 
     def add(self, line):
-        row = self.rows.setdefault((line["task"], line["peer"]), {**line, "all": [], "instructions": None})
+        row = self.rows.setdefault(
+            (line["task"], line["peer"]), {**line, "all": [], "instructions": None}
+        )
         row["all"].append(line["seconds"])
 
     def get(self, task, name):
@@ -173,26 +212,45 @@ def ratio(ours, theirs, key=lambda row: min(row["all"])):
 
 def table(head, rows):
     alignment = ["---" if i == 0 else "--:" for i in range(len(head))]
-    return "\n".join("| " + " | ".join(map(str, row)) + " |" for row in [head, alignment, *rows]).replace("| --- |", "|---|")
+    return "\n".join(
+        "| " + " | ".join(map(str, row)) + " |" for row in [head, alignment, *rows]
+    ).replace("| --- |", "|---|")
 
 
 # ---- the tables
 
 
 def ratios(rows):
-    head = ["Task", "longdrive", "/ C++ duals", "/ C++ by hand", "at 1 µm", "1 µm / by hand", "Instructions", "/ duals", "/ by hand",
-            "at 1 µm"]
+    head = [
+        "Task",
+        "longdrive",
+        "/ C++ duals",
+        "/ C++ by hand",
+        "at 1 µm",
+        "1 µm / by hand",
+        "Instructions",
+        "/ duals",
+        "/ by hand",
+        "at 1 µm",
+    ]
     body = []
     for task in TASKS:
         ours, near = rows.get(task, "longdrive"), rows.get(task, "longdrive at 1 µm")
         dual, hand = rows.best(task, is_dual), rows.best(task, is_by_hand)
         counted = [rows.best(task, wanted, instructions) for wanted in (is_dual, is_by_hand)]
-        body.append([
-            TITLES[task], duration(min(ours["all"])), ratio(ours, dual), ratio(ours, hand),
-            duration(min(near["all"])) if near else "–", ratio(near, hand or dual) + ("" if hand or not near else " (duals)"),
-            number(ours["instructions"], 4), *(ratio(ours, other, instructions) for other in counted),
-            number(near["instructions"], 4) if near else "–",
-        ])
+        body.append(
+            [
+                TITLES[task],
+                duration(min(ours["all"])),
+                ratio(ours, dual),
+                ratio(ours, hand),
+                duration(min(near["all"])) if near else "–",
+                ratio(near, hand or dual) + ("" if hand or not near else " (duals)"),
+                number(ours["instructions"], 4),
+                *(ratio(ours, other, instructions) for other in counted),
+                number(near["instructions"], 4) if near else "–",
+            ]
+        )
     return table(head, body)
 
 
@@ -200,30 +258,63 @@ def further(rows):
     body = []
     for task in OWN:
         row = rows.get(task, "longdrive")
-        title = TITLES[task].replace("all", f"all {row['note'].split()[0]}") if row["note"] else TITLES[task]
-        body.append([title, duration(min(row["all"])), spread_of(row), number(row["instructions"], 4)])
+        title = (
+            TITLES[task].replace("all", f"all {row['note'].split()[0]}")
+            if row["note"]
+            else TITLES[task]
+        )
+        body.append(
+            [title, duration(min(row["all"])), spread_of(row), number(row["instructions"], 4)]
+        )
     return table(["longdrive alone", "Time", "Spread", "Instructions"], body)
 
 
 def startups(rows):
     body = []
-    for task, title in (("T7 value", "value"), ("T7 gradient", "gradient, 2"), ("T7 optimum", "optimum")):
+    for task, title in (
+        ("T7 value", "value"), ("T7 gradient", "gradient, 2"), ("T7 optimum", "optimum")
+    ):
         ours, dual = rows.get(task, "longdrive"), rows.best(task, is_dual)
-        body.append([title, *(duration(min(row["all"])) if row else "–" for row in (ours, dual)), ratio(ours, dual)])
+        body.append(
+            [
+                title,
+                *(duration(min(row["all"])) if row else "–" for row in (ours, dual)),
+                ratio(ours, dual),
+            ]
+        )
     return table(["T7, process to result", "longdrive", "C++ duals", "ratio"], body)
 
 
 def everything(rows):
-    head = ["Task", "Peer", "Time", "Spread", "/ C++ duals", "/ C++ by hand", "Instructions", "Off by (relative)", "Note"]
+    head = [
+        "Task",
+        "Peer",
+        "Time",
+        "Spread",
+        "/ C++ duals",
+        "/ C++ by hand",
+        "Instructions",
+        "Off by (relative)",
+        "Note",
+    ]
     body = []
     for task in TASKS:
         dual, hand = rows.best(task, is_dual), rows.best(task, is_by_hand)
         for row in sorted(rows.of(task), key=lambda row: min(row["all"])):
             off = deviation(row, rows.get(task, "cpp-dual-gcc"))
-            body.append([
-                TITLES[task], row["peer"], duration(min(row["all"])), spread_of(row), ratio(row, dual), ratio(row, hand),
-                number(row["instructions"], 4), "–" if off is None else scientific(off), row["note"],
-            ])
+            body.append(
+                [
+                    TITLES[task],
+                    row["peer"],
+                    duration(min(row["all"])),
+                    spread_of(row),
+                    ratio(row, dual),
+                    ratio(row, hand),
+                    number(row["instructions"], 4),
+                    "–" if off is None else scientific(off),
+                    row["note"],
+                ]
+            )
     return table(head, body)
 
 
@@ -239,12 +330,27 @@ def deviation(row, reference):
 
 
 def precision(ladder):
-    head = ["Method, step", "carry, m", "gradient, m/rad", "Hessian, m/rad²", "value", "gradient", "Hessian", "instructions: value", "gradient",
-            "Hessian"]
-    body = [[
-        f"{row['method']} {row['step']:g} s", *map(scientific, row["errors"]), *map(duration, row["seconds"]),
-        *(number(count, 4) for count in row["instructions"]),
-    ] for row in ladder]
+    head = [
+        "Method, step",
+        "carry, m",
+        "gradient, m/rad",
+        "Hessian, m/rad²",
+        "value",
+        "gradient",
+        "Hessian",
+        "instructions: value",
+        "gradient",
+        "Hessian",
+    ]
+    body = [
+        [
+            f"{row['method']} {row['step']:g} s",
+            *map(scientific, row["errors"]),
+            *map(duration, row["seconds"]),
+            *(number(count, 4) for count in row["instructions"]),
+        ]
+        for row in ladder
+    ]
     return table(head, body)
 
 
@@ -269,7 +375,13 @@ def wrong(rows):
             if task == "T6":
                 # of longdrive without the row of loft 0, where carry has a corner (src/grid.rs)
                 if row["peer"].startswith("longdrive"):
-                    expect(row, "check sum", row["grad"][0], SPINNING_CHECK_SUM, 1e-4 if is_near else 1e-11)
+                    expect(
+                        row,
+                        "check sum",
+                        row["grad"][0],
+                        SPINNING_CHECK_SUM,
+                        1e-4 if is_near else 1e-11,
+                    )
                 else:
                     expect(row, "check sum", row["value"], CHECK_SUM, 1e-11)
             elif task == "T5":
@@ -294,7 +406,9 @@ def wrong(rows):
 
 def first_line(*command):
     try:
-        return subprocess.run(command, capture_output=True, text=True, cwd=HERE).stdout.splitlines()[0].strip()
+        return subprocess.run(
+            command, capture_output=True, text=True, cwd=HERE
+        ).stdout.splitlines()[0].strip()
     except (OSError, IndexError):
         return "?"
 
@@ -307,24 +421,27 @@ def processor():
 def machine(clocks, loads, near, rows):
     spreads = sorted(spread(row) for task in TASKS for row in rows.of(task) if len(row["all"]) > 1)
     middle, most = spreads[len(spreads) // 2], spreads[-1]
-    versions = [re.sub(r"\s*\(.*", "", first_line("g++", "--version")) + " " + first_line("g++", "-dumpfullversion")]
+    versions = [
+        re.sub(r"\s*\(.*", "", first_line("g++", "--version"))
+        + " "
+        + first_line("g++", "-dumpfullversion")
+    ]
     clang = next((name for name in ("clang++-14", "clang++") if shutil.which(name)), None)
     if clang:
         versions.append(first_line(clang, "--version"))
     versions += [first_line("rustc", "--version"), first_line("valgrind", "--version")]
-    code = ["../../src", "../../Cargo.toml", "../../Cargo.lock", "src", "cpp", "compare.py", "run.sh"]
-    changed = " (changed)" if first_line("git", "diff", "--name-only", "HEAD", "--", *code) != "?" else ""
+    code = [
+        "../../src", "../../Cargo.toml", "../../Cargo.lock", "src", "cpp", "compare.py", "run.sh"
+    ]
+    changed = (
+        " (changed)" if first_line("git", "diff", "--name-only", "HEAD", "--", *code) != "?" else ""
+    )
     commit = first_line("git", "rev-parse", "--short", "HEAD") + changed
     step = lambda choices: f"{choices[0]['method']} at {choices[0]['step']:g} s"
     ghz = [clock["clock_GHz"] for clock in clocks]
     load = f"{min(loads):.1f}–{max(loads):.1f}"
     return (
-        f"{datetime.date.today().isoformat()}, longdrive at {commit}; {processor()}, {os.cpu_count()} processors, one used, clock "
-        f"{min(ghz):.2f}–{max(ghz):.2f} GHz; load average {load}. Spread of {ROUNDS} rounds, (max − min)/min: median "
-        f"{100 * middle:.0f} %, largest {100 * most:.0f} %. At 1 µm: T1–T5 {step(near['single'])} (carry within "
-        f"{scientific(near['single'][0]['error'])} m at 10°/0° and at the optimum), T6 {step(near['grid'])} (within "
-        f"{scientific(near['grid'][0]['error'])} m at 1600 points of the grid). The limits below at {max(ghz):.2f} GHz: one drive "
-        f"{LATENCY[0] / max(ghz) / 1e3:.1f}–{LATENCY[1] / max(ghz) / 1e3:.1f} µs, a point of the grid {GRID_CYCLES / max(ghz) / 1e3:.2f} µs. {'; '.join(versions)}."
+        f"{datetime.date.today().isoformat()}, longdrive at {commit}; {processor()}, {os.cpu_count()} processors, one used, clock " f"{min(ghz):.2f}–{max(ghz):.2f} GHz; load average {load}. Spread of {ROUNDS} rounds, (max − min)/min: median " f"{100 * middle:.0f} %, largest {100 * most:.0f} %. At 1 µm: T1–T5 {step(near['single'])} (carry within " f"{scientific(near['single'][0]['error'])} m at 10°/0° and at the optimum), T6 {step(near['grid'])} (within " f"{scientific(near['grid'][0]['error'])} m at 1600 points of the grid). The limits below at {max(ghz):.2f} GHz: one drive " f"{LATENCY[0] / max(ghz) / 1e3:.1f}–{LATENCY[1] / max(ghz) / 1e3:.1f} µs, a point of the grid {GRID_CYCLES / max(ghz) / 1e3:.2f} µs. {'; '.join(versions)}."
     )
 
 
@@ -333,18 +450,27 @@ def between(text, name, content):
     if begin not in text or end not in text:
         print(f"docs/performance.md has no place for {name}", file=sys.stderr)
         return text
-    return text[: text.index(begin) + len(begin)] + "\n\n" + content + "\n\n" + text[text.index(end):]
+    return (
+        text[: text.index(begin) + len(begin)] + "\n\n" + content + "\n\n" + text[text.index(end):]
+    )
 
 
 def main():
     begun = time.time()
-    progress = lambda what: print(f"{time.time() - begun:5.0f} s  {what}", file=sys.stderr, flush=True)
+    progress = lambda what: print(
+        f"{time.time() - begun:5.0f} s  {what}", file=sys.stderr, flush=True
+    )
     python = sys.argv[1] if len(sys.argv) > 1 else None
     clocks, loads = lines([BUILD / "machine"]), [os.getloadavg()[0]]
     (near,) = lines([OURS, "one-micrometre"])
     if not (near["single"] and near["grid"]):
         sys.exit("no method and step is within 1 µm of the reference")
-    progress("at 1 µm: " + "; ".join(f"{near[what][0]['method']}, {near[what][0]['step']:g} s" for what in ("single", "grid")))
+    progress(
+        "at 1 µm: "
+        + "; ".join(
+            f"{near[what][0]['method']}, {near[what][0]['step']:g} s" for what in ("single", "grid")
+        )
+    )
     peers, rows = find_peers(near), Rows()
 
     for turn in range(ROUNDS):
@@ -352,7 +478,9 @@ def main():
             for peer in peers:
                 if task in peer.tasks:
                     for line in lines(peer.timed + [task]):
-                        rows.add({**line, "note": ", ".join(filter(None, [peer.note, line["note"]]))})
+                        rows.add(
+                            {**line, "note": ", ".join(filter(None, [peer.note, line["note"]]))}
+                        )
         clocks += lines([BUILD / "machine"])
         loads.append(os.getloadavg()[0])
         progress(f"round {turn + 1} of {ROUNDS}")
@@ -372,7 +500,9 @@ def main():
         commands = {"longdrive": [PROGRAM, *arguments]}
         for compiler in ("gcc", "clang"):
             if (BUILD / f"cpp-dual-{compiler}.native").exists():
-                commands[f"cpp-dual-{compiler}"] = [BUILD / f"cpp-dual-{compiler}.native", once, "once"]
+                commands[f"cpp-dual-{compiler}"] = [
+                    BUILD / f"cpp-dual-{compiler}.native", once, "once"
+                ]
         for name, command in commands.items():
             for line in lines([OURS, "start", name, task, *command]):
                 rows.add(line)
@@ -396,7 +526,15 @@ def main():
     about = machine(clocks, loads, near, rows)
     tables = [ratios(rows), startups(rows), further(rows)]
     steps = precision(ladder)
-    results = ["# Results", about, *tables, "## Every row", everything(rows), "## Work and precision", steps]
+    results = [
+        "# Results",
+        about,
+        *tables,
+        "## Every row",
+        everything(rows),
+        "## Work and precision",
+        steps,
+    ]
     (HERE / "results.md").write_text("\n\n".join(results) + "\n")
     raw = {"clocks": clocks, "near": near, "rows": list(rows.rows.values()), "ladder": ladder}
     (BUILD / "raw.json").write_text(json.dumps(raw, indent=1))

@@ -28,7 +28,8 @@ def best(work: Callable[[], object], rounds: int = 5) -> float:
 
 
 def of_a_call() -> None:
-    """One gradient, and what is left of its time where the point is known: all that is not the drive."""
+    """One gradient, and what is left of its time where the point is known: all that is not the
+    drive."""
     calls = 20_000
     carry = longdrive.objective("mae494", "carry", NAMES)
     points = [carry.x0 + 1e-9 * k for k in range(calls)]
@@ -43,24 +44,41 @@ def of_a_call() -> None:
             asked(x)
 
     known, new = best(same) / calls, best(others) / calls
-    print(f"value and gradient by two: {1e6 * new:.2f} us, of which the binding {1e6 * known:.2f} us")
+    print(
+        f"value and gradient by two: {1e6 * new:.2f} us, of which the binding {1e6 * known:.2f} us"
+    )
 
 
 def of_rows() -> None:
     """A million drives with gradients, beside the program that writes them to a file."""
     draw = np.random.default_rng(1)
-    points = {"club.loft": np.radians(draw.uniform(5, 15, ROWS)), "swing.speed": draw.uniform(36, 58, ROWS)}
+    points = {
+        "club.loft": np.radians(draw.uniform(5, 15, ROWS)),
+        "swing.speed": draw.uniform(36, 58, ROWS),
+    }
     took = best(lambda: longdrive.batch("tour-average", points, "carry", "points"), 3)
     print(f"batch: {ROWS / took / 1e6:.3f} million drives with gradients a second")
     program = os.environ.get("LONGDRIVE_PROGRAM")
     if program:
         with tempfile.TemporaryDirectory() as folder:
-            command = [program, "sweep", "--quiet", "--sample", str(ROWS), "--over", "club.loft=5deg..15deg", "--over", "swing.speed=36m/s..58m/s"]
+            command = [
+                program,
+                "sweep",
+                "--quiet",
+                "--sample",
+                str(ROWS),
+                "--over",
+                "club.loft=5deg..15deg",
+                "--over",
+                "swing.speed=36m/s..58m/s",
+            ]
             command += ["--gradient", "--overwrite", "-o", str(Path(folder) / "rows.parquet")]
             took = best(lambda: subprocess.run(command, check=True, capture_output=True), 3)
         print(f"program: {ROWS / took / 1e6:.3f} million, with the writing of a Parquet file")
     own = {name: values[:200_000] for name, values in points.items()}
-    setup = longdrive.Setup({"preset": "tour-average", "flight.method": "dp8", "flight.step": "0.3 s"})
+    setup = longdrive.Setup(
+        {"preset": "tour-average", "flight.method": "dp8", "flight.step": "0.3 s"}
+    )
     took = best(lambda: longdrive.batch(setup, own, "carry", "points", own_step=True), 3)
     print(f"batch with dp8 in steps of 0.3 s: {0.2 / took:.3f} million")
     try:
@@ -80,6 +98,8 @@ def of_rows() -> None:
 if __name__ == "__main__":
     began = time.perf_counter()
     subprocess.run([sys.executable, "-c", "import longdrive"], check=True)
-    print(f"import in a new process: {1e3 * (time.perf_counter() - began):.0f} ms, with Python's own start")
+    print(
+        f"import in a new process: {1e3 * (time.perf_counter() - began):.0f} ms, with Python's own start"
+    )
     of_a_call()
     of_rows()

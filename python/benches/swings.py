@@ -63,7 +63,9 @@ class Scaled:
     """The goal in units of the ranges, negated; how often and how long it was computed."""
 
     def __init__(self, setup: Any, scenarios: int) -> None:
-        self.goal = longdrive.objective(setup, GOAL, NAMES, "max", invalid="nan", scenarios=scenarios, **SWINGS)
+        self.goal = longdrive.objective(
+            setup, GOAL, NAMES, "max", invalid="nan", scenarios=scenarios, **SWINGS
+        )
         self.points: set[bytes] = set()
         self.spent = 0.0
 
@@ -87,7 +89,9 @@ class Scaled:
 
     def residual(self, x: Any) -> tuple[float, float]:
         u = np.clip((np.asarray(x) - LOW) / WIDTH, 0.0, 1.0)
-        return float(np.max(np.abs(u - np.clip(u - self.jac(u) / abs(self.fun(u)), 0.0, 1.0)))), -self.fun(u)
+        return float(
+            np.max(np.abs(u - np.clip(u - self.jac(u) / abs(self.fun(u)), 0.0, 1.0)))
+        ), -self.fun(u)
 
 
 class LastIteration(logging.Handler):
@@ -107,29 +111,62 @@ def ours(scenarios: int) -> tuple[Any, dict[str, Any]]:
     logging.getLogger("longdrive").addHandler(shown)
     logging.getLogger("longdrive").setLevel(logging.INFO)
     began, cpu = time.perf_counter(), time.process_time()
-    best = longdrive.optimize("tour-average", maximize=GOAL, vary=VARY, scenarios=scenarios, **SWINGS)
+    best = longdrive.optimize(
+        "tour-average", maximize=GOAL, vary=VARY, scenarios=scenarios, **SWINGS
+    )
     ended, spent = time.perf_counter(), time.process_time()
     logging.getLogger("longdrive").removeHandler(shown)
-    row = {"x": best.x, "status": best.ended, "iterations": best.nit, "evaluations": best.nfev, "wall": shown.at - began, "cpu": shown.spent - cpu}
-    print(f"<!-- {scenarios}: the whole command {ended - began:.2f} s, {spent - cpu:.2f} s of processor time -->", flush=True)
+    row = {
+        "x": best.x,
+        "status": best.ended,
+        "iterations": best.nit,
+        "evaluations": best.nfev,
+        "wall": shown.at - began,
+        "cpu": shown.spent - cpu,
+    }
+    print(
+        f"<!-- {scenarios}: the whole command {ended - began:.2f} s, {spent - cpu:.2f} s of processor time -->",
+        flush=True,
+    )
     return best, row
 
 
 def theirs(scaled: Scaled, method: str, start: Any) -> dict[str, Any]:
     """SciPy from the same start, with tolerances that ask for 1e-10."""
-    options: dict[str, Any] = {"ftol": 1e-14, "maxiter": 1000} if method == "SLSQP" else {"xtol": 1e-10, "gtol": 1e-10, "barrier_tol": 1e-10, "maxiter": 1000}
+    options: dict[str, Any] = (
+        {"ftol": 1e-14, "maxiter": 1000}
+        if method == "SLSQP"
+        else {"xtol": 1e-10, "gtol": 1e-10, "barrier_tol": 1e-10, "maxiter": 1000}
+    )
     hess = {} if method == "SLSQP" else {"hess": scaled.hess}
     began, cpu = time.perf_counter(), time.process_time()
-    found = minimize(scaled.fun, start, jac=scaled.jac, bounds=[(0.0, 1.0)] * len(NAMES), method=method, options=options, **hess)
+    found = minimize(
+        scaled.fun,
+        start,
+        jac=scaled.jac,
+        bounds=[(0.0, 1.0)] * len(NAMES),
+        method=method,
+        options=options,
+        **hess,
+    )
     took, spent = time.perf_counter() - began, time.process_time() - cpu
     x = LOW + np.clip(found.x, 0.0, 1.0) * WIDTH
     said = re.sub(r"[\s.]+$", "", str(found.message)).replace("|", "/")
-    return {"x": x, "status": said, "iterations": found.nit, "evaluations": len(scaled.points), "wall": took, "cpu": spent}
+    return {
+        "x": x,
+        "status": said,
+        "iterations": found.nit,
+        "evaluations": len(scaled.points),
+        "wall": took,
+        "cpu": spent,
+    }
 
 
 def main() -> None:
     warnings.simplefilter("ignore")
-    print("| Swings | Solver | Status | Iterations | Evaluations | Time, s | Processor time, s | KKT residual | Goal, yd |")
+    print(
+        "| Swings | Solver | Status | Iterations | Evaluations | Time, s | Processor time, s | KKT residual | Goal, yd |"
+    )
     print("|--:|---|---|--:|--:|--:|--:|--:|--:|")
     for scenarios in [int(text) for text in sys.argv[1:]] or [500, 10_000]:
         best, row = ours(scenarios)
@@ -138,11 +175,16 @@ def main() -> None:
         setup = longdrive.Setup({"preset": "tour-average", **chosen})
         judge = Scaled(setup, scenarios)
         start = np.clip((judge.goal.x0 - LOW) / WIDTH, 0.0, 1.0)
-        for name, found in [("longdrive", row), *((f"SciPy {method}", theirs(Scaled(setup, scenarios), method, start)) for method in ["SLSQP", "trust-constr"])]:
+        for name, found in [
+            ("longdrive", row),
+            *(
+                (f"SciPy {method}", theirs(Scaled(setup, scenarios), method, start))
+                for method in ["SLSQP", "trust-constr"]
+            ),
+        ]:
             residual, value = judge.residual(found["x"])
             print(
-                f"| {scenarios} | {name} | {found['status']} | {found['iterations']} | {found['evaluations']} | {found['wall']:.2f} | {found['cpu']:.2f} "
-                f"| {residual:.0e} | {value / YARD:.9f} |",
+                f"| {scenarios} | {name} | {found['status']} | {found['iterations']} | {found['evaluations']} | {found['wall']:.2f} | {found['cpu']:.2f} " f"| {residual:.0e} | {value / YARD:.9f} |",
                 flush=True,
             )
 

@@ -33,7 +33,10 @@ def main() -> int:
     parser.add_argument("names", nargs="*", help="notebooks to run; all without")
     parser.add_argument("--write", action="store_true", help="store the outputs in the notebooks")
     given = parser.parse_args()
-    paths = [FOLDER / f"{name.removesuffix('.ipynb')}.ipynb" for name in given.names] or sorted(FOLDER.glob("*.ipynb"))
+    paths = (
+        [FOLDER / f"{name.removesuffix('.ipynb')}.ipynb" for name in given.names]
+        or sorted(FOLDER.glob("*.ipynb"))
+    )
     # no dates in pictures; matplotlibrc makes the rest of them reproducible
     os.environ.setdefault("SOURCE_DATE_EPOCH", "0")
     faults = [fault for path in paths for fault in run(path, given.write)]
@@ -45,7 +48,9 @@ def main() -> int:
 def run(path: Path, is_writing: bool) -> list[str]:
     """Runs one notebook, and says what is wrong with it."""
     if not path.exists():
-        return [f"{path.name}: there is no such notebook; there are {', '.join(sorted(other.stem for other in FOLDER.glob('*.ipynb')))}"]
+        return [
+            f"{path.name}: there is no such notebook; there are {', '.join(sorted(other.stem for other in FOLDER.glob('*.ipynb')))}"
+        ]
     notebook = nbformat.read(path, as_version=4)
     began = time.monotonic()
     try:
@@ -60,7 +65,9 @@ def run(path: Path, is_writing: bool) -> list[str]:
         for output in cell.get("outputs", []):
             as_picture(output)
     text = nbformat.writes(notebook) + "\n"
-    print(f"{path.name}: {time.monotonic() - began:.1f} s, {len(notebook.cells)} cells, {len(text.encode()) / 1000:.0f} kB")
+    print(
+        f"{path.name}: {time.monotonic() - began:.1f} s, {len(notebook.cells)} cells, {len(text.encode()) / 1000:.0f} kB"
+    )
     faults = [f"{path.name}: {fault}" for fault in wrong(notebook, text)]
     if is_writing and not faults:
         path.write_text(text, encoding="utf-8")
@@ -80,18 +87,31 @@ def wrong(notebook: Any, text: str) -> list[str]:
     """What a notebook must not be."""
     faults = []
     if len(text.encode()) > LARGEST:
-        faults.append(f"it has {len(text.encode()) / 1000:.0f} kB with its outputs; make its pictures simpler, so that it has {LARGEST / 1000:.0f} kB at most")
+        faults.append(
+            f"it has {len(text.encode()) / 1000:.0f} kB with its outputs; make its pictures simpler, so that it has {LARGEST / 1000:.0f} kB at most"
+        )
     if len(notebook.cells) > MOST_CELLS:
-        faults.append(f"it has {len(notebook.cells)} cells; {MOST_CELLS} are what one reads at a sitting")
+        faults.append(
+            f"it has {len(notebook.cells)} cells; {MOST_CELLS} are what one reads at a sitting"
+        )
     if not any(cell.cell_type == "code" and "assert " in cell.source for cell in notebook.cells):
         faults.append("no cell asserts what the text claims")
     folders = {str(FOLDER.parents[1]), str(Path.home()), tempfile.gettempdir(), sys.prefix} - {"/"}
     for number, cell in enumerate(notebook.cells, 1):
         for output in cell.get("outputs", []):
             if output.output_type == "stream" and output.name == "stderr":
-                faults.append(f"cell {number} writes to standard error: {output.text.strip()[:200]}")
-            shown = str(output.get("text", "")) + "".join(str(part) for part in output.get("data", {}).values())
-            faults += [f"cell {number} shows a folder of this machine, {folder}" for folder in sorted(folders) if folder in shown]
+                faults.append(
+                    f"cell {number} writes to standard error: {output.text.strip()[:200]}"
+                )
+            shown = (
+                str(output.get("text", ""))
+                + "".join(str(part) for part in output.get("data", {}).values())
+            )
+            faults += [
+                f"cell {number} shows a folder of this machine, {folder}"
+                for folder in sorted(folders)
+                if folder in shown
+            ]
     return faults
 
 

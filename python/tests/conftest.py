@@ -25,7 +25,9 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 @pytest.fixture(scope="session")
 def independent_drives() -> list[dict[str, Any]]:
     """Drives of an independent program (tests/data/README.md), printed to 12 digits."""
-    drives: list[dict[str, Any]] = json.loads((ROOT / "tests/data/reference_drives.json").read_text())["drives"]
+    drives: list[dict[str, Any]] = json.loads(
+        (ROOT / "tests/data/reference_drives.json").read_text()
+    )["drives"]
     for drive in drives:
         drive["setup"] = {"preset": "winfield-tan", **drive["setup"]}
     return drives
@@ -33,7 +35,8 @@ def independent_drives() -> list[dict[str, Any]]:
 
 @pytest.fixture(scope="session")
 def program() -> Callable[..., str]:
-    """The program `longdrive`: that of LONGDRIVE_PROGRAM, or on the path. Tests that need it are skipped without it."""
+    """The program `longdrive`: that of LONGDRIVE_PROGRAM, or on the path. Tests that need it are
+    skipped without it."""
     found = os.environ.get("LONGDRIVE_PROGRAM") or shutil.which("longdrive")
     if not found:
         pytest.skip("needs the program: put longdrive on the path, or name it in LONGDRIVE_PROGRAM")

@@ -29,7 +29,10 @@ WAIT = 1200
 
 def points(rows: int, seed: int = 1) -> dict[str, np.ndarray[Any, np.dtype[np.float64]]]:
     draw = np.random.default_rng(seed)
-    return {"club.loft": np.radians(draw.uniform(6, 16, rows)), "swing.speed": draw.uniform(36, 55, rows)}
+    return {
+        "club.loft": np.radians(draw.uniform(6, 16, rows)),
+        "swing.speed": draw.uniform(36, 55, rows),
+    }
 
 
 def bits(table: Table) -> tuple[bytes, ...]:
@@ -42,12 +45,27 @@ def table() -> Table:
 
 
 def test_same_rows_as_the_program(program: Callable[..., str]) -> None:
-    text = program("sweep", "--over", "club.loft=5deg..25deg:13", "--over", "swing.attack_angle=-30deg..5deg:11",
-                   "--outcomes", "carry,spin,apex_height", "--gradient", "-o", "-", "--quiet")
+    text = program(
+        "sweep",
+        "--over",
+        "club.loft=5deg..25deg:13",
+        "--over",
+        "swing.attack_angle=-30deg..5deg:11",
+        "--outcomes",
+        "carry,spin,apex_height",
+        "--gradient",
+        "-o",
+        "-",
+        "--quiet",
+    )
     rows = list(csv.DictReader(io.StringIO(text)))
     assert len(rows) == 13 * 11
     names = {head: head.split(" [")[0] for head in rows[0]}
-    given = {name: np.array([float(row[head]) for row in rows]) for head, name in names.items() if "." in name and "/" not in name}
+    given = {
+        name: np.array(
+            [float(row[head]) for row in rows]
+        ) for head, name in names.items() if "." in name and "/" not in name
+    }
     ours = longdrive.batch("tour-average", given, ["carry", "spin", "apex_height"], "points")
     assert list(names.values()) == ours.keys()
     assert ours.counts().keys() >= {"landed", "no-flight"}
@@ -56,19 +74,33 @@ def test_same_rows_as_the_program(program: Callable[..., str]) -> None:
         for head, name in names.items():
             if name != "status":
                 theirs = float(row[head]) if row[head] else math.nan
-                assert ours[name][k] == theirs or (math.isnan(ours[name][k]) and math.isnan(theirs)), (name, k)
+                assert (
+                    ours[name][k] == theirs or (math.isnan(ours[name][k]) and math.isnan(theirs))
+                ), (name, k)
                 assert head == f"{name} [{ours.units[name]}]"
 
 
 def test_exact_parabola_in_a_vacuum() -> None:
     vacuum = Setup({"preset": "mae494", "air.density": 0})
     speed = np.linspace(30, 60, 500)
-    table = longdrive.batch(vacuum, {"swing.speed": speed}, ["carry", "ball_speed", "launch_angle"], ["gravity", "swing.speed"], hessians=True)
+    table = longdrive.batch(
+        vacuum,
+        {"swing.speed": speed},
+        ["carry", "ball_speed", "launch_angle"],
+        ["gravity", "swing.speed"],
+        hessians=True,
+    )
     g = vacuum["gravity"]
-    np.testing.assert_allclose(table["carry"], table["ball_speed"] ** 2 * np.sin(2 * table["launch_angle"]) / g, rtol=1e-11)
-    np.testing.assert_allclose(table.derivative("carry", "gravity"), -table["carry"] / g, rtol=1e-11)
+    np.testing.assert_allclose(
+        table["carry"], table["ball_speed"] ** 2 * np.sin(2 * table["launch_angle"]) / g, rtol=1e-11
+    )
+    np.testing.assert_allclose(
+        table.derivative("carry", "gravity"), -table["carry"] / g, rtol=1e-11
+    )
     # carry is proportional to the square of the club's speed, the ball's speed to the speed
-    np.testing.assert_allclose(table.derivative("carry", "swing.speed"), 2 * table["carry"] / speed, rtol=1e-10)
+    np.testing.assert_allclose(
+        table.derivative("carry", "swing.speed"), 2 * table["carry"] / speed, rtol=1e-10
+    )
     assert table.hessians is not None and table.hessians.shape == (500, 3, 2, 2)
     np.testing.assert_allclose(table.hessians[:, 0, 0, 0], 2 * table["carry"] / g**2, rtol=1e-10)
     np.testing.assert_allclose(table.hessians[:, 0, 1, 1], 2 * table["carry"] / speed**2, rtol=1e-9)
@@ -84,23 +116,41 @@ def test_same_rows_as_single_drives_at_one_step_size() -> None:
         values, jacobian = longdrive.jacobian(one, ["carry", "spin"], VARY)
         np.testing.assert_allclose(table.values[row], values, rtol=1e-12)
         np.testing.assert_allclose(table.gradients[row], jacobian, rtol=1e-10, atol=1e-9)
-        np.testing.assert_allclose(table.hessians[row, 0], longdrive.hessian(one, "carry", VARY).hessian, rtol=1e-9, atol=1e-7)
+        np.testing.assert_allclose(
+            table.hessians[row, 0],
+            longdrive.hessian(one, "carry", VARY).hessian,
+            rtol=1e-9,
+            atol=1e-7,
+        )
 
 
 def test_views_share_the_columns(table: Table) -> None:
-    assert table.values.shape == (3000, 3) and table.gradients.shape == (3000, 3, 2) and len(table) == 3000
+    assert (
+        table.values.shape == (3000, 3)
+        and table.gradients.shape == (3000, 3, 2)
+        and len(table) == 3000
+    )
     for i, of in enumerate(table.of):
         assert np.array_equal(table[of], table.values[:, i])
         for j, by in enumerate(table.wrt):
             assert np.array_equal(table.derivative(of, by), table.gradients[:, i, j])
             assert np.array_equal(table.derivative(of, by), table[f"d_{of}/d_{by}"])
-    assert np.shares_memory(table.values, table["carry"]) and np.shares_memory(table.gradients, table.derivative("spin", "club.loft"))
+    assert (
+        np.shares_memory(table.values, table["carry"])
+        and np.shares_memory(table.gradients, table.derivative("spin", "club.loft"))
+    )
     assert table["carry"].flags.c_contiguous and not table["carry"].flags.writeable
     part = table[1000:2000]
-    assert (len(part), part.first_row) == (1000, 1000) and np.shares_memory(part["carry"], table["carry"])
+    assert (
+        (len(part), part.first_row) == (1000, 1000)
+        and np.shares_memory(part["carry"], table["carry"])
+    )
     assert np.array_equal(part["carry"], table["carry"][1000:2000])
     assert Table.concatenate([table[:1000], part, table[2000:]]) == table
-    with pytest.raises(KeyError, match="unknown column 'cary'; did you mean 'carry'. the columns are club.loft, swing.speed, status, carry"):
+    with pytest.raises(
+        KeyError,
+        match="unknown column 'cary'; did you mean 'carry'. the columns are club.loft, swing.speed, status, carry",
+    ):
         table["cary"]
     with pytest.raises(InputError, match="columns by name and rows by slice"):
         table[3]  # type: ignore[index]
@@ -114,19 +164,29 @@ def test_same_rows_from_strides_types_and_read_only_arrays(table: Table) -> None
     read_only.flags.writeable = False
     same = [
         {"club.loft": wide[:, 1], "swing.speed": wide[:, 3]},
-        {"club.loft": given["club.loft"][::-1].copy()[::-1], "swing.speed": given["swing.speed"].astype(">f8")},
+        {
+            "club.loft": given["club.loft"][::-1].copy()[::-1],
+            "swing.speed": given["swing.speed"].astype(">f8"),
+        },
         {"club.loft": read_only, "swing.speed": given["swing.speed"].tolist()},
     ]
     for other in same:
         before = {name: np.array(value) for name, value in other.items()}
-        assert bits(longdrive.batch("tour-average", other, ["carry", "lateral", "spin"], "points")) == bits(table)
+        assert bits(
+            longdrive.batch("tour-average", other, ["carry", "lateral", "spin"], "points")
+        ) == bits(table)
         assert all(np.array_equal(value, other[name]) for name, value in before.items())
     single = given["swing.speed"].astype(np.float32)
     narrow = longdrive.batch("tour-average", {"swing.speed": single})
     assert np.array_equal(narrow["swing.speed"], single.astype(np.float64))
-    assert np.array_equal(narrow["carry"], longdrive.batch("tour-average", {"swing.speed": single.astype(np.float64)})["carry"])
+    assert np.array_equal(
+        narrow["carry"],
+        longdrive.batch("tour-average", {"swing.speed": single.astype(np.float64)})["carry"],
+    )
     whole = longdrive.batch("tour-average", {"swing.speed": np.array([40, 50])})
-    assert np.array_equal(whole["carry"], longdrive.batch("tour-average", {"swing.speed": [40.0, 50.0]})["carry"])
+    assert np.array_equal(
+        whole["carry"], longdrive.batch("tour-average", {"swing.speed": [40.0, 50.0]})["carry"]
+    )
 
 
 def test_numbers_and_texts_apply_to_every_row() -> None:
@@ -140,13 +200,25 @@ def test_numbers_and_texts_apply_to_every_row() -> None:
 
 def test_same_bits_for_any_number_of_threads(table: Table) -> None:
     for threads in (1, 2, 5):
-        assert bits(longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points", threads=threads)) == bits(table)
+        assert bits(
+            longdrive.batch(
+                "tour-average",
+                points(3000),
+                ["carry", "lateral", "spin"],
+                "points",
+                threads=threads,
+            )
+        ) == bits(table)
 
 
 def test_a_row_that_cannot_be_flown_has_a_status_and_nothing_else_is_nan() -> None:
     nan, inf = math.nan, math.inf
-    given = {"club.loft": [0.2, nan, inf, 2.0, 0.2, 0.2, 0.2], "swing.attack_angle": [0, 0, 0, 0, math.radians(-40), 0, nan],
-             "strike.toe": [0, 0, 0, 0, 0, 0.14, 0], "club.bulge_radius": 0.05}
+    given = {
+        "club.loft": [0.2, nan, inf, 2.0, 0.2, 0.2, 0.2],
+        "swing.attack_angle": [0, 0, 0, 0, math.radians(-40), 0, nan],
+        "strike.toe": [0, 0, 0, 0, 0, 0.14, 0],
+        "club.bulge_radius": 0.05,
+    }
     table = longdrive.batch("tour-average", given, ["carry", "ball_speed"], "points", hessians=True)
     out, landed = Status.OUT_OF_RANGE, Status.LANDED
     assert table.status.tolist() == [landed, out, out, out, Status.NO_FLIGHT, Status.NO_STRIKE, out]
@@ -155,7 +227,11 @@ def test_a_row_that_cannot_be_flown_has_a_status_and_nothing_else_is_nan() -> No
     assert np.isnan(table["carry"]).tolist() == (~is_landed).tolist()
     # a ball that does not fly still has a launch
     assert np.isnan(table["ball_speed"]).tolist() == [False, True, True, True, False, True, True]
-    assert table.hessians is not None and np.isfinite(table.hessians[0]).all() and np.isnan(table.hessians[1]).all()
+    assert (
+        table.hessians is not None
+        and np.isfinite(table.hessians[0]).all()
+        and np.isnan(table.hessians[1]).all()
+    )
     assert table.counts() == {"landed": 1, "no-flight": 1, "no-strike": 1, "out-of-range": 4}
 
 
@@ -163,26 +239,40 @@ def test_a_landed_drive_without_a_direction_has_the_status_undefined() -> None:
     launch = {"launch": {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}}
     table = longdrive.batch(launch, {"launch.backspin": [250.0, 0.0]}, ["carry", "spin_axis"])
     assert table.status.tolist() == [Status.LANDED, Status.UNDEFINED]
-    assert np.isfinite(table["carry"]).all() and np.isnan(table["spin_axis"]).tolist() == [False, True]
+    assert (
+        np.isfinite(table["carry"]).all() and np.isnan(table["spin_axis"]).tolist() == [False, True]
+    )
 
 
-@pytest.mark.parametrize(("given", "message"), [
-    ({"club.loft": np.zeros((2, 2))}, r"points: club.loft has shape \(2, 2\); expected a number or a one-dimensional array of numbers in rad"),
-    ({"club.loft": np.zeros(3), "swing.speed": np.zeros(4)}, r"points: swing.speed has shape \(4,\), and club.loft has \(3,\)"),
-    ({"club.loft": np.array(["a"])}, "points: club.loft has dtype <U1"),
-    ({"club.loft": np.array([True])}, "points: club.loft has dtype bool"),
-    ({"club.loft": np.array([1j])}, "points: club.loft has dtype complex128"),
-    ({"club.loft": np.array([1], "m8[s]")}, "points: club.loft has dtype timedelta64"),
-    ({"club.loft": np.array([1], np.longdouble)}, "points: club.loft has dtype float128, which 64-bit floats do not hold"),
-    ({"club.loft": np.ma.masked_array([1.0], [True])}, "points: club.loft is a masked array"),
-    ({"club.loft": object()}, "points: club.loft has dtype object"),
-    ({"club.loft": "10 kg"}, 'club.loft: "10 kg" is not an angle'),
-    ({"club.lofft": [0.1]}, "unknown parameter 'club.lofft'; did you mean 'club.loft'"),
-    ({"flight.step": [0.1]}, "flight.step cannot be varied"),
-    ({1: [0.1]}, "points: the key 1 is no text"),
-    ({}, "points is empty"),
-    ([1.0], "points is a list; expected a dict of parameters with arrays"),
-])
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        (
+            {"club.loft": np.zeros((2, 2))},
+            r"points: club.loft has shape \(2, 2\); expected a number or a one-dimensional array of numbers in rad",
+        ),
+        (
+            {"club.loft": np.zeros(3), "swing.speed": np.zeros(4)},
+            r"points: swing.speed has shape \(4,\), and club.loft has \(3,\)",
+        ),
+        ({"club.loft": np.array(["a"])}, "points: club.loft has dtype <U1"),
+        ({"club.loft": np.array([True])}, "points: club.loft has dtype bool"),
+        ({"club.loft": np.array([1j])}, "points: club.loft has dtype complex128"),
+        ({"club.loft": np.array([1], "m8[s]")}, "points: club.loft has dtype timedelta64"),
+        (
+            {"club.loft": np.array([1], np.longdouble)},
+            "points: club.loft has dtype float128, which 64-bit floats do not hold",
+        ),
+        ({"club.loft": np.ma.masked_array([1.0], [True])}, "points: club.loft is a masked array"),
+        ({"club.loft": object()}, "points: club.loft has dtype object"),
+        ({"club.loft": "10 kg"}, 'club.loft: "10 kg" is not an angle'),
+        ({"club.lofft": [0.1]}, "unknown parameter 'club.lofft'; did you mean 'club.loft'"),
+        ({"flight.step": [0.1]}, "flight.step cannot be varied"),
+        ({1: [0.1]}, "points: the key 1 is no text"),
+        ({}, "points is empty"),
+        ([1.0], "points is a list; expected a dict of parameters with arrays"),
+    ],
+)
 def test_wrong_points_are_refused_in_words(given: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         longdrive.batch(Setup(), given)
@@ -211,15 +301,21 @@ def test_the_step_of_the_setup_is_used_on_request() -> None:
     assert own == longdrive.batch(Setup().replace({"flight.step": Setup()["flight.step"]}), given)
     exact = longdrive.batch("tour-average", given, tolerance=1e-9)
     assert np.abs(longdrive.batch("tour-average", given)["carry"] - exact["carry"]).max() < 1e-6
-    assert np.abs(longdrive.batch("tour-average", given, tolerance=1e-3)["carry"] - exact["carry"]).max() < 1e-3
+    assert np.abs(
+        longdrive.batch("tour-average", given, tolerance=1e-3)["carry"] - exact["carry"]
+    ).max() < 1e-3
 
 
 def test_a_table_pickles_copies_and_prints(table: Table) -> None:
     for other in (pickle.loads(pickle.dumps(table)), copy.copy(table), copy.deepcopy(table)):
         assert other == table and bits(other) == bits(table)
-        assert (other.first_row, other.warnings, other.units) == (table.first_row, table.warnings, table.units)
+        assert (other.first_row, other.warnings, other.units) == (
+            table.first_row, table.warnings, table.units
+        )
     assert table != table[:10] and table != "a"
-    assert repr(table).startswith("<longdrive.Table of 3000 drives (3000 landed): carry, lateral, spin, d_carry/d_club.loft")
+    assert repr(table).startswith(
+        "<longdrive.Table of 3000 drives (3000 landed): carry, lateral, spin, d_carry/d_club.loft"
+    )
     assert table._repr_html_().count("<tr>") == 11
     assert table.units["d_carry/d_club.loft"] == "m/rad"
 
@@ -234,10 +330,15 @@ def test_arrow_shares_the_columns(table: Table) -> None:
         chunk = lent.column(name).chunk(0)
         assert chunk.buffers()[1].address == table[name].ctypes.data
         assert lent.schema.field(name).metadata[b"unit"].decode() == table.units[name]
-    assert lent.column("status").chunk(0).dictionary.to_pylist() == [status.label for status in Status]
+    assert lent.column("status").chunk(0).dictionary.to_pylist() == [
+        status.label for status in Status
+    ]
     # the memory lives as long as Arrow has it
     other = pyarrow.table(longdrive.batch(Setup(), {"club.loft": [0.1, math.nan, 0.2]}))
-    assert other.column("carry").null_count == 1 and other.column("status").to_pylist() == ["landed", "out-of-range", "landed"]
+    assert (
+        other.column("carry").null_count == 1
+        and other.column("status").to_pylist() == ["landed", "out-of-range", "landed"]
+    )
     assert pyarrow.table(table[::7]).column("carry").to_pylist() == table["carry"][::7].tolist()
 
 
@@ -250,7 +351,9 @@ def test_polars_and_pandas_read_a_table(table: Table) -> None:
 
 def test_progress_goes_from_none_to_all() -> None:
     told: list[tuple[int, int]] = []
-    table = longdrive.batch("tour-average", points(200_000), progress=lambda done, total: told.append((done, total)))
+    table = longdrive.batch(
+        "tour-average", points(200_000), progress=lambda done, total: told.append((done, total))
+    )
     assert told[-1] == (200_000, 200_000) and len(table) == 200_000
     assert [done for done, _ in told] == sorted(done for done, _ in told)
 
@@ -279,7 +382,9 @@ def test_same_bits_after_ctrl_c_and_another_batch() -> None:
     presser = threading.Thread(target=press, daemon=True)
     presser.start()
     with pytest.raises(KeyboardInterrupt) as caught:
-        longdrive.batch(setup, given, of, progress=lambda done, _: some_are_done.set() if done else None)
+        longdrive.batch(
+            setup, given, of, progress=lambda done, _: some_are_done.set() if done else None
+        )
     presser.join()
     assert isinstance(caught.value, Interrupted)
     done = caught.value.table
@@ -298,14 +403,21 @@ def test_same_bits_after_ctrl_c_and_another_batch() -> None:
 def test_other_threads_of_python_run_meanwhile(at_work: threading.Event) -> None:
     # in steps of 4 ms, a minute of work
     with pytest.raises(Interrupted):
-        longdrive.batch(Setup({"flight.step": 4e-3}), points(400_000), own_step=True, progress=lambda *_: at_work.set())
+        longdrive.batch(
+            Setup({"flight.step": 4e-3}),
+            points(400_000),
+            own_step=True,
+            progress=lambda *_: at_work.set(),
+        )
 
 
 def test_same_rows_in_several_threads_at_once(table: Table) -> None:
     found: list[Table] = []
 
     def ask() -> None:
-        found.append(longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points"))
+        found.append(
+            longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points")
+        )
 
     threads = [threading.Thread(target=ask) for _ in range(6)]
     for thread in threads:
@@ -316,10 +428,19 @@ def test_same_rows_in_several_threads_at_once(table: Table) -> None:
 
 
 def in_a_child(_: int) -> tuple[bytes, ...]:
-    return bits(longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points"))
+    return bits(
+        longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points")
+    )
 
 
-@pytest.mark.parametrize("method", [method for method in ["fork", "spawn", "forkserver"] if method in multiprocessing.get_all_start_methods()])
+@pytest.mark.parametrize(
+    "method",
+    [
+        method
+        for method in ["fork", "spawn", "forkserver"]
+        if method in multiprocessing.get_all_start_methods()
+    ],
+)
 @pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
 def test_same_rows_in_processes_of_every_kind(method: str, table: Table) -> None:
     # threads are running when the child process starts

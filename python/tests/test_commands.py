@@ -31,13 +31,25 @@ def program(*words: str) -> tuple[int, dict[str, object]]:
 
 
 def test_functions_are_as_the_commands_say_of_their_options():
-    done = subprocess.run([sys.executable, FOLDER / "make_commands.py", "--check"], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, FOLDER / "make_commands.py", "--check"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
 
 
 def test_same_optimum_as_the_program():
     found = longdrive.optimize("tour-average", **SEARCH)
-    status, said = program("optimize", "tour-average", "--vary", "club.loft=4 deg..20 deg", "--subject-to", "descent_angle >= 38 deg")
+    status, said = program(
+        "optimize",
+        "tour-average",
+        "--vary",
+        "club.loft=4 deg..20 deg",
+        "--subject-to",
+        "descent_angle >= 38 deg",
+    )
     assert status == 0
     assert found.reply == said
     assert (found.fun, dict(zip(found.names, found.x))) == (said["value"], said["optimum"])
@@ -49,7 +61,10 @@ def test_differences_of_new_searches_confirm_the_price_of_a_constraint():
     limit, step = 42.0, 0.01
     found = longdrive.optimize(subject_to=[f"descent_angle >= {limit} deg"])
     (price,) = (value for name, value in found.prices.items() if name.startswith("descent_angle"))
-    relaxed, tightened = (longdrive.optimize(subject_to=[f"descent_angle >= {limit + by} deg"]).fun for by in (-step, step))
+    relaxed, tightened = (
+        longdrive.optimize(subject_to=[f"descent_angle >= {limit + by} deg"]).fun
+        for by in (-step, step)
+    )
     assert abs(price) > 0
     assert (relaxed - tightened) / (2 * np.radians(step)) == pytest.approx(price, rel=1e-4)
 
@@ -57,7 +72,12 @@ def test_differences_of_new_searches_confirm_the_price_of_a_constraint():
 def test_differences_confirm_the_hessian_at_an_optimum():
     found = longdrive.optimize("mae494", vary={"club.loft": (0.1, 0.4)})
     step = 1e-4
-    at = [longdrive.gradient(found.setup.replace({"club.loft": found.x[0] + by}), wrt="club.loft").gradient[0] for by in (step, -step)]
+    at = [
+        longdrive.gradient(
+            found.setup.replace({"club.loft": found.x[0] + by}), wrt="club.loft"
+        ).gradient[0]
+        for by in (step, -step)
+    ]
     assert found.hess[0, 0] == pytest.approx((at[0] - at[1]) / (2 * step), rel=1e-6)
     assert abs(found.jac[0]) < 1e-8 * abs(found.hess[0, 0])
     # also as keys, as in SciPy
@@ -73,9 +93,21 @@ def test_differences_confirm_the_hessian_at_an_optimum():
             {"'longdrive parameters'": "longdrive.parameters()"},
         ),
         (lambda: longdrive.optimize(maximize="cary"), ["optimize", "--maximize", "cary"], {}),
-        (lambda: longdrive.optimize(subject_to="apex_height <= 30"), ["optimize", "--subject-to=apex_height <= 30"], {"--subject-to": "subject_to"}),
-        (lambda: longdrive.chart(along="swing.speed=90mph..80mph"), ["chart", "--along=swing.speed=90mph..80mph"], {}),
-        (lambda: longdrive.calibrate("missing.csv", fit="aero.cd0"), ["calibrate", "missing.csv", "--fit=aero.cd0"], {}),
+        (
+            lambda: longdrive.optimize(subject_to="apex_height <= 30"),
+            ["optimize", "--subject-to=apex_height <= 30"],
+            {"--subject-to": "subject_to"},
+        ),
+        (
+            lambda: longdrive.chart(along="swing.speed=90mph..80mph"),
+            ["chart", "--along=swing.speed=90mph..80mph"],
+            {},
+        ),
+        (
+            lambda: longdrive.calibrate("missing.csv", fit="aero.cd0"),
+            ["calibrate", "missing.csv", "--fit=aero.cd0"],
+            {},
+        ),
         (
             lambda: longdrive.uncertainty(samples=-3),
             ["uncertainty", "--samples=-3"],
@@ -121,21 +153,33 @@ def test_an_infeasible_search_says_so_and_raises_nothing():
 def test_exact_maxcv_is_the_constraint_violation():
     missed = longdrive.optimize(subject_to=["carry >= 500 m"])
     (row,) = missed.constraints
-    assert missed.maxcv == row["violation"] == pytest.approx(500 - row["value"], abs=1e-9) and missed.maxcv > 100
+    assert (
+        missed.maxcv == row["violation"] == pytest.approx(500 - row["value"], abs=1e-9)
+        and missed.maxcv > 100
+    )
     assert longdrive.optimize(subject_to=["descent_angle >= 42 deg"]).maxcv < 1e-9
     assert longdrive.optimize("mae494").maxcv == 0.0
 
 
 def test_a_setup_of_ones_own_is_asked_about_to_the_last_digit():
-    setup = longdrive.Setup("tour-average").replace({"swing.speed": 50.123456789012345, "club.loft": 0.1718281828459045})
+    setup = longdrive.Setup("tour-average").replace(
+        {"swing.speed": 50.123456789012345, "club.loft": 0.1718281828459045}
+    )
     (row,) = longdrive.sensitivity(setup, of="carry").outcomes
     assert row["value"] == longdrive.gradient(setup, wrt="all").value
-    status, said = program("optimize", "tour-average", "--set=swing.speed=50.123456789012345 m/s", "--set=club.loft=0.1718281828459045 rad")
+    status, said = program(
+        "optimize",
+        "tour-average",
+        "--set=swing.speed=50.123456789012345 m/s",
+        "--set=club.loft=0.1718281828459045 rad",
+    )
     assert (status, longdrive.optimize(setup).reply) == (0, said)
 
 
 def test_a_step_that_was_set_is_kept():
-    setup = longdrive.Setup({"preset": "modern-driver", "flight.method": "rk4", "flight.step": 0.05})
+    setup = longdrive.Setup(
+        {"preset": "modern-driver", "flight.method": "rk4", "flight.step": 0.05}
+    )
     found = longdrive.optimize(setup, vary={"club.loft": (0.1, 0.3)})
     assert found.fun == longdrive.gradient(found.setup, wrt="club.loft").value
 
@@ -161,7 +205,9 @@ class Degrees:
 
 def test_quantities_of_pint_are_converted():
     quantities = longdrive.optimize(vary={"club.loft": (Degrees(4.0), Degrees(20.0))})
-    texts = longdrive.optimize(vary={"club.loft": (float(np.radians(4.0)), float(np.radians(20.0)))})
+    texts = longdrive.optimize(
+        vary={"club.loft": (float(np.radians(4.0)), float(np.radians(20.0)))}
+    )
     assert quantities.reply == texts.reply
 
 
@@ -175,7 +221,15 @@ SHOTS = {
 def flown(cd0: float) -> list[float]:
     """Carries of these shots, m."""
     rows = zip(*SHOTS.values())
-    launch = [{"launch.ball_speed": v, "launch.launch_angle": f"{a} deg", "launch.backspin": f"{s} rpm", "launch.sidespin": 0, "launch.launch_direction": 0} for v, a, s in rows]
+    launch = [
+        {
+            "launch.ball_speed": v,
+            "launch.launch_angle": f"{a} deg",
+            "launch.backspin": f"{s} rpm",
+            "launch.sidespin": 0,
+            "launch.launch_direction": 0,
+        } for v, a, s in rows
+    ]
     base = {"preset": "modern-driver", "aero.law": "robinson", "aero.cd0": cd0}
     return [longdrive.simulate({**base, **row})["carry"] for row in launch]
 
@@ -183,7 +237,10 @@ def flown(cd0: float) -> list[float]:
 def test_exact_coefficient_recovered_from_shots_in_a_dict_a_file_and_a_data_frame(tmp_path):
     shots = {**SHOTS, "carry [m]": flown(0.31)}
     file = tmp_path / "shots.csv"
-    file.write_text("\n".join([",".join(shots), *(",".join(map(repr, row)) for row in zip(*shots.values()))]), encoding="utf-8")
+    file.write_text(
+        "\n".join([",".join(shots), *(",".join(map(repr, row)) for row in zip(*shots.values()))]),
+        encoding="utf-8",
+    )
     tables: list[object] = [shots, {name: np.array(column) for name, column in shots.items()}, file]
     pandas = pytest.importorskip("pandas")
     tables.append(pandas.DataFrame(shots))
@@ -200,7 +257,13 @@ def test_columns_of_different_length_are_named():
 
 
 def test_shots_come_back_row_by_row():
-    said = longdrive.fly({"ball speed [mph]": [160.0, 150.0], "launch angle [deg]": [12.0, 13.0], "spin [rpm]": [2600.0, None]})
+    said = longdrive.fly(
+        {
+            "ball speed [mph]": [160.0, 150.0],
+            "launch angle [deg]": [12.0, 13.0],
+            "spin [rpm]": [2600.0, None],
+        }
+    )
     assert [shot["flight"] for shot in said.shots] == ["landed", "refused"]
     assert "every launch needs one" in said.shots[1]["reason"]
 
@@ -218,7 +281,9 @@ def test_pictures_are_svg_and_are_saved(tmp_path):
 def test_warnings_point_at_the_line_that_asked():
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        said = longdrive.chart(along={"swing.speed": ("80 mph", "90 mph")}, vary={"club.loft": (0.1, 0.3)})
+        said = longdrive.chart(
+            along={"swing.speed": ("80 mph", "90 mph")}, vary={"club.loft": (0.1, 0.3)}
+        )
     assert [str(warning.message) for warning in caught] == ["\n".join(said.warnings)]
     assert said.warnings and {warning.filename for warning in caught} == {__file__}
     assert {warning.category for warning in caught} == {longdrive.LongdriveWarning}
@@ -234,7 +299,9 @@ def test_answers_pickle_and_copy():
     found = longdrive.optimize("mae494")
     for again in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
         assert type(again) is longdrive.Optimum
-        assert again.reply == found.reply and again.setup == found.setup and (again.x == found.x).all()
+        assert (
+            again.reply == found.reply and again.setup == found.setup and (again.x == found.x).all()
+        )
     said = longdrive.sensitivity()
     assert pickle.loads(pickle.dumps(said)) == said
     picture = longdrive.plot.trajectory()
@@ -261,8 +328,19 @@ def test_ctrl_c_ends_a_search_long_before_it_would_end():
     with pytest.raises(longdrive.Interrupted) as caught:
         # minutes of work
         longdrive.optimize(
-            distribution={"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04), "strike.toe": ("normal", 0.0, 0.01), "strike.high": ("normal", 0.0, 0.01)},
-            vary={name: low_high for name, low_high in {"club.loft": (0.1, 0.3), "club.bulge_radius": (0.2, 0.6), "club.roll_radius": (0.2, 0.6)}.items()},
+            distribution={
+                "swing.speed": ("normal", 50.0, 1.5),
+                "swing.path": ("normal", 0.0, 0.04),
+                "strike.toe": ("normal", 0.0, 0.01),
+                "strike.high": ("normal", 0.0, 0.01),
+            },
+            vary={
+                name: low_high for name, low_high in {
+                    "club.loft": (0.1, 0.3),
+                    "club.bulge_radius": (0.2, 0.6),
+                    "club.roll_radius": (0.2, 0.6),
+                }.items()
+            },
             maximize="mean(carry) - 0.5*std(lateral)",
             scenarios=100_000,
             starts=2,
@@ -276,7 +354,12 @@ def test_ctrl_c_ends_a_search_long_before_it_would_end():
 
 def test_two_searches_at_once_do_not_disturb_each_other():
     found: dict[str, float] = {}
-    work = [threading.Thread(target=lambda name=name: found.__setitem__(name, longdrive.optimize(name, starts=4).fun)) for name in ("mae494", "tour-average")]
+    work = [
+        threading.Thread(
+            target=lambda name=name: found.__setitem__(name, longdrive.optimize(name, starts=4).fun)
+        )
+        for name in ("mae494", "tour-average")
+    ]
     for thread in work:
         thread.start()
     for thread in work:
@@ -285,7 +368,14 @@ def test_two_searches_at_once_do_not_disturb_each_other():
 
 
 def test_the_program_is_there_too():
-    done = subprocess.run([sys.executable, "-m", "longdrive", "presets"], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-m", "longdrive", "presets"], capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0 and "tour-average" in done.stdout
-    refused = subprocess.run([sys.executable, "-m", "longdrive", "simulate", "--set", "x=1"], capture_output=True, text=True, check=False)
+    refused = subprocess.run(
+        [sys.executable, "-m", "longdrive", "simulate", "--set", "x=1"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert refused.returncode == 2 and "x" in refused.stderr

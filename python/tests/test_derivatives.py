@@ -14,7 +14,17 @@ import pytest
 import longdrive
 from longdrive import InputError, NoAnswerError, Setup
 
-CHECKED = ["carry", "lateral", "flight_time", "apex_height", "descent_angle", "landing_speed", "ball_speed", "launch_angle", "spin"]
+CHECKED = [
+    "carry",
+    "lateral",
+    "flight_time",
+    "apex_height",
+    "descent_angle",
+    "landing_speed",
+    "ball_speed",
+    "launch_angle",
+    "spin",
+]
 
 
 def test_independent_outcomes_of_every_drive(independent_drives: list[dict[str, Any]]) -> None:
@@ -26,14 +36,18 @@ def test_independent_outcomes_of_every_drive(independent_drives: list[dict[str, 
             assert ours[name] == pytest.approx(theirs, rel=1e-9, abs=1e-12), (drive["name"], name)
 
 
-def test_independent_gradients_of_carry_and_lateral(independent_drives: list[dict[str, Any]]) -> None:
+def test_independent_gradients_of_carry_and_lateral(
+    independent_drives: list[dict[str, Any]]
+) -> None:
     for drive in independent_drives:
         for of in ["carry", "lateral"]:
             theirs = drive["gradient"][of]
             value, gradient = longdrive.gradient(drive["setup"], of=of, wrt=list(theirs))
             size = np.abs(list(theirs.values())).max()
             assert value == pytest.approx(drive["outcomes"][of], rel=1e-9, abs=1e-9)
-            np.testing.assert_allclose(gradient, list(theirs.values()), rtol=1e-8, atol=1e-8 * size, err_msg=drive["name"])
+            np.testing.assert_allclose(
+                gradient, list(theirs.values()), rtol=1e-8, atol=1e-8 * size, err_msg=drive["name"]
+            )
 
 
 def test_independent_hessians_of_carry(independent_drives: list[dict[str, Any]]) -> None:
@@ -42,8 +56,12 @@ def test_independent_hessians_of_carry(independent_drives: list[dict[str, Any]])
         theirs = drive.get("hessian_carry_loft_attack")
         if theirs is None:
             continue
-        _, gradient, hessian = longdrive.hessian(drive["setup"], of="carry", wrt=["club.loft", "swing.attack_angle"])
-        np.testing.assert_allclose(hessian, theirs, rtol=1e-7, atol=1e-7 * np.abs(theirs).max(), err_msg=drive["name"])
+        _, gradient, hessian = longdrive.hessian(
+            drive["setup"], of="carry", wrt=["club.loft", "swing.attack_angle"]
+        )
+        np.testing.assert_allclose(
+            hessian, theirs, rtol=1e-7, atol=1e-7 * np.abs(theirs).max(), err_msg=drive["name"]
+        )
         assert gradient.shape == (2,)
         checked += 1
     assert checked > 0
@@ -69,7 +87,9 @@ def test_a_jacobian_has_a_row_for_each_outcome() -> None:
         assert values[k] == pytest.approx(value, rel=1e-14)
         np.testing.assert_allclose(rows[k], gradient, rtol=1e-12)
     everything = longdrive.jacobian(Setup(), of="all", wrt="all")
-    assert everything.jacobian.shape == (sum(row["part"] != "head" for row in longdrive.outcomes()), everything.jacobian.shape[1])
+    assert everything.jacobian.shape == (
+        sum(row["part"] != "head" for row in longdrive.outcomes()), everything.jacobian.shape[1]
+    )
     assert np.isfinite(everything.jacobian).all()
 
 
@@ -78,7 +98,9 @@ def test_same_numbers_as_the_program(program: Callable[..., str]) -> None:
     drive = longdrive.simulate({"preset": "modern-driver", "club.loft": "11 deg"})
     assert drive.report == report
     assert drive["carry"] == report["flight"]["carry"]
-    theirs = json.loads(program("gradient", "modern-driver", "--set", "club.loft=11deg", "--hessian", "--json"))["outcomes"][0]
+    theirs = json.loads(
+        program("gradient", "modern-driver", "--set", "club.loft=11deg", "--hessian", "--json")
+    )["outcomes"][0]
     value, gradient, hessian = longdrive.hessian({"preset": "modern-driver", "club.loft": "11 deg"})
     assert value == theirs["value"] and gradient.tolist() == list(theirs["gradient"].values())
     assert hessian.tolist() == theirs["hessian"]["values"]

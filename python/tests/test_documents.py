@@ -1,4 +1,5 @@
-"""Documents of the package: examples in docstrings, README and docs/python.md run, and every public name has a text."""
+"""Documents of the package: examples in docstrings, README and docs/python.md run, and every public
+name has a text."""
 
 from __future__ import annotations
 
@@ -38,7 +39,9 @@ def test_every_public_name_has_a_text() -> None:
         assert name == "__version__" or inspect.getdoc(item), name
         if inspect.isclass(item) and item.__module__.startswith("longdrive"):
             for member, value in vars(item).items():
-                if not member.startswith("_") and (callable(value) or isinstance(value, (property, staticmethod))):
+                if not member.startswith("_") and (
+                    callable(value) or isinstance(value, (property, staticmethod))
+                ):
                     assert inspect.getdoc(getattr(item, member)), f"{name}.{member}"
 
 
@@ -49,7 +52,9 @@ def blocks() -> list[Any]:
         text = path.read_text(encoding="utf-8")
         for block in re.finditer(r"```python\n(.*?)```", text, re.DOTALL):
             line = text[: block.start(1)].count("\n") + 1
-            found.append(pytest.param(path.name, line, block[1], id=f"{path.parent.name}/{path.name}:{line}"))
+            found.append(
+                pytest.param(path.name, line, block[1], id=f"{path.parent.name}/{path.name}:{line}")
+            )
     return found
 
 
@@ -68,5 +73,10 @@ def test_the_python_of_the_documents_runs(
 
 def test_nothing_but_numpy_is_imported() -> None:
     code = "import sys, numpy; before = set(sys.modules); import longdrive; print(*{name.split('.')[0] for name in set(sys.modules) - before})"
-    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert "longdrive" in loaded and set(loaded) <= set(sys.stdlib_module_names) | {"numpy", "longdrive"}
+    loaded = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    ).stdout.split()
+    assert (
+        "longdrive" in loaded
+        and set(loaded) <= set(sys.stdlib_module_names) | {"numpy", "longdrive"}
+    )

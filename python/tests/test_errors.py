@@ -17,7 +17,9 @@ from longdrive import Error, InputError, InternalError, NoAnswerError, _longdriv
 NO_FLIGHT = {"preset": "tour-average", "swing.attack_angle": "-40 deg"}
 
 
-def test_a_panic_is_an_internal_error_that_except_exception_catches(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_panic_is_an_internal_error_that_except_exception_catches(
+    capfd: pytest.CaptureFixture[str]
+) -> None:
     with pytest.raises(InternalError, match="please report it.*: on purpose") as caught:
         _longdrive._panic_for_a_test("on purpose")
     assert isinstance(caught.value, (Error, RuntimeError)) and isinstance(caught.value, Exception)
@@ -60,7 +62,17 @@ def test_errors_come_back_from_another_process(method: str) -> None:
 
 def test_a_free_threaded_python_is_refused_with_what_to_use() -> None:
     # version strings of such a build, in 3.13 and in 3.14
-    for version in ("3.13.5 experimental free-threading build (main, Jun 11 2025)", "3.14.0 free-threading build (main, Oct 7 2025)"):
-        said = subprocess.run([sys.executable, "-c", f"import sys; sys.version = {version!r}; import longdrive"], capture_output=True, text=True)
+    for version in (
+        "3.13.5 experimental free-threading build (main, Jun 11 2025)",
+        "3.14.0 free-threading build (main, Oct 7 2025)",
+    ):
+        said = subprocess.run(
+            [sys.executable, "-c", f"import sys; sys.version = {version!r}; import longdrive"],
+            capture_output=True,
+            text=True,
+        )
         assert said.returncode == 1 and "Traceback" in said.stderr
-        assert "ImportError: longdrive needs Python with the global interpreter lock" in said.stderr and "use the ordinary build" in said.stderr
+        assert (
+            "ImportError: longdrive needs Python with the global interpreter lock" in said.stderr
+            and "use the ordinary build" in said.stderr
+        )

@@ -27,10 +27,14 @@ def run(name: str, *arguments: str) -> str:
     if name in NEEDS:
         pytest.importorskip(NEEDS[name])
     # workers of Spark otherwise use the python3 of the path, which may be another
+    # fmt: skip
     done = subprocess.run(
         [sys.executable, EXAMPLES / f"{name}.py", *arguments],
-        capture_output=True, text=True, check=False, env={**os.environ, "PYSPARK_PYTHON": sys.executable},
-    )  # fmt: skip
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "PYSPARK_PYTHON": sys.executable},
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout
 

@@ -22,7 +22,11 @@ from longdrive import Interrupted, commands, plot
 from longdrive.progress import Bar
 
 SWINGS: dict[str, Any] = {
-    "distribution": {"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04), "strike.toe": ("normal", 0.0, 0.01)},
+    "distribution": {
+        "swing.speed": ("normal", 50.0, 1.5),
+        "swing.path": ("normal", 0.0, 0.04),
+        "strike.toe": ("normal", 0.0, 0.01),
+    },
     "vary": {"club.loft": (0.1, 0.3), "club.bulge_radius": (0.2, 0.6)},
     "maximize": "mean(carry) - 0.5*std(lateral)",
     "scenarios": 2000,
@@ -74,19 +78,34 @@ def pressing_at() -> Iterator[Callable[[str], None]]:
 
 def test_a_search_has_the_best_so_far_and_says_how_far_it_was() -> None:
     with pytest.raises(Interrupted) as caught:
-        longdrive.optimize("mae494", starts=2000, vary={"club.loft": (0.05, 0.5), "swing.attack_angle": (-0.1, 0.1)}, progress=when(lambda done: done > 10))
+        longdrive.optimize(
+            "mae494",
+            starts=2000,
+            vary={"club.loft": (0.05, 0.5), "swing.attack_angle": (-0.1, 0.1)},
+            progress=when(lambda done: done > 10),
+        )
     error, found = caught.value, caught.value.answer
     assert isinstance(found, longdrive.Optimum) and not found.success
     assert found.ended == "interrupted" and "of 2000 searches ended" in found.message
     # the drive at the best point so far, computed again
-    assert longdrive.gradient(found.setup, "carry", "club.loft").value == pytest.approx(found.fun, abs=1e-5)
-    for word in ("longdrive.optimize was interrupted", found.message, f"carry = {found.fun:.6g}", f"club.loft = {found.x[0]:.6g}", "checkpoint=FILE"):
+    assert longdrive.gradient(found.setup, "carry", "club.loft").value == pytest.approx(
+        found.fun, abs=1e-5
+    )
+    for word in (
+        "longdrive.optimize was interrupted",
+        found.message,
+        f"carry = {found.fun:.6g}",
+        f"club.loft = {found.x[0]:.6g}",
+        "checkpoint=FILE",
+    ):
         assert word in str(error)
     again = pickle.loads(pickle.dumps(error))
     assert str(again) == str(error) and again.answer.fun == found.fun
 
 
-def test_a_search_that_is_stopped_within_an_iteration_has_the_point_before(pressing_at: Callable[[str], None]) -> None:
+def test_a_search_that_is_stopped_within_an_iteration_has_the_point_before(
+    pressing_at: Callable[[str], None]
+) -> None:
     # after the first iteration is reported, the next one is in progress: an evaluation of 8000
     # swings
     pressing_at(r"  1  mean\(carry\)")
@@ -98,7 +117,12 @@ def test_a_search_that_is_stopped_within_an_iteration_has_the_point_before(press
     assert found.nit >= 1 and found.message.startswith(f"stopped after {found.nit} iteration")
     # its value is that of its point
     goal, wrt = asked.pop("maximize"), list(asked.pop("vary"))
-    assert found.names == wrt and longdrive.objective("tour-average", goal, wrt, **asked).fun(found.x) == pytest.approx(found.fun, rel=1e-6)
+    assert (
+        found.names == wrt
+        and longdrive.objective("tour-average", goal, wrt, **asked).fun(found.x) == pytest.approx(
+            found.fun, rel=1e-6
+        )
+    )
 
 
 def test_a_search_that_has_finished_no_point_has_no_answer_and_says_so() -> None:
@@ -110,19 +134,26 @@ def test_a_search_that_has_finished_no_point_has_no_answer_and_says_so() -> None
             press()
 
     with pytest.raises(Interrupted) as caught:
-        longdrive.optimize("tour-average", **{**SWINGS, "scenarios": 100_000, "starts": 2}, progress=look)
+        longdrive.optimize(
+            "tour-average", **{**SWINGS, "scenarios": 100_000, "starts": 2}, progress=look
+        )
     error = caught.value
     assert error.answer is None and "`answer`" not in str(error) and "begins again" in str(error)
     assert "0 of 2 searches ended" in str(error) or "stopped before" in str(error)
 
 
-def test_a_search_goes_on_from_its_checkpoint(pressing_at: Callable[[str], None], tmp_path: Path) -> None:
+def test_a_search_goes_on_from_its_checkpoint(
+    pressing_at: Callable[[str], None], tmp_path: Path
+) -> None:
     file = tmp_path / "search.json"
     pressing_at("KKT")
     with pytest.raises(Interrupted) as caught:
         longdrive.optimize("tour-average", **SWINGS, checkpoint=file)
     assert f"the same call goes on from the checkpoint '{file}'" in str(caught.value)
-    assert "mean(carry) - 0.5*std(lateral) = " in str(caught.value) or "it told last" in str(caught.value)
+    assert (
+        "mean(carry) - 0.5*std(lateral) = " in str(caught.value)
+        or "it told last" in str(caught.value)
+    )
     kept = file.read_bytes()
     gone_on = longdrive.optimize("tour-average", **SWINGS, checkpoint=file)
     assert gone_on.success and file.read_bytes() != kept
@@ -132,30 +163,44 @@ def test_a_search_goes_on_from_its_checkpoint(pressing_at: Callable[[str], None]
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda look: longdrive.uncertainty(samples=4000, progress=look), "longdrive.uncertainty was interrupted before there was an answer"),
-        (lambda look: longdrive.plot.contour(progress=look), "longdrive.plot.contour was interrupted"),
+        (
+            lambda look: longdrive.uncertainty(samples=4000, progress=look),
+            "longdrive.uncertainty was interrupted before there was an answer",
+        ),
+        (
+            lambda look: longdrive.plot.contour(progress=look),
+            "longdrive.plot.contour was interrupted",
+        ),
     ],
 )
-def test_every_command_is_interrupted_in_its_own_words(call: Callable[[Any], Any], words: str) -> None:
+def test_every_command_is_interrupted_in_its_own_words(
+    call: Callable[[Any], Any], words: str
+) -> None:
     with pytest.raises(Interrupted, match="interrupted") as caught:
         call(when(lambda done: True))
     assert words in str(caught.value)
     assert "batch" not in str(caught.value) and caught.value.table is None
 
 
-def test_shots_that_were_not_written_anywhere_name_no_file(pressing_at: Callable[[str], None], tmp_path: Path) -> None:
+def test_shots_that_were_not_written_anywhere_name_no_file(
+    pressing_at: Callable[[str], None], tmp_path: Path
+) -> None:
     file = tmp_path / "shots.csv"
     file.write_text("Ball Speed,Launch Angle,Spin\n" + "160,11,2500\n" * 300_000)
     # before the first row is flown
     pressing_at("heads without a unit")
-    with pytest.raises(Interrupted, match=r"longdrive.fly was interrupted: stopped after \d+ rows?; `answer`") as caught:
+    with pytest.raises(
+        Interrupted, match=r"longdrive.fly was interrupted: stopped after \d+ rows?; `answer`"
+    ) as caught:
         longdrive.fly(file)
     assert "rows.jsonl" not in str(caught.value) and "is not written" not in str(caught.value)
     assert caught.value.answer is not None and caught.value.answer.file is None
 
 
 @pytest.mark.parametrize("function", ["_reply", "warn_of"])
-def test_ctrl_c_once_the_work_is_done_says_so(function: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_ctrl_c_once_the_work_is_done_says_so(
+    function: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     from longdrive import _ask
 
     real = getattr(_ask, function)
@@ -165,14 +210,21 @@ def test_ctrl_c_once_the_work_is_done_says_so(function: str, monkeypatch: pytest
         return real(*given, **named)
 
     monkeypatch.setattr(_ask, function, pressing)
-    with pytest.raises(Interrupted, match="longdrive.optimize was interrupted when its work was done, before it could answer; what it was to write is written"):
+    with pytest.raises(
+        Interrupted,
+        match="longdrive.optimize was interrupted when its work was done, before it could answer; what it was to write is written",
+    ):
         longdrive.optimize("mae494", output=tmp_path / "best.toml")
     assert (tmp_path / "best.toml").exists()
 
 
 def test_ctrl_c_with_the_last_row_keeps_all_rows() -> None:
-    with pytest.raises(Interrupted, match=r"after 5 of 5 rows, .*first_row=5\) has nothing left to do") as caught:
-        longdrive.batch("mae494", {"club.loft": np.linspace(0.1, 0.2, 5)}, progress=when(lambda done: done == 5))
+    with pytest.raises(
+        Interrupted, match=r"after 5 of 5 rows, .*first_row=5\) has nothing left to do"
+    ) as caught:
+        longdrive.batch(
+            "mae494", {"club.loft": np.linspace(0.1, 0.2, 5)}, progress=when(lambda done: done == 5)
+        )
     assert caught.value.table is not None and caught.value.table.counts() == {"landed": 5}
 
 
@@ -200,25 +252,37 @@ def test_a_line_of_what_cannot_be_counted_is_one_line(capsys: pytest.CaptureFixt
 @pytest.mark.parametrize("module", [commands, plot])
 def test_every_function_says_when_its_progress_is_not_counted(module: Any) -> None:
     for name in module.__all__:
-        assert "0 of 0 while they cannot be counted" in " ".join(getattr(module, name).__doc__.split()), name
+        assert "0 of 0 while they cannot be counted" in " ".join(
+            getattr(module, name).__doc__.split()
+        ), name
 
 
 def test_a_front_has_the_points_so_far(pressing_at: Callable[[str], None]) -> None:
     # both ends of the front take four searches, with a remark every second
     pressing_at(r"following the front: ([6-9]|\d\d+) searches so far")
     with pytest.raises(Interrupted, match="points so far"):
-        longdrive.pareto({"flight.step": "0.5 ms"}, maximize="carry", minimize="apex_height", points=1000)
+        longdrive.pareto(
+            {"flight.step": "0.5 ms"}, maximize="carry", minimize="apex_height", points=1000
+        )
 
 
 def test_a_fit_has_the_values_that_it_had_come_to(pressing_at: Callable[[str], None]) -> None:
     draw, rows = np.random.default_rng(3), 2000
+    # fmt: skip
     shots = {
-        "ball_speed [m/s]": 60 + 15 * draw.random(rows), "launch_angle [deg]": 8 + 8 * draw.random(rows), "backspin [rpm]": 2000 + 1500 * draw.random(rows),
+        "ball_speed [m/s]": 60 + 15 * draw.random(rows),
+        "launch_angle [deg]": 8 + 8 * draw.random(rows),
+        "backspin [rpm]": 2000 + 1500 * draw.random(rows),
         "carry [m]": 180 + 60 * draw.random(rows),
-    }  # fmt: skip
+    }
     pressing_at("iteration")
     with pytest.raises(Interrupted, match="longdrive.calibrate was interrupted") as caught:
-        longdrive.calibrate(shots, {"preset": "modern-driver", "aero.law": "robinson"}, fit=["aero.cd0", "aero.cl_max"], folds=20)
+        longdrive.calibrate(
+            shots,
+            {"preset": "modern-driver", "aero.law": "robinson"},
+            fit=["aero.cd0", "aero.cl_max"],
+            folds=20,
+        )
     found = caught.value.answer
     assert found is not None and found.interrupted and 0 < found.estimates["aero.cd0"]["value"] < 1
     assert f"aero.cd0 = {found.estimates['aero.cd0']['value']:.6g}" in str(caught.value)
@@ -227,7 +291,9 @@ def test_a_fit_has_the_values_that_it_had_come_to(pressing_at: Callable[[str], N
 
 def test_work_that_was_left_writes_no_file(tmp_path: Path) -> None:
     with pytest.raises(Interrupted):
-        longdrive.plot.contour("mae494", output=tmp_path / "left.svg", progress=when(lambda done: True))
+        longdrive.plot.contour(
+            "mae494", output=tmp_path / "left.svg", progress=when(lambda done: True)
+        )
     # the work again, on the same threads
     longdrive.plot.contour("mae494", output=tmp_path / "whole.svg")
     assert [path.name for path in tmp_path.iterdir()] == ["whole.svg"]
@@ -239,14 +305,23 @@ def test_an_interrupted_sweep_in_memory_has_its_finished_rows_and_advice() -> No
         longdrive.sweep("mae494", over, progress=when(lambda done: done > 0))
     table = caught.value.table
     assert table is not None and 0 < len(table) < 900_000
-    assert str(caught.value).startswith(f"longdrive.sweep was interrupted after {len(table)} of 900000 rows")
+    assert str(caught.value).startswith(
+        f"longdrive.sweep was interrupted after {len(table)} of 900000 rows"
+    )
     assert "first_row" not in str(caught.value) and "resume=True" in str(caught.value)
-    assert longdrive.batch("mae494", table.points, own_step=True)["carry"][:100] == pytest.approx(table["carry"][:100], abs=1e-3)
+    assert longdrive.batch("mae494", table.points, own_step=True)["carry"][:100] == pytest.approx(
+        table["carry"][:100], abs=1e-3
+    )
 
 
 def test_same_file_of_an_interrupted_and_resumed_sweep(tmp_path: Path) -> None:
-    asked: dict[str, Any] = {"over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 100)}, "output": tmp_path / "rows.csv"}
-    with pytest.raises(Interrupted, match="rows so far are kept, and the same call with resume=True goes on") as caught:
+    asked: dict[str, Any] = {
+        "over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 100)},
+        "output": tmp_path / "rows.csv",
+    }
+    with pytest.raises(
+        Interrupted, match="rows so far are kept, and the same call with resume=True goes on"
+    ) as caught:
         longdrive.sweep("mae494", **asked, progress=when(lambda done: done > 0))
     assert "--" not in str(caught.value)
     longdrive.sweep("mae494", **asked, resume=True)
@@ -261,7 +336,9 @@ def test_ctrl_c_before_the_first_row_is_interrupted_too() -> None:
             press()
             return super().items()
 
-    with pytest.raises(Interrupted, match="longdrive.batch was interrupted before the first row") as caught:
+    with pytest.raises(
+        Interrupted, match="longdrive.batch was interrupted before the first row"
+    ) as caught:
         longdrive.batch(Pressing(preset="mae494"), {"club.loft": [0.1, 0.2]})
     assert caught.value.table is None
     with pytest.raises(Interrupted, match="longdrive.optimize was interrupted before it began"):
@@ -293,6 +370,10 @@ def test_another_thread_is_not_interrupted() -> None:
     other = threading.Thread(target=lambda: found.append(longdrive.optimize("mae494", starts=100)))
     with pytest.raises(Interrupted):
         other.start()
-        longdrive.batch("mae494", {"club.loft": np.linspace(0.1, 0.2, 500_000)}, progress=when(lambda done: True))
+        longdrive.batch(
+            "mae494",
+            {"club.loft": np.linspace(0.1, 0.2, 500_000)},
+            progress=when(lambda done: True),
+        )
     other.join()
     assert found[0].success

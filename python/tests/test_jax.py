@@ -45,7 +45,12 @@ def test_derivatives_are_those_of_one_drive_in_every_way() -> None:
         for way in (jax.grad, jax.jacfwd, jax.jacrev):
             agree(way(function)(X), gradient)
         agree(jax.value_and_grad(function)(X)[1], gradient)
-        for way in (jax.hessian, lambda f: jax.jacrev(jax.jacfwd(f)), lambda f: jax.jacfwd(jax.grad(f)), lambda f: jax.jacrev(jax.grad(f))):
+        for way in (
+            jax.hessian,
+            lambda f: jax.jacrev(jax.jacfwd(f)),
+            lambda f: jax.jacfwd(jax.grad(f)),
+            lambda f: jax.jacrev(jax.grad(f)),
+        ):
             agree(way(function)(X), hessian)
             agree(jax.jit(way(function))(X), hessian)
 
@@ -75,7 +80,9 @@ def test_a_batch_calls_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
     asked: list[int] = []
     batch = longdrive.pointwise.computed
-    monkeypatch.setattr(longdrive.pointwise, "computed", lambda *a, **k: asked.append(1) or batch(*a, **k))
+    monkeypatch.setattr(
+        longdrive.pointwise, "computed", lambda *a, **k: asked.append(1) or batch(*a, **k)
+    )
     jax.block_until_ready(jax.vmap(jax.value_and_grad(outcome(SETUP, "carry", WRT)))(xs(100)))
     assert len(asked) == 1
 
@@ -83,7 +90,10 @@ def test_a_batch_calls_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_it_can_be_part_of_a_users_function() -> None:
     carry, x = outcome(SETUP, "carry", WRT), jnp.asarray(X)
     value, gradient, hessian = longdrive.hessian(SETUP, "carry", WRT)
-    agree(jax.grad(lambda x: jnp.sin(carry(2 * x) / 100))(x / 2), np.cos(value / 100) / 100 * 2 * gradient)
+    agree(
+        jax.grad(lambda x: jnp.sin(carry(2 * x) / 100))(x / 2),
+        np.cos(value / 100) / 100 * 2 * gradient,
+    )
     scaled = jax.hessian(lambda x: carry(x) ** 2)(x)
     agree(scaled, 2 * np.outer(gradient, gradient) + 2 * value * hessian)
 
@@ -105,9 +115,15 @@ def test_a_point_without_a_drive_is_nan() -> None:
 
 def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
     carry = outcome(SETUP, "carry", WRT)
-    with pytest.raises(InputError, match=r"a third derivative was asked for; take it by differences of the Hessian: \(hessian\(x \+ h\)"):
+    with pytest.raises(
+        InputError,
+        match=r"a third derivative was asked for; take it by differences of the Hessian: \(hessian\(x \+ h\)",
+    ):
         jax.jacfwd(jax.hessian(carry))(X)
-    with pytest.raises(InputError, match=r"x has shape \(2,\); expected shape \(3,\): club.loft, swing.attack_angle, swing.speed"):
+    with pytest.raises(
+        InputError,
+        match=r"x has shape \(2,\); expected shape \(3,\): club.loft, swing.attack_angle, swing.speed",
+    ):
         carry(X[:2])
     with pytest.raises(InputError, match="expected floats"):
         carry(np.array([1, 2, 3]))
@@ -141,7 +157,9 @@ def test_cloudpickle_of_jit_and_grad() -> None:
     cloudpickle = pytest.importorskip("cloudpickle")
     own = outcome(SETUP, "carry", WRT)
     for function in (jax.jit(own), jax.grad(own), jax.jit(jax.hessian(own))):
-        assert (np.asarray(pickle.loads(cloudpickle.dumps(function))(X)) == np.asarray(function(X))).all()
+        assert (
+            np.asarray(pickle.loads(cloudpickle.dumps(function))(X)) == np.asarray(function(X))
+        ).all()
 
 
 def test_same_values_in_other_processes() -> None:
@@ -168,4 +186,8 @@ def test_gradient_ascent_in_jax_reaches_the_programs_optimum() -> None:
     step = jax.jit(lambda x: x - jax.grad(carry)(x) / jax.hessian(carry)(x)[0])
     for _ in range(12):
         x = step(x)
-    assert abs(longdrive.gradient(Setup("mae494").replace({"club.loft": float(x[0])}), wrt="club.loft")[1][0]) < 1e-9
+    assert abs(
+        longdrive.gradient(
+            Setup("mae494").replace({"club.loft": float(x[0])}), wrt="club.loft"
+        )[1][0]
+    ) < 1e-9

@@ -1,4 +1,5 @@
-"""Values that are too deep, too large or no text are refused as bad input, with the argument and its value."""
+"""Values that are too deep, too large or no text are refused as bad input, with the argument and
+its value."""
 
 from __future__ import annotations
 
@@ -49,8 +50,13 @@ def deep() -> dict[str, Any]:
         lambda given: longdrive.compare("mae494", given),
     ],
 )
-def test_a_dict_within_itself_or_within_very_many_is_refused(call: Callable[[Any], Any], made: Callable[[], Any]) -> None:
-    with pytest.raises(InputError, match="'club.club.club.club' is a dict within 4 others, or within itself; a name has three parts at most"):
+def test_a_dict_within_itself_or_within_very_many_is_refused(
+    call: Callable[[Any], Any], made: Callable[[], Any]
+) -> None:
+    with pytest.raises(
+        InputError,
+        match="'club.club.club.club' is a dict within 4 others, or within itself; a name has three parts at most",
+    ):
         call(made())
 
 
@@ -69,28 +75,82 @@ MOST = r"or more \(at most 9223372036854775807\)$"
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: longdrive.sweep("mae494", {"club.loft": (0.1, 0.2)}, sample=4, seed=2**32), f"^seed = 4294967296; {U32}"),
-        (lambda: longdrive.objective("mae494", "mean(carry)", distribution=SPREAD, scenarios=8, seed=2**32), f"^seed = 4294967296; {U32}"),
-        (lambda: longdrive.objective("mae494", "mean(carry)", distribution=SPREAD, seed=ENDLESS), f"^seed = an int too long to show; {U32}"),
-        (lambda: longdrive.objective("mae494", "mean(carry)", distribution=SPREAD, scenarios=HUGE), r"^scenarios = 10+; .*\(at most 100000\)$"),
-        (lambda: longdrive.sweep("mae494", {"club.loft": (0.1, 0.2)}, sample=HUGE), f"^sample = 10+; .*{MOST}"),
+        (
+            lambda: longdrive.sweep("mae494", {"club.loft": (0.1, 0.2)}, sample=4, seed=2**32),
+            f"^seed = 4294967296; {U32}",
+        ),
+        (
+            lambda: longdrive.objective(
+                "mae494", "mean(carry)", distribution=SPREAD, scenarios=8, seed=2**32
+            ),
+            f"^seed = 4294967296; {U32}",
+        ),
+        (
+            lambda: longdrive.objective("mae494", "mean(carry)", distribution=SPREAD, seed=ENDLESS),
+            f"^seed = an int too long to show; {U32}",
+        ),
+        (
+            lambda: longdrive.objective(
+                "mae494", "mean(carry)", distribution=SPREAD, scenarios=HUGE
+            ),
+            r"^scenarios = 10+; .*\(at most 100000\)$",
+        ),
+        (
+            lambda: longdrive.sweep("mae494", {"club.loft": (0.1, 0.2)}, sample=HUGE),
+            f"^sample = 10+; .*{MOST}",
+        ),
         (lambda: longdrive.sweep("mae494", OVER, threads=HUGE), f"^threads = 10+; .*{MOST}"),
-        (lambda: longdrive.batch("mae494", {"club.loft": [0.2]}, threads=HUGE), f"^threads = 10+; .*{MOST}"),
-        (lambda: longdrive.batch("mae494", {"club.loft": [0.2]}, first_row=HUGE), f"^first_row = 10+; .*{MOST}"),
+        (
+            lambda: longdrive.batch("mae494", {"club.loft": [0.2]}, threads=HUGE),
+            f"^threads = 10+; .*{MOST}",
+        ),
+        (
+            lambda: longdrive.batch("mae494", {"club.loft": [0.2]}, first_row=HUGE),
+            f"^first_row = 10+; .*{MOST}",
+        ),
         (lambda: longdrive.optimize(distribution=SPREAD, scenarios=HUGE), "scenarios"),
-        (lambda: longdrive.optimize(distribution=SPREAD, scenarios=ENDLESS), "^scenarios = an int too long to show; expected a whole number$"),
+        (
+            lambda: longdrive.optimize(distribution=SPREAD, scenarios=ENDLESS),
+            "^scenarios = an int too long to show; expected a whole number$",
+        ),
         (lambda: longdrive.uncertainty(samples=ENDLESS), "^samples = an int too long to show"),
-        (lambda: longdrive.optimize(vary={"club.loft": (0.1, 10**400)}), "^club.loft: 10+.* is too large for a 64-bit float"),
-        (lambda: longdrive.optimize(vary={"club.loft": (0.1, ENDLESS)}), "^club.loft: an int too long to show is too large for a 64-bit float"),
-        (lambda: longdrive.Setup({"club.loft": 10**400}), "^'club.loft' = 10+.* is too large for a 64-bit float"),
-        (lambda: longdrive.Setup({ENDLESS: 1}), "^the key an int too long to show of a setup is no text"),
-        (lambda: longdrive.batch("mae494", {"club.loft": [10**400]}), "^points: club.loft has dtype object"),
-        (lambda: longdrive.batch("mae494", {"club.loft": [0.2]}, tolerance=10**400), "^tolerance = "),
-        (lambda: longdrive.sweep("mae494", {"club.loft": (0.1, 0.2, HUGE)}), "club.loft|the count of club.loft"),
-        (lambda: longdrive.parts.sweep("mae494", over=OVER, output="never", parts=HUGE), f"^parts = 10+; .*{MOST}"),
+        (
+            lambda: longdrive.optimize(vary={"club.loft": (0.1, 10**400)}),
+            "^club.loft: 10+.* is too large for a 64-bit float",
+        ),
+        (
+            lambda: longdrive.optimize(vary={"club.loft": (0.1, ENDLESS)}),
+            "^club.loft: an int too long to show is too large for a 64-bit float",
+        ),
+        (
+            lambda: longdrive.Setup({"club.loft": 10**400}),
+            "^'club.loft' = 10+.* is too large for a 64-bit float",
+        ),
+        (
+            lambda: longdrive.Setup({ENDLESS: 1}),
+            "^the key an int too long to show of a setup is no text",
+        ),
+        (
+            lambda: longdrive.batch("mae494", {"club.loft": [10**400]}),
+            "^points: club.loft has dtype object",
+        ),
+        (
+            lambda: longdrive.batch("mae494", {"club.loft": [0.2]}, tolerance=10**400),
+            "^tolerance = ",
+        ),
+        (
+            lambda: longdrive.sweep("mae494", {"club.loft": (0.1, 0.2, HUGE)}),
+            "club.loft|the count of club.loft",
+        ),
+        (
+            lambda: longdrive.parts.sweep("mae494", over=OVER, output="never", parts=HUGE),
+            f"^parts = 10+; .*{MOST}",
+        ),
     ],
 )
-def test_a_number_that_is_too_large_is_told_with_its_argument(call: Callable[[], Any], words: str) -> None:
+def test_a_number_that_is_too_large_is_told_with_its_argument(
+    call: Callable[[], Any], words: str
+) -> None:
     with pytest.raises(InputError, match=words):
         call()
 
@@ -124,7 +184,9 @@ def test_a_number_that_is_too_large_is_told_with_its_argument(call: Callable[[],
         (lambda: longdrive.sweep("mae494", OVER, of=HALF), "of = "),
     ],
 )
-def test_a_text_with_half_a_character_is_told_with_its_argument(call: Callable[[], Any], name: str) -> None:
+def test_a_text_with_half_a_character_is_told_with_its_argument(
+    call: Callable[[], Any], name: str
+) -> None:
     with pytest.raises(InputError, match=rf"^{name}'carry\\ud800' has half a character"):
         call()
 
@@ -132,11 +194,17 @@ def test_a_text_with_half_a_character_is_told_with_its_argument(call: Callable[[
 def test_what_is_no_name_is_not_in_a_setup_nor_in_a_table() -> None:
     setup = longdrive.Setup()
     assert HALF not in setup and 3 not in setup and None not in setup
-    for look in (lambda: setup[HALF], lambda: longdrive.simulate()[HALF], lambda: longdrive.batch("mae494", {"club.loft": [0.2]})[HALF]):
+    for look in (
+        lambda: setup[HALF],
+        lambda: longdrive.simulate()[HALF],
+        lambda: longdrive.batch("mae494", {"club.loft": [0.2]})[HALF],
+    ):
         with pytest.raises(longdrive.UnknownKeyError):
             look()
 
 
 def test_a_batch_that_does_not_fit_into_memory_is_refused_before_its_rows_are_looked_at() -> None:
-    with pytest.raises(InputError, match="100000000000 drives with 2 numbers each do not fit into memory"):
+    with pytest.raises(
+        InputError, match="100000000000 drives with 2 numbers each do not fit into memory"
+    ):
         longdrive.batch("mae494", {"club.loft": np.broadcast_to(0.16, 10**11)})

@@ -26,9 +26,15 @@ ALL = 5
 def carries(cd0: float) -> Any:
     """Carries of a ball with this drag for these launches, m."""
     speed, angle, spin = LAUNCHES.values()
-    points = {"launch.ball_speed": speed, "launch.launch_angle": np.radians(angle), "launch.backspin": spin * 2 * np.pi / 60}
+    points = {
+        "launch.ball_speed": speed,
+        "launch.launch_angle": np.radians(angle),
+        "launch.backspin": spin * 2 * np.pi / 60,
+    }
     launch = {"launch.launch_direction": 0.0, "launch.sidespin": 0.0}
-    return longdrive.batch({**BALL, "aero.cd0": cd0}, {**points, **launch}, of="carry_distance")["carry_distance"]
+    return longdrive.batch({**BALL, "aero.cd0": cd0}, {**points, **launch}, of="carry_distance")[
+        "carry_distance"
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -51,28 +57,59 @@ def test_exact_drag_recovered_without_warnings(shots: dict[str, Any]) -> None:
 
 def test_a_club_beside_launches_that_changes_what_is_fitted_is_told(shots: dict[str, Any]) -> None:
     _, told = fitted({**shots, "swing.speed [m/s]": np.full(ALL, 47.0)})
-    assert "ball_speed, launch_angle, backspin are measured values that it is compared with" in told[0] and "leave swing.speed out" in told[0]
+    assert (
+        "ball_speed, launch_angle, backspin are measured values that it is compared with" in told[0]
+        and "leave swing.speed out" in told[0]
+    )
 
 
 def test_values_that_the_fit_does_not_describe_are_told(shots: dict[str, Any]) -> None:
-    found, told = fitted({**shots, "carry [m]": shots["carry [m]"] * np.array([0.5, 1.0, 1.5, 0.7, 1.2]), "sigma carry [m]": np.ones(ALL)})
+    found, told = fitted(
+        {
+            **shots,
+            "carry [m]": shots["carry [m]"] * np.array([0.5, 1.0, 1.5, 0.7, 1.2]),
+            "sigma carry [m]": np.ones(ALL),
+        }
+    )
     # the words have the numbers of the answer
     off = math.sqrt(found.chi_square / found.degrees_of_freedom)
-    assert off > 3 and f"the values miss the fit by {off:.1f} of their standard uncertainties" in told[0]
+    assert (
+        off > 3
+        and f"the values miss the fit by {off:.1f} of their standard uncertainties" in told[0]
+    )
     with pytest.warns(LongdriveWarning, match="the fitted model does not describe them"):
-        longdrive.calibrate({**shots, "carry [m]": shots["carry [m]"] + np.array([-60.0, 0, 50, 0, 40]), "sigma carry [m]": np.ones(ALL)}, BALL, fit=["aero.cd0"])
+        longdrive.calibrate(
+            {
+                **shots,
+                "carry [m]": shots["carry [m]"] + np.array([-60.0, 0, 50, 0, 40]),
+                "sigma carry [m]": np.ones(ALL),
+            },
+            BALL,
+            fit=["aero.cd0"],
+        )
 
 
 def test_a_value_on_its_bound_is_told(shots: dict[str, Any]) -> None:
-    assert any("aero.cd0 ended at 0.3, the end of its range" in one for one in fitted(shots, "aero.cd0=0.3..0.6")[1])
-    assert any("aero.cd0 ended at 0, the end of what it may be" in one for one in fitted({**shots, "carry [m]": carries(0.0) + 20})[1])
+    assert any(
+        "aero.cd0 ended at 0.3, the end of its range" in one
+        for one in fitted(shots, "aero.cd0=0.3..0.6")[1]
+    )
+    assert any(
+        "aero.cd0 ended at 0, the end of what it may be" in one
+        for one in fitted({**shots, "carry [m]": carries(0.0) + 20})[1]
+    )
 
 
 def test_an_interval_that_reaches_below_no_drag_is_told(shots: dict[str, Any]) -> None:
-    found, told = fitted({**shots, "carry [m]": carries(0.01), "sigma carry [m]": np.full(ALL, 150.0)})
+    found, told = fitted(
+        {**shots, "carry [m]": carries(0.01), "sigma carry [m]": np.full(ALL, 150.0)}
+    )
     low, _ = found.estimates["aero.cd0"]["interval_95"]
     assert low < 0
-    assert any("the 95 % interval of aero.cd0" in one and "reaches beyond what it may be (0 ≤ … ≤ 100)" in one for one in told)
+    assert any(
+        "the 95 % interval of aero.cd0" in one and "reaches beyond what it may be (0 ≤ … ≤ 100)" in one
+        for one in told
+    )
 
 
 def test_a_spin_that_is_not_used_is_told(shots: dict[str, Any]) -> None:
@@ -82,14 +119,22 @@ def test_a_spin_that_is_not_used_is_told(shots: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("column", ["carry [m]", "ball_speed [m/s]"])
-def test_rows_without_a_value_are_omitted_and_named(shots: dict[str, Any], column: str, tmp_path: Path) -> None:
+def test_rows_without_a_value_are_omitted_and_named(
+    shots: dict[str, Any], column: str, tmp_path: Path
+) -> None:
     holed = {**shots, column: np.where(np.arange(ALL) == 2, np.nan, shots[column])}
     found, told = fitted(holed)
     assert len(told) == 1 and "rows left out" in told[0] and "row 3 (" in told[0]
     without = fitted({name: np.delete(values, 2) for name, values in shots.items()})[0]
     assert found.estimates == without.estimates
     # a file is read as a dict with its values
-    lines = [",".join(holed), *(",".join("" if np.isnan(value) else repr(float(value)) for value in row) for row in zip(*holed.values()))]
+    lines = [
+        ",".join(holed),
+        *(
+            ",".join("" if np.isnan(value) else repr(float(value)) for value in row)
+            for row in zip(*holed.values())
+        ),
+    ]
     (tmp_path / "shots.csv").write_text("\n".join(lines))
     assert fitted(tmp_path / "shots.csv")[0].estimates == found.estimates
 
@@ -105,18 +150,32 @@ def test_a_refused_trial_of_a_fit_does_not_blame_the_step(shots: dict[str, Any])
     assert "flight.step" not in found.refused["last"] + " ".join(told)
 
 
-@pytest.mark.parametrize(("column", "values", "found"), [("carry [m]", 230.0, "a float"), ("carry [m]", np.zeros((5, 2)), "of shape (5, 2)"), ("note", "dry", "a str")])
-def test_a_column_without_a_value_for_each_row_is_named(shots: dict[str, Any], column: str, values: Any, found: str) -> None:
+@pytest.mark.parametrize(
+    ("column", "values", "found"),
+    [
+        ("carry [m]", 230.0, "a float"),
+        ("carry [m]", np.zeros((5, 2)), "of shape (5, 2)"),
+        ("note", "dry", "a str"),
+    ],
+)
+def test_a_column_without_a_value_for_each_row_is_named(
+    shots: dict[str, Any], column: str, values: Any, found: str
+) -> None:
     with pytest.raises(ValueError, match="expected a value for each row") as raised:
         longdrive.calibrate({**shots, column: values}, BALL, fit=["aero.cd0"])
-    assert str(raised.value) == f"data: the column '{column}' is {found}; expected a value for each row, shape (rows,)"
+    assert str(
+        raised.value
+    ) == f"data: the column '{column}' is {found}; expected a value for each row, shape (rows,)"
 
 
 @pytest.mark.parametrize(
     ("points", "words"),
     [
         ({"club.loft": [0.2, 8.0, 10.5, 12.0]}, "3 of 4 values of club.loft (8 to 12; it may be"),
-        ({"swing.attack_angle": np.array([-1.0, 0.0, 1.0, 2.0])}, "1 of 4 values of swing.attack_angle (2; it may be"),
+        (
+            {"swing.attack_angle": np.array([-1.0, 0.0, 1.0, 2.0])},
+            "1 of 4 values of swing.attack_angle (2; it may be",
+        ),
     ],
 )
 def test_some_degrees_among_radians_are_told(points: Any, words: str) -> None:
@@ -130,11 +189,16 @@ def test_angles_with_their_unit_are_not_taken_for_degrees_by_mistake() -> None:
         longdrive.sweep("tour-average", points={"club.loft [deg]": [10.0, 100.0, 120.0]})
         longdrive.sweep("tour-average", points={"club.loft [deg]": [100.0, 120.0]})
     told = " ".join(str(one.message) for one in caught)
-    assert "radians" not in told and "club.loft = 1.745329 rad (100 deg) is outside its range" in told
+    assert (
+        "radians" not in told and "club.loft = 1.745329 rad (100 deg) is outside its range" in told
+    )
 
 
 def test_a_batch_of_which_nothing_flies_says_why_the_first_does_not() -> None:
-    with pytest.warns(LongdriveWarning, match="no drive has the outcome that was asked for: 2 no-flight; row 0: no flight: the ball leaves at") as caught:
+    with pytest.warns(
+        LongdriveWarning,
+        match="no drive has the outcome that was asked for: 2 no-flight; row 0: no flight: the ball leaves at",
+    ) as caught:
         longdrive.batch("tour-average", {"swing.attack_angle": [-1.3, -1.2]})
     assert len(caught) == 1
     with pytest.warns(LongdriveWarning, match="2 out-of-range; row 0: club.loft is NaN"):
@@ -142,43 +206,108 @@ def test_a_batch_of_which_nothing_flies_says_why_the_first_does_not() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         # the ball still has a speed
-        longdrive.batch("tour-average", {"swing.attack_angle": [-1.3, -1.2]}, of=["carry", "ball_speed"])
+        longdrive.batch(
+            "tour-average", {"swing.attack_angle": [-1.3, -1.2]}, of=["carry", "ball_speed"]
+        )
         longdrive.batch("tour-average", {"club.loft": np.array([])})
 
 
 TABLE = longdrive.batch("mae494", {"club.loft": [0.15, 0.2]})
 
 REFUSED: list[tuple[Callable[[], Any], str]] = [
-    (lambda: longdrive.batch("tour-average", {}), "points is empty; give at least one parameter with its values"),
-    (lambda: longdrive.sweep("tour-average", {"club.loft": np.array([0.1, 0.2, 3])}), "club.loft in over is an ndarray of 3; expected a tuple (low, high, count)"),
-    (lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}), "values of your own, a drive each, go into points={'club.loft': …}"),
-    (lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}, output="never.csv"), "expected a tuple (low, high, count)"),
-    (lambda: longdrive.optimize(vary={"club.loft": (0.1, 0.2, 5)}), "club.loft in vary is a tuple of 3; expected (low, high)"),
-    (lambda: longdrive.chart(along={"swing.speed": [40.0, 45.0, 50.0]}), "expected (low, high); values of your own go into at=…"),
-    (lambda: longdrive.optimize(distribution={}), "distribution is empty; give one or more, or leave it out"),
-    (lambda: longdrive.objective("mae494", "mean(carry)", distribution={}), "distribution is empty; give one or more, or leave it out"),
+    (
+        lambda: longdrive.batch("tour-average", {}),
+        "points is empty; give at least one parameter with its values",
+    ),
+    (
+        lambda: longdrive.sweep("tour-average", {"club.loft": np.array([0.1, 0.2, 3])}),
+        "club.loft in over is an ndarray of 3; expected a tuple (low, high, count)",
+    ),
+    (
+        lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}),
+        "values of your own, a drive each, go into points={'club.loft': …}",
+    ),
+    (
+        lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}, output="never.csv"),
+        "expected a tuple (low, high, count)",
+    ),
+    (
+        lambda: longdrive.optimize(vary={"club.loft": (0.1, 0.2, 5)}),
+        "club.loft in vary is a tuple of 3; expected (low, high)",
+    ),
+    (
+        lambda: longdrive.chart(along={"swing.speed": [40.0, 45.0, 50.0]}),
+        "expected (low, high); values of your own go into at=…",
+    ),
+    (
+        lambda: longdrive.optimize(distribution={}),
+        "distribution is empty; give one or more, or leave it out",
+    ),
+    (
+        lambda: longdrive.objective("mae494", "mean(carry)", distribution={}),
+        "distribution is empty; give one or more, or leave it out",
+    ),
     (lambda: longdrive.sensitivity(sigma={}), "sigma is empty; give one or more, or leave it out"),
-    (lambda: longdrive.optimize(distribution="swing.speed=normal(50m/s,1m/s), swing.path=normal(0rad,0.03rad)"), "it has a second distribution, swing.path=normal(0rad,0.03rad)"),
-    (lambda: longdrive.optimize(distribution={"swing.speed": np.array([49.0, 50.0, 51.0])}), "swing.speed in distribution is an ndarray of 3; expected a kind with its numbers"),
-    (lambda: longdrive.optimize(distribution={"swing.speed": ("normal", np.array([49.0, 50.0]), 1.0)}), "swing.speed: array([49., 50.]) is an ndarray; expected a number"),
-    (lambda: longdrive.sensitivity(sigma={"swing.speed": np.array([1.0, 2.0])}), "swing.speed in sigma is an ndarray of 2; expected one number"),
-    (lambda: longdrive.optimize(maximize="mean(carry)"), "mean(carry) is of many swings; give these too, with swings=FILE or distribution"),
+    (
+        lambda: longdrive.optimize(
+            distribution="swing.speed=normal(50m/s,1m/s), swing.path=normal(0rad,0.03rad)"
+        ),
+        "it has a second distribution, swing.path=normal(0rad,0.03rad)",
+    ),
+    (
+        lambda: longdrive.optimize(distribution={"swing.speed": np.array([49.0, 50.0, 51.0])}),
+        "swing.speed in distribution is an ndarray of 3; expected a kind with its numbers",
+    ),
+    (
+        lambda: longdrive.optimize(
+            distribution={"swing.speed": ("normal", np.array([49.0, 50.0]), 1.0)}
+        ),
+        "swing.speed: array([49., 50.]) is an ndarray; expected a number",
+    ),
+    (
+        lambda: longdrive.sensitivity(sigma={"swing.speed": np.array([1.0, 2.0])}),
+        "swing.speed in sigma is an ndarray of 2; expected one number",
+    ),
+    (
+        lambda: longdrive.optimize(maximize="mean(carry)"),
+        "mean(carry) is of many swings; give these too, with swings=FILE or distribution",
+    ),
     (lambda: longdrive.robust(minimize="std(lateral)"), "std(lateral) is of many swings"),
-    (lambda: longdrive.objective("mae494", "mean(carry)"), "of: mean(carry) is of many swings; give these too, with swings or distribution"),
+    (
+        lambda: longdrive.objective("mae494", "mean(carry)"),
+        "of: mean(carry) is of many swings; give these too, with swings or distribution",
+    ),
     (lambda: np.asarray(TABLE), "a table is no one array: take columns by name"),
-    (lambda: TABLE[TABLE["carry"] > 0], "an ndarray is neither: index its columns, as in table['carry'][…]"),
+    (
+        lambda: TABLE[TABLE["carry"] > 0],
+        "an ndarray is neither: index its columns, as in table['carry'][…]",
+    ),
     (lambda: TABLE[["carry"]], "a list is neither: index its columns"),
-    (lambda: longdrive.batch("mae494", {"club.loft": [0.1, None]}), "has dtype object (a NaN, not None, makes a row without a drive)"),
-    (lambda: longdrive.batch("mae494", [0.1]), "sweep(points=…) takes tables, with their units in the heads"),
+    (
+        lambda: longdrive.batch("mae494", {"club.loft": [0.1, None]}),
+        "has dtype object (a NaN, not None, makes a row without a drive)",
+    ),
+    (
+        lambda: longdrive.batch("mae494", [0.1]),
+        "sweep(points=…) takes tables, with their units in the heads",
+    ),
     (lambda: longdrive.Setup({"aero.cdo": 0.3}), "did you mean 'aero.cd0'?"),
-    (lambda: longdrive.fly(LAUNCHES, overwrite=True), "overwrite is about a file, and no file is written; name it with output, or leave overwrite out"),
+    (
+        lambda: longdrive.fly(LAUNCHES, overwrite=True),
+        "overwrite is about a file, and no file is written; name it with output, or leave overwrite out",
+    ),
     (lambda: longdrive.fly(LAUNCHES, overwrite="no"), "overwrite = 'no'; expected True or False"),  # type: ignore[arg-type]
-    (lambda: longdrive.plot.trajectory("mae494", overwrite=True), "overwrite is about a file, and no file is written"),
+    (
+        lambda: longdrive.plot.trajectory("mae494", overwrite=True),
+        "overwrite is about a file, and no file is written",
+    ),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("call", "words"), REFUSED)
-def test_what_looks_like_a_mistake_is_refused_with_what_is_wanted(call: Callable[[], Any], words: str) -> None:
+def test_what_looks_like_a_mistake_is_refused_with_what_is_wanted(
+    call: Callable[[], Any], words: str
+) -> None:
     with pytest.raises(InputError) as raised:
         call()
     assert words in str(raised.value)
@@ -192,17 +321,34 @@ def test_a_table_of_swings_is_told_the_columns_that_it_may_have(tmp_path: Path) 
     (tmp_path / "swings.csv").write_text("swing.speed [mph],tempo\n110,3\n")
     with pytest.raises(InputError, match="unknown column 'tempo'") as raised:
         longdrive.optimize(swings=tmp_path / "swings.csv")
-    assert "a column is a parameter, with its unit as in 'swing.speed [mph]'" in str(raised.value) and "sigma" not in str(raised.value)
+    assert (
+        "a column is a parameter, with its unit as in 'swing.speed [mph]'" in str(raised.value)
+        and "sigma" not in str(raised.value)
+    )
 
 
 @pytest.mark.parametrize("swings", [{}, {"distribution": {"swing.path": ("normal", 0.0, 0.02)}}])
 def test_a_search_without_a_result_has_arrays_of_the_right_shape(swings: dict[str, Any]) -> None:
-    found = longdrive.optimize({"swing.attack_angle": -1.2}, vary={"club.loft": (0.1, 0.3), "swing.face_angle": (-0.1, 0.1)}, **swings)
-    assert (found.success, found.ended, found.optimum) == (False, "no-flight", None) and math.isnan(found.fun)
+    found = longdrive.optimize(
+        {"swing.attack_angle": -1.2},
+        vary={"club.loft": (0.1, 0.3), "swing.face_angle": (-0.1, 0.1)},
+        **swings,
+    )
+    assert (
+        (found.success, found.ended, found.optimum) == (False, "no-flight", None)
+        and math.isnan(found.fun)
+    )
     # its start: the setup's own values
     setup = longdrive.Setup({})
-    assert found.names == ["club.loft", "swing.face_angle"] and found.x.tolist() == [setup["club.loft"], setup["swing.face_angle"]]
-    assert found.jac.shape == (2,) and np.isnan(found.jac).all() and found.setup["club.loft"] == setup["club.loft"]
+    assert (
+        found.names == ["club.loft", "swing.face_angle"]
+        and found.x.tolist() == [setup["club.loft"], setup["swing.face_angle"]]
+    )
+    assert (
+        found.jac.shape == (2,)
+        and np.isnan(found.jac).all()
+        and found.setup["club.loft"] == setup["club.loft"]
+    )
 
 
 def test_a_data_frame_of_a_table_has_its_columns() -> None:
@@ -215,11 +361,17 @@ def test_a_data_frame_of_a_table_has_its_columns() -> None:
 
 
 def test_rows_without_any_value_are_left_out_of_deliveries_and_named() -> None:
-    shots = {"ball_speed [mph]": [150.0, np.nan, 155.0], "launch_angle [deg]": [12.0, np.nan, 12.5], "spin [rpm]": [2600.0, np.nan, 2550.0]}
+    shots = {
+        "ball_speed [mph]": [150.0, np.nan, 155.0],
+        "launch_angle [deg]": [12.0, np.nan, 12.5],
+        "spin [rpm]": [2600.0, np.nan, 2550.0],
+    }
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = longdrive.delivery("modern-driver", shots=shots)
-    assert any("rows left out" in text and "row 2 (nothing is measured)" in text for text in found.warnings)
+    assert any(
+        "rows left out" in text and "row 2 (nothing is measured)" in text for text in found.warnings
+    )
     assert len(caught) == 1 and found.warnings[0] in str(caught[0].message)
 
 
@@ -272,7 +424,9 @@ def test_a_masked_array_is_no_point_of_an_objective() -> None:
 def test_arguments_of_parts_are_told_by_name(tmp_path: Path) -> None:
     import longdrive.parts
 
-    good: dict[str, Any] = {"output": tmp_path / "parts", "parts": 2, "over": {"club.loft": (0.1, 0.3, 3000)}}
+    good: dict[str, Any] = {
+        "output": tmp_path / "parts", "parts": 2, "over": {"club.loft": (0.1, 0.3, 3000)}
+    }
     for change, said in [
         ({"parts": 0}, "parts = 0; expected a whole number of 1 or more"),
         ({"parts": "2"}, "parts = '2'"),

@@ -40,14 +40,24 @@ def test_same_values_from_lists_strides_and_types_of_x() -> None:
     read_only = x.copy()
     read_only.flags.writeable = False
     expected = carry.fun(x)
-    for same in (x.tolist(), tuple(x), wide[::2], x[::-1].copy()[::-1], read_only, x.astype(np.float64, order="F"), x.astype(">f8")):
+    for same in (
+        x.tolist(),
+        tuple(x),
+        wide[::2],
+        x[::-1].copy()[::-1],
+        read_only,
+        x.astype(np.float64, order="F"),
+        x.astype(">f8"),
+    ):
         assert carry.fun(same) == expected
         assert carry.jac(same).tolist() == carry.jac(x).tolist()
     assert carry(x) == expected
 
 
 def test_exact_opposite_signs_with_the_sense_max() -> None:
-    up, down = longdrive.objective("mae494", "carry", WRT), longdrive.objective("mae494", "carry", WRT, "max")
+    up, down = longdrive.objective("mae494", "carry", WRT), longdrive.objective(
+        "mae494", "carry", WRT, "max"
+    )
     assert down.fun(up.x0) == -up.fun(up.x0)
     assert down.jac(up.x0).tolist() == (-up.jac(up.x0)).tolist()
     assert down.hess(up.x0).tolist() == (-up.hess(up.x0)).tolist()
@@ -62,7 +72,10 @@ def test_what_it_is_of_and_its_physical_bounds() -> None:
     for (low, high), name in zip(carry.bounds, carry.names):
         known = ranges[name]
         assert low == known["low"] if known["low_included"] else low > known["low"]
-        assert high == known["high"] if known["high_included"] or math.isinf(high) else high < known["high"]
+        assert (
+            high == known["high"] if known["high_included"]
+            or math.isinf(high) else high < known["high"]
+        )
     # both ends belong to it: an optimizer may evaluate there
     longdrive.Setup({"club.loft": carry.bounds[0][0]})
     longdrive.Setup({"club.loft": carry.bounds[0][1]})
@@ -76,7 +89,11 @@ def test_a_point_without_a_drive_raises_or_is_nan() -> None:
         longdrive.objective(Setup(), "carry", WRT).fun([2.0, 0.0])
     carry = longdrive.objective(Setup(), "carry", WRT, invalid="nan")
     for x in (down, [2.0, 0.0], [math.nan, 0.0]):
-        assert math.isnan(carry.fun(x)) and np.isnan(carry.jac(x)).all() and np.isnan(carry.hess(x)).all()
+        assert (
+            math.isnan(carry.fun(x))
+            and np.isnan(carry.jac(x)).all()
+            and np.isnan(carry.hess(x)).all()
+        )
     assert math.isfinite(carry.fun(carry.x0))
 
 
@@ -94,18 +111,28 @@ def test_an_x_of_the_wrong_shape_is_refused(x: Any, message: str) -> None:
 
 def test_one_variable_may_be_a_number() -> None:
     carry = longdrive.objective(Setup(), "carry", "club.loft", sense="max")
-    values = [carry.fun(x) for x in (0.16, np.float64(0.16), np.array(0.16), [0.16], np.array([0.16]))]
-    assert set(values) == {values[0]} and carry.jac(0.16).shape == (1,) and carry.hess(0.16).shape == (1, 1)
+    values = [
+        carry.fun(x) for x in (0.16, np.float64(0.16), np.array(0.16), [0.16], np.array([0.16]))
+    ]
+    assert (
+        set(values) == {values[0]}
+        and carry.jac(0.16).shape == (1,)
+        and carry.hess(0.16).shape == (1, 1)
+    )
     with pytest.raises(InputError, match=r"x has shape \(1, 1\)"):
         carry.fun([[0.16]])
     optimize = pytest.importorskip("scipy.optimize")
-    found = optimize.minimize_scalar(carry.fun, bounds=(0.05, 0.4), method="bounded", options={"xatol": 1e-10})
+    found = optimize.minimize_scalar(
+        carry.fun, bounds=(0.05, 0.4), method="bounded", options={"xatol": 1e-10}
+    )
     # its gradient vanishes, which proves the optimum
     assert abs(carry.jac(found.x)[0]) < 1e-4 and 0.06 < found.x < 0.39
 
 
 def test_ctrl_c_ends_a_goal_over_many_swings_in_the_midst() -> None:
-    swings: dict[str, Any] = {"distribution": {"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04)}}
+    swings: dict[str, Any] = {
+        "distribution": {"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04)}
+    }
     mean = longdrive.objective("mae494", "mean(carry)", "club.loft", scenarios=20_000, **swings)
     heard, is_over = [], threading.Event()
 
@@ -157,22 +184,41 @@ def test_independent_a_mean_over_uniform_swings_is_that_of_gauss_legendre() -> N
     attack = np.radians(2 + 4 * nodes)
     mean = longdrive.objective("mae494", "mean(carry)", ["club.loft", "club.mass"], **SWINGS)
     x = [0.2, 0.195]
-    rows = [longdrive.hessian({"preset": "mae494", "swing.attack_angle": angle, "club.loft": x[0], "club.mass": x[1]}, "carry", mean.names)
-            for angle in attack]
-    for found, expected in [(mean.fun(x), [row.value for row in rows]), (mean.jac(x), [row.gradient for row in rows]),
-                            (mean.hess(x), [row.hessian for row in rows])]:
-        np.testing.assert_allclose(found, np.tensordot(weights / 2, np.asarray(expected), 1), rtol=1e-9)
-    deviation = longdrive.objective("mae494", "std(carry)", ["club.loft", "club.mass"], "max", **SWINGS)
+    rows = [
+        longdrive.hessian(
+            {"preset": "mae494", "swing.attack_angle": angle, "club.loft": x[0], "club.mass": x[1]},
+            "carry",
+            mean.names,
+        )
+        for angle in attack
+    ]
+    for found, expected in [
+        (mean.fun(x), [row.value for row in rows]),
+        (mean.jac(x), [row.gradient for row in rows]),
+        (mean.hess(x), [row.hessian for row in rows]),
+    ]:
+        np.testing.assert_allclose(
+            found, np.tensordot(weights / 2, np.asarray(expected), 1), rtol=1e-9
+        )
+    deviation = longdrive.objective(
+        "mae494", "std(carry)", ["club.loft", "club.mass"], "max", **SWINGS
+    )
     carry = np.asarray([row.value for row in rows])
     scatter = np.sqrt(weights / 2 @ (carry - weights / 2 @ carry) ** 2)
     assert deviation.fun(x) == pytest.approx(-scatter, rel=1e-9)
-    assert repr(deviation) == "<longdrive.Objective std(carry) over swings of club.loft, club.mass, max>"
+    assert repr(
+        deviation
+    ) == "<longdrive.Objective std(carry) over swings of club.loft, club.mass, max>"
 
 
 def test_same_goals_over_swings_as_the_search() -> None:
-    best = longdrive.optimize("mae494", maximize="mean(carry) - 0.5*std(carry)", vary="club.loft=4deg..20deg", **SWINGS)
+    best = longdrive.optimize(
+        "mae494", maximize="mean(carry) - 0.5*std(carry)", vary="club.loft=4deg..20deg", **SWINGS
+    )
     chosen = {name: best.reply["setup"][name] for name in ("flight.method", "flight.step")}
-    goal = longdrive.objective({"preset": "mae494", **chosen}, "mean(carry) - 0.5*std(carry)", "club.loft", "max", **SWINGS)
+    goal = longdrive.objective(
+        {"preset": "mae494", **chosen}, "mean(carry) - 0.5*std(carry)", "club.loft", "max", **SWINGS
+    )
     assert goal.fun(best.x) == pytest.approx(-best.fun, abs=1e-9)
     np.testing.assert_allclose(goal.jac(best.x), -best.jac, rtol=1e-12)
     again = pickle.loads(pickle.dumps(goal))
@@ -184,7 +230,10 @@ def test_swings_that_are_wrong_are_refused() -> None:
         ({"distribution": "swing.speed=normal(100mph)"}, "normal"),
         ({"scenarios": 64}, "scenarios: it is about many swings"),
         ({"swings": "nowhere.toml"}, "nowhere.toml"),
-        ({"swings": "nowhere.toml", "distribution": "swing.speed=normal(100mph,2mph)"}, "leave distribution and correlation out"),
+        (
+            {"swings": "nowhere.toml", "distribution": "swing.speed=normal(100mph,2mph)"},
+            "leave distribution and correlation out",
+        ),
         ({"distribution": "club.loft=normal(10deg,1deg)"}, "the swings have values of it"),
     ]
     for words, message in cases:
@@ -195,8 +244,15 @@ def test_swings_that_are_wrong_are_refused() -> None:
 
 
 def test_swings_are_written_as_for_optimize_and_counts_are_named() -> None:
-    text = longdrive.objective("mae494", "mean(carry)", "club.loft", distribution="swing.attack_angle=uniform(0deg, 10deg)")
-    named = longdrive.objective("mae494", "mean(carry)", "club.loft", distribution={"swing.attack_angle": ("uniform", "0 deg", "10 deg")})
+    text = longdrive.objective(
+        "mae494", "mean(carry)", "club.loft", distribution="swing.attack_angle=uniform(0deg, 10deg)"
+    )
+    named = longdrive.objective(
+        "mae494",
+        "mean(carry)",
+        "club.loft",
+        distribution={"swing.attack_angle": ("uniform", "0 deg", "10 deg")},
+    )
     assert text.fun([0.19]) == named.fun([0.19])
     cases: list[tuple[dict[str, Any], str]] = [
         ({"scenarios": -3}, "scenarios = -3; expected a whole number of 1 or more"),
@@ -208,9 +264,13 @@ def test_swings_are_written_as_for_optimize_and_counts_are_named() -> None:
             longdrive.objective("mae494", "mean(carry)", "club.loft", **{**SWINGS, **words})
 
 
-def test_other_threads_of_python_run_while_an_objective_flies_swings(at_work: threading.Event) -> None:
+def test_other_threads_of_python_run_while_an_objective_flies_swings(
+    at_work: threading.Event
+) -> None:
     # seconds of work
-    goal = longdrive.objective("tour-average", "mean(carry)", "club.loft", **{**SWINGS, "scenarios": 20_000})
+    goal = longdrive.objective(
+        "tour-average", "mean(carry)", "club.loft", **{**SWINGS, "scenarios": 20_000}
+    )
     at_work.set()
     with pytest.raises(KeyboardInterrupt):
         goal.hess(goal.x0)
@@ -221,16 +281,45 @@ def test_scipy_reaches_the_optimum_that_the_gradient_proves() -> None:
     # within 0..20 deg of loft at a fixed attack angle the best loft is inside, where the derivative
     # is 0
     carry = longdrive.objective("mae494", "carry", ["club.loft"], "max")
-    found = optimize.minimize(carry.fun, carry.x0, jac=carry.jac, hess=carry.hess, method="trust-constr", bounds=[(0.0, 0.5)],
-                              options={"gtol": 1e-11, "xtol": 1e-14})
+    found = optimize.minimize(
+        carry.fun,
+        carry.x0,
+        jac=carry.jac,
+        hess=carry.hess,
+        method="trust-constr",
+        bounds=[(0.0, 0.5)],
+        options={"gtol": 1e-11, "xtol": 1e-14},
+    )
     # distance to the optimum: one step of Newton's method
-    assert abs(carry.jac(found.x)[0] / carry.hess(found.x)[0, 0]) < 1e-7 and carry.hess(found.x)[0, 0] > 0
-    other = optimize.minimize(carry.fun_and_jac, carry.x0, jac=True, method="L-BFGS-B", bounds=[(0.0, 0.5)])
+    assert (
+        abs(carry.jac(found.x)[0] / carry.hess(found.x)[0, 0]) < 1e-7
+        and carry.hess(found.x)[0, 0] > 0
+    )
+    other = optimize.minimize(
+        carry.fun_and_jac, carry.x0, jac=True, method="L-BFGS-B", bounds=[(0.0, 0.5)]
+    )
     assert other.x[0] == pytest.approx(found.x[0], abs=1e-5)
 
 
-@pytest.mark.parametrize("method", ["SLSQP", "COBYLA", "COBYQA", "Nelder-Mead", "trust-constr", "TNC", "L-BFGS-B", "Powell", "BFGS", "CG", "Newton-CG"])
-def test_scipy_steps_back_from_a_point_without_a_drive_or_says_that_it_ended_there(method: str) -> None:
+@pytest.mark.parametrize(
+    "method",
+    [
+        "SLSQP",
+        "COBYLA",
+        "COBYQA",
+        "Nelder-Mead",
+        "trust-constr",
+        "TNC",
+        "L-BFGS-B",
+        "Powell",
+        "BFGS",
+        "CG",
+        "Newton-CG",
+    ],
+)
+def test_scipy_steps_back_from_a_point_without_a_drive_or_says_that_it_ended_there(
+    method: str
+) -> None:
     optimize = pytest.importorskip("scipy.optimize")
     carry = longdrive.objective("tour-average", "carry", "club.loft", "max", invalid="nan")
     values = []

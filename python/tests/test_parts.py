@@ -1,4 +1,5 @@
-"""Sweeps in parts: equal files from processes and from the program; missing parts, and merged statistics."""
+"""Sweeps in parts: equal files from processes and from the program; missing parts, and merged
+statistics."""
 
 from __future__ import annotations
 
@@ -17,7 +18,10 @@ from longdrive.parts import PartError, Question
 
 QUESTION: dict[str, Any] = {
     "setup": {"preset": "tour-average", "flight.step": 0.5},
-    "over": {"club.loft": "-4deg..15deg:41", "swing.attack_angle": (math.radians(-5.0), math.radians(5.0), 200)},
+    "over": {
+        "club.loft": "-4deg..15deg:41",
+        "swing.attack_angle": (math.radians(-5.0), math.radians(5.0), 200),
+    },
     "of": ["carry", "launch_angle"],
     "wrt": "club.loft",
     "histogram": {"carry": "150m..290m:7"},
@@ -47,7 +51,10 @@ def test_same_set_from_processes_and_from_one_worker(
     folder, rows = one_worker
     found = parts.sweep(**QUESTION, output=tmp_path, processes=2)
     assert found.manifests == rows
-    assert found.rows == 8200 and found.summary["moments"]["carry"]["count"] == found.summary["statuses"]["landed"]
+    assert (
+        found.rows == 8200
+        and found.summary["moments"]["carry"]["count"] == found.summary["statuses"]["landed"]
+    )
     assert sha256_of_the_set(tmp_path) == sha256_of_the_set(folder)
     # once more: all parts exist, and nothing is written
     before = [file.stat().st_mtime_ns for file in sorted(tmp_path.iterdir())]
@@ -68,7 +75,9 @@ def test_same_set_from_the_program_and_from_python(
     assert sha256_of_the_set(Path(asked.output)) == sha256_of_the_set(folder)
 
 
-def test_independent_hash_and_summary_of_a_check(one_worker: tuple[Path, list[dict[str, Any]]]) -> None:
+def test_independent_hash_and_summary_of_a_check(
+    one_worker: tuple[Path, list[dict[str, Any]]]
+) -> None:
     folder, rows = one_worker
     found = parts.check(folder, contents=True)
     assert (found["status"], found["missing"], found["faults"]) == ("done", [], [])
@@ -102,21 +111,32 @@ def test_a_missing_part_is_named_and_other_questions_are_refused(tmp_path: Path)
 
 
 def test_numbers_are_si_and_texts_carry_their_unit() -> None:
-    asked = Question.of(over={"swing.speed": (40.0, "50 m/s", 3), "aero.cd0": (0.2, 0.3)}, output="a", parts=1)
-    assert [word for word in asked.words if word.startswith("--over")] == ["--over=swing.speed=40.0 m/s..50 m/s:3", "--over=aero.cd0=0.2..0.3"]
+    asked = Question.of(
+        over={"swing.speed": (40.0, "50 m/s", 3), "aero.cd0": (0.2, 0.3)}, output="a", parts=1
+    )
+    assert [word for word in asked.words if word.startswith("--over")] == [
+        "--over=swing.speed=40.0 m/s..50 m/s:3", "--over=aero.cd0=0.2..0.3"
+    ]
     assert pickle.loads(pickle.dumps(asked)) == asked
 
 
 GOOD: dict[str, Any] = {"over": {"club.loft": (0.1, 0.3, 3000)}, "parts": 2}
 
+# fmt: skip
 UNSOUND: list[tuple[dict[str, Any], str]] = [
-    ({"over": {"club.lofft": (0.1, 0.3, 3000)}}, "^unknown parameter 'club.lofft'; did you mean 'club.loft'"),
+    (
+        {"over": {"club.lofft": (0.1, 0.3, 3000)}},
+        "^unknown parameter 'club.lofft'; did you mean 'club.loft'",
+    ),
     ({"of": "cary"}, "^unknown outcome 'cary'; did you mean 'carry'"),
     ({"of": 3}, "^of is an int; expected a name or several"),
     ({"wrt": "club.lofft"}, "^unknown parameter 'club.lofft'"),
     ({"wrt": [1.0]}, r"^wrt\[0\] is a float; expected a name$"),
     ({"over": {"club.loft": (0.1, 9.0, 3000)}}, "club.loft"),
-    ({"sample": 3000}, "sample says how many points there are; write club.loft=0.1 rad..0.3 rad, without a count"),
+    (
+        {"sample": 3000},
+        "sample says how many points there are; write club.loft=0.1 rad..0.3 rad, without a count",
+    ),
     ({"histogram": {"carry": (100.0, "300 kg", 20)}}, "300 kg"),
     ({"highest": 3}, "^highest is an int; expected a dict of outcomes with their number of rows"),
     ({"lowest": {"carry": 0.5}}, "^lowest of carry = 0.5; expected a whole number of 1 or more"),
@@ -125,11 +145,13 @@ UNSOUND: list[tuple[dict[str, Any], str]] = [
     ({"points": "no-such-file.csv", "over": ()}, "^no-such-file.csv: it cannot be read"),
     ({"parts": 100}, "divide it into at most 3 parts"),
     ({"over": ()}, "over"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("change", "words"), UNSOUND)
-def test_a_question_that_is_unsound_is_told_before_any_part_is_begun(change: dict[str, Any], words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_question_that_is_unsound_is_told_before_any_part_is_begun(
+    change: dict[str, Any], words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def begun(*arguments: Any) -> None:
         raise AssertionError("a part was begun")
 
@@ -141,19 +163,37 @@ def test_a_question_that_is_unsound_is_told_before_any_part_is_begun(change: dic
 
 
 def test_a_sound_question_is_asked_and_nothing_is_written(tmp_path: Path) -> None:
-    asked = Question.of("mae494", **GOOD, output=tmp_path / "drives", tolerance=1e-3, histogram={"carry": (100.0, 300.0, 20)})
+    asked = Question.of(
+        "mae494",
+        **GOOD,
+        output=tmp_path / "drives",
+        tolerance=1e-3,
+        histogram={"carry": (100.0, 300.0, 20)},
+    )
     asked.refuse_unsound()
-    assert "--tolerance=0.001 m" in asked.words and "--histogram=carry=100.0 m..300.0 m:20" in asked.words
+    assert (
+        "--tolerance=0.001 m" in asked.words
+        and "--histogram=carry=100.0 m..300.0 m:20" in asked.words
+    )
     assert not list(tmp_path.iterdir())
 
 
-def test_a_relative_folder_is_that_of_the_caller(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_relative_folder_is_that_of_the_caller(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     begun = parts._in_processes
 
-    def moved(asked: Question, left: list[int], tries: dict[int, int], manifests: dict[int, dict[str, Any]], processes: int, retries: int) -> None:
+    def moved(
+        asked: Question,
+        left: list[int],
+        tries: dict[int, int],
+        manifests: dict[int, dict[str, Any]],
+        processes: int,
+        retries: int,
+    ) -> None:
         # as workers of a cluster that were started in another folder
         monkeypatch.chdir(elsewhere)
         begun(asked, left, tries, manifests, processes, retries)
@@ -161,7 +201,10 @@ def test_a_relative_folder_is_that_of_the_caller(tmp_path: Path, monkeypatch: py
 
     monkeypatch.setattr(parts, "_in_processes", moved)
     found = parts.sweep("mae494", **GOOD, output="drives", processes=1)
-    assert found.output == str(tmp_path / "drives") and len(list((tmp_path / "drives").glob("part-*"))) == 2
+    assert (
+        found.output == str(tmp_path / "drives")
+        and len(list((tmp_path / "drives").glob("part-*"))) == 2
+    )
     assert not list(elsewhere.iterdir())
 
 
@@ -170,5 +213,7 @@ def test_an_engine_is_told_as_an_argument_is() -> None:
     import longdrive.dask
 
     for client in ("x", None):
-        with pytest.raises(InputError, match="^client is a .*; expected a distributed.Client of the cluster"):
+        with pytest.raises(
+            InputError, match="^client is a .*; expected a distributed.Client of the cluster"
+        ):
             longdrive.dask.sweep(client)  # type: ignore[arg-type]

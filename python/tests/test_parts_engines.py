@@ -24,7 +24,9 @@ pytestmark = pytest.mark.filterwarnings("ignore")
 @pytest.fixture(scope="module")
 def many(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Any], str]:
     """More parts, and the SHA-256 of the set of one worker."""
-    question = {**QUESTION, "over": {**QUESTION["over"], "club.loft": "-4deg..15deg:205"}, "parts": 40}
+    question = {
+        **QUESTION, "over": {**QUESTION["over"], "club.loft": "-4deg..15deg:205"}, "parts": 40
+    }
     folder = tmp_path_factory.mktemp("many")
     asked = Question.of(**question, output=folder)
     for part in range(asked.parts, 0, -1):
@@ -41,9 +43,17 @@ def client() -> Iterator[Any]:
     # a worker is a copy of a process that has imported Dask already
     dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"})
     # on a busy machine its processes answer late
-    dask.config.set({"distributed.admin.tick.limit": "1h", "distributed.comm.timeouts.connect": "1h"})
+    dask.config.set(
+        {"distributed.admin.tick.limit": "1h", "distributed.comm.timeouts.connect": "1h"}
+    )
     with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50) as cluster,
+        distributed.LocalCluster(
+            n_workers=2,
+            threads_per_worker=1,
+            processes=True,
+            dashboard_address=None,
+            silence_logs=50,
+        ) as cluster,
         distributed.Client(cluster) as client,
     ):
         yield client
@@ -136,7 +146,12 @@ def test_a_part_that_always_fails_is_named_by_dask(client: Any, tmp_path: Path) 
 def test_what_comes_back_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> None:
     sizes = []
     for rows in (2, 200):
-        question = {**QUESTION, "over": {"club.loft": f"5deg..15deg:{1024 * rows}"}, "of": "carry", "parts": 2}
+        question = {
+            **QUESTION,
+            "over": {"club.loft": f"5deg..15deg:{1024 * rows}"},
+            "of": "carry",
+            "parts": 2,
+        }
         row = Question.of(**question, output=tmp_path / str(rows)).write(2)
         assert row["rows"] == 512 * rows
         sizes.append(len(pickle.dumps(row)))
@@ -163,14 +178,18 @@ def test_same_set_from_spark(many: tuple[dict[str, Any], str], tmp_path: Path) -
 
     os.environ["PYSPARK_PYTHON"] = sys.executable
     question, whole = many
-    session = sql.SparkSession.builder.master("local[2, 4]").config("spark.ui.enabled", "false").getOrCreate()
+    session = sql.SparkSession.builder.master("local[2, 4]").config(
+        "spark.ui.enabled", "false"
+    ).getOrCreate()
     session.sparkContext.setLogLevel("OFF")
     try:
         found = longdrive.spark.sweep(session, **question, output=tmp_path / "drives")
         assert [row["part"] for row in found.manifests] == list(range(1, 41))
         assert sha256_of_the_set(tmp_path / "drives") == whole
         with pytest.raises(PartError, match="part [0-9]+ of 40: .*different outcomes") as caught:
-            longdrive.spark.sweep(session, **{**question, "of": "carry", "wrt": ()}, output=tmp_path / "drives")
+            longdrive.spark.sweep(
+                session, **{**question, "of": "carry", "wrt": ()}, output=tmp_path / "drives"
+            )
         assert 1 <= caught.value.part <= 40
     finally:
         session.stop()
@@ -187,7 +206,9 @@ def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> 
         assert [row["part"] for row in found.manifests] == list(range(1, 41))
         assert sha256_of_the_set(tmp_path / "drives") == whole
         with pytest.raises(PartError, match="different outcomes") as caught:
-            longdrive.ray.sweep(**{**question, "of": "carry", "wrt": ()}, output=tmp_path / "drives", retries=0)
+            longdrive.ray.sweep(
+                **{**question, "of": "carry", "wrt": ()}, output=tmp_path / "drives", retries=0
+            )
         assert 1 <= caught.value.part <= 40
     finally:
         ray.shutdown()
@@ -195,7 +216,11 @@ def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> 
 
 @pytest.mark.parametrize(
     ("module", "engine", "said"),
-    [("dask", "distributed", "dask\\[distributed\\]"), ("ray", "ray", "pip install ray"), ("spark", "pyspark.errors", "pyspark pandas pyarrow")],
+    [
+        ("dask", "distributed", "dask\\[distributed\\]"),
+        ("ray", "ray", "pip install ray"),
+        ("spark", "pyspark.errors", "pyspark pandas pyarrow"),
+    ],
 )
 def test_an_engine_that_is_not_there_says_how_to_get_it(
     module: str, engine: str, said: str, monkeypatch: pytest.MonkeyPatch

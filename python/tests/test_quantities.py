@@ -14,19 +14,42 @@ from longdrive import InputError
 
 
 def test_a_list_of_quantities_is_a_column_of_a_batch(unit: Any) -> None:
-    wanted = longdrive.batch("mae494", {"club.loft": np.radians([10.0, 11.0]), "swing.speed": [45.0, 50.0]})
-    for angles in ([10 * unit.deg, 11 * unit.deg], (10 * unit.deg, math.radians(11)), np.array([10 * unit.deg, 11 * unit.deg], dtype=object)):
-        table = longdrive.batch("mae494", {"club.loft": angles, "swing.speed": [45 * unit("m/s"), 162 * unit("km/hour") + 5 * unit("m/s")]})
+    wanted = longdrive.batch(
+        "mae494", {"club.loft": np.radians([10.0, 11.0]), "swing.speed": [45.0, 50.0]}
+    )
+    for angles in (
+        [10 * unit.deg, 11 * unit.deg],
+        (10 * unit.deg, math.radians(11)),
+        np.array([10 * unit.deg, 11 * unit.deg], dtype=object),
+    ):
+        table = longdrive.batch(
+            "mae494",
+            {
+                "club.loft": angles,
+                "swing.speed": [45 * unit("m/s"), 162 * unit("km/hour") + 5 * unit("m/s")],
+            },
+        )
         assert table["club.loft"] == pytest.approx(wanted["club.loft"], rel=1e-15)
         assert table["carry"] == pytest.approx(wanted["carry"], rel=1e-12)
-    humid = longdrive.batch({"air.temperature": "20 degC"}, {"air.humidity": [40 * unit.percent, 50 * unit.percent]})
+    humid = longdrive.batch(
+        {"air.temperature": "20 degC"}, {"air.humidity": [40 * unit.percent, 50 * unit.percent]}
+    )
     assert humid["air.humidity"] == pytest.approx([0.4, 0.5], rel=1e-15)
     with pytest.raises(InputError, match="^points: club.loft: .*gram"):
         longdrive.batch("mae494", {"club.loft": [10 * unit.deg, 11 * unit.gram]})
     with pytest.raises(InputError, match="did you mean 'club.loft'"):
         longdrive.batch("mae494", {"club.lofft": [10 * unit.deg]})
-    with pytest.raises(InputError, match=r"^shots: the column 'ball_speed \[mph\]' has quantities with units; the head of a column names the unit"):
-        longdrive.fly({"ball_speed [mph]": [70 * unit.meter], "launch_angle [deg]": [11.0], "spin [rpm]": [2500.0]})
+    with pytest.raises(
+        InputError,
+        match=r"^shots: the column 'ball_speed \[mph\]' has quantities with units; the head of a column names the unit",
+    ):
+        longdrive.fly(
+            {
+                "ball_speed [mph]": [70 * unit.meter],
+                "launch_angle [deg]": [11.0],
+                "spin [rpm]": [2500.0],
+            }
+        )
 
 
 def test_exact_difference_of_temperatures_in_kelvins(unit: Any) -> None:
@@ -39,15 +62,27 @@ def test_exact_difference_of_temperatures_in_kelvins(unit: Any) -> None:
     for two in degrees:
         assert spread(sigma={"air.temperature": two}) == spread(sigma={"air.temperature": "2 degC"})
         normal = {"air.temperature": ("normal", unit.Quantity(20, "degC"), two)}
-        assert spread(distribution=normal) == spread(distribution="air.temperature=normal(293.15 K,2 K)")
-        sensitivity = [longdrive.sensitivity(warm, sigma={"air.temperature": given}) for given in (two, "2 degC")]
+        assert spread(distribution=normal) == spread(
+            distribution="air.temperature=normal(293.15 K,2 K)"
+        )
+        sensitivity = [
+            longdrive.sensitivity(warm, sigma={"air.temperature": given})
+            for given in (two, "2 degC")
+        ]
         assert sensitivity[0] == sensitivity[1]
-        changed = [longdrive.optimum_sensitivity(warm, change={"air.temperature": given}).reply["changes"] for given in (two, "+2 degC")]
+        changed = [
+            longdrive.optimum_sensitivity(warm, change={"air.temperature": given}).reply["changes"]
+            for given in (two, "+2 degC")
+        ]
         assert changed[0] == changed[1]
     # the ends of a distribution are temperatures
-    ends = [unit.Quantity(20, "degC"), degrees[0], unit.Quantity(15, "degC"), unit.Quantity(25, "degC")]
+    ends = [
+        unit.Quantity(20, "degC"), degrees[0], unit.Quantity(15, "degC"), unit.Quantity(25, "degC")
+    ]
     truncated = spread(distribution={"air.temperature": ("truncated", *ends)})
-    assert truncated == spread(distribution="air.temperature=truncated(293.15 K,2 K,288.15 K,298.15 K)")
+    assert truncated == spread(
+        distribution="air.temperature=truncated(293.15 K,2 K,288.15 K,298.15 K)"
+    )
 
 
 def test_a_point_of_an_objective_may_have_quantities(unit: Any) -> None:
@@ -66,16 +101,35 @@ def test_a_point_of_an_objective_may_have_quantities(unit: Any) -> None:
         carry.fun([10 * unit.deg] * 3)
 
 
-@pytest.mark.parametrize("x", [["0.2"], "0.2", True, np.array([True]), [True], [np.True_], [0.2 + 0j], np.array([0.2 + 1j]), [None], [b"0.2"]])
+@pytest.mark.parametrize(
+    "x",
+    [
+        ["0.2"],
+        "0.2",
+        True,
+        np.array([True]),
+        [True],
+        [np.True_],
+        [0.2 + 0j],
+        np.array([0.2 + 1j]),
+        [None],
+        [b"0.2"],
+    ],
+)
 def test_a_point_of_an_objective_is_of_numbers(x: Any) -> None:
     loft = longdrive.objective("mae494", "carry", "club.loft")
     for call in (loft.fun, loft.jac, loft.hess, loft.fun_and_jac):
-        with pytest.raises(InputError, match="^x has (dtype|a truth, True, as element 0).*; expected shape .*club.loft, SI$"):
+        with pytest.raises(
+            InputError,
+            match="^x has (dtype|a truth, True, as element 0).*; expected shape .*club.loft, SI$",
+        ):
             call(x)
 
 
 def test_a_truth_among_numbers_is_no_number() -> None:
-    with pytest.raises(InputError, match="^points: club.loft has a truth, True, as element 1; expected a number or"):
+    with pytest.raises(
+        InputError, match="^points: club.loft has a truth, True, as element 1; expected a number or"
+    ):
         longdrive.batch("mae494", {"club.loft": [0.2, True]})
     with pytest.raises(InputError, match="^x has a truth, False, as element 0; expected shape"):
         longdrive.objective("mae494", "carry", ["club.loft", "swing.speed"]).fun((False, 50.0))
@@ -86,7 +140,13 @@ def test_a_correlation_may_be_a_number_of_any_kind(unit: Any) -> None:
     pair = ("swing.path", "swing.face_angle")
 
     def mean(coefficient: Any) -> Any:
-        return longdrive.objective("mae494", "std(lateral)", "club.loft", distribution=spread, correlation={pair: coefficient}).fun([0.2])
+        return longdrive.objective(
+            "mae494",
+            "std(lateral)",
+            "club.loft",
+            distribution=spread,
+            correlation={pair: coefficient},
+        ).fun([0.2])
 
     assert {mean(given) for given in (np.float64(0.5), "0.5", 50 * unit.percent)} == {mean(0.5)}
 
@@ -103,11 +163,16 @@ ANGLES: list[Callable[[Any], Any]] = [
 
 @pytest.mark.parametrize("call", ANGLES)
 def test_an_angle_is_no_plain_number(call: Callable[[Any], Any], unit: Any) -> None:
-    with pytest.raises(InputError, match="impact.restitution: 20 degree is an angle; expected a number without a unit"):
+    with pytest.raises(
+        InputError,
+        match="impact.restitution: 20 degree is an angle; expected a number without a unit",
+    ):
         call(20 * unit.deg)
 
 
 def test_a_share_is_a_plain_number(unit: Any) -> None:
-    assert longdrive.Setup({"impact.restitution": 80 * unit.percent})["impact.restitution"] == pytest.approx(0.8, rel=1e-15)
+    assert longdrive.Setup({"impact.restitution": 80 * unit.percent})[
+        "impact.restitution"
+    ] == pytest.approx(0.8, rel=1e-15)
     with pytest.raises(InputError, match="unknown parameter 'club.lofft'"):
         longdrive.optimize("mae494", vary={"club.lofft": (4 * unit.deg, 20 * unit.deg)})

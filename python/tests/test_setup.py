@@ -17,8 +17,16 @@ from longdrive import InputError, Setup
 
 
 def test_same_setup_from_texts_and_numbers() -> None:
-    nested = Setup({"preset": "tour-average", "club": {"loft": "10.5 deg", "inertia": {"xx": "5679 g cm^2"}}})
-    dotted = Setup({"preset": "tour-average", "club.loft": math.radians(10.5), "club.inertia.xx": np.float64(5.679e-4)})
+    nested = Setup(
+        {"preset": "tour-average", "club": {"loft": "10.5 deg", "inertia": {"xx": "5679 g cm^2"}}}
+    )
+    dotted = Setup(
+        {
+            "preset": "tour-average",
+            "club.loft": math.radians(10.5),
+            "club.inertia.xx": np.float64(5.679e-4),
+        }
+    )
     assert nested == dotted and hash(nested) == hash(dotted)
     assert nested["club.loft"] == math.radians(10.5)
     assert nested != Setup() and Setup() == Setup("tour-average") == Setup(None)
@@ -29,8 +37,15 @@ def test_a_dict_without_a_preset_starts_from_that_of_a_setup_file() -> None:
 
 
 def test_exact_conversion_of_quantities_of_pint(unit: Any) -> None:
-    setup = Setup({"swing.speed": 110 * unit.mph, "club.inertia.xx": 5679 * unit("g * cm**2"), "club.mass": 0.2 * unit.kg,
-                   "air.temperature": unit.Quantity(20, "degC"), "impact.restitution": 0.8 * unit.dimensionless})
+    setup = Setup(
+        {
+            "swing.speed": 110 * unit.mph,
+            "club.inertia.xx": 5679 * unit("g * cm**2"),
+            "club.mass": 0.2 * unit.kg,
+            "air.temperature": unit.Quantity(20, "degC"),
+            "impact.restitution": 0.8 * unit.dimensionless,
+        }
+    )
     assert setup["swing.speed"] == pytest.approx(110 * 0.44704, rel=1e-15)
     assert setup["club.inertia.xx"] == pytest.approx(5.679e-4, rel=1e-15)
     assert setup["air.temperature"] == pytest.approx(293.15, rel=1e-15)
@@ -54,11 +69,15 @@ STATED: list[tuple[str, float, str, list[str]]] = [
 
 
 @pytest.mark.parametrize(("parameter", "value", "si", "symbols"), STATED)
-def test_independent_sizes_of_units_are_those_of_pint(parameter: str, value: float, si: str, symbols: list[str], unit: Any) -> None:
+def test_independent_sizes_of_units_are_those_of_pint(
+    parameter: str, value: float, si: str, symbols: list[str], unit: Any
+) -> None:
     quantity = unit.Quantity(value, si)
     for symbol in symbols:
         number = quantity.to({"1": "", "rev": "turn"}.get(symbol, symbol)).magnitude
-        assert Setup({parameter: f"{number!r} {symbol}"})[parameter] == pytest.approx(value, rel=4 * np.finfo(float).eps), symbol
+        assert Setup({parameter: f"{number!r} {symbol}"})[parameter] == pytest.approx(
+            value, rel=4 * np.finfo(float).eps
+        ), symbol
 
 def random_setup(seed: int) -> Setup:
     """A setup whose numbers have all digits."""
@@ -67,7 +86,9 @@ def random_setup(seed: int) -> Setup:
     setup = Setup(preset)
     changes: dict[str, Any] = {}
     for name, value in setup.to_dict().items():
-        if isinstance(value, float) and math.isfinite(value) and value != 0 and not name.startswith("flight."):
+        if isinstance(value, float) and math.isfinite(value) and value != 0 and not name.startswith(
+            "flight."
+        ):
             changes[name] = value * (1 + 1e-3 * draw.random())
     return setup.replace(changes)
 
@@ -97,13 +118,18 @@ def test_same_bits_after_every_round_trip(seed: int, tmp_path: Path) -> None:
 def test_negative_zero_survives_a_file() -> None:
     setup = Setup({"swing.attack_angle": -0.0})
     assert math.copysign(1, Setup.from_toml(setup.to_toml())["swing.attack_angle"]) == -1
-    assert setup == Setup({"swing.attack_angle": 0.0}) and hash(setup) == hash(Setup({"swing.attack_angle": 0.0}))
+    assert (
+        setup == Setup({"swing.attack_angle": 0.0})
+        and hash(setup) == hash(Setup({"swing.attack_angle": 0.0}))
+    )
 
 
 def test_a_setup_cannot_be_changed_and_replace_makes_another() -> None:
     setup = Setup()
     other = setup.replace({"club.loft": "11 deg"}, **{"swing.speed": 50}, strike={"toe": "5 mm"})
-    assert (other["club.loft"], other["swing.speed"], other["strike.toe"]) == (math.radians(11), 50.0, 0.005)
+    assert (other["club.loft"], other["swing.speed"], other["strike.toe"]) == (
+        math.radians(11), 50.0, 0.005
+    )
     assert setup == Setup()
     with pytest.raises(AttributeError):
         setup.preset = "mae494"  # type: ignore[misc]
@@ -116,7 +142,11 @@ def test_its_names_are_gone_through_as_those_of_a_dict() -> None:
 
 
 def in_force(setup: Setup, name: str) -> Any:
-    return next(row["value"] for row in longdrive.parameters(setup)["parameters"] if row["parameter"] == name)
+    return next(
+        row["value"]
+        for row in longdrive.parameters(setup)["parameters"]
+        if row["parameter"] == name
+    )
 
 
 @pytest.mark.parametrize(
@@ -126,17 +156,30 @@ def in_force(setup: Setup, name: str) -> Any:
         ({"wind.speed": "10 mph", "wind.from": "60 deg"}, ["wind.right", "wind.downrange"]),
     ],
 )
-def test_same_dependent_values_in_setup_and_drive(given: dict[str, Any], follows: list[str]) -> None:
+def test_same_dependent_values_in_setup_and_drive(
+    given: dict[str, Any], follows: list[str]
+) -> None:
     setup, without = Setup({"preset": "mae494", **given}), Setup("mae494")
     for name in follows:
         assert setup[name] == in_force(setup, name) != without[name] and name in setup
         # the keys make the setup; dependent values are no keys
-        assert name not in setup.keys() and name in without.keys() and without[name] == in_force(without, name)
+        assert (
+            name not in setup.keys()
+            and name in without.keys()
+            and without[name] == in_force(without, name)
+        )
     assert Setup(dict(setup)) == setup == Setup(setup.to_dict())
 
 
 def test_infinite_and_unset_values_and_choices() -> None:
-    setup = Setup({"club.bulge_radius": math.inf, "impact.friction": None, "aero.law": "ferguson", "golfer": "left"})
+    setup = Setup(
+        {
+            "club.bulge_radius": math.inf,
+            "impact.friction": None,
+            "aero.law": "ferguson",
+            "golfer": "left",
+        }
+    )
     assert (setup["club.bulge_radius"], setup["impact.friction"]) == (math.inf, None)
     assert (setup["aero.law"], setup["golfer"], setup["aero.table"]) == ("ferguson", "left", None)
     assert Setup(setup.to_dict()) == setup
@@ -159,7 +202,10 @@ def test_infinite_and_unset_values_and_choices() -> None:
         ({"preset": "mae"}, r"unknown preset 'mae'; did you mean 'mae494'\?"),
         ({"preset": 3}, "'preset' is 3; expected the name"),
         ({"aero.cd0": 0.3, "aero.law": "linear"}, "'aero.cd0' is a coefficient of robinson"),
-        ({"air.density": 1.2, "air.temperature": "20 degC"}, "air.density and air.temperature are both given"),
+        (
+            {"air.density": 1.2, "air.temperature": "20 degC"},
+            "air.density and air.temperature are both given",
+        ),
         ({"club.inertia.xx": 1e-9}, "club.inertia"),
         ({"clubs": {}}, "unknown parameter 'clubs'"),
         ({"foo.bar": {}}, "unknown parameter 'foo.bar'"),
@@ -172,14 +218,18 @@ def test_infinite_and_unset_values_and_choices() -> None:
         (3.0, "a setup cannot be made of a float"),
     ],
 )
-def test_bad_input_is_a_value_error_with_the_message_of_the_program(given: Any, message: str) -> None:
+def test_bad_input_is_a_value_error_with_the_message_of_the_program(
+    given: Any, message: str
+) -> None:
     with pytest.raises(InputError, match=message) as caught:
         Setup(given)
     assert isinstance(caught.value, ValueError)
 
 
 def test_an_empty_group_changes_nothing() -> None:
-    assert Setup({"preset": "mae494", "club": {"inertia": {}}, "air": {}, "club.weight_1": {}, "aero": {}}) == Setup("mae494")
+    assert Setup(
+        {"preset": "mae494", "club": {"inertia": {}}, "air": {}, "club.weight_1": {}, "aero": {}}
+    ) == Setup("mae494")
 
 
 def test_what_was_given_is_not_replaced_in_silence() -> None:
@@ -188,7 +238,9 @@ def test_what_was_given_is_not_replaced_in_silence() -> None:
         dense.replace({"air.temperature": "20 degC"})
     # the advice of the message
     warm = dense.replace({"air.density": "none", "air.temperature": "20 degC"})
-    assert longdrive.simulate(warm)["carry"] == longdrive.simulate(Setup({"air.temperature": "20 degC"}))["carry"]
+    assert longdrive.simulate(warm)["carry"] == longdrive.simulate(
+        Setup({"air.temperature": "20 degC"})
+    )["carry"]
 
 
 def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
@@ -205,14 +257,24 @@ def test_short_and_long_descriptions() -> None:
     assert repr(setup) == "<longdrive.Setup tour-average with club loft 10.5°>"
     assert "<td>club loft</td><td>10.5°</td><td>9.5°</td>" in setup._repr_html_()
     assert repr(Setup()) == "<longdrive.Setup tour-average>"
-    assert any("not used" in text for text in Setup(
-        {"club.loft": "12 deg", "launch": {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}}
-    ).warnings())
+    assert any(
+        "not used" in text
+        for text in Setup(
+            {
+                "club.loft": "12 deg",
+                "launch": {
+                    "ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"
+                },
+            }
+        ).warnings()
+    )
 
 
 def test_a_users_table_pickles_by_its_file_and_a_changed_file_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "mine.csv"
-    head, rows = "spin_ratio,cd,cl", [(0.0, 0.22, 0.0), (0.1, 0.24, 0.14), (0.2, 0.27, 0.21), (0.3, 0.31, 0.26)]
+    head, rows = "spin_ratio,cd,cl", [
+        (0.0, 0.22, 0.0), (0.1, 0.24, 0.14), (0.2, 0.27, 0.21), (0.3, 0.31, 0.26)
+    ]
     file.write_text("\n".join([head, *(",".join(map(str, row)) for row in rows)]))
     setup = Setup({"aero.table": str(file)})
     assert (setup["aero.law"], Path(setup["aero.table"])) == ("table", file)

@@ -19,10 +19,18 @@ def rows_of(file: Path) -> dict[str, list[str]]:
     return {head: [row[head] for row in rows] for head in rows[0]}
 
 
-@pytest.mark.parametrize("question", [{"over": OVER}, {"over": {name: ends[:2] for name, ends in OVER.items()}, "sample": 3000, "seed": 7}])
+@pytest.mark.parametrize(
+    "question",
+    [
+        {"over": OVER},
+        {"over": {name: ends[:2] for name, ends in OVER.items()}, "sample": 3000, "seed": 7},
+    ],
+)
 def test_same_rows_in_memory_and_in_a_file(question, tmp_path):
     table = longdrive.sweep("mae494", **question, of=["carry", "lateral"], wrt="points")
-    said = longdrive.sweep("mae494", **question, of=["carry", "lateral"], wrt="points", output=tmp_path / "rows.csv")
+    said = longdrive.sweep(
+        "mae494", **question, of=["carry", "lateral"], wrt="points", output=tmp_path / "rows.csv"
+    )
     rows = rows_of(tmp_path / "rows.csv")
     assert said.rows == len(table) == len(rows["status"])
     assert rows["status"] == [longdrive.Status(code).label for code in table.status]
@@ -56,8 +64,14 @@ def test_bad_ranges_get_the_programs_message(tmp_path):
         ({"points": {"club.loft [rad]": [0.2]}, "sample": 9}, "keep one of the two"),
         ({"over": OVER, "resume": True}, "about a file"),
         ({"over": OVER, "overwrite": True}, "about a file"),
-        ({"over": {"club.loft": (0.1, 0.2)}, "sample": 0}, "sample = 0; expected a whole number of 1 or more"),
-        ({"over": {"club.loft": (0.1, 0.2)}, "sample": 3, "seed": -1}, "seed = -1; expected a whole number of 0 or more"),
+        (
+            {"over": {"club.loft": (0.1, 0.2)}, "sample": 0},
+            "sample = 0; expected a whole number of 1 or more",
+        ),
+        (
+            {"over": {"club.loft": (0.1, 0.2)}, "sample": 3, "seed": -1},
+            "seed = -1; expected a whole number of 0 or more",
+        ),
         ({"over": OVER, "threads": -2}, "threads = -2; expected"),
         ({"over": OVER, "threads": 1.5}, "threads = 1.5; expected"),
         ({}, "nothing to sweep"),

@@ -57,7 +57,9 @@ def test_gradcheck_of_torch_itself() -> None:
     # scaled so that torch's differences with steps of 1e-6 suit every parameter
     carry = outcome(SETUP, ["carry", "spin"], WRT)
     assert torch.autograd.gradcheck(carry, (at(),), eps=1e-6, rtol=1e-4)
-    assert torch.autograd.gradgradcheck(lambda x: carry(x)[0], (at(),), eps=1e-6, rtol=1e-4, atol=1e-2)
+    assert torch.autograd.gradgradcheck(
+        lambda x: carry(x)[0], (at(),), eps=1e-6, rtol=1e-4, atol=1e-2
+    )
 
 
 def test_every_transformation_of_torch_func() -> None:
@@ -87,13 +89,17 @@ def test_a_batch_calls_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
     asked: list[int] = []
     batch = longdrive.pointwise.computed
-    monkeypatch.setattr(longdrive.pointwise, "computed", lambda *a, **k: asked.append(1) or batch(*a, **k))
+    monkeypatch.setattr(
+        longdrive.pointwise, "computed", lambda *a, **k: asked.append(1) or batch(*a, **k)
+    )
     torch.func.vmap(torch.func.grad(outcome(SETUP, "carry", WRT)))(xs(100))
     assert len(asked) == 1
 
 
 def test_a_point_without_a_drive_is_nan() -> None:
-    found = torch.func.vmap(outcome(SETUP, "carry", WRT))(torch.tensor([X.tolist(), [2.0, 0.0, 45.0], [0.1, math.radians(-40), 45.0]]))
+    found = torch.func.vmap(outcome(SETUP, "carry", WRT))(
+        torch.tensor([X.tolist(), [2.0, 0.0, 45.0], [0.1, math.radians(-40), 45.0]])
+    )
     assert found.isnan().tolist() == [False, True, True]
 
 
@@ -101,7 +107,10 @@ def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
     carry, x = outcome(SETUP, "carry", WRT), at()
     (slope,) = torch.autograd.grad(carry(x), x, create_graph=True)
     (curvature,) = torch.autograd.grad(slope[0], x, create_graph=True)
-    with pytest.raises(InputError, match=r"a third derivative was asked for; take it by differences of the Hessian: \(hessian\(x \+ h\)"):
+    with pytest.raises(
+        InputError,
+        match=r"a third derivative was asked for; take it by differences of the Hessian: \(hessian\(x \+ h\)",
+    ):
         torch.autograd.grad(curvature[0], x)
     with pytest.raises(InputError, match=r"x has shape \(2,\); expected shape \(3,\)"):
         carry(at(X[:2]))
@@ -114,7 +123,14 @@ def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
 def test_an_optimizer_of_torch_climbs() -> None:
     carry = outcome("mae494", "carry", ["club.loft"])
     x = at([Setup("mae494")["club.loft"]])
-    climber = torch.optim.LBFGS([x], lr=1, max_iter=50, tolerance_grad=1e-10, tolerance_change=1e-14, line_search_fn="strong_wolfe")
+    climber = torch.optim.LBFGS(
+        [x],
+        lr=1,
+        max_iter=50,
+        tolerance_grad=1e-10,
+        tolerance_change=1e-14,
+        line_search_fn="strong_wolfe",
+    )
 
     def closure() -> Any:
         climber.zero_grad()
@@ -123,7 +139,9 @@ def test_an_optimizer_of_torch_climbs() -> None:
         return loss
 
     climber.step(closure)
-    assert abs(longdrive.gradient(Setup("mae494").replace({"club.loft": x.item()}), wrt="club.loft")[1][0]) < 1e-5
+    assert abs(
+        longdrive.gradient(Setup("mae494").replace({"club.loft": x.item()}), wrt="club.loft")[1][0]
+    ) < 1e-5
 
 
 def test_same_values_and_derivatives_of_a_pickled_function() -> None:

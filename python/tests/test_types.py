@@ -14,7 +14,13 @@ PACKAGE = Path(__file__).parents[1] / "python/longdrive"
 
 
 def run(*arguments: str) -> None:
-    done = subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, check=False, cwd=PACKAGE.parents[1])
+    done = subprocess.run(
+        [sys.executable, "-m", *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=PACKAGE.parents[1],
+    )
     assert done.returncode == 0, done.stdout + done.stderr
 
 

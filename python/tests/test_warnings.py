@@ -23,7 +23,9 @@ CALLS: list[Callable[[], Any]] = [
     lambda: longdrive.sweep(FAST, {"club.loft": (0.1, 0.2, 50)}),
     lambda: longdrive.sweep(FAST, points={"club.loft [rad]": POINTS["club.loft"]}),
     lambda: longdrive.optimize(FAST),
-    lambda: longdrive.chart(FAST, along={"swing.speed": ("150 mph", "160 mph")}, vary={"club.loft": (0.1, 0.3)}),
+    lambda: longdrive.chart(
+        FAST, along={"swing.speed": ("150 mph", "160 mph")}, vary={"club.loft": (0.1, 0.3)}
+    ),
 ]
 
 
@@ -33,7 +35,9 @@ def test_a_call_warns_once_of_all_that_its_answer_warns_of(call: Callable[[], An
         warnings.simplefilter("always")
         found = call()
     assert found.warnings
-    assert [(str(one.message), one.category, one.filename) for one in caught] == [("\n".join(found.warnings), LongdriveWarning, __file__)]
+    assert [(str(one.message), one.category, one.filename) for one in caught] == [
+        ("\n".join(found.warnings), LongdriveWarning, __file__)
+    ]
 
 
 @pytest.mark.parametrize("call", CALLS)
@@ -45,9 +49,17 @@ def test_a_warning_may_be_an_error_and_has_the_answer(call: Callable[[], Any]) -
         warnings.simplefilter("ignore")
         answer = raised.value.answer
         # any class: the result is the same as without the warning, also in a pool of processes
-        assert type(answer) is type(call()) and answer.warnings and "\n".join(answer.warnings) == str(raised.value)
+        assert (
+            type(answer) is type(call())
+            and answer.warnings
+            and "\n".join(answer.warnings) == str(raised.value)
+        )
         other = pickle.loads(pickle.dumps(raised.value))
-    assert str(other) == str(raised.value) and type(other.answer) is type(answer) and other.answer.warnings == answer.warnings
+    assert (
+        str(other) == str(raised.value)
+        and type(other.answer) is type(answer)
+        and other.answer.warnings == answer.warnings
+    )
 
 
 def test_a_warning_raised_as_an_error_has_the_optimum() -> None:
@@ -64,9 +76,14 @@ def test_a_warning_raised_as_an_error_has_the_optimum() -> None:
 
 def test_degrees_given_for_radians_are_told() -> None:
     degrees = {"club.loft": [8.0, 10.0, 12.0], "swing.attack_angle": np.radians([1.0, 2.0, 3.0])}
-    with pytest.warns(LongdriveWarning, match=r"points: out of range: 3 of 3 values of club.loft \(8 to 12; .*look like degrees: if they are, give numpy.radians") as told:
+    with pytest.warns(
+        LongdriveWarning,
+        match=r"points: out of range: 3 of 3 values of club.loft \(8 to 12; .*look like degrees: if they are, give numpy.radians",
+    ) as told:
         table = longdrive.batch("tour-average", degrees)
-    assert table.counts() == {"out-of-range": 3} and "swing.attack_angle" not in str(told[0].message)
+    assert (
+        table.counts() == {"out-of-range": 3} and "swing.attack_angle" not in str(told[0].message)
+    )
     with pytest.warns(LongdriveWarning, match=r"2 of 2 values of swing.path \(2; "):
         longdrive.batch("tour-average", {"club.loft": [0.1, 0.2], "swing.path": 2.0})
     quiet: list[dict[str, Any]] = [
@@ -76,12 +93,16 @@ def test_degrees_given_for_radians_are_told() -> None:
         {"swing.speed": [5000.0]},  # no angle
     ]
     for points in quiet:
-        assert not any("degrees" in text for text in longdrive.batch("winfield-tan", points).warnings), points
+        assert not any(
+            "degrees" in text for text in longdrive.batch("winfield-tan", points).warnings
+        ), points
 
 
 def test_swings_that_leave_the_law_warn() -> None:
     fast = "swing.speed=truncated(150mph,3mph,140mph,160mph)"
-    with pytest.warns(LongdriveWarning, match="100 % of the swings: in 1 % of the flight or more outside"):
+    with pytest.warns(
+        LongdriveWarning, match="100 % of the swings: in 1 % of the flight or more outside"
+    ):
         longdrive.optimize("tour-average", vary="club.loft=4deg..20deg", distribution=fast)
 
 
@@ -102,34 +123,77 @@ def test_what_an_optimizer_calls_warns_of_nothing() -> None:
 
 def test_a_fit_without_a_minimum_warns() -> None:
     # carry does not distinguish drag from lift at one launch
-    shots = {"ball_speed [m/s]": [70.0, 70.0, 70.0], "launch_angle [deg]": [11.0, 11.0, 11.0], "backspin [rpm]": [2600.0, 2600.0, 2600.0], "carry [m]": [230.0, 231.0, 229.0]}
-    with pytest.warns(LongdriveWarning, match="the fit ended as 'undetermined': the data do not determine"):
-        found = longdrive.calibrate(shots, {"preset": "modern-driver", "aero.law": "robinson"}, fit=["aero.cd0=0.1..0.5", "aero.cl_max=0.05..0.5"])
+    shots = {
+        "ball_speed [m/s]": [70.0, 70.0, 70.0],
+        "launch_angle [deg]": [11.0, 11.0, 11.0],
+        "backspin [rpm]": [2600.0, 2600.0, 2600.0],
+        "carry [m]": [230.0, 231.0, 229.0],
+    }
+    with pytest.warns(
+        LongdriveWarning, match="the fit ended as 'undetermined': the data do not determine"
+    ):
+        found = longdrive.calibrate(
+            shots,
+            {"preset": "modern-driver", "aero.law": "robinson"},
+            fit=["aero.cd0=0.1..0.5", "aero.cl_max=0.05..0.5"],
+        )
     assert found.status == "undetermined"
 
 
 def test_shots_of_which_none_flies_warn_with_the_units_that_were_taken() -> None:
-    shots = {"Ball Speed": [7000.0, 6800.0], "Launch Angle": [12.0, 11.0], "Spin Rate": [2600.0, 2500.0]}
-    with pytest.warns(LongdriveWarning, match="none of 2 rows could be flown; line 2: .*heads without a unit are read as Ball Speed in mph"):
+    shots = {
+        "Ball Speed": [7000.0, 6800.0], "Launch Angle": [12.0, 11.0], "Spin Rate": [2600.0, 2500.0]
+    }
+    with pytest.warns(
+        LongdriveWarning,
+        match="none of 2 rows could be flown; line 2: .*heads without a unit are read as Ball Speed in mph",
+    ):
         found = longdrive.fly(shots)
-    assert found.status == "no-answer" and [row["flight"] for row in found.shots] == ["refused", "refused"]
+    assert (
+        found.status == "no-answer"
+        and [row["flight"] for row in found.shots] == ["refused", "refused"]
+    )
 
 
-@pytest.mark.parametrize(("head", "value", "words"), [
-    ("carry [m]", -230.0, "-251.5311 yd is no carry_distance of a drive, which is above 0; check its sign"),
-    ("carry_distance [m]", -230.0, "is no carry_distance of a drive"),
-    ("flight_time [s]", 0.0, "leave the cell empty where nothing was measured"),
-])
+@pytest.mark.parametrize(
+    ("head", "value", "words"),
+    [
+        (
+            "carry [m]",
+            -230.0,
+            "-251.5311 yd is no carry_distance of a drive, which is above 0; check its sign",
+        ),
+        ("carry_distance [m]", -230.0, "is no carry_distance of a drive"),
+        ("flight_time [s]", 0.0, "leave the cell empty where nothing was measured"),
+    ],
+)
 def test_a_measurement_that_no_drive_has_is_refused(head: str, value: float, words: str) -> None:
-    shots = {"ball_speed [m/s]": [70.0, 70.0], "launch_angle [deg]": [11.0, 12.0], "backspin [rpm]": [2600.0, 2600.0], head: [abs(value) + 1, value]}
+    shots = {
+        "ball_speed [m/s]": [70.0, 70.0],
+        "launch_angle [deg]": [11.0, 12.0],
+        "backspin [rpm]": [2600.0, 2600.0],
+        head: [abs(value) + 1, value],
+    }
     with pytest.raises(longdrive.InputError, match=words) as raised:
-        longdrive.calibrate(shots, {"preset": "modern-driver", "aero.law": "robinson"}, fit="aero.cd0")
+        longdrive.calibrate(
+            shots, {"preset": "modern-driver", "aero.law": "robinson"}, fit="aero.cd0"
+        )
     assert str(raised.value).startswith(f"data, row 2, column {head.split()[0]}: ")
 
 
 def test_a_fit_names_the_value_that_no_drive_has_and_the_swing_that_all_rows_have() -> None:
-    launch = {"ball_speed [mph]": [150.0, 160.0], "launch_angle [deg]": [12.0, 12.0], "spin [rpm]": [2500.0, 2500.0]}
-    with pytest.raises(longdrive.InputError, match="^data, row 2, column carry: 825 yd is outside of what a drive has, above 0 to 600 yd; check"):
+    launch = {
+        "ball_speed [mph]": [150.0, 160.0],
+        "launch_angle [deg]": [12.0, 12.0],
+        "spin [rpm]": [2500.0, 2500.0],
+    }
+    with pytest.raises(
+        longdrive.InputError,
+        match="^data, row 2, column carry: 825 yd is outside of what a drive has, above 0 to 600 yd; check",
+    ):
         longdrive.calibrate({**launch, "carry [yd]": [240.0, 825.0]}, fit="aero.cd0")
-    with pytest.warns(LongdriveWarning, match="^data has neither a whole launch .* all 2 rows are compared with one drive, .* swing.speed 115 mph"):
+    with pytest.warns(
+        LongdriveWarning,
+        match="^data has neither a whole launch .* all 2 rows are compared with one drive, .* swing.speed 115 mph",
+    ):
         longdrive.calibrate({"carry [yd]": [270.0, 275.0]}, fit="aero.cd0")

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Independent computation of the run of a ball on the ground: python3 run.py > ../data/independent_runs.json
+"""Independent computation of the run of a ball on the ground: python3 run.py >
+../data/independent_runs.json
 
-Shares nothing with the program: each impact is solved as a rigid sphere's by its impulses in a frame of the tilted surface, hops, sliding and
-rolling are integrated in small steps in time. The balls land as they were launched: in a vacuum, on level ground at the height of the tee.
+Shares nothing with the program: each impact is solved as a rigid sphere's by its impulses in a
+frame of the tilted surface, hops, sliding and rolling are integrated in small steps in time. The
+balls land as they were launched: in a vacuum, on level ground at the height of the tee.
 """
 import json
 import math
@@ -12,12 +14,15 @@ R, M, G = 0.021335, 0.04593, 9.80665
 dot = lambda a, b: sum(x * y for x, y in zip(a, b))
 add = lambda a, b, k=1.0: [x + k * y for x, y in zip(a, b)]
 mul = lambda a, k: [k * x for x in a]
-cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+cross = lambda a, b: [
+    a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+]
 norm = lambda a: math.sqrt(dot(a, a))
 
 
 def held(x, end, over):
-    """The integral of (1 - t)^2 (1 + 2 t): slope 1 before `end`, 0 from `end + over` on; by Simpson's rule, exact for a cubic."""
+    """The integral of (1 - t)^2 (1 + 2 t): slope 1 before `end`, 0 from `end + over` on; by
+    Simpson's rule, exact for a cubic."""
     if x <= end:
         return x
     t = min(1.0, (x - end) / over)
@@ -101,7 +106,14 @@ def ball(speed, angle, direction, back, side):
     return v, add(w, [-math.cos(a), up[0] * math.sin(d), up[0] * math.cos(d)], side)
 
 
-AVERAGE = {"restitution": 0.51, "friction": 0.4, "compliance": 15.4, "rolling": 1.0, "slope": 0.0, "side_slope": 0.0}
+AVERAGE = {
+    "restitution": 0.51,
+    "friction": 0.4,
+    "compliance": 15.4,
+    "rolling": 1.0,
+    "slope": 0.0,
+    "side_slope": 0.0,
+}
 CASES = [
     ("a drive", (30, 38, 0, 220, 0), {}, None),
     ("a drive that curves", (30, 38, -4, 210, 60), {}, None),
@@ -112,9 +124,19 @@ CASES = [
     ("so fast that the crater would face away", (60, 45, 0, 200, 0), {}, None),
     ("slow", (6, 30, 0, 50, 0), {}, None),
     ("little friction: it slides", (28, 35, 3, 300, 0), {"friction": 0.05, "rolling": 0.1}, None),
-    ("stiff ground", (30, 38, 0, 220, 0), {"compliance": 0.0, "restitution": 0.7, "rolling": 0.1}, None),
+    (
+        "stiff ground",
+        (30, 38, 0, 220, 0),
+        {"compliance": 0.0, "restitution": 0.7, "rolling": 0.1},
+        None,
+    ),
     ("uphill", (30, 38, 0, 220, 0), {"slope": 5.0}, None),
-    ("downhill and sideways", (30, 38, 1, 220, -50), {"slope": -4.0, "side_slope": 6.0, "rolling": 0.3}, None),
+    (
+        "downhill and sideways",
+        (30, 38, 1, 220, -50),
+        {"slope": -4.0, "side_slope": 6.0, "rolling": 0.3},
+        None,
+    ),
     ("a hollow ball", (30, 38, 0, 220, 20), {}, 8.336e-6),
 ]
 
@@ -124,6 +146,15 @@ if __name__ == "__main__":
         turf = {**AVERAGE, **changes}
         way, bounces = run(*ball(*launch), turf, inertia or 0.4 * M * R * R)
         names = ["ball_speed", "launch_angle", "launch_direction", "backspin", "sidespin"]
-        drives.append({"name": name, "launch": dict(zip(names, launch)), "ground": turf, "inertia": inertia,
-                       "run": way[2], "right": way[1], "bounces": bounces})
+        drives.append(
+            {
+                "name": name,
+                "launch": dict(zip(names, launch)),
+                "ground": turf,
+                "inertia": inertia,
+                "run": way[2],
+                "right": way[1],
+                "bounces": bounces,
+            }
+        )
     print(json.dumps({"drives": drives}, indent=1, ensure_ascii=False))

@@ -2,11 +2,25 @@ import json, sys, time, math
 DEG = math.pi / 180
 LAM0, EPS0 = 10 * DEG, 0.0
 BOUNDS = [(0.0, 25 * DEG), (-10 * DEG, 10 * DEG)]
-CONST = dict(M=.230, m=.049, R=.021336, Ib=5.85e-6, d=.037, Iyy=3.77e-4, e=.7, V=44.7, rho=1.225, delta=.7)
+CONST = dict(
+    M=.230, m=.049, R=.021336, Ib=5.85e-6, d=.037, Iyy=3.77e-4, e=.7, V=44.7, rho=1.225, delta=.7
+)
 ORDER = ["lam", "eps", "M", "m", "R", "Ib", "d", "Iyy", "e", "V", "rho", "delta"]
 G, DT = 9.81, 0.01
 def emit(peer, task, sec, value, grad=(), note=""):
-    print(json.dumps(dict(peer=peer, task=task, seconds=float(sec), value=float(value), grad=[float(g) for g in grad], note=note)), flush=True)
+    print(
+        json.dumps(
+            dict(
+                peer=peer,
+                task=task,
+                seconds=float(sec),
+                value=float(value),
+                grad=[float(g) for g in grad],
+                note=note,
+            )
+        ),
+        flush=True,
+    )
 def bench(f, budget=0.8, clock=time.process_time):
     """min over batches; process CPU time (the machine is shared; pinned to one core by compare.py)"""
     f(); t = clock(); f(); one = max(clock() - t, 1e-7)
@@ -17,7 +31,8 @@ def bench(f, budget=0.8, clock=time.process_time):
         best = min(best, (clock() - t) / per)
         if time.perf_counter() > end: return best
 def pgnorm(x, g, carry):
-    """projected gradient of carry/carry*: |P(x + g/carry) - x|, largest component (g = d carry / d rad)"""
+    """projected gradient of carry/carry*: |P(x + g/carry) - x|, largest component (g = d carry / d
+    rad)"""
     return max(abs(min(hi, max(lo, a + gi / carry)) - a) for a, gi, (lo, hi) in zip(x, g, BOUNDS))
 def want(task): return len(sys.argv) < 2 or sys.argv[1] == task
 ONCE = len(sys.argv) > 2

@@ -1,4 +1,5 @@
-"""Writes the tables of this folder: python3 -m venv v && v/bin/pip install pyarrow==26.0.1 && v/bin/python make.py"""
+"""Writes the tables of this folder: python3 -m venv v && v/bin/pip install pyarrow==26.0.1 &&
+v/bin/python make.py"""
 
 import pyarrow as pa
 import pyarrow.feather as feather
@@ -32,18 +33,34 @@ write("version4.arrow", points, rows=4, metadata_version=pa.ipc.MetadataVersion.
 feather.write_feather(points, "zstd.feather", compression="zstd", chunksize=4)
 feather.write_feather(points, "lz4.feather", chunksize=4)
 # long and repetitive enough to be compressible
-write("long_zstd.arrows", pa.table({"club.loft": [0.2] * 4000}), new=pa.ipc.new_stream, rows=1500, compression="zstd")
+write(
+    "long_zstd.arrows",
+    pa.table({"club.loft": [0.2] * 4000}),
+    new=pa.ipc.new_stream,
+    rows=1500,
+    compression="zstd",
+)
 
 # an empty batch between others
 with pa.ipc.new_stream("gaps.arrows", points.schema) as writer:
-    for part in [points.slice(0, 0), points.slice(0, 5), points.slice(5, 0), points.slice(5, 1), points.slice(6)]:
-        for batch in part.to_batches() or [pa.RecordBatch.from_arrays([[]] * 3, schema=points.schema)]:
+    for part in [
+        points.slice(0, 0),
+        points.slice(0, 5),
+        points.slice(5, 0),
+        points.slice(5, 1),
+        points.slice(6),
+    ]:
+        for batch in part.to_batches() or [
+            pa.RecordBatch.from_arrays([[]] * 3, schema=points.schema)
+        ]:
             writer.write_batch(batch)
 
 # the ends of every kind of number
 kinds = {"swing.speed": pa.float64(), "air.density": pa.float32()}
 ends = {"swing.speed": [0.1, -1e300], "air.density": [0.1, -1.5]}
-integers = {"swing.path": 8, "swing.face_angle": 16, "swing.shaft_lean": 32, "swing.attack_angle": 64}
+integers = {
+    "swing.path": 8, "swing.face_angle": 16, "swing.shaft_lean": 32, "swing.attack_angle": 64
+}
 for name, bits in integers.items():
     kinds[name] = getattr(pa, f"int{bits}")()
     ends[name] = [-(2 ** (bits - 1)), 2 ** (bits - 1) - 1]
