@@ -125,7 +125,7 @@ fn same_flight_with_and_without_the_run() {
 /// Ground without restitution and compliance: 2/7 of the velocity along the slope goes into spin,
 /// and the ball rolls v²/(2 (ρ_g g cos β + 5/7 g sin β)).
 #[test]
-fn exact_roll_on_a_slope() {
+fn roll_on_a_slope_by_its_closed_form() {
     for degrees in [0.0_f64, 4.0, -4.0] {
         let mut setup = launched(10.0, 35.0, 0.0);
         (

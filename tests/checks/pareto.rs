@@ -237,7 +237,7 @@ fn exact_event_where_a_bound_becomes_active_on_a_front() {
 }
 
 #[test]
-fn exact_end_of_a_front_among_equal_minima() {
+fn end_of_a_front_among_equal_minima() {
     let found = between(Blind, [-5.0; 2], [5.0; 2], 5);
     for point in &found.points {
         close(point.x[1], 3.0, 1.0, 1e-5, "y");

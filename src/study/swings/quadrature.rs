@@ -141,7 +141,7 @@ mod tests {
     /// The rules hold the mean and the next three moments about it, which have closed forms; those
     /// of the normal distribution between two ends are as good as the library's error function.
     #[test]
-    fn exact_moments_of_each_rule() {
+    fn moments_of_each_rule_by_closed_forms() {
         let all = [
             // to 4 standard deviations: what is beyond takes off a thousandth of the variance
             (
