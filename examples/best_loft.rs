@@ -3,12 +3,10 @@
 //!
 //! `cargo run --release --example best_loft`
 
-use longdrive::optimize::{Follow, Options};
-use longdrive::study::swings::{
-    Goal, Rule, Scenarios, Swings, SwingsSearch, price, swings_optimum,
-};
+use longdrive::optimize::Observer;
+use longdrive::study::swings::{Rule, Scenarios, Swings, price};
 use longdrive::study::uncertainty::Uncertain;
-use longdrive::study::{Sense, Vary};
+use longdrive::study::{Goal, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Result, Setup};
 
 fn main() -> Result<()> {
@@ -34,14 +32,14 @@ fn main() -> Result<()> {
             .collect::<Result<_>>()?;
         let swings = Swings::distributed(inputs, &[])?;
         let scenarios = Scenarios::new(&swings, Rule::of(&swings, None, 0)?)?;
-        let search = SwingsSearch {
+        let search = Search {
             of: Goal::mean(Outcome::Carry),
             sense: Sense::Maximize,
             vary: vec![Vary::read(&setup, "club.loft=4deg..20deg")?],
-            subject_to: vec![],
-            options: Options::default(),
+            scenarios,
+            ..Search::largest(Outcome::Carry)
         };
-        let best = swings_optimum(&setup, search, scenarios, &Follow::default())?;
+        let best = optimum(&setup, search, Observer::default())?;
         let alone = price(&setup, &swings, &best)?.nominal;
         let show = |x: &[f64]| {
             x.first()

@@ -3,11 +3,11 @@
 //!
 //! `cargo run --release --example design`
 
-use longdrive::optimize::{Follow, Options};
+use longdrive::optimize::Observer;
 use longdrive::study::design::{Design, golfer};
-use longdrive::study::swings::{Goal, Rule, Scenarios, SwingsSearch, swings_optimum};
-use longdrive::study::{Sense, Vary};
-use longdrive::{Result, Setup};
+use longdrive::study::swings::{Rule, Scenarios};
+use longdrive::study::{Goal, Search, Sense, Vary, optimum};
+use longdrive::{Outcome, Result, Setup};
 
 fn main() -> Result<()> {
     let mut setup = Setup::preset("modern-driver")?;
@@ -23,20 +23,19 @@ fn main() -> Result<()> {
         "club.weight_1.depth=0mm..110mm",
         "club.weight_1.toe=-50mm..50mm",
     ];
-    let search = SwingsSearch {
+    let swings = golfer(&setup)?;
+    let search = Search {
         of: Goal::read("mean(carry) - 0.5*rms(lateral)", None)?,
         sense: Sense::Maximize,
         vary: vary
             .iter()
             .map(|text| Vary::read(&setup, text))
             .collect::<Result<_>>()?,
-        subject_to: vec![],
-        options: Options::default(),
+        scenarios: Scenarios::new(&swings, Rule::of(&swings, None, 0)?)?,
+        ..Search::largest(Outcome::Carry)
     };
-    let swings = golfer(&setup)?;
-    let scenarios = Scenarios::new(&swings, Rule::of(&swings, None, 0)?)?;
-    let design = Design::new(&setup, &scenarios, search, true)?;
-    let best = swings_optimum(&setup, design.search.clone(), scenarios, &Follow::default())?;
+    let design = Design::new(&setup, search, true)?;
+    let best = optimum(&setup, design.search.clone(), Observer::default())?;
     println!("{}: {}", best.status(), best.message());
     for (vary, x) in best.search.vary.iter().zip(&best.solution.x) {
         println!(

@@ -30,7 +30,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     warn(&warnings);
     let stop = interrupt::stops(BEST_SO_FAR);
     request.note_starts(&setup, &search.vary);
-    let of = search.of;
+    let of = search.outcome();
     let spinner = spinner("following the optimum");
     let beginning = {
         let (spinner, last) = (spinner.clone(), RefCell::new(String::new()));

@@ -6,9 +6,9 @@ use crate::command::output::{Answer, system};
 use crate::command::swings::{Asked, found, sought};
 use crate::parameters::Parameter;
 use crate::report::Designed;
-use crate::study::Sense;
 use crate::study::design::{Design, GOLFER, golfer, parts, usual_vary};
-use crate::study::swings::{Goal, Scenarios, Swings};
+use crate::study::swings::{Scenarios, Swings};
+use crate::study::{Goal, Search, Sense};
 use crate::{Error, Result};
 
 /// What is sought where nothing is asked for.
@@ -66,7 +66,8 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         );
     }
     let scenarios = Scenarios::new(&swings, search.swings.rule(&swings, true)?)?;
-    let design = Design::new(&setup, &scenarios, asked, args.rules == "golf")?;
+    let asked = Search { scenarios, ..asked };
+    let design = Design::new(&setup, asked, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
     let found = found(
         search,
@@ -74,12 +75,11 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         Asked {
             setup,
             swings,
-            scenarios,
             search: design.search.clone(),
         },
     )?;
-    let parts = if found.best.value().is_some() {
-        parts(&found.setup, &found.best, &found.stop)?
+    let parts = if found.optima.best.value().is_some() {
+        parts(&found.setup, &found.optima.best, &found.stop)?
     } else {
         vec![]
     };
@@ -87,7 +87,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     let designed = Designed {
         design: &design,
         setup: &found.setup,
-        best: &found.best,
+        best: &found.optima.best,
         parts: &parts,
         notes: &notes,
     };

@@ -1,14 +1,15 @@
 use crate::command::args::{Optimize, OptimumSensitivity};
 use crate::command::names::variables;
-use crate::command::optimize::{remarks, write};
 use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
+use crate::command::search::write;
 use crate::parameters::Parameter;
-use crate::report::{Analysis, SensitivityReport, optimum_text, sensitivity_text};
+use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_text, sensitivity_text};
 use crate::study::{
     Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied,
     sensitivities, short_drive, usual_loss,
 };
 use crate::{Error, Outcome, Result, Setup};
+use std::sync::atomic::AtomicBool;
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let Optimize {
@@ -47,24 +48,27 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let loss = args
         .loss
         .as_deref()
-        .map(|text| loss(search.of, text))
+        .map(|text| loss(search.outcome(), text))
         .transpose()?;
 
     let output = args.optimize.destination(&request)?;
     let optima = work.run(&setup, &search)?;
-    let best = optima.best()?;
+    let best = &optima.best;
     let written = output
         .as_ref()
-        .map(|output| write(output, &request, &optima))
+        .map(|output| write(output, &request, &optima, None))
         .transpose()?
         .flatten();
-    let warnings = remarks(&setup, best);
+    if let Some(moved) = best.moved_start() {
+        tell(&moved);
+    }
+    let warnings = best.warnings(&AtomicBool::new(false));
     warn(&warnings);
     if optima.stopped() > 0 {
         let answer = if request.is_json() {
-            Answer::json(&SensitivityReport::none(&optima, None, warnings)?)
+            Answer::json(&SensitivityReport::none(&optima, None, warnings))
         } else {
-            Answer::text(optimum_text(best, system()))
+            Answer::text(optimum_text(best, OverSwings::default(), system()))
         };
         return Ok(answer.found(false));
     }
@@ -79,11 +83,11 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
             let answer = if request.is_json() {
-                let mut reply = SensitivityReport::none(&optima, Some(&error), warnings)?;
+                let mut reply = SensitivityReport::none(&optima, Some(&error), warnings);
                 reply.body.optimum.file = written;
                 Answer::json(&reply)
             } else {
-                Answer::text(optimum_text(best, system()))
+                Answer::text(optimum_text(best, OverSwings::default(), system()))
             };
             return Ok(answer.found(false));
         }
@@ -105,7 +109,10 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         reply.body.optimum.file = written;
         Answer::json(&reply)
     } else {
-        Answer::text(optimum_text(best, system()) + &sensitivity_text(&analysis, system()))
+        Answer::text(
+            optimum_text(best, OverSwings::default(), system())
+                + &sensitivity_text(&analysis, system()),
+        )
     };
     Ok(answer.found(is_answered))
 }

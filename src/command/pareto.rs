@@ -9,13 +9,13 @@ use crate::command::picture::Target;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::of_a_drive;
-use crate::command::swings::{goal, limit, ranges, refuse_idle_strokes};
+use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
 use crate::optimize::{Follow, Iteration, Options};
 use crate::parameters::Vary;
 use crate::report::figures::pareto_figure;
 use crate::report::{pareto_csv, pareto_reply, pareto_text, pareto_toml};
-use crate::study::swings::{Goal, GoalLimit, Pareto, ParetoSearch, Scenarios, pareto};
-use crate::study::{Search, Sense};
+use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
+use crate::study::{Goal, Search, Sense};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -83,7 +83,7 @@ fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
         .collect();
     tell_of_the_run(&outcomes);
     request.note_starts(&setup, &search.vary);
-    let setup = request.for_many(setup, &ranges(&search.vary, &scenarios))?;
+    let setup = request.for_many(setup, &swing_ranges(&search.vary, &scenarios))?;
     let spinner = spinner("following the front");
     // a line now and then: most searches are done before it could be read
     const SILENCE: Duration = Duration::from_secs(1);
@@ -164,7 +164,7 @@ fn of_one_drive(
     asked: &ParetoAsked,
 ) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
     let setup = request.setup_with_starts(&asked.vary)?;
-    let goals = asked.goals(|option, text| Ok(Goal::outcome(of_a_drive(option, text)?)))?;
+    let goals = asked.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
     let (vary, subject_to) = (asked.vary.clone(), asked.subject_to.clone());
     let one = SearchArgs {
         maximize: None,
@@ -179,7 +179,6 @@ fn of_one_drive(
         options,
         ..
     } = one.search(&setup)?;
-    let subject_to = subject_to.iter().map(GoalLimit::of_drive).collect();
     Ok((
         setup,
         ParetoSearch {

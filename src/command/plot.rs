@@ -131,7 +131,7 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
         ));
     }
     let around = if is_found { &best.setup } else { setup };
-    let map = map(around, search.of, across, up, Fineness::default())?;
+    let map = map(around, search.outcome(), across, up, Fineness::default())?;
     Ok((is_found.then_some(best), map))
 }
 
@@ -146,12 +146,11 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
         ..Fineness::default()
     };
     let limit = |constraint: &Constraint| {
-        Ok((
-            constraint.clone(),
-            map(around, constraint.outcome, across, up, values)?,
-        ))
+        let outcome = constraint.goal.outcome()?;
+        let limited = map(around, outcome, across, up, values);
+        Some(limited.map(|limited| (constraint.clone(), limited)))
     };
-    search.subject_to.iter().map(limit).collect()
+    search.subject_to.iter().filter_map(limit).collect()
 }
 
 fn along(args: &PlotChart) -> Result<Answer> {
@@ -162,13 +161,13 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let along = Vary::read(&setup, &args.along)?;
     request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let shown = match &args.show {
-        Some(name) if name != search.of.name() => {
+        Some(name) if name != search.outcome().name() => {
             let names = || {
                 search
                     .vary
                     .iter()
                     .map(|vary| vary.parameter.name)
-                    .chain([search.of.name()])
+                    .chain([search.outcome().name()])
             };
             let advice = || format!("a chart shows {}", names().collect::<Vec<_>>().join(", "));
             let shown = search.vary.iter().find(|vary| vary.parameter.name == name);

@@ -9,8 +9,8 @@ use crate::command::request::Request;
 use crate::command::swings::{ranges, searched};
 use crate::optimize::Follow;
 use crate::report::{robust_reply, robust_text, robust_toml};
-use crate::study::Search;
-use crate::study::swings::{Goal, GoalLimit, Model, Scenarios, SwingsSearch, robust};
+use crate::study::swings::{Model, robust};
+use crate::study::{Goal, Search};
 use crate::units::{Message, Quantity};
 use crate::{Error, Result, Setup};
 
@@ -26,11 +26,11 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
         .as_ref()
         .map(|file| rule.setup_file(file))
         .transpose()?;
-    let (setup, search, scenarios) = args.search(&request)?;
+    let (setup, search) = args.search(&request)?;
     let within = args.within(&search.of)?;
     request.note_starts(&setup, &search.vary);
-    let ranges = ranges(&search.vary, &scenarios);
-    let models = args.models(&setup, &search, &scenarios)?;
+    let ranges = ranges(&search);
+    let models = args.models(&setup, &search)?;
     let flown = |model: Model| {
         Ok(Model {
             setup: request.for_many(model.setup, &ranges)?,
@@ -52,7 +52,7 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
         interrupt: interrupt.clone(),
         ..Follow::default()
     };
-    let found = robust(models, search, &scenarios, args.starts as usize, &follow);
+    let found = robust(models, search, args.starts as usize, &follow);
     spinner.finish_and_clear();
     let found = found?;
     let is_found = found.is_found();
@@ -85,40 +85,24 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
 
 impl RobustArgs {
     /// The setup, what is looked for, and over which swings.
-    fn search(&self, request: &Request) -> Result<(Setup<f64>, SwingsSearch, Scenarios)> {
+    fn search(&self, request: &Request) -> Result<(Setup<f64>, Search)> {
         if self.swings.is_given() {
             let (set_up, _, scenarios) = self.swings.taken(request, false)?;
             let setup = request.with_starts(set_up, &self.search.vary)?;
-            let search = searched(&self.search, &self.swings, &setup)?;
+            let search = Search {
+                scenarios,
+                ..searched(&self.search, &self.swings, &setup)?
+            };
             tell_of_the_run(&search.of.outcomes());
-            return Ok((set_up, search, scenarios));
+            return Ok((set_up, search));
         }
         let setup = request.setup_with_starts(&self.search.vary)?;
-        let Search {
-            of,
-            sense,
-            vary,
-            subject_to,
-            options,
-        } = self.search.search(&setup)?;
-        let subject_to = subject_to.iter().map(GoalLimit::of_drive).collect();
-        let search = SwingsSearch {
-            of: Goal::outcome(of),
-            sense,
-            vary,
-            subject_to,
-            options,
-        };
-        Ok((setup, search, Scenarios::one_drive()))
+        let search = self.search.search(&setup)?;
+        Ok((setup, search))
     }
 
     /// The setup as it is, and the models beside it.
-    fn models(
-        &self,
-        setup: &Setup<f64>,
-        search: &SwingsSearch,
-        scenarios: &Scenarios,
-    ) -> Result<Vec<Model>> {
+    fn models(&self, setup: &Setup<f64>, search: &Search) -> Result<Vec<Model>> {
         if self.model.is_empty() {
             return Model::usual(setup);
         }
@@ -139,7 +123,7 @@ impl RobustArgs {
                 .vary
                 .iter()
                 .map(|vary| vary.parameter)
-                .chain(scenarios.parameters.iter().copied());
+                .chain(search.scenarios.parameters.iter().copied());
             let is_changed = |name: &str| {
                 text.split(',')
                     .any(|part| part.split('=').next().map(str::trim) == Some(name))

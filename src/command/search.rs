@@ -1,13 +1,17 @@
 //! The search that several commands begin with: who follows it and keeps it.
 
 use crate::command::args::{SearchArgs, WorkArgs};
+use crate::command::files::Destination;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{bar_of, system, tell};
+use crate::command::output::{bar_of, system, tell, warn};
+use crate::command::request::Request;
 use crate::command::running::running;
-use crate::optimize::{Checkpoint, Follow, Iteration, Options};
-use crate::report::{iteration_line, outcome_text};
+use crate::optimize::{Checkpoint, Follow, Iteration, Options, Status};
+use crate::report::{goal_text, iteration_line, optimum_toml};
+use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Constraint, Optima, Search, Sense, Vary, optima};
+use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use indicatif::ProgressBar;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -34,7 +38,7 @@ impl SearchArgs {
         let (of, sense) = self.sought()?;
         let options = Options::default();
         let search = Search {
-            of,
+            of: of.into(),
             sense,
             vary,
             subject_to: self
@@ -42,6 +46,7 @@ impl SearchArgs {
                 .iter()
                 .map(|text| Constraint::read(text))
                 .collect::<Result<_>>()?,
+            scenarios: Scenarios::one_drive(),
             options: Options {
                 max_iterations: self.max_iterations.unwrap_or(options.max_iterations),
                 ..options
@@ -78,8 +83,33 @@ impl SearchArgs {
 }
 
 impl WorkArgs {
-    /// Searches, with its progress on standard error.
+    /// Searches, with the progress on standard error.
     pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
+        let found = self.searched(setup, search, &self.follow(setup, search)?);
+        interrupt::ends();
+        found
+    }
+
+    /// The optima. The search can be stopped until [`interrupt::ends`].
+    pub fn searched(
+        &self,
+        setup: &Setup<f64>,
+        search: &Search,
+        (follow, bar): &(Follow, ProgressBar),
+    ) -> Result<Optima> {
+        let found = optima(setup, search, self.starts as usize, follow);
+        bar.finish_and_clear();
+        if let Ok(optima) = &found
+            && let Some(interrupted) = optima.interrupted()
+        {
+            tell(&interrupted);
+        }
+        found
+    }
+
+    /// The progress of a search: every iteration as a line, or of several searches a bar. It keeps
+    /// the checkpoint, and ends on Ctrl-C.
+    pub fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Follow, ProgressBar)> {
         let checkpoint = match &self.checkpoint {
             Some(path) => Some(Arc::new(Checkpoint::open(
                 path,
@@ -92,31 +122,17 @@ impl WorkArgs {
             checkpoint,
             ..Follow::default()
         };
-        let (of, sense, system) = (search.of, search.sense, system());
         let bar = match self.starts {
             1 => one(search, &mut follow),
-            _ => self.many(&mut follow, move |value| {
-                outcome_text(of, sense.sign() * value, system)
-            }),
+            _ => self.many(search, &mut follow),
         };
-        let found = optima(setup, search, self.starts as usize, &follow);
-        bar.finish_and_clear();
-        interrupt::ends();
-        if let Ok(optima) = &found
-            && let Some(interrupted) = optima.interrupted()
-        {
-            tell(&interrupted);
-        }
-        found
+        Ok((follow, bar))
     }
 
-    /// A bar of the searches that have ended, with the best value so far as `show` has what is
-    /// minimized.
-    pub fn many(
-        &self,
-        follow: &mut Follow,
-        show: impl Fn(f64) -> String + Send + Sync + 'static,
-    ) -> ProgressBar {
+    /// A bar of the searches that have ended, with the best value so far.
+    fn many(&self, search: &Search, follow: &mut Follow) -> ProgressBar {
+        let (of, sign, system) = (search.of.clone(), search.sense.sign(), system());
+        let show = move |value: f64| goal_text(&of, sign * value, system);
         let bar = bar_of(
             u64::from(self.starts),
             "{bar:40} {pos}/{len} searches, {eta} left, best {msg}",
@@ -135,6 +151,30 @@ impl WorkArgs {
         }));
         bar
     }
+}
+
+/// Writes the setup at the optimum, into the file returned; without an optimum, nothing.
+pub fn write(
+    output: &Destination,
+    request: &Request,
+    optima: &Optima,
+    swings: Option<&Swings>,
+) -> Result<Option<String>> {
+    let file = output.path().display();
+    if optima.best.solution.status != Status::Converged {
+        warn(&[Message::from(format!(
+            "{file} is not written: there is no optimum"
+        ))]);
+        return Ok(None);
+    }
+    let toml = optimum_toml(optima, swings, request.source().preset())?;
+    output.write(request.with_stated_step(toml)?.as_bytes())?;
+    let place = match swings {
+        Some(_) => "with the best design",
+        None => "at the optimum",
+    };
+    tell(&format!("wrote the setup {place} into {file}"));
+    Ok(Some(file.to_string()))
 }
 
 /// The outcome of one drive that an option asks for; what is asked of many swings needs these.

@@ -72,7 +72,10 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
                 .filter(varied)
                 .filter(counts)
                 .collect();
-            Some((best.search.of, sensitivities(best, &wrt, &mut |_, _| ())?))
+            Some((
+                best.search.outcome(),
+                sensitivities(best, &wrt, &mut |_, _| ())?,
+            ))
         }
         None => None,
     };

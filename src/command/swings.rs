@@ -1,24 +1,22 @@
 //! The search for the design that is best over many swings.
 
 use crate::command::args::{Optimize, SearchArgs, SwingsArgs};
-use crate::command::files::Destination;
-use crate::command::interrupt::{self, BEST_SO_FAR};
+use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, system, tell, warn};
+use crate::command::output::{Answer, system, warn};
 use crate::command::request::Request;
-use crate::command::running::running;
-use crate::optimize::{Checkpoint, Follow, Options, Status};
+use crate::command::search::write;
+use crate::optimize::{Options, Status};
 use crate::parameters::Vary;
-use crate::report::{OptimumReport, Reply, swings_reply, swings_text, swings_toml, value_text};
+use crate::report::{OptimumReport, OverSwings, Reply, optimize_text};
 use crate::study::swings::{
-    Correlation, Goal, GoalLimit, Price, Resampled, Rule, Scenarios, Strokes, Swings,
-    SwingsOptimum, SwingsSearch, price_until, resampled, swings_optima,
+    Correlation, Price, Resampled, Rule, Scenarios, Strokes, Swings, price_until,
+    resampled as optima_of_resamples,
 };
 use crate::study::uncertainty::Uncertain;
-use crate::study::{Search, Sense};
+use crate::study::{Constraint, Goal, Optima, Search, Sense};
 use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
-use indicatif::ProgressBar;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -148,22 +146,22 @@ impl SwingsArgs {
     }
 }
 
-/// What is asked over many swings.
+/// A search over swings.
 pub struct Asked {
     pub setup: Setup<f64>,
     pub swings: Swings,
-    pub scenarios: Scenarios,
-    pub search: SwingsSearch,
+    pub search: Search,
 }
 
-/// What a search over many swings found.
+/// The best design over swings, with what else is known of it.
 pub struct Found {
     /// The setup before.
     pub setup: Setup<f64>,
-    pub best: SwingsOptimum,
-    pub price: Option<Price>,
-    pub resampled: Option<Resampled>,
-    /// Becomes true when what is left of the work is to be left out.
+    pub optima: Optima,
+    swings: Swings,
+    price: Option<Price>,
+    resampled: Option<Resampled>,
+    /// Becomes true when the rest of the work is to be left out.
     pub stop: Arc<AtomicBool>,
     warnings: Vec<Message>,
     /// The file that was written.
@@ -172,58 +170,46 @@ pub struct Found {
 
 impl Found {
     pub fn is_found(&self) -> bool {
-        self.best.solution.status == Status::Converged && self.best.stopped() == 0
+        self.optima.best.solution.status == Status::Converged && self.optima.stopped() == 0
+    }
+
+    fn over(&self) -> OverSwings<'_> {
+        OverSwings {
+            swings: Some(&self.swings),
+            price: self.price.as_ref(),
+            resampled: self.resampled.as_ref(),
+        }
     }
 
     /// The answer as text.
     pub fn text(&self) -> String {
-        let stopped = self.best.interrupted().filter(|_| self.best.starts() > 1);
-        let stopped = stopped.map_or(String::new(), |stopped| {
-            format!("interrupted: {stopped}; the best so far:\n")
-        });
-        stopped
-            + &swings_text(
-                &self.best,
-                self.price.as_ref(),
-                self.resampled.as_ref(),
-                system(),
-            )
+        optimize_text(&self.optima, self.over(), system())
     }
 
     /// The answer in JSON.
     pub fn reply(&self) -> Reply<OptimumReport> {
-        let mut reply = swings_reply(
-            &self.best,
-            self.price.as_ref(),
-            self.resampled.as_ref(),
-            self.warnings.clone(),
-        );
+        let mut reply = OptimumReport::reply(&self.optima, self.over(), self.warnings.clone());
         reply.body.file.clone_from(&self.file);
         reply
     }
 }
 
-/// Searches over many swings.
+/// Searches over swings.
 pub fn run(args: &Optimize) -> Result<Answer> {
-    let asked = &args.swings;
     let request = args.setup_args.request()?;
-    let (setup, swings, scenarios) = asked.taken(&request, true)?;
-    let search = searched(
-        &args.search,
-        asked,
-        &request.with_starts(setup, &args.search.vary)?,
-    )?;
+    let (setup, swings, scenarios) = args.swings.taken(&request, true)?;
+    let started = request.with_starts(setup, &args.search.vary)?;
+    let search = Search {
+        scenarios,
+        ..searched(&args.search, &args.swings, &started)?
+    };
     request.note_starts(&setup, &search.vary);
-    let found = found(
-        args,
-        &request,
-        Asked {
-            setup,
-            swings,
-            scenarios,
-            search,
-        },
-    )?;
+    let asked = Asked {
+        setup,
+        swings,
+        search,
+    };
+    let found = found(args, &request, asked)?;
     interrupt::ends();
     let answer = if request.is_json() {
         Answer::json(&found.reply())
@@ -233,49 +219,31 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     Ok(answer.found(found.is_found()))
 }
 
-/// Searches, and writes what is found where that is asked for. It can be stopped until its caller
-/// says that it cannot.
-pub fn found(
-    args: &Optimize,
-    request: &Request,
-    Asked {
+/// Searches, and writes the setup if a file is given. The work can be stopped until
+/// [`interrupt::ends`].
+pub fn found(args: &Optimize, request: &Request, asked: Asked) -> Result<Found> {
+    let Asked {
         setup,
         swings,
-        scenarios,
         search,
-    }: Asked,
-) -> Result<Found> {
+    } = asked;
     tell_of_the_run(&search.of.outcomes());
-    let setup = request.for_many(setup, &ranges(&search.vary, &scenarios))?;
+    let setup = request.for_many(setup, &ranges(&search))?;
     let output = args.destination(request)?;
-    let (follow, bar) = follow(args, &setup, &search, &scenarios)?;
-    let best = swings_optima(
-        &setup,
-        search,
-        scenarios,
-        args.work.starts as usize,
-        &follow,
-    );
-    bar.finish_and_clear();
-    let best = best?;
-    if let Some(interrupted) = best.interrupted().filter(|_| best.starts() > 1) {
-        tell(&interrupted);
-    }
+    let follow = args.work.follow(&setup, &search)?;
+    let optima = args.work.searched(&setup, &search, &follow)?;
+    let best = &optima.best;
+    let stop = follow.0.interrupt;
     let is_found = best.solution.status == Status::Converged;
-    // what the mean swing promises is told of an optimum only
-    let price = if is_found {
-        price_until(&setup, &swings, &best, &follow.interrupt)?
-    } else {
-        None
-    };
-    let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found;
-    let seed = u64::from(args.swings.seed.unwrap_or(0));
-    let stop = follow.interrupt;
-    let resampled = if is_recorded {
-        resampled(&setup, &best, RESAMPLES, seed, &stop)?
-    } else {
-        None
-    };
+    let mut price = None;
+    let mut resampled = None;
+    if is_found {
+        price = price_until(&setup, &swings, best, &stop)?;
+        if let Swings::Recorded { .. } = swings {
+            let seed = u64::from(args.swings.seed.unwrap_or(0));
+            resampled = optima_of_resamples(&setup, best, RESAMPLES, seed, &stop)?;
+        }
+    }
     let mut warnings = best.warnings(&stop);
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
         let percent = (100.0 * share).max(0.1);
@@ -287,12 +255,13 @@ pub fn found(
     warn(&warnings);
     let file = output
         .as_ref()
-        .map(|output| write(output, &best, &swings, request))
+        .map(|output| write(output, request, &optima, Some(&swings)))
         .transpose()?
         .flatten();
     Ok(Found {
         setup,
-        best,
+        optima,
+        swings,
         price,
         resampled,
         stop,
@@ -308,11 +277,7 @@ type UsualVary<'a> = &'a dyn Fn(&Setup<f64>) -> Result<Vec<Vary>>;
 
 /// The largest mean carry by the loft, unless something else is asked: the attack angle is the
 /// golfer's, and varies from swing to swing.
-pub fn searched(
-    search: &SearchArgs,
-    swings: &SwingsArgs,
-    setup: &Setup<f64>,
-) -> Result<SwingsSearch> {
+pub fn searched(search: &SearchArgs, swings: &SwingsArgs, setup: &Setup<f64>) -> Result<Search> {
     let loft = |setup: &Setup<f64>| Ok(vec![Search::longest_drive(setup)?.vary[0]]);
     sought(
         search,
@@ -330,7 +295,7 @@ pub fn sought(
     setup: &Setup<f64>,
     usual: Usual<'_>,
     usual_vary: UsualVary<'_>,
-) -> Result<SwingsSearch> {
+) -> Result<Search> {
     let strokes = swings.strokes()?;
     let strokes = strokes.as_ref();
     let (of, sense) = match (&search.maximize, &search.minimize) {
@@ -352,18 +317,19 @@ pub fn sought(
         .collect::<Result<Vec<_>>>()?;
     refuse_idle_strokes(
         strokes,
-        std::iter::once(&of).chain(subject_to.iter().map(|limit: &GoalLimit| &limit.goal)),
+        std::iter::once(&of).chain(subject_to.iter().map(|limit: &Constraint| &limit.goal)),
     )?;
     let options = Options::default();
     let options = Options {
         max_iterations: search.max_iterations.unwrap_or(options.max_iterations),
         ..options
     };
-    Ok(SwingsSearch {
+    Ok(Search {
         of,
         sense,
         vary,
         subject_to,
+        scenarios: Scenarios::one_drive(),
         options,
     })
 }
@@ -385,11 +351,11 @@ pub fn refuse_idle_strokes<'a>(
 }
 
 /// A limit of a goal, or of a relation of parameters.
-pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Result<GoalLimit> {
-    if GoalLimit::is_relation(text) {
-        GoalLimit::read_relation(setup, text)
+pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Result<Constraint> {
+    if Constraint::is_relation(text) {
+        Constraint::read_relation(setup, text)
     } else {
-        GoalLimit::read(text, strokes)
+        Constraint::read_over_swings(text, strokes)
     }
 }
 
@@ -411,100 +377,24 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
     })
 }
 
-/// The ranges that drives are flown in: of the design, and of the swings.
-pub fn ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
-    let swung = scenarios
-        .parameters
-        .iter()
-        .enumerate()
-        .map(|(i, parameter)| {
-            let values = scenarios.points.iter().map(|point| point[i]);
-            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-                (low.min(x), high.max(x))
-            });
-            Vary {
-                parameter,
-                low,
-                high,
-            }
-        });
-    vary.iter().copied().chain(swung).collect()
+/// The ranges of the drives of a search: those of the parameters varied, and of the swings.
+pub fn ranges(search: &Search) -> Vec<Vary> {
+    swing_ranges(&search.vary, &search.scenarios)
 }
 
-/// Every iteration as a line, or of several searches a bar; a checkpoint if one is asked for, and
-/// an end on Ctrl-C.
-fn follow(
-    args: &Optimize,
-    setup: &Setup<f64>,
-    search: &SwingsSearch,
-    scenarios: &Scenarios,
-) -> Result<(Follow, ProgressBar)> {
-    let checkpoint = match &args.work.checkpoint {
-        Some(path) => {
-            let search = SwingsSearch {
-                options: Options {
-                    max_iterations: 0,
-                    ..search.options.clone()
-                },
-                ..search.clone()
-            };
-            let starts = args.work.starts;
-            Some(Arc::new(Checkpoint::open(
-                path,
-                &format!("{setup:?} {search:?} {scenarios:?} {starts}"),
-            )?))
+/// The ranges of parameters varied, and those of swings.
+pub fn swing_ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
+    let all = scenarios.parameters.iter().enumerate();
+    let swung = all.map(|(i, parameter)| {
+        let values = scenarios.points.iter().map(|point| point[i]);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+        Vary {
+            parameter,
+            low,
+            high,
         }
-        None => None,
-    };
-    let mut follow = Follow {
-        interrupt: interrupt::stops(BEST_SO_FAR),
-        checkpoint,
-        ..Follow::default()
-    };
-    let (goal, sign) = (search.of.clone(), search.sense.sign());
-    if args.work.starts > 1 {
-        let system = system();
-        let bar = args.work.many(&mut follow, move |value| {
-            value_text(&goal, sign * value, system)
-        });
-        return Ok((follow, bar));
-    }
-    let shown = search.vary.clone();
-    let running = running();
-    let iteration = Arc::new(move |_: usize, iteration: &crate::optimize::Iteration| {
-        let x = shown
-            .iter()
-            .zip(&iteration.x)
-            .map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x))));
-        running.tell(&format!(
-            "{:>3}  {} {}  KKT {:.1e}  {}",
-            iteration.number,
-            goal.expression,
-            goal.quantity.show(sign * iteration.value, goal.unit),
-            iteration.kkt_residual,
-            x.collect::<Vec<_>>().join(", ")
-        ));
     });
-    follow.iteration = Some(iteration);
-    Ok((follow, ProgressBar::hidden()))
-}
-
-/// Writes the setup with the best design, into the file returned; where there is none, nothing.
-fn write(
-    output: &Destination,
-    best: &SwingsOptimum,
-    swings: &Swings,
-    request: &Request,
-) -> Result<Option<String>> {
-    let file = output.path().display().to_string();
-    if best.solution.status != Status::Converged {
-        warn(&[Message::from(format!(
-            "{file} is not written: there is no optimum"
-        ))]);
-        return Ok(None);
-    }
-    let toml = swings_toml(best, swings, request.source().preset())?;
-    output.write(request.with_stated_step(toml)?.as_bytes())?;
-    tell(&format!("wrote the setup with the best design into {file}"));
-    Ok(Some(file))
+    vary.iter().copied().chain(swung).collect()
 }

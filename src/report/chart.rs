@@ -92,7 +92,7 @@ impl ChartReport {
         };
         Self {
             parameter: chart.along.parameter.name,
-            objective: search.of.name(),
+            objective: search.outcome().name(),
             sense: search.sense.name(),
             points: chart.points.iter().map(point).collect(),
             begun: chart.begun.as_ref().map(Message::to_string),
@@ -121,7 +121,7 @@ fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
         .map(|vary| (vary.parameter.name, vary.parameter.quantity));
     [
         (along.name, along.quantity),
-        (search.of.name(), search.of.quantity()),
+        (search.outcome().name(), search.of.quantity),
     ]
     .into_iter()
     .chain(varied)
@@ -136,7 +136,7 @@ pub fn chart_text(chart: &Chart, system: System) -> String {
     columns.push("active");
     let rows = chart.points.iter().map(|point| {
         let show = |(vary, x): (&Vary, &f64)| shown::parameter(vary.parameter, *x, system);
-        let value = shown::outcome_or_dash(point.best.search.of, point.best.value(), system);
+        let value = shown::outcome_or_dash(point.best.search.outcome(), point.best.value(), system);
         let told =
             |active: &Active| shown::active(active, &point.best.search, system, str::to_owned);
         let event = point

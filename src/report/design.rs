@@ -1,12 +1,11 @@
 use super::limits::ended_at;
 use super::lines::paragraph;
-use super::swings::{difference_text, value_text};
 use super::table::table;
 use super::{OptimumReport, Reply, json, shown};
 use crate::parameters::{Parameter, Setup};
+use crate::study::Optimum;
 use crate::study::Sense;
 use crate::study::design::{By, Design, Part, Standing};
-use crate::study::swings::SwingsOptimum;
 use crate::units::{System, signed};
 use serde_json::{Value, json};
 
@@ -21,7 +20,7 @@ pub struct Designed<'a> {
     /// The setup before.
     pub setup: &'a Setup<f64>,
     /// The best design.
-    pub best: &'a SwingsOptimum,
+    pub best: &'a Optimum,
     /// What it changes.
     pub parts: &'a [Part],
     /// What was assumed, in sentences.
@@ -88,13 +87,13 @@ impl Designed<'_> {
         let parts = self.parts.iter().map(|part| {
             let show = |value: Option<f64>| {
                 value.map_or(shown::NONE.into(), |value| {
-                    value_text(&part.goal, value, system)
+                    shown::goal(&part.goal, value, system)
                 })
             };
             let both = part.as_set_up.zip(part.best);
             let difference = both.map_or(String::new(), |(before, best)| {
                 change(
-                    difference_text(&part.goal, best - before, system),
+                    shown::goal_difference(&part.goal, best - before, system),
                     best - before,
                 )
             });
@@ -172,7 +171,7 @@ impl Designed<'_> {
                 let is_upper =
                     value.is_some_and(|value| held.range[1] - value <= value - held.range[0]);
                 let way = if is_upper { "raised" } else { "lowered" };
-                let gain = signed(amount, difference_text(goal, amount, system));
+                let gain = signed(amount, shown::goal_difference(goal, amount, system));
                 format!(
                     "{gain} for each {} that the limit is {way}",
                     held.quantity.show(held.step, held.unit)

@@ -1,53 +1,42 @@
-//! Bounds and limits at an optimum in words: which of them are active, and what moving them would
-//! bring.
+//! Bounds and constraints at an optimum in words: the active ones, with their prices.
 
 use super::shown;
 use crate::optimize::{Constrained, Status};
-use crate::study::Sense;
+use crate::study::{Constraint, Sense};
 use crate::units::{Quantity, System, signed, significant};
 
-/// What is sought: its kind and unit, its value, which value of it, and whether it was found. A
-/// multiplier is a price at an optimum only.
+/// The objective at the end of a search. A multiplier is a price at an optimum only.
 #[derive(Clone, Copy)]
-pub(super) struct Sought {
+pub(super) struct Objective {
     pub of: (Quantity, &'static str),
-    /// Where the search ended, SI.
+    /// The value, SI.
     pub value: f64,
     pub sense: Sense,
     pub is_converged: bool,
 }
 
-/// A limit where a search ended.
+/// A constraint at the end of a search.
 #[derive(Clone, Copy)]
 pub(super) struct Limit<'a> {
-    /// The kind and unit of what is limited.
-    pub by: (Quantity, &'static str),
-    /// Least and greatest value, SI.
-    pub range: [f64; 2],
+    pub constraint: &'a Constraint,
     /// Value and multiplier, of a search that minimizes.
     pub at: &'a Constrained,
-    /// The gradient of what is limited by what is varied.
+    /// The gradient of the limited goal by the parameters varied.
     pub slopes: &'a [f64],
-    /// What is gained for each unit that it is relaxed; of an equation, that it is raised.
+    /// The gain for each unit by which the limit is relaxed; of an equation, raised.
     pub gain: f64,
 }
 
 impl<'a> Limit<'a> {
-    /// A limit whose multiplier is its price.
-    pub fn new(
-        by: (Quantity, &'static str),
-        range @ [low, high]: [f64; 2],
-        at: &'a Constrained,
-        slopes: &'a [f64],
-    ) -> Self {
-        let gain = if low == high {
+    /// A constraint whose multiplier is its price.
+    pub fn new(constraint: &'a Constraint, at: &'a Constrained, slopes: &'a [f64]) -> Self {
+        let gain = if constraint.is_equation() {
             at.multiplier
         } else {
             at.multiplier.abs()
         };
         Self {
-            by,
-            range,
+            constraint,
             at,
             slopes,
             gain,
@@ -55,8 +44,8 @@ impl<'a> Limit<'a> {
     }
 }
 
-impl Sought {
-    /// What a unit of something brings, with its sign: "+2.11 yd for each degree".
+impl Objective {
+    /// The gain for each unit, with its sign: "+2.11 yd for each degree".
     pub fn price(self, amount: f64, by: (Quantity, &'static str), system: System) -> String {
         // a smaller value is a gain where the smallest is looked for
         let amount = if self.sense == Sense::Maximize {
@@ -69,22 +58,25 @@ impl Sought {
         signed(amount, shown::price(self.of, amount, by, system))
     }
 
-    /// "active: +0.52 yd for each degree that the limit is relaxed"; of two limits, which one.
+    /// "active: +0.52 yd for each degree that the limit is relaxed"; names the active one of two
+    /// limits.
     pub fn limit(self, limit: Limit<'_>, system: System) -> String {
         let Limit {
-            by,
-            range: [low, high],
+            constraint: Constraint {
+                goal, low, high, ..
+            },
             at,
             slopes,
             gain,
         } = limit;
+        let by = (goal.quantity, goal.unit);
         let price = |amount: f64| self.price(amount, by, system);
         if low == high {
             let off = match system.unit(by.1) {
                 "" => significant(at.value - low, 2),
                 unit => by.0.read_off_difference(at.value - low, unit),
             };
-            // it holds an optimum whatever its price
+            // an equation is active whatever its price
             let price = match slopes.iter().any(|slope| *slope != 0.0) {
                 true => format!(", {} that the value is raised", price(gain)),
                 false => ", and nothing that is varied moves it".into(),
@@ -112,9 +104,8 @@ impl Sought {
     }
 }
 
-/// "at its upper bound: +2.11 yd for each degree that it is raised" by the multipliers of a
-/// parameter's lower and upper bound, and by their prices, of which `shown` says what a unit
-/// brings.
+/// "at its upper bound: +2.11 yd for each degree that it is raised". The multipliers of a
+/// parameter's lower and upper bound choose the active one; `shown` writes its price.
 pub(super) fn bound(
     [lower, upper]: [f64; 2],
     prices: [f64; 2],
@@ -132,12 +123,10 @@ pub(super) fn bound(
     }
 }
 
-/// What the column of the values is called where a search ended: `converged` where they are an
-/// optimum.
+/// The head of the column of values at the end of a search: `converged` at an optimum.
 pub(super) fn ended_at(status: Status, converged: &'static str) -> &'static str {
     match status {
         Status::Converged => converged,
-        // no point was found that meets the constraints
         Status::Infeasible => "nearest point",
         _ => "last point",
     }

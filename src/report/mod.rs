@@ -60,7 +60,7 @@ pub use lines::{by_reason, remark};
 pub use mae494::{mae494_document, mae494_reply};
 pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text,
-    optimum_text, optimum_toml,
+    optimize_text, optimum_text, optimum_toml,
 };
 pub use parameters::{parameters_reply, parameters_text};
 pub use pareto::{pareto_csv, pareto_reply, pareto_text, pareto_toml};
@@ -77,11 +77,14 @@ pub(crate) use setup_file::{with_step_of, without_step};
 #[cfg(feature = "parquet")]
 pub use shots::ShotParquet;
 pub use shots::{ShotFormat, ShotWriter, ShotsReport, open_connect_answer, shots_text};
-pub use shown::{outcome as outcome_text, stated as parameter_text};
+pub use shown::{goal as goal_text, outcome as outcome_text, stated as parameter_text};
 #[cfg(feature = "parquet")]
 pub use sweep::SweepParquet;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_text};
-pub use swings::{swings_reply, swings_text, swings_toml, value_text};
+pub use swings::{
+    IntervalReport, NominalReport, OverSwings, ResampledReport, SamplingReport, ScenariosReport,
+    StudiesReport,
+};
 pub use uncertainty::{UncertaintyReport, uncertainty_text};
 pub use validation::{validation_csv, validation_document, validation_reply};
 pub use winfield_tan::{winfield_tan_document, winfield_tan_reply};

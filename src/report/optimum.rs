@@ -1,14 +1,18 @@
+//! The best drive, or the best design over swings: JSON, text, and setup file.
+
 use super::drive::{flight, launch, law_range};
-use super::limits::{self, Limit, Sought, ended_at};
+use super::limits::{self, Limit, Objective, ended_at};
 use super::lines::paragraph;
+use super::swings::{OverSwings, StudiesReport, goals_text, nominal_design, notes_text};
 use super::table::table;
+use super::uncertainty::distribution_text;
 use super::{Reply, json, setup_toml, shown};
-use crate::drive::Outcome;
+use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
-use crate::study::swings::GoalLimit;
-use crate::study::{Optima, Optimum, Sample, Search, Sense, Vary};
+use crate::study::swings::Swings;
+use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample, Search, Sense};
 use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -17,49 +21,51 @@ use std::collections::BTreeMap;
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct OptimumReport {
-    /// The outcome that is sought; over many swings what of it.
+    /// The objective: an outcome, over swings a sum of measures.
     pub objective: String,
-    /// Which value of it: `maximize` or `minimize`.
+    /// The direction: `maximize` or `minimize`.
     pub sense: &'static str,
-    /// Its value; `null` where nothing flew.
+    /// Its value; `null` if no drive flies.
     pub value: Value,
-    /// Where it is, by parameter.
+    /// The parameters varied, at the optimum.
     pub optimum: Option<Map<String, Value>>,
-    /// Where the search began, by parameter, if no point of it has a value; left out elsewhere.
+    /// The parameters varied, at the start, if no point of the search has a value; left out
+    /// otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start: Option<Map<String, Value>>,
-    /// The outcome's gradient there.
+    /// The gradient of the objective at the optimum.
     pub gradient: Option<Map<String, Value>>,
-    /// The price of each bound, ≥ 0: what a unit beyond it would bring.
+    /// The multiplier of each bound, ≥ 0: what a unit beyond it would bring.
     pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
-    /// The constraints on outcomes.
+    /// The constraints.
     pub constraints: Vec<ConstraintReport>,
     /// The KKT residual, relative.
     pub kkt_residual: Value,
-    /// Iterations taken.
+    /// Iterations of the optimizer.
     pub iterations: u64,
-    /// Drives with derivatives evaluated.
+    /// Evaluations of the functions with derivatives.
     pub evaluations: u64,
-    /// How the quadratic programs of the steps were solved.
+    /// The solver's work on the quadratic programs of the steps.
     pub steps: Effort,
-    /// The local optima of a search from many starts, best first; `null` after a search from one.
+    /// The local optima of a search from several starts, best first; `null` after a search from
+    /// one.
     pub optima: Option<Vec<LocalReport>>,
-    /// The sample of the ranges that the optimum was compared with; `null` where there was none.
+    /// The sample of the ranges that the optimum was compared with; `null` without one.
     pub sample: Option<Sample>,
-    /// Every parameter of the best drive; `null`, as its launch and flight, where nothing flew.
+    /// Every parameter at the optimum; `null`, as launch and flight, if no drive flies.
     pub setup: Option<Map<String, Value>>,
-    /// Its launch.
+    /// The launch of the best drive; `null` over swings.
     pub launch: Option<Map<String, Value>>,
-    /// Its flight.
+    /// Its flight; `null` over swings.
     pub flight: Option<Map<String, Value>>,
-    /// What the law was fitted to, and how much of the best drive's flight is outside.
+    /// The range that the law was fitted to, and the part of the best drive's flight outside of it.
     pub law_range: Option<Map<String, Value>>,
-    /// The setup file that was written; `null` where none was.
+    /// The setup file that was written; `null` without one.
     pub file: Option<String>,
-    /// What was found over many swings; left out where the search is of one drive.
+    /// Results over swings; left out for one drive.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub swings: Option<Value>,
-    /// What holds a design; left out where none is sought.
+    pub swings: Option<StudiesReport>,
+    /// The limits of a design; left out for other searches.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub design: Option<Value>,
 }
@@ -67,32 +73,27 @@ pub struct OptimumReport {
 /// A constraint at an optimum.
 #[derive(Clone, Debug, Serialize)]
 pub struct ConstraintReport {
-    /// As it was given.
+    /// The text of the constraint.
     pub expression: String,
-    /// The outcome's value, SI.
+    /// The value of the limited goal, SI.
     pub value: f64,
-    /// How far it is beyond its limits, SI; 0 where it keeps them.
+    /// The distance of the value from the limits, SI; 0 within them.
     pub violation: f64,
-    /// What the objective would gain per unit that the limit is relaxed, ≥ 0; for an equation, that
+    /// The gain of the objective for each unit that the limit is relaxed, ≥ 0; for an equation, that
     /// it is raised.
     pub multiplier: f64,
 }
 
 impl ConstraintReport {
-    /// The report of a limit of a goal.
-    pub(super) fn of_goal(limit: &GoalLimit, at: &Constrained) -> Self {
-        Self::new(&limit.expression, limit.low == limit.high, at)
-    }
-
-    fn new(expression: &str, is_equation: bool, at: &Constrained) -> Self {
-        // what f falls by, the outcome gains
-        let multiplier = if is_equation {
+    pub(super) fn new(constraint: &Constraint, at: &Constrained) -> Self {
+        // a decrease of the minimized function is a gain of the objective
+        let multiplier = if constraint.is_equation() {
             at.multiplier
         } else {
             at.multiplier.abs()
         };
         Self {
-            expression: expression.into(),
+            expression: constraint.expression.clone(),
             value: at.value,
             violation: at.violation.abs(),
             multiplier,
@@ -100,68 +101,70 @@ impl ConstraintReport {
     }
 }
 
-/// A local optimum of a search from many starts.
+/// A local optimum of a search from several starts.
 #[derive(Clone, Debug, Serialize)]
 pub struct LocalReport {
-    /// How the searches ended here.
+    /// The status of the searches that ended here.
     pub status: &'static str,
-    /// The outcome's value; `null` where nothing flew.
+    /// The objective; `null` if no drive flies.
     pub value: Value,
-    /// Where it is, by parameter.
+    /// The parameters varied.
     pub optimum: Map<String, Value>,
-    /// How many starts ended here.
+    /// The number of starts that led here.
     pub starts: usize,
 }
 
 impl LocalReport {
-    /// The reports of local optima: of searches that came to an end.
-    pub fn all(optima: &Optima) -> Vec<Self> {
-        let one = |(best, starts): &(Optimum, Vec<usize>)| {
-            let names = best.search.vary.iter().map(|vary| vary.parameter.name);
+    /// The ends of the searches that were not interrupted.
+    fn all(optima: &Optima) -> Vec<Self> {
+        let vary = &optima.best.search.vary;
+        let one = |local: &LocalOptimum| {
+            let names = vary.iter().map(|vary| vary.parameter.name);
+            let x = local.solution.x.iter().map(|x| Some(*x));
             Self {
-                status: best.status(),
-                value: json::number(best.value()),
-                optimum: json::named(names.zip(best.solution.x.iter().map(|x| Some(*x)))),
-                starts: starts.len(),
+                status: local.status(),
+                value: json::number(local.value),
+                optimum: json::named(names.zip(x)),
+                starts: local.starts.len(),
             }
         };
         optima.ended().map(one).collect()
     }
 }
 
-/// The prices of a parameter's bounds.
+/// The multipliers of a parameter's bounds.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Multipliers {
-    /// Of the lower bound.
+    /// The multiplier of the lower bound.
     pub lower: f64,
-    /// Of the upper bound.
+    /// The multiplier of the upper bound.
     pub upper: f64,
 }
 
 impl OptimumReport {
-    /// The answer of `optimize`: the status and the message are the search's. The local optima are
-    /// listed where there was more than one start.
-    ///
-    /// # Errors
-    /// As [`Optima::best`].
-    pub fn reply(optima: &Optima, warnings: Vec<Message>) -> Result<Reply<Self>> {
-        let best = optima.best()?;
-        let reply = Reply::done("optimize", warnings, Self::of_many(best, optima));
-        Ok(match optima.interrupted() {
+    /// The answer of `optimize`.
+    pub fn reply(optima: &Optima, over: OverSwings<'_>, warnings: Vec<Message>) -> Reply<Self> {
+        let body = Self {
+            swings: StudiesReport::new(&optima.best, over),
+            ..Self::of_many(optima)
+        };
+        let reply = Reply::done("optimize", warnings, body);
+        let best = &optima.best;
+        match optima.interrupted() {
             None => reply.ended(best.status(), Some(best.message().to_string())),
             interrupted => reply.ended("interrupted", interrupted),
-        })
-    }
-
-    /// The report of the best of some searches.
-    pub(super) fn of_many(best: &Optimum, optima: &Optima) -> Self {
-        Self {
-            optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
-            ..Self::new(best)
         }
     }
 
-    /// The report of a search.
+    /// The report of the best optimum, with all of them if there were several starts.
+    pub(super) fn of_many(optima: &Optima) -> Self {
+        Self {
+            optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
+            ..Self::new(&optima.best)
+        }
+    }
+
+    /// The report of an optimum.
     pub fn new(optimum: &Optimum) -> Self {
         let (solution, vary) = (&optimum.solution, &optimum.search.vary);
         let found = optimum.value().is_some();
@@ -173,8 +176,9 @@ impl OptimumReport {
             let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
             (vary[i].parameter.name, Multipliers { lower, upper })
         };
+        let drive = optimum.drive.as_ref();
         Self {
-            objective: optimum.search.of.name().into(),
+            objective: optimum.search.of.expression.clone(),
             sense: optimum.search.sense.name(),
             value: json::number(optimum.value()),
             optimum: found.then(|| by_name(&solution.x)),
@@ -188,13 +192,10 @@ impl OptimumReport {
             steps: solution.effort,
             optima: None,
             sample: optimum.sample,
-            setup: optimum.drive.as_ref().map(|_| json::setup(&optimum.setup)),
-            launch: optimum.drive.as_ref().map(launch),
-            flight: optimum.drive.as_ref().and_then(flight),
-            law_range: optimum
-                .drive
-                .as_ref()
-                .and_then(|drive| law_range(&optimum.setup, drive)),
+            setup: found.then(|| json::setup(&optimum.setup)),
+            launch: drive.map(launch),
+            flight: drive.and_then(flight),
+            law_range: drive.and_then(|drive| law_range(&optimum.setup, drive)),
             file: None,
             swings: None,
             design: None,
@@ -203,59 +204,114 @@ impl OptimumReport {
 }
 
 pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
-    let constraints = optimum
-        .search
-        .subject_to
-        .iter()
-        .zip(&optimum.solution.constraints);
-    constraints
-        .map(|(of, at)| ConstraintReport::new(&of.expression, of.is_equation(), at))
+    let all = optimum.constraints();
+    all.iter()
+        .map(|(constraint, at)| ConstraintReport::new(constraint, at))
         .collect()
 }
 
-/// An optimum as a short text: where it is, which bounds it lies on and what moving them would
-/// bring, and the drive.
-pub fn optimum_text(optimum: &Optimum, system: System) -> String {
-    let (search, solution) = (&optimum.search, &optimum.solution);
-    let of = search.of;
-    let ending = paragraph(&format!(
-        "{}: {} ({}, {})",
-        optimum.status(),
-        optimum.message().in_units(system),
-        counted(solution.iterations, "iteration"),
-        counted(solution.evaluations, "evaluation")
-    ));
-    let (Some(value), Some(drive)) = (optimum.value(), &optimum.drive) else {
+/// The optimum as text: the parameters varied with the prices of their bounds, the constraints, and
+/// the drive or the goals over the swings; the ends of all searches if there were several starts.
+pub fn optimize_text(optima: &Optima, over: OverSwings<'_>, system: System) -> String {
+    let several = optima.starts > 1;
+    // the text of a single search says itself that it was interrupted
+    let stopped = optima.interrupted().filter(|_| several);
+    let stopped = stopped.map_or(String::new(), |stopped| {
+        format!("interrupted: {stopped}; the best so far:\n")
+    });
+    let listed = if several {
+        optima_text(optima, system)
+    } else {
+        String::new()
+    };
+    stopped + &optimum_text(&optima.best, over, system) + &listed
+}
+
+/// One optimum as text.
+pub fn optimum_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String {
+    let ending = ending_text(optimum, system);
+    let Some(value) = optimum.value() else {
         return ending;
     };
-    let ending = ending + &sample_text(optimum);
+    let place = place_text(optimum, over, system);
+    let limits = constraints_text(optimum, system);
+    match &optimum.drive {
+        Some(drive) => {
+            let sample = sample_text(optimum);
+            let drive = drive_text(optimum, value, drive, system);
+            format!("{ending}{sample}\n{place}{limits}\n{drive}")
+        }
+        None => {
+            let goals = goals_text(optimum, over.price, system);
+            let notes = notes_text(optimum, over, system);
+            format!("{ending}\n{place}\n{goals}{limits}{notes}")
+        }
+    }
+}
 
+/// "converged: KKT residual 2.8e-12 <= 1e-10 (4 iterations, 5 evaluations)".
+fn ending_text(optimum: &Optimum, system: System) -> String {
+    let scenarios = &optimum.search.scenarios;
+    let swings = match scenarios.is_one_drive() {
+        true => String::new(),
+        false => format!(" of {}", counted(scenarios.points.len() as u64, "swing")),
+    };
+    paragraph(&format!(
+        "{}: {} ({}, {}{swings})",
+        optimum.status(),
+        optimum.message().in_units(system),
+        counted(optimum.solution.iterations, "iteration"),
+        counted(optimum.solution.evaluations, "evaluation")
+    ))
+}
+
+/// The parameters varied as a table; over swings beside the best design for the mean swing.
+fn place_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String {
+    let (search, solution) = (&optimum.search, &optimum.solution);
+    let is_one_drive = search.scenarios.is_one_drive();
+    let nominal = nominal_design(over.price);
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
-        vec![
+        let mean_swing = nominal.map_or(shown::NONE.into(), |design| {
+            shown::within(vary, design[i], system)
+        });
+        let mean_swing = (!is_one_drive).then_some(mean_swing);
+        [
             vary.parameter.name.into(),
             shown::within(vary, solution.x[i], system),
+        ]
+        .into_iter()
+        .chain(mean_swing)
+        .chain([
             shown::range(vary, system),
             bound_in_words(optimum, i, system),
-        ]
+        ])
+        .collect::<Vec<String>>()
     });
-    let place = table(
-        &["vary", ended_at(solution.status, "optimum"), "range", ""],
-        &[1],
-        rows,
-    ) + &constraints_text(optimum, system);
+    if is_one_drive {
+        let found = ended_at(solution.status, "optimum");
+        table(&["vary", found, "range", ""], &[1], rows)
+    } else {
+        let found = ended_at(solution.status, "best");
+        let head = ["vary", found, "for the mean swing", "range", ""];
+        table(&head, &[1, 2], rows)
+    }
+}
 
-    let launch = [
+/// The best drive: the objective, carry and run, launch and flight.
+fn drive_text(optimum: &Optimum, value: f64, drive: &Drive<f64>, system: System) -> String {
+    const LAUNCH: [Outcome; 4] = [
         Outcome::BallSpeed,
         Outcome::LaunchAngle,
         Outcome::Backspin,
         Outcome::SmashFactor,
     ];
-    let flight = [
+    const FLIGHT: [Outcome; 4] = [
         Outcome::ApexHeight,
         Outcome::DescentAngle,
         Outcome::FlightTime,
         Outcome::Lateral,
     ];
+    let of = optimum.search.of.outcome();
     let line = |outcomes: [Outcome; 4]| {
         let one = |outcome: Outcome| {
             let value = shown::outcome_or_dash(outcome, outcome.value(drive), system);
@@ -264,37 +320,37 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
         outcomes.map(one).join(", ")
     };
     let row = |name: &str, text: &str| format!("  {name:<8}{text}\n");
-    let carry = Outcome::Carry
-        .value(drive)
-        .map(|carry| row("carry", &shown::both(Outcome::Carry, carry, system)));
-    let objective = (of != Outcome::Carry).then(|| {
-        row(
+    let both = |of: Outcome| {
+        let value = of.value(drive)?;
+        Some(row(of.name(), &shown::both(of, value, system)))
+    };
+    let objective = match of {
+        Some(Outcome::Carry) => String::new(),
+        Some(of) => row(
             &format!("{} ", shown::words(of.name())),
             &shown::both(of, value, system),
-        )
-    });
-    // what is sought of the run is told with the rest of it
+        ),
+        None => row(
+            &format!("{} ", optimum.search.of.expression),
+            &shown::goal(&optimum.search.of, value, system),
+        ),
+    };
+    // an objective about the run is shown with the rest of the run
     let run = [Outcome::Total, Outcome::Run]
         .into_iter()
-        .filter(|other| of.needs_run() && *other != of);
-    let run = run.filter_map(|other| {
-        Some(row(
-            other.name(),
-            &shown::both(other, other.value(drive)?, system),
-        ))
-    });
+        .filter(|other| of.is_some_and(|of| of.needs_run() && *other != of))
+        .filter_map(both);
     format!(
-        "{ending}\n{place}\n{}{}{}{}{}",
-        objective.unwrap_or_default(),
-        carry.unwrap_or_default(),
+        "{objective}{}{}{}{}",
+        both(Outcome::Carry).unwrap_or_default(),
         run.collect::<String>(),
-        row("launch", &line(launch)),
-        row("flight", &line(flight))
+        row("launch", &line(LAUNCH)),
+        row("flight", &line(FLIGHT))
     )
 }
 
-/// How the optimum compares with the sample of the ranges; empty without one, and where the message
-/// says it.
+/// The comparison of the optimum with the sample of the ranges; empty without one, and if the
+/// message contains it.
 fn sample_text(optimum: &Optimum) -> String {
     let is_told = optimum.solution.status == Status::Infeasible;
     let Some(Sample {
@@ -327,186 +383,71 @@ fn sample_text(optimum: &Optimum) -> String {
     paragraph(&format!("{found}{is_better}{met}"))
 }
 
-/// The constraints with their prices, as a table; empty without any.
+/// The constraints with their prices, as a table; empty without any. Over swings their values are in
+/// the table of the goals.
 fn constraints_text(optimum: &Optimum, system: System) -> String {
-    let reports = constraints(optimum);
-    if reports.is_empty() {
-        return String::new();
+    let is_one_drive = optimum.search.scenarios.is_one_drive();
+    let all = optimum.constraints();
+    let rows = all.iter().enumerate().map(|(j, (constraint, at))| {
+        let price = constraint_in_words(optimum, j, system);
+        if is_one_drive {
+            let text = shown::constraint(constraint, system);
+            vec![text, shown::goal(&constraint.goal, at.value, system), price]
+        } else {
+            vec![constraint.expression.clone(), price]
+        }
+    });
+    // over swings a row without a price says nothing
+    let rows: Vec<_> = rows
+        .filter(|row| is_one_drive || !row[1].is_empty())
+        .collect();
+    let table = match rows.is_empty() {
+        true => return String::new(),
+        false if is_one_drive => table(&["subject to", "value", ""], &[1], rows),
+        false => table(&["subject to", ""], &[], rows),
+    };
+    format!("\n{table}")
+}
+
+fn objective(optimum: &Optimum) -> Objective {
+    let goal = &optimum.search.of;
+    Objective {
+        of: (goal.quantity, goal.unit),
+        value: optimum.value().unwrap_or_default(),
+        sense: optimum.search.sense,
+        is_converged: optimum.solution.status == Status::Converged,
     }
-    let rows = optimum
-        .search
-        .subject_to
-        .iter()
-        .zip(reports)
-        .enumerate()
-        .map(|(j, (constraint, report))| {
-            let value = shown::outcome(constraint.outcome, report.value, system);
-            vec![
-                shown::constraint(constraint, system),
-                value,
-                constraint_in_words(optimum, j, system),
-            ]
-        });
-    format!("\n{}", table(&["subject to", "value", ""], &[1], rows))
 }
 
 /// "active: +0.52 yd for each degree that the limit is relaxed".
 pub(super) fn constraint_in_words(optimum: &Optimum, j: usize, system: System) -> String {
-    let (of, constraint) = (optimum.search.of, &optimum.search.subject_to[j]);
-    let sought = Sought {
-        of: (of.quantity(), of.unit()),
-        value: optimum.value().unwrap_or_default(),
-        sense: optimum.search.sense,
-        is_converged: optimum.solution.status == Status::Converged,
-    };
-    let limit = Limit::new(
-        (constraint.outcome.quantity(), constraint.outcome.unit()),
-        [constraint.low, constraint.high],
-        &optimum.solution.constraints[j],
-        optimum.solution.jacobian.get(j).map_or(&[], Vec::as_slice),
-    );
-    sought.limit(limit, system)
-}
-
-/// The setup at the best of some optima as a setup file in TOML, to the last digit.
-///
-/// # Errors
-/// As [`setup_toml`]; as [`Optima::best`].
-pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
-    best_toml(optima.best()?, optima.interrupted(), preset)
-}
-
-/// The same of one optimum, and how its search was interrupted.
-pub(super) fn best_toml(
-    optimum: &Optimum,
-    interrupted: Option<String>,
-    preset: &Preset,
-) -> Result<String> {
-    let search = &optimum.search;
-    let of = search.of;
-    let value = optimum.value().map_or("–".into(), |value| {
-        shown::both(of, value, System::default())
-    });
-    let mut about = vec![format!(
-        "{}, {} {}: {value}",
-        preset.name,
-        search.sense.adjective(),
-        of.name()
-    )];
-    about.extend(
-        search
-            .subject_to
-            .iter()
-            .map(|constraint| format!("subject to {}", constraint.expression)),
-    );
-    about.extend(
-        interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
-    );
-    about.push(format!("{}: {}", optimum.status(), optimum.message()));
-    let remarks = search
-        .vary
-        .iter()
-        .zip(&optimum.solution.x)
-        .map(|(vary, x)| {
-            let show = |value: f64| vary.parameter.show(Some(value));
-            let best = shown::as_declared(vary.parameter, *x);
-            (
-                vary.parameter,
-                format!(
-                    "optimum: {best} in {} .. {}",
-                    show(vary.low),
-                    show(vary.high)
-                ),
-            )
-        });
-    setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
-}
-
-/// The ends of the searches as a table, best first, and how many searches were stopped before
-/// theirs.
-pub fn optima_text(optima: &Optima, system: System) -> String {
-    let Some((first, _)) = optima.locals.first() else {
+    let all = optimum.constraints();
+    let Some((constraint, at)) = all.get(j) else {
         return String::new();
     };
-    let search = &first.search;
-    let rows = optima.ended().map(|(best, starts)| {
-        let value = shown::outcome_or_dash(search.of, best.value(), system);
-        (value, &best.solution.x[..], starts.len(), best.status())
-    });
-    ends_text(
-        (search.of.name(), &search.vary),
-        rows,
-        (optima.starts, optima.stopped()),
-        system,
-    )
-}
-
-/// The ends of searches for what is named, each with its value, place, number of starts and status,
-/// as a table, and how many of all searches were stopped before theirs.
-pub(super) fn ends_text<'a>(
-    (of, vary): (&str, &[Vary]),
-    ends: impl Iterator<Item = (String, &'a [f64], usize, &'static str)>,
-    (all, stopped): (usize, usize),
-    system: System,
-) -> String {
-    let names = vary.iter().map(|vary| vary.parameter.name);
-    let head: Vec<&str> = [of]
-        .into_iter()
-        .chain(names)
-        .chain(["starts", ""])
-        .collect();
-    let rows = ends.map(|(value, x, starts, status)| {
-        let x = vary
-            .iter()
-            .zip(x)
-            .map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
-        std::iter::once(value)
-            .chain(x)
-            .chain([format!("{starts} of {all}"), status.into()])
-            .collect()
-    });
-    let right: Vec<usize> = (0..head.len() - 1).collect();
-    let rows: Vec<Vec<String>> = rows.collect();
-    let listed = if rows.is_empty() {
-        String::new()
-    } else {
-        format!("\n{}", table(&head, &right, rows))
-    };
-    let stopped = match stopped {
-        0 => String::new(),
-        stopped => format!(
-            "\nnot listed: {} stopped before the end\n",
-            counted_of(stopped as u64, all as u64, ["search", "searches"])
-        ),
-    };
-    listed + &stopped
+    let slopes = optimum.solution.jacobian.get(j);
+    let limit = Limit::new(constraint, at, slopes.map_or(&[], Vec::as_slice));
+    objective(optimum).limit(limit, system)
 }
 
 /// "at its upper bound: +2.11 yd for each degree that it is raised".
 pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
-    let (vary, of) = (optimum.search.vary[i], optimum.search.of);
-    let (lower, upper) = (
-        optimum.solution.lower_multipliers[i],
-        optimum.solution.upper_multipliers[i],
-    );
+    let vary = optimum.search.vary[i];
+    let goal = &optimum.search.of;
+    let lower = optimum.solution.lower_multipliers[i];
+    let upper = optimum.solution.upper_multipliers[i];
     let value = optimum.value().unwrap_or_default();
     let gain = if optimum.search.sense == Sense::Maximize {
         1.0
     } else {
         -1.0
     };
+    let of = (goal.quantity, goal.unit);
+    let by = vary.parameter;
     let price = |amount: f64| {
-        let by = vary.parameter;
-        let amount = shown::settled(gain * amount, value, (of.quantity(), of.unit()), &[by]);
-        signed(
-            amount,
-            shown::price(
-                (of.quantity(), of.unit()),
-                amount,
-                (by.quantity, by.unit),
-                system,
-            ),
-        )
+        let amount = shown::settled(gain * amount, value, of, &[by]);
+        let text = shown::price(of, amount, (by.quantity, by.unit), system);
+        signed(amount, text)
     };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
@@ -531,9 +472,114 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
     }
 }
 
-/// One iteration as a line of progress.
+/// The ends of the searches as a table, best first, and the number of interrupted ones.
+pub fn optima_text(optima: &Optima, system: System) -> String {
+    let search = &optima.best.search;
+    let all = optima.starts;
+    let names = search.vary.iter().map(|vary| vary.parameter.name);
+    let head: Vec<&str> = [search.of.expression.as_str()]
+        .into_iter()
+        .chain(names)
+        .chain(["starts", ""])
+        .collect();
+    let rows: Vec<Vec<String>> = optima
+        .ended()
+        .map(|local| {
+            let value = local.value.map_or(shown::NONE.into(), |value| {
+                shown::goal(&search.of, value, system)
+            });
+            let x = search.vary.iter().zip(&local.solution.x);
+            let x = x.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
+            let starts = format!("{} of {all}", local.starts.len());
+            std::iter::once(value)
+                .chain(x)
+                .chain([starts, local.status().into()])
+                .collect()
+        })
+        .collect();
+    let right: Vec<usize> = (0..head.len() - 1).collect();
+    let listed = if rows.is_empty() {
+        String::new()
+    } else {
+        format!("\n{}", table(&head, &right, rows))
+    };
+    let stopped = match optima.stopped() {
+        0 => String::new(),
+        stopped => format!(
+            "\nnot listed: {} stopped before the end\n",
+            counted_of(stopped as u64, all as u64, ["search", "searches"])
+        ),
+    };
+    listed + &stopped
+}
+
+/// The setup at the best optimum as a setup file in TOML, to the last digit.
+///
+/// # Errors
+/// As [`setup_toml`].
+pub fn optimum_toml(optima: &Optima, swings: Option<&Swings>, preset: &Preset) -> Result<String> {
+    best_toml(&optima.best, swings, optima.interrupted(), preset)
+}
+
+/// The setup at an optimum, with a note on interrupted searches.
+pub(super) fn best_toml(
+    optimum: &Optimum,
+    swings: Option<&Swings>,
+    interrupted: Option<String>,
+    preset: &Preset,
+) -> Result<String> {
+    let search = &optimum.search;
+    let value = optimum
+        .value()
+        .map_or(shown::NONE.into(), |value| match search.of.outcome() {
+            Some(of) => shown::both(of, value, System::default()),
+            None => shown::goal(&search.of, value, System::default()),
+        });
+    let over = match search.scenarios.is_one_drive() {
+        true => String::new(),
+        false => {
+            let count = search.scenarios.points.len() as u64;
+            format!(" over {}", counted(count, "swing"))
+        }
+    };
+    let mut about = vec![format!(
+        "{}, {} {}{over}: {value}",
+        preset.name,
+        search.sense.adjective(),
+        search.of.expression
+    )];
+    match swings {
+        None => {}
+        Some(Swings::Recorded { .. }) => about.push("over recorded swings".into()),
+        Some(Swings::Distributed { inputs, .. }) => about.extend(inputs.iter().map(|input| {
+            let distribution = distribution_text(input, System::default());
+            format!("over swings: {} {distribution}", input.parameter.name)
+        })),
+    }
+    let limits = search.subject_to.iter();
+    about.extend(limits.map(|constraint| format!("subject to {}", constraint.expression)));
+    about.extend(
+        interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
+    );
+    about.push(format!("{}: {}", optimum.status(), optimum.message()));
+    let remarks = search
+        .vary
+        .iter()
+        .zip(&optimum.solution.x)
+        .map(|(vary, x)| {
+            let show = |value: f64| vary.parameter.show(Some(value));
+            let best = shown::as_declared(vary.parameter, *x);
+            let (low, high) = (show(vary.low), show(vary.high));
+            (
+                vary.parameter,
+                format!("optimum: {best} in {low} .. {high}"),
+            )
+        });
+    setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
+}
+
+/// An iteration as a line of progress.
 pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) -> String {
-    let of = search.of;
     let number = |quantity: Quantity, unit: &'static str, value: f64| {
         let unit = system.unit(unit);
         with_unit(
@@ -542,27 +588,22 @@ pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) ->
         )
     };
     let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {
-        format!(
-            "{} {}",
-            vary.parameter.name,
-            number(vary.parameter.quantity, vary.parameter.unit, *x)
-        )
+        let parameter = vary.parameter;
+        let value = number(parameter.quantity, parameter.unit, *x);
+        format!("{} {value}", parameter.name)
     });
+    let of = &search.of;
+    let violation = if search.subject_to.is_empty() {
+        String::new()
+    } else {
+        format!("  violation {:.1e}", iteration.violation)
+    };
     format!(
-        "{:>3}  {} {}  KKT {:.1e}{}  trust region {:.1e}{}  {}",
+        "{:>3}  {} {}  KKT {:.1e}{violation}  trust region {:.1e}{}  {}",
         iteration.number,
-        of.name(),
-        number(
-            of.quantity(),
-            of.unit(),
-            search.sense.sign() * iteration.value
-        ),
+        of.expression,
+        number(of.quantity, of.unit, search.sense.sign() * iteration.value),
         iteration.kkt_residual,
-        if search.subject_to.is_empty() {
-            String::new()
-        } else {
-            format!("  violation {:.1e}", iteration.violation)
-        },
         iteration.radius,
         if iteration.kept { "" } else { "  step refused" },
         x.collect::<Vec<_>>().join(", ")

@@ -1,5 +1,5 @@
 use super::lines::paragraph;
-use super::swings::{scenarios, value_text};
+use super::swings::ScenariosReport;
 use super::table::table;
 use super::{Reply, json, shown};
 use crate::error::{Error, Result};
@@ -9,7 +9,7 @@ use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::{Message, System, counted, per, significant};
 use serde_json::{Value, json};
 
-/// What a point of a front is, beside being one: an end, or the knee.
+/// The role of a point of a front: an end, or the knee.
 pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
     let [first, second] = found.search.goals.each_ref().map(|(goal, sense)| {
         let (adjective, goal) = (sense.adjective(), &goal.expression);
@@ -19,7 +19,7 @@ pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
         _ if found.knee == Some(place) => Some("knee".into()),
         _ if found.points.len() == 1 => Some(format!("{first}, {second}")),
         0 => Some(first),
-        // where the front was stopped, its last point is not the end
+        // the last point of an interrupted front is not its end
         _ if place + 1 == found.points.len() && !found.interrupted => Some(second),
         _ => None,
     }
@@ -49,8 +49,7 @@ pub fn pareto_reply(found: &Pareto, warnings: Vec<Message>, file: Option<String>
             "event": point.event,
         })
     };
-    let swings =
-        (!found.scenarios.is_one_drive()).then(|| Value::Object(scenarios(&found.scenarios)));
+    let swings = (!found.scenarios.is_one_drive()).then(|| ScenariosReport::new(&found.scenarios));
     let body = json!({
         "goals": goals.collect::<Vec<_>>(),
         "points": found.points.iter().enumerate().map(point).collect::<Vec<_>>(),
@@ -65,7 +64,7 @@ pub fn pareto_reply(found: &Pareto, warnings: Vec<Message>, file: Option<String>
     Reply::done("pareto", warnings, body).ended(found.status(), message)
 }
 
-/// The front as a table, with its knee and what it means.
+/// The front as a table, with notes on its knee and slope.
 pub fn pareto_text(found: &Pareto, system: System) -> String {
     let search = &found.search;
     let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);
@@ -80,8 +79,8 @@ pub fn pareto_text(found: &Pareto, system: System) -> String {
         words.extend(point.active.iter().map(Active::to_string));
         words.extend(point.event.as_ref().map(|event| format!("<- {event}")));
         let values = [
-            value_text(first, point.goals[0], system),
-            value_text(second, point.goals[1], system),
+            shown::goal(first, point.goals[0], system),
+            shown::goal(second, point.goals[1], system),
         ];
         let design = search.vary.iter().zip(&point.design);
         let design = design.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
@@ -140,9 +139,9 @@ pub fn pareto_text(found: &Pareto, system: System) -> String {
         notes.push(format!(
             "as set up: {} {}, {} {}",
             first.expression,
-            value_text(first, own, system),
+            shown::goal(first, own, system),
             second.expression,
-            value_text(second, against, system)
+            shown::goal(second, against, system)
         ));
     }
     if found.dominated > 0 {
@@ -223,7 +222,7 @@ pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<Stri
         .goals
         .each_ref()
         .map(|(goal, sense)| format!("{} {}", sense.adjective(), goal.expression));
-    let of = |k: usize| value_text(&search.goals[k].0, point.goals[k], System::default());
+    let of = |k: usize| shown::goal(&search.goals[k].0, point.goals[k], System::default());
     let what = role(found, place).map_or(String::new(), |role| format!(", {role}"));
     let mut about = vec![
         format!(

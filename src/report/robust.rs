@@ -1,22 +1,22 @@
-use super::limits::{self, Limit, Sought, ended_at};
+use super::limits::{self, Limit, Objective, ended_at};
 use super::lines::{item, paragraph};
 use super::optimum::{ConstraintReport, Multipliers};
-use super::swings::{difference_text, scenarios, value_text};
+use super::swings::ScenariosReport;
 use super::table::table;
 use super::{Reply, json, shown};
 use crate::error::Result;
 use crate::optimize::{Constrained, Status};
 use crate::parameters::Preset;
-use crate::study::Sense;
-use crate::study::swings::{Model, Robust, SwingsOptimum};
+use crate::study::swings::{Model, Robust};
+use crate::study::{Optimum, Sense};
 use crate::units::{Message, System, counted};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
-/// Models whose loss has a smaller multiplier than this do not decide a design.
+/// Least multiplier of the loss of a model that decides the design.
 const IDLE: f64 = 1e-6;
 
-/// The answer of `robust`; `within` is the loss that is allowed, SI.
+/// The answer of `robust`; `within` is the allowed loss, SI.
 pub fn robust_reply(
     found: &Robust,
     within: Option<f64>,
@@ -32,7 +32,7 @@ pub fn robust_reply(
             .map(|value| json::number(*value))
             .collect::<Vec<_>>()
     };
-    let model = |(k, (model, best)): (usize, &(Model, SwingsOptimum))| {
+    let model = |(k, (model, best)): (usize, &(Model, Optimum))| {
         json!({
             "model": model.name,
             "reason": Some(model.reason).filter(|reason| !reason.is_empty()),
@@ -52,7 +52,7 @@ pub fn robust_reply(
     let swings = found
         .models
         .first()
-        .filter(|(_, best)| !best.scenarios.is_one_drive());
+        .filter(|(_, best)| !best.search.scenarios.is_one_drive());
     let body = json!({
         "objective": search.of.expression,
         "sense": search.sense.name(),
@@ -62,7 +62,7 @@ pub fn robust_reply(
         "within": json::number(within),
         "holds_for_all": within.map(|within| found.greatest() <= within),
         "models": found.models.iter().enumerate().map(model).collect::<Vec<_>>(),
-        "swings": swings.map(|(_, best)| Value::Object(scenarios(&best.scenarios))),
+        "swings": swings.map(|(_, best)| ScenariosReport::new(&best.search.scenarios)),
         "setup": json::setup(&found.setup),
         "file": file,
     });
@@ -72,23 +72,23 @@ pub fn robust_reply(
     )
 }
 
-/// The limits of a model with the robust design, with what the greatest loss falls by.
+/// The constraints of a model with the robust design; multipliers are of the greatest loss.
 fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
     let of_model = found.limits().filter(|(k, ..)| *k == model);
     let report = |(_, j, at, _): (usize, usize, Constrained, &[f64])| {
         let multiplier = found.limit_price(model, j, &at);
         ConstraintReport {
             multiplier,
-            ..ConstraintReport::of_goal(&found.search.subject_to[j], &at)
+            ..ConstraintReport::new(&found.search.subject_to[j], &at)
         }
     };
     of_model.map(report).collect()
 }
 
-/// Whether one design is good enough for all models.
+/// The verdict: one design is within the allowed loss for all models, or none.
 fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
-    let show = |value: f64| difference_text(goal, value, system);
+    let show = |value: f64| shown::goal_difference(goal, value, system);
     let least = format!(
         "the design loses at most {} of {} with any of the models, and none was found that loses \
          less",
@@ -114,12 +114,12 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
         }
 }
 
-/// The design, what each model loses with it, and what each loses at the best designs of the
-/// others.
+/// The robust design as text, with the loss of each model with it and with the best designs of the
+/// other models.
 pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> String {
     let search = &found.search;
     let goal = &search.of;
-    let show = |value: f64| difference_text(goal, value, system);
+    let show = |value: f64| shown::goal_difference(goal, value, system);
     let solution = &found.solution;
     let ending = paragraph(&format!(
         "{}: {} ({}, {} of {})",
@@ -167,7 +167,7 @@ pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> Strin
     let models = found.models.iter().enumerate().map(|(k, (model, best))| {
         let value = best
             .value()
-            .map_or(shown::NONE.into(), |value| value_text(goal, value, system));
+            .map_or(shown::NONE.into(), |value| shown::goal(goal, value, system));
         let holds = if found.shares[k] > IDLE {
             "; its loss decides the robust design"
         } else {
@@ -198,12 +198,12 @@ pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> Strin
     )
 }
 
-/// The robust design with the prices of its bounds and limits, of the greatest loss.
+/// The robust design with the prices of its bounds and constraints, of the greatest loss.
 fn held_text(found: &Robust, system: System) -> String {
     let (search, solution) = (&found.search, &found.solution);
     let goal = &search.of;
     let is_converged = solution.status == Status::Converged;
-    let sought = Sought {
+    let objective = Objective {
         of: (goal.quantity, goal.unit),
         value: solution.value.unwrap_or_default(),
         sense: Sense::Minimize,
@@ -217,10 +217,10 @@ fn held_text(found: &Robust, system: System) -> String {
             () if !is_converged => String::new(),
             () => {
                 let prices = found.bound_prices(i);
-                let [lower, upper] =
-                    prices.map(|price| of_the_bests(multipliers, sought.price(price, by, system)));
+                let [lower, upper] = prices
+                    .map(|price| of_the_bests(multipliers, objective.price(price, by, system)));
                 limits::bound(multipliers, prices, |amount| {
-                    sought.price(amount, by, system)
+                    objective.price(amount, by, system)
                 }) + &lower.map_or(String::new(), |price| {
                     format!("; {price} that its lower bound is lowered")
                 }) + &upper.map_or(String::new(), |price| {
@@ -252,10 +252,10 @@ fn held_text(found: &Robust, system: System) -> String {
         let gain = found.limit_price(k, j, &at);
         let of = Limit {
             gain,
-            ..Limit::new(by, [limit.low, limit.high], &at, slopes)
+            ..Limit::new(limit, &at, slopes)
         };
-        let value = value_text(&limit.goal, at.value, system);
-        let bests = of_the_bests([at.multiplier; 2], sought.price(gain, by, system))
+        let value = shown::goal(&limit.goal, at.value, system);
+        let bests = of_the_bests([at.multiplier; 2], objective.price(gain, by, system))
             .filter(|_| is_converged);
         let bests = bests.map_or(String::new(), |price| {
             format!("; {price} that the limit is relaxed")
@@ -264,7 +264,7 @@ fn held_text(found: &Robust, system: System) -> String {
             limit.expression.clone(),
             (k + 1).to_string(),
             value,
-            sought.limit(of, system) + &bests,
+            objective.limit(of, system) + &bests,
         ]
     });
     let rows: Vec<_> = rows.collect();
@@ -286,7 +286,7 @@ fn held_text(found: &Robust, system: System) -> String {
     text
 }
 
-/// The price of what does not hold the design, where the best designs of the models gain by it.
+/// The price of an inactive bound or constraint that is active at a single model's optimum.
 fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
     Some(price).filter(|price| multipliers == [0.0; 2] && !price.starts_with("0 "))
 }

@@ -1,6 +1,7 @@
 use super::lines::{by_reason, item};
 use super::optimum::OptimumReport;
 use super::reply::{Reply, share};
+use super::swings::OverSwings;
 use super::table::table;
 use super::{json, shown};
 use crate::error::{Error, Result};
@@ -63,7 +64,7 @@ impl SensitivityReport {
             .filter(|(_, sensitivity)| sensitivity.is_ok())
             .count();
         let body = Self {
-            optimum: OptimumReport::of_many(analysis.best, optima),
+            optimum: OptimumReport::of_many(optima),
             analysis: AnalysisReport::new(analysis),
         };
         let reply = Reply::done("optimum-sensitivity", warnings, body);
@@ -80,22 +81,15 @@ impl SensitivityReport {
         }
     }
 
-    /// The answer where the search found no optimum, or one about which nothing can be told: `why`.
-    ///
-    /// # Errors
-    /// As [`Optima::best`].
-    pub fn none(
-        optima: &Optima,
-        why: Option<&Error>,
-        warnings: Vec<Message>,
-    ) -> Result<Reply<Self>> {
+    /// The answer without an optimum, or without its sensitivity: `why`.
+    pub fn none(optima: &Optima, why: Option<&Error>, warnings: Vec<Message>) -> Reply<Self> {
         let Reply {
             status,
             message,
             body,
             warnings,
             ..
-        } = OptimumReport::reply(optima, warnings)?;
+        } = OptimumReport::reply(optima, OverSwings::default(), warnings);
         let reply = Reply::done(
             "optimum-sensitivity",
             warnings,
@@ -104,10 +98,10 @@ impl SensitivityReport {
                 analysis: AnalysisReport::default(),
             },
         );
-        Ok(match why {
+        match why {
             Some(why) => reply.ended(why.status(), Some(why.to_string())),
             None => reply.ended(status, message),
-        })
+        }
     }
 }
 
@@ -210,7 +204,7 @@ fn sensitivities_text(
     sensitivities: &[(&'static Parameter, Result<Sensitivity>)],
     system: System,
 ) -> String {
-    let of = best.search.of;
+    let of = best.search.outcome();
     let free: Vec<&Vary> = best
         .search
         .vary
@@ -286,7 +280,7 @@ fn sensitivities_text(
 }
 
 fn windows_text(best: &Optimum, flatness: &Flatness, system: System) -> String {
-    let loss = shown::spread(best.search.of, flatness.loss, system);
+    let loss = shown::spread(best.search.outcome(), flatness.loss, system);
     let rows = best
         .search
         .vary
@@ -353,7 +347,7 @@ fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
         let [first, second] = [0, 1].map(|row| step(pair[row], components[row], system));
         format!("({first}, {second})")
     };
-    let of = best.search.of;
+    let of = best.search.outcome();
     let flown = ellipse
         .losses
         .map_or("part of it lies out of range".into(), |(least, most)| {
@@ -386,7 +380,7 @@ fn direction_text(best: &Optimum, direction: &Direction, loss: &str, system: Sys
             )
         })
         .collect();
-    let of = best.search.of;
+    let of = best.search.outcome();
     let flown: Vec<_> = direction
         .losses
         .iter()
@@ -405,7 +399,7 @@ fn direction_text(best: &Optimum, direction: &Direction, loss: &str, system: Sys
 }
 
 fn change_text(best: &Optimum, changed: &Changed, system: System) -> String {
-    let (of, parameter) = (best.search.of, changed.change.parameter);
+    let (of, parameter) = (best.search.outcome(), changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
         let value = value.map_or(shown::NONE.into(), |value| shown::finely(of, value, system));
         let x = best

@@ -3,7 +3,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
-use crate::study::{Active, Constraint, Search};
+use crate::study::{Active, Constraint, Goal, Search};
 use crate::units::{
     Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit,
 };
@@ -75,6 +75,15 @@ pub fn outcome(of: Outcome, value: f64, system: System) -> String {
     }
 }
 
+/// The value of a goal: as an outcome, if it is one.
+pub fn goal(goal: &Goal, value: f64, system: System) -> String {
+    match (goal.outcome(), goal.unit) {
+        (Some(of), _) => outcome(of, value, system),
+        (None, "") => significant(value, 4),
+        (None, unit) => goal.quantity.read_off(value, system.unit(unit)),
+    }
+}
+
 /// A value that is positive to the right: "3.2 yd R", "3.2 yd L", and "0.0 yd" without a side.
 pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     let size = quantity.read_off(value.abs(), unit);
@@ -124,6 +133,14 @@ pub(super) fn both(of: Outcome, value: f64, system: System) -> String {
 pub(super) fn spread(of: Outcome, value: f64, system: System) -> String {
     of.quantity()
         .read_off_difference(value, system.unit(of.unit()))
+}
+
+/// A difference of a goal.
+pub(super) fn goal_difference(goal: &Goal, value: f64, system: System) -> String {
+    match goal.unit {
+        "" => significant(value, 2),
+        unit => goal.quantity.read_off_difference(value, system.unit(unit)),
+    }
 }
 
 /// A change of an outcome, with its sign.
@@ -246,13 +263,10 @@ pub(super) fn given(
 /// height ≤ 35 yd".
 pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
     let Constraint {
-        outcome: of,
-        low,
-        high,
-        ..
+        goal, low, high, ..
     } = constraint;
-    let name = words(of.name());
-    let [least, most] = stated_apart((of.quantity(), of.unit()), [*low, *high], system);
+    let name = words(&goal.expression);
+    let [least, most] = stated_apart((goal.quantity, goal.unit), [*low, *high], system);
     match [low, high].map(|end| end.is_finite()) {
         _ if constraint.is_equation() => format!("{name} = {least}"),
         [true, true] => format!("{least} ≤ {name} ≤ {most}"),

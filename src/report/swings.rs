@@ -1,340 +1,311 @@
-use super::limits::{self, Limit, Sought, ended_at};
-use super::lines::paragraph;
-use super::optimum::{ConstraintReport, LocalReport, Multipliers, ends_text};
-use super::table::table;
-use super::uncertainty::distribution_text;
-use super::{OptimumReport, Reply, json, shown};
-use crate::error::Result;
-use crate::optimize::{Local, Status};
-use crate::parameters::Preset;
-use crate::study::swings::{
-    Doubt, Goal, Price, Resampled, Rule, Scenarios, Swings, SwingsOptimum, status_of,
-};
-use crate::study::uncertainty::Interval;
-use crate::units::{Message, System, counted, significant};
-use serde_json::{Map, Value, json};
+//! Results over swings beside the optimum: the goals of other designs, and how well the answer is
+//! known.
 
-/// The answer of `optimize` over many swings: of one drive there is no launch and no flight.
-pub fn swings_reply(
-    best: &SwingsOptimum,
-    price: Option<&Price>,
-    resampled: Option<&Resampled>,
-    warnings: Vec<Message>,
-) -> Reply<OptimumReport> {
-    let (search, solution) = (&best.search, &best.solution);
-    let found = best.value().is_some();
-    let names = || search.vary.iter().map(|vary| vary.parameter.name);
-    let by_name =
-        |values: &[f64]| json::named(names().zip(values.iter().map(|value| Some(*value))));
-    let multipliers = |i: usize| {
-        let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
-        (search.vary[i].parameter.name, Multipliers { lower, upper })
-    };
-    let goals = |values: &[f64]| {
-        let expressions =
-            std::iter::once(&search.of).chain(search.subject_to.iter().map(|limit| &limit.goal));
-        json::named(
-            expressions
-                .map(|goal| goal.expression.as_str())
-                .zip(values.iter().map(|value| Some(*value))),
-        )
-    };
-    let interval = |i: &Interval| json!({ "value": json::number(Some(i.value)), "low": json::number(Some(i.low)), "high": json::number(Some(i.high)) });
-    let mut swings = scenarios(&best.scenarios);
-    swings.extend(named(json!({
-        "as_set_up": best.as_set_up.as_deref().map(goals),
-        "nominal": price.and_then(|price| price.nominal.as_ref().ok()).map(|nominal| json!({
-            "optimum": by_name(&nominal.design),
-            "promised": goals(&nominal.promised),
-            "kept": nominal.kept.as_deref().map(goals),
-        })),
-        "unknown": unknown(price),
-        "quadrature_error": price.and_then(|price| match price.doubt() { Some(Doubt::Quadrature(error)) => Some(error), _ => None }),
-        "sampling": price.and_then(|price| match price.doubt() {
-            Some(Doubt::Sampling(found, sequences)) => Some(json!({ "interval": interval(found), "sequences": sequences })),
-            _ => None,
-        }),
-        "beyond_strokes": best.beyond_strokes,
-        "resampled": resampled.map(|found| json!({
-            "optimum": Value::Object(names().zip(&found.design).map(|(name, design)| (name.to_owned(), interval(design))).collect()),
-            "value": interval(&found.goal),
-            "rounds": found.rounds,
-            "better_than_set_up": found.apart.map(|apart| interval(&apart.better)),
-            "swings_to_tell": found.apart.and_then(|apart| apart.swings),
-        })),
-    })));
-    let constraints = best.limits();
-    let body = OptimumReport {
-        objective: search.of.expression.clone(),
-        sense: search.sense.name(),
-        value: json::number(best.value()),
-        optimum: found.then(|| by_name(&solution.x)),
-        start: (!found).then(|| by_name(&solution.x)),
-        gradient: found.then(|| by_name(&best.gradient())),
-        multipliers: found.then(|| (0..search.vary.len()).map(multipliers).collect()),
-        constraints: constraints
-            .map(|(limit, at)| ConstraintReport::of_goal(limit, &at))
-            .collect(),
-        kkt_residual: json::number(found.then_some(solution.kkt_residual)),
-        iterations: solution.iterations,
-        evaluations: solution.evaluations,
-        steps: solution.effort,
-        optima: (best.starts() > 1).then(|| locals(best)),
-        sample: None,
-        setup: found.then(|| json::setup(&best.setup)),
-        launch: None,
-        flight: None,
-        law_range: None,
-        file: None,
-        swings: Some(Value::Object(swings)),
-        design: None,
-    };
-    let reply = Reply::done("optimize", warnings, body);
-    match best.interrupted().filter(|_| best.starts() > 1) {
-        None => reply.ended(best.status(), Some(best.message())),
-        interrupted => reply.ended("interrupted", interrupted),
+use super::limits::ended_at;
+use super::lines::paragraph;
+use super::table::table;
+use super::{json, shown};
+use crate::optimize::Status;
+use crate::study::Optimum;
+use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, Scenarios, Swings};
+use crate::study::uncertainty::Interval;
+use crate::units::{System, counted};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+/// Results about swings beside the optimum; none for one drive.
+#[derive(Clone, Copy, Default)]
+pub struct OverSwings<'a> {
+    /// The golfer's swings.
+    pub swings: Option<&'a Swings>,
+    /// The loss of a design that ignores that swings vary.
+    pub price: Option<&'a Price>,
+    /// The optima of resamples of recorded swings.
+    pub resampled: Option<&'a Resampled>,
+}
+
+/// The swings of a search as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct ScenariosReport {
+    /// The parameters that vary from swing to swing.
+    pub parameters: Vec<&'static str>,
+    /// The number of swings.
+    pub scenarios: usize,
+    /// The rule: `quadrature`, `sequence` or `recorded`.
+    pub rule: &'static str,
+    /// The seed of the sequence.
+    pub seed: Option<u32>,
+}
+
+impl ScenariosReport {
+    pub(super) fn new(of: &Scenarios) -> Self {
+        let (rule, seed) = match of.rule {
+            Rule::Quadrature(_) => ("quadrature", None),
+            Rule::Sequence { seed, .. } => ("sequence", Some(seed)),
+            Rule::Recorded => ("recorded", None),
+        };
+        let parameters = of.parameters.iter().map(|parameter| parameter.name);
+        Self {
+            parameters: parameters.collect(),
+            scenarios: of.points.len(),
+            rule,
+            seed,
+        }
     }
 }
 
-/// The local optima of a search from several starts.
-fn locals(best: &SwingsOptimum) -> Vec<LocalReport> {
-    let names = || best.search.vary.iter().map(|vary| vary.parameter.name);
-    let local = |(local, value): (&Local, Option<f64>)| LocalReport {
-        status: status_of(&local.solution),
-        value: json::number(value),
-        optimum: json::named(names().zip(local.solution.x.iter().map(|x| Some(*x)))),
-        starts: local.starts.len(),
-    };
-    best.ended().map(local).collect()
+/// Results over swings beside the optimum, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct StudiesReport {
+    /// The swings.
+    #[serde(flatten)]
+    pub scenarios: ScenariosReport,
+    /// The goals with the design as set up; `null` if a swing does not fly.
+    pub as_set_up: Option<Map<String, Value>>,
+    /// The best design for the mean swing; `null` without one.
+    pub nominal: Option<NominalReport>,
+    /// Sentences about results that could not be computed.
+    pub unknown: Vec<String>,
+    /// The error of the quadrature of the objective, SI.
+    pub quadrature_error: Option<f64>,
+    /// The interval of the objective over other swings of the golfer.
+    pub sampling: Option<SamplingReport>,
+    /// The share of the swings whose ball ends where the table of strokes is extrapolated.
+    pub beyond_strokes: Option<f64>,
+    /// The optima of resamples of recorded swings.
+    pub resampled: Option<ResampledReport>,
 }
 
-/// What could not be found beside the best design, in sentences.
+/// The best design for the mean swing.
+#[derive(Clone, Debug, Serialize)]
+pub struct NominalReport {
+    /// The parameters varied.
+    pub optimum: Map<String, Value>,
+    /// The goals with the mean swing.
+    pub promised: Map<String, Value>,
+    /// The goals over all swings; `null` if one does not fly.
+    pub kept: Option<Map<String, Value>>,
+}
+
+/// An interval of the objective by independent sequences of swings.
+#[derive(Clone, Debug, Serialize)]
+pub struct SamplingReport {
+    /// The 99 % interval.
+    pub interval: IntervalReport,
+    /// The number of sequences.
+    pub sequences: usize,
+}
+
+/// The optima of resamples of recorded swings.
+#[derive(Clone, Debug, Serialize)]
+pub struct ResampledReport {
+    /// The 95 % interval of each parameter varied.
+    pub optimum: Map<String, Value>,
+    /// The 95 % interval of the objective.
+    pub value: IntervalReport,
+    /// The number of resamples that came to an optimum.
+    pub rounds: usize,
+    /// The 95 % interval of the gain over the design as set up.
+    pub better_than_set_up: Option<IntervalReport>,
+    /// The number of swings that would tell the two designs apart.
+    pub swings_to_tell: Option<u64>,
+}
+
+/// A value with an interval, SI.
+#[derive(Clone, Debug, Serialize)]
+pub struct IntervalReport {
+    /// The value.
+    pub value: Value,
+    /// The lower end.
+    pub low: Value,
+    /// The upper end.
+    pub high: Value,
+}
+
+impl From<&Interval> for IntervalReport {
+    fn from(of: &Interval) -> Self {
+        Self {
+            value: json::number(Some(of.value)),
+            low: json::number(Some(of.low)),
+            high: json::number(Some(of.high)),
+        }
+    }
+}
+
+impl StudiesReport {
+    /// The report of an optimum; `None` for one drive.
+    pub(super) fn new(best: &Optimum, over: OverSwings<'_>) -> Option<Self> {
+        let search = &best.search;
+        if search.scenarios.is_one_drive() {
+            return None;
+        }
+        let by_name = |values: &[f64]| {
+            let names = search.vary.iter().map(|vary| vary.parameter.name);
+            json::named(names.zip(values.iter().map(|value| Some(*value))))
+        };
+        let goals = |values: &[f64]| {
+            let names = search.goals().map(|goal| goal.expression.as_str());
+            json::named(names.zip(values.iter().map(|value| Some(*value))))
+        };
+        let error = over.price.and_then(Price::error);
+        Some(Self {
+            scenarios: ScenariosReport::new(&search.scenarios),
+            as_set_up: best.as_set_up.as_deref().map(goals),
+            nominal: nominal(over.price).map(|nominal| NominalReport {
+                optimum: by_name(&nominal.design),
+                promised: goals(&nominal.promised),
+                kept: nominal.kept.as_deref().map(goals),
+            }),
+            unknown: unknown(over.price),
+            quadrature_error: match error {
+                Some(GoalError::Quadrature(size)) => Some(*size),
+                _ => None,
+            },
+            sampling: match error {
+                Some(GoalError::Sampling(found, sequences)) => Some(SamplingReport {
+                    interval: found.into(),
+                    sequences: *sequences,
+                }),
+                _ => None,
+            },
+            beyond_strokes: best.beyond_strokes,
+            resampled: over.resampled.map(|found| resampled_report(best, found)),
+        })
+    }
+}
+
+fn resampled_report(best: &Optimum, found: &Resampled) -> ResampledReport {
+    let vary = best.search.vary.iter();
+    let interval = |of: &Interval| serde_json::to_value(IntervalReport::from(of));
+    let optimum = vary.zip(&found.design).map(|(vary, design)| {
+        let design = interval(design).unwrap_or_default();
+        (vary.parameter.name.to_owned(), design)
+    });
+    ResampledReport {
+        optimum: optimum.collect(),
+        value: (&found.goal).into(),
+        rounds: found.rounds,
+        better_than_set_up: found.significance.map(|gain| (&gain.better).into()),
+        swings_to_tell: found.significance.and_then(|gain| gain.swings),
+    }
+}
+
+fn nominal(price: Option<&Price>) -> Option<&Nominal> {
+    price?.nominal.as_ref().ok()
+}
+
+/// The best design for the mean swing.
+pub(super) fn nominal_design(price: Option<&Price>) -> Option<&[f64]> {
+    Some(&nominal(price)?.design)
+}
+
+/// Sentences about results that could not be computed.
 fn unknown(price: Option<&Price>) -> Vec<String> {
     let Some(price) = price else { return vec![] };
     let nominal = price.nominal.as_ref().err();
     let nominal = nominal.map(|why| {
         format!("there is no best design for the mean swing alone, which does not fly: {why}")
     });
-    let doubt = match price.doubt() {
-        Some(Doubt::Unknown(why)) => Some(format!(
+    let error = match price.error() {
+        Some(GoalError::Unknown(why)) => Some(format!(
             "how far the best value is known is not known: of other swings of the same golfer one \
              does not fly ({why})"
         )),
         _ => None,
     };
-    nominal.into_iter().chain(doubt).collect()
+    nominal.into_iter().chain(error).collect()
 }
 
-/// The swings that a goal is about, and how they were taken.
-pub(super) fn scenarios(of: &Scenarios) -> Map<String, Value> {
-    let (rule, seed) = match of.rule {
-        Rule::Quadrature(_) => ("quadrature", None),
-        Rule::Sequence { seed, .. } => ("sequence", Some(seed)),
-        Rule::Recorded => ("recorded", None),
-    };
-    named(json!({
-        "parameters": of.parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>(),
-        "scenarios": of.points.len(),
-        "rule": rule,
-        "seed": seed,
-    }))
-}
+/// Text behind the value of a goal that breaks its limits.
+const BROKEN: &str = "(broken)";
 
-fn named(value: Value) -> Map<String, Value> {
-    if let Value::Object(named) = value {
-        named
-    } else {
-        Map::new()
-    }
-}
-
-/// The best design over many swings as text.
-pub fn swings_text(
-    best: &SwingsOptimum,
-    price: Option<&Price>,
-    resampled: Option<&Resampled>,
-    system: System,
-) -> String {
-    let (search, solution) = (&best.search, &best.solution);
-    let scenarios = best.scenarios.points.len() as u64;
-    let ending = paragraph(&format!(
-        "{}: {} ({}, {} of {})",
-        best.status(),
-        best.message(),
-        counted(solution.iterations, "iteration"),
-        counted(solution.evaluations, "evaluation"),
-        counted(scenarios, "swing")
-    ));
-    let Some(goals) = best.goals() else {
-        return ending;
-    };
-    let own = search.vary.iter().map(|vary| vary.parameter);
-    let nominal = price.and_then(|price| price.nominal.as_ref().ok());
-    let sought = sought(best);
-    let design = own.enumerate().map(|(i, parameter)| {
-        let vary = &search.vary[i];
-        let nominal = nominal.map_or(shown::NONE.into(), |nominal| {
-            shown::within(vary, nominal.design[i], system)
-        });
-        let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
-        let bound = match () {
-            () if vary.low == vary.high => "fixed".into(),
-            () if !sought.is_converged => String::new(),
-            () if best.is_idle(i) => "no effect".into(),
-            () => limits::bound(multipliers, multipliers, |amount| {
-                sought.price(amount, (parameter.quantity, parameter.unit), system)
-            }),
-        };
-        vec![
-            parameter.name.into(),
-            shown::within(vary, solution.x[i], system),
-            nominal,
-            shown::range(vary, system),
-            bound,
-        ]
-    });
-    let found = ended_at(solution.status, "best");
-    let place = table(
-        &["vary", found, "for the mean swing", "range", ""],
-        &[1, 2],
-        design,
-    );
-
-    let all = std::iter::once((&search.of, search.of.expression.clone())).chain(
-        search
-            .subject_to
-            .iter()
-            .map(|limit| (&limit.goal, limit.expression.clone())),
-    );
-    let rows = all.enumerate().map(|(k, (goal, expression))| {
-        let breaks = |value: f64| k > 0 && !search.subject_to[k - 1].is_met(value);
+/// The goals over the swings as a table, by design.
+pub(super) fn goals_text(best: &Optimum, price: Option<&Price>, system: System) -> String {
+    let search = &best.search;
+    let nominal = nominal(price);
+    let expressions = std::iter::once(&search.of.expression)
+        .chain(search.subject_to.iter().map(|limit| &limit.expression));
+    let rows = search.goals().zip(expressions).enumerate();
+    let rows = rows.map(|(k, (goal, expression))| {
+        let limit = k.checked_sub(1).map(|j| &search.subject_to[j]);
         let show = |value: f64| {
-            let value_shown = value_text(goal, value, system);
-            if breaks(value) {
-                format!("{value_shown} {BROKEN}")
-            } else {
-                value_shown
+            let text = shown::goal(goal, value, system);
+            match limit {
+                Some(limit) if !limit.is_met(value) => format!("{text} {BROKEN}"),
+                _ => text,
             }
         };
         let of = |values: Option<&Vec<f64>>| {
-            let value = values
+            values
                 .map(|values| values[k])
-                .filter(|value| value.is_finite());
-            value.map_or(shown::NONE.into(), show)
+                .filter(|value| value.is_finite())
+                .map_or(shown::NONE.into(), show)
         };
-        let kept = of(nominal.and_then(|nominal| nominal.kept.as_ref()));
-        let promised = of(nominal.map(|nominal| &nominal.promised));
         vec![
-            expression,
-            show(goals[k]),
-            kept,
-            promised,
+            expression.clone(),
+            best.goals
+                .as_ref()
+                .map_or(shown::NONE.into(), |goals| show(goals[k])),
+            of(nominal.and_then(|nominal| nominal.kept.as_ref())),
+            of(nominal.map(|nominal| &nominal.promised)),
             of(best.as_set_up.as_ref()),
         ]
     });
     let head = [
         "over all swings",
-        found,
+        ended_at(best.solution.status, "best"),
         "best for mean swing",
         "with that swing alone",
         "as set up",
     ];
-    let mut text = format!("{ending}\n{place}\n{}", table(&head, &[1, 2, 3, 4], rows));
-    text += &limits_text(best, system);
-    text += &doubts(best, price, resampled, system);
-    if best.starts() > 1 {
-        let ends = best.ended().map(|(Local { solution, starts }, value)| {
-            let value = value.map(|value| value_text(&search.of, value, system));
-            (
-                value.unwrap_or(shown::NONE.into()),
-                &solution.x[..],
-                starts.len(),
-                status_of(solution),
-            )
-        });
-        text += &ends_text(
-            (&search.of.expression, &search.vary),
-            ends,
-            (best.starts(), best.stopped()),
-            system,
-        );
-    }
-    text
+    table(&head, &[1, 2, 3, 4], rows)
 }
 
-/// What stands behind the value of a limit that a design breaks.
-const BROKEN: &str = "(broken)";
-
-/// What is sought over the swings.
-fn sought(best: &SwingsOptimum) -> Sought {
-    let goal = &best.search.of;
-    let is_converged = best.solution.status == Status::Converged;
-    Sought {
-        of: (goal.quantity, goal.unit),
-        value: best.value().unwrap_or_default(),
-        sense: best.search.sense,
-        is_converged,
-    }
-}
-
-/// The limits with their prices, as a table; empty without any.
-fn limits_text(best: &SwingsOptimum, system: System) -> String {
-    let solution = &best.solution;
-    let rows = best.limits().enumerate().map(|(j, (limit, at))| {
-        let slopes = solution.jacobian.get(j).map_or(&[][..], Vec::as_slice);
-        let of = Limit::new(
-            (limit.goal.quantity, limit.goal.unit),
-            [limit.low, limit.high],
-            &at,
-            slopes,
-        );
-        vec![limit.expression.clone(), sought(best).limit(of, system)]
-    });
-    let rows: Vec<_> = rows.filter(|row| !row[1].is_empty()).collect();
-    if rows.is_empty() {
-        String::new()
-    } else {
-        format!("\n{}", table(&["subject to", ""], &[], rows))
-    }
-}
-
-/// How far the answer is known.
-fn doubts(
-    best: &SwingsOptimum,
-    price: Option<&Price>,
-    resampled: Option<&Resampled>,
-    system: System,
-) -> String {
-    let goal = &best.search.of;
-    let show = |value: f64| value_text(goal, value, system);
-    let between = |i: &Interval| format!("{} to {}", show(i.low), show(i.high));
-    let scenarios = counted(best.scenarios.points.len() as u64, "swing");
-    let nominal = price.and_then(|price| price.nominal.as_ref().ok());
-    let mut lines = unknown(price);
-    let vary = best
-        .scenarios
-        .parameters
-        .iter()
-        .any(|parameter| parameter.name.starts_with("strike."));
-    if vary || best.setup.strike.toe != 0.0 {
-        lines.push(format!(
+/// Notes on the designs and on how well the answer is known.
+pub(super) fn notes_text(best: &Optimum, over: OverSwings<'_>, system: System) -> String {
+    let mut notes = unknown(over.price);
+    let strikes = best.search.scenarios.parameters.iter();
+    let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
+    if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
+        notes.push(format!(
             "{}; the scatter to the sides has this doubt",
             shown::RIGID
         ));
     }
-    let missed = [
-        (
-            nominal.is_some_and(|nominal| nominal.kept.is_none()),
-            "with the best design of the mean swing",
-        ),
-        (best.as_set_up.is_none(), "with the design as set up"),
-    ];
-    lines.extend(
-        missed
-            .iter()
-            .filter(|(is_missed, _)| *is_missed)
-            .map(|(_, with)| format!("{with} some of the swings do not fly")),
-    );
+    notes.extend(designs(best, nominal(over.price)));
+    notes.extend(smoothed_limits(best, system));
+    notes.push(sampling(best, over.price, system));
+    if best.search.scenarios.rule == Rule::Recorded
+        && over.resampled.is_none()
+        && best.solution.status == Status::Converged
+    {
+        notes.push(
+            "how well these swings tell the best design is not known: they are alike, or their \
+             resamples came to no optimum"
+                .into(),
+        );
+    }
+    if let Some(found) = over.resampled {
+        notes.extend(resampled(best, found, system));
+    }
+    format!(
+        "\n{}",
+        notes.iter().map(|note| paragraph(note)).collect::<String>()
+    )
+}
+
+/// Notes on other designs with which a swing does not fly, or that break a limit.
+fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
+    let kept = nominal.map(|nominal| nominal.kept.as_ref());
+    let as_set_up = best.as_set_up.as_ref();
+    let mut notes = vec![];
+    let missed = |with: &str| format!("with {with} some of the swings do not fly");
+    if kept.is_some_and(|kept| kept.is_none()) {
+        notes.push(missed("the best design of the mean swing"));
+    }
+    if as_set_up.is_none() {
+        notes.push(missed("the design as set up"));
+    }
     let breaks = |goals: Option<&Vec<f64>>| {
         let limits = best.search.subject_to.iter();
         goals.is_some_and(|goals| {
@@ -343,181 +314,101 @@ fn doubts(
                 .any(|(limit, value)| value.is_finite() && !limit.is_met(*value))
         })
     };
-    let broken = [
-        (
-            breaks(nominal.and_then(|nominal| nominal.kept.as_ref())),
-            "the best design of the mean swing",
-        ),
-        (breaks(best.as_set_up.as_ref()), "the design as set up"),
-    ];
-    lines.extend(
-        broken
-            .iter()
-            .filter(|(is_broken, _)| *is_broken)
-            .map(|(_, design)| {
-                format!("{design} breaks a limit, so that it is no alternative to the best one")
-            }),
-    );
-    lines.extend(best.limits().zip(&best.solution.constraints).filter_map(
-        |((limit, told), seen)| {
-            let is_broken = limit.is_met(seen.value) && !limit.is_met(told.value);
-            is_broken.then(|| {
+    let broken = |design: &str| {
+        format!("{design} breaks a limit, so that it is no alternative to the best one")
+    };
+    if breaks(kept.flatten()) {
+        notes.push(broken("the best design of the mean swing"));
+    }
+    if breaks(as_set_up) {
+        notes.push(broken("the design as set up"));
+    }
+    notes
+}
+
+/// Notes on constraints that hold for the smoothed goal only.
+fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
+    let all = best.constraints();
+    let pairs = all.iter().zip(&best.solution.constraints);
+    pairs
+        .filter(|((limit, at), smoothed)| limit.is_met(smoothed.value) && !limit.is_met(at.value))
+        .map(|((limit, at), _)| {
             format!(
                 "the search keeps to {} with smoothed edges; over all swings it is outside by {}: \
                  give a limit that is stricter by as much",
                 limit.expression,
-                difference_text(&limit.goal, told.violation.abs(), system)
+                shown::goal_difference(&limit.goal, at.violation.abs(), system)
             )
         })
-        },
-    ));
-    match price.and_then(Price::doubt) {
-        Some(Doubt::Quadrature(error)) => lines.push(format!(
-            "{scenarios} by Gauss's rules; {} is known to {}",
+        .collect()
+}
+
+/// The number of swings, the rule they were taken by, and how well the objective is known.
+fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
+    let goal = &best.search.of;
+    let all = &best.search.scenarios;
+    let swings = counted(all.points.len() as u64, "swing");
+    let taken = match all.rule {
+        Rule::Recorded => "as recorded, each as likely as any other",
+        Rule::Quadrature(_) => "by Gauss's rules",
+        Rule::Sequence { .. } => "of a quasi-random sequence",
+    };
+    match price.and_then(Price::error) {
+        Some(GoalError::Quadrature(error)) => format!(
+            "{swings} by Gauss's rules; {} is known to {}",
             goal.expression,
-            difference_text(goal, *error, system)
-        )),
-        Some(Doubt::Sampling(found, sequences)) => lines.push(format!(
-            "{scenarios} {}; over all swings {} is {} (99 %, by {sequences} other quasi-random \
-             sequences){}",
-            taken(best.scenarios.rule),
+            shown::goal_difference(goal, *error, system)
+        ),
+        Some(GoalError::Sampling(found, sequences)) => format!(
+            "{swings} {taken}; over all swings {} is {} to {} (99 %, by {sequences} other \
+             quasi-random sequences){}",
             goal.expression,
-            between(found),
-            if matches!(best.scenarios.rule, Rule::Sequence { .. }) {
+            shown::goal(goal, found.low, system),
+            shown::goal(goal, found.high, system),
+            if matches!(all.rule, Rule::Sequence { .. }) {
                 "; it is known better with more `scenarios`"
             } else {
                 ""
             }
-        )),
-        Some(Doubt::Unknown(_)) | None => {
-            lines.push(format!("{scenarios} {}", taken(best.scenarios.rule)))
-        }
+        ),
+        Some(GoalError::Unknown(_)) | None => format!("{swings} {taken}"),
     }
-    if best.scenarios.rule == Rule::Recorded
-        && resampled.is_none()
-        && best.solution.status == Status::Converged
-    {
-        lines.push(
-            "how well these swings tell the best design is not known: they are alike, or \
-                    their resamples came to no optimum"
-                .into(),
-        );
-    }
-    if let Some(found) = resampled {
-        for (vary, design) in best.search.vary.iter().zip(&found.design) {
+}
+
+/// The intervals of the best design by resamples of recorded swings.
+fn resampled(best: &Optimum, found: &Resampled, system: System) -> Vec<String> {
+    let goal = &best.search.of;
+    let vary = best.search.vary.iter().zip(&found.design);
+    let mut notes: Vec<String> = vary
+        .map(|(vary, design)| {
             let show = |value: f64| shown::parameter(vary.parameter, value, system);
-            lines.push(format!(
+            format!(
                 "from these swings the best {} lies between {} and {} (95 %, {} resamples)",
                 vary.parameter.name,
                 show(design.low),
                 show(design.high),
                 found.rounds
-            ));
-        }
-        if let Some(apart) = &found.apart {
-            let better = format!(
-                "the best design is better than the one set up by {} (95 %: {} to {})",
-                difference_text(goal, apart.better.value, system),
-                difference_text(goal, apart.better.low, system),
-                difference_text(goal, apart.better.high, system)
-            );
-            let recorded = best.scenarios.points.len() as u64;
-            lines.push(match apart.swings {
-                Some(needed) if needed <= recorded => {
-                    format!("{better}: these swings tell the two apart")
-                }
-                Some(needed) => {
-                    format!(
-                        "{better}: to tell the two apart takes about {needed} swings, {} more",
-                        needed - recorded
-                    )
-                }
-                None => better,
-            });
-        }
-    }
-    format!(
-        "\n{}",
-        lines.iter().map(|line| paragraph(line)).collect::<String>()
-    )
-}
-
-/// How the swings of a search were taken.
-fn taken(rule: Rule) -> &'static str {
-    match rule {
-        Rule::Recorded => "as recorded, each as likely as any other",
-        Rule::Quadrature(_) => "by Gauss's rules",
-        Rule::Sequence { .. } => "of a quasi-random sequence",
-    }
-}
-
-/// A goal as people read it.
-pub fn value_text(goal: &Goal, value: f64, system: System) -> String {
-    match goal.unit {
-        "" => significant(value, 4),
-        unit => goal.quantity.read_off(value, system.unit(unit)),
-    }
-}
-
-/// A difference of a goal as people read it.
-pub(super) fn difference_text(goal: &Goal, value: f64, system: System) -> String {
-    match goal.unit {
-        "" => significant(value, 2),
-        unit => goal.quantity.read_off_difference(value, system.unit(unit)),
-    }
-}
-
-/// The setup with the best design as a setup file in TOML, to the last digit.
-///
-/// # Errors
-/// As [`setup_toml`](super::setup_toml).
-pub fn swings_toml(best: &SwingsOptimum, swings: &Swings, preset: &Preset) -> Result<String> {
-    let search = &best.search;
-    let value = best.value().map_or(shown::NONE.into(), |value| {
-        value_text(&search.of, value, System::default())
-    });
-    let all = counted(best.scenarios.points.len() as u64, "swing");
-    let mut about = vec![format!(
-        "{}, {} {} over {all}: {value}",
-        preset.name,
-        search.sense.adjective(),
-        search.of.expression
-    )];
-    about.extend(match swings {
-        Swings::Distributed { inputs, .. } => inputs
-            .iter()
-            .map(|input| {
-                format!(
-                    "over swings: {} {}",
-                    input.parameter.name,
-                    distribution_text(input, System::default())
-                )
-            })
-            .collect(),
-        Swings::Recorded { .. } => vec!["over recorded swings".into()],
-    });
-    about.extend(
-        search
-            .subject_to
-            .iter()
-            .map(|limit| format!("subject to {}", limit.expression)),
+            )
+        })
+        .collect();
+    let Some(gain) = &found.significance else {
+        return notes;
+    };
+    let show = |value: f64| shown::goal_difference(goal, value, system);
+    let better = format!(
+        "the best design is better than the one set up by {} (95 %: {} to {})",
+        show(gain.better.value),
+        show(gain.better.low),
+        show(gain.better.high)
     );
-    let interrupted = best.interrupted().filter(|_| best.starts() > 1);
-    about.extend(
-        interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
-    );
-    about.push(format!("{}: {}", best.status(), best.message()));
-    let remarks = search.vary.iter().zip(&best.solution.x).map(|(vary, x)| {
-        let show = |value: f64| vary.parameter.show(Some(value));
-        let found = shown::as_declared(vary.parameter, *x);
-        (
-            vary.parameter,
-            format!(
-                "optimum: {found} in {} .. {}",
-                show(vary.low),
-                show(vary.high)
-            ),
-        )
+    let recorded = best.search.scenarios.points.len() as u64;
+    notes.push(match gain.swings {
+        Some(needed) if needed <= recorded => format!("{better}: these swings tell the two apart"),
+        Some(needed) => format!(
+            "{better}: to tell the two apart takes about {needed} swings, {} more",
+            needed - recorded
+        ),
+        None => better,
     });
-    super::setup_toml(&best.setup, preset, &about, &remarks.collect::<Vec<_>>())
+    notes
 }

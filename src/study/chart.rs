@@ -1,9 +1,10 @@
 //! The optimum as a function of a parameter, followed by continuation.
 
 use super::Vary;
-use super::optimum::{Active, Optimum, local_optimum, optimum};
+use super::optimum::{Optimum, local_optimum, optimum};
 use super::search::Search;
 use super::sensitivity::sensitivity;
+use super::verdict::Active;
 use crate::drive::{CheckScope, ExceededCount};
 use crate::error::{Error, Result};
 use crate::optimize::continuation::{LONGEST, RADIUS, Stride, TOO_FAR, apart, located, predicted};
@@ -215,7 +216,8 @@ impl ChartObserver {
 /// no others; with none, wherever the optimum was followed. `observer` can stop it within a search.
 ///
 /// # Errors
-/// As [`chart`]; [`Error::SearchRange`] for a value outside the range.
+/// As [`chart`]; [`Error::SearchRange`] for a value outside the range; [`Error::Unreadable`] for a
+/// search over swings.
 pub fn chart_at(
     setup: &Setup<f64>,
     search: &Search,
@@ -225,6 +227,7 @@ pub fn chart_at(
     on_point: &mut dyn FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
     along.check()?;
+    search.refuse_swings()?;
     if let Some(outside) = at.iter().find(|at| !(along.low..=along.high).contains(*at)) {
         let show = |value: f64| along.parameter.show(Some(value));
         let reason = format!(

@@ -1,6 +1,7 @@
-//! How flat the top is: how far each varied parameter may stray for a stated loss.
+//! Flatness of an optimum: the window of each parameter varied for a stated loss.
 
-use super::optimum::{Optimum, posed};
+use super::optimum::Optimum;
+use super::problem::SearchProblem;
 use crate::derivative::Evaluator;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -11,44 +12,44 @@ use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
 
-/// What an optimum allows for a stated loss.
+/// The surroundings of an optimum within a stated loss.
 #[derive(Clone, Debug)]
 pub struct Flatness {
-    /// The loss of the outcome that is allowed, SI.
+    /// The allowed loss of the outcome, SI.
     pub loss: f64,
-    /// The window of each varied parameter, the others held at the optimum.
+    /// The window of each parameter varied, with the others fixed at the optimum.
     pub windows: Vec<Window>,
     /// The directions of the free parameters, by curvature, the flattest first.
     pub directions: Vec<Direction>,
-    /// For each pair of free parameters, what they may stray together, by the quadratic model of
-    /// the outcome. None where a constraint holds the optimum: there the outcome has a slope, and
-    /// losses are no ellipse.
+    /// The ellipse of the allowed loss for each pair of free parameters, by the quadratic model of
+    /// the outcome. None if a constraint is active: there the outcome has a slope, and a contour of
+    /// the loss is no ellipse.
     pub ellipses: Vec<Ellipse>,
 }
 
-/// How far a parameter may stray alone, found by flying.
+/// The interval of one parameter within the allowed loss, by drives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    /// Least value, SI.
+    /// The lower end, SI.
     pub low: f64,
-    /// What sets it.
+    /// The reason for the lower end.
     pub low_limit: Limit,
-    /// Greatest value.
+    /// The upper end, SI.
     pub high: f64,
-    /// What sets it.
+    /// The reason for the upper end.
     pub high_limit: Limit,
 }
 
-/// What ends a window.
+/// The reason for the end of a window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
-    /// The outcome falls by the loss.
+    /// The allowed loss.
     Loss,
-    /// The bound of the search.
+    /// A bound of the search.
     Bound,
     /// A constraint, by number.
     Constraint(usize),
-    /// Beyond, nothing flies.
+    /// Drives beyond it do not fly.
     NoFlight,
 }
 
@@ -58,39 +59,39 @@ pub enum Limit {
 pub struct Direction {
     /// Its component by each varied parameter, SI, of length 1 in units of the ranges.
     pub along: Vec<f64>,
-    /// How many of these lengths lose as much as is allowed, to second order.
+    /// The number of these lengths to the allowed loss, to second order.
     pub reach: f64,
-    /// The loss there in truth, found by flying, in both directions; `None` where that leads out of
-    /// the ranges or nothing flies.
+    /// The loss of the drives there, in both directions; `None` out of the ranges, and for a drive
+    /// that does not fly.
     pub losses: [Option<f64>; 2],
 }
 
-/// An ellipse around the optimum in the plane of two parameters, others held.
+/// An ellipse around the optimum in the plane of two parameters, with the others fixed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ellipse {
-    /// The two parameters, by their place in the search.
+    /// The indices of the two parameters in the search.
     pub pair: [usize; 2],
-    /// Its two half-axes, each by its components of the two parameters, SI, the longer (in units of
-    /// the ranges) first.
+    /// The two half-axes as components along the two parameters, SI; the longer one, in units of
+    /// the ranges, first.
     pub half_axes: [[f64; 2]; 2],
-    /// Least and greatest loss found by flying along it, within ranges and constraints; `None`
-    /// where no point of it is.
+    /// Least and greatest loss of the drives on it within ranges and constraints; `None` if no
+    /// point of it is within them.
     pub losses: Option<(f64, f64)>,
 }
 
-/// What is said of the loss of a [short drive](short_drive).
+/// Note on the allowed loss of a [short drive](short_drive).
 const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \
                               loss that is allowed is 1 % of this carry";
 
-/// The carry of the best drive where [`usual_loss`] is 1 % of it, since 1 yd is more than a tenth
-/// of it, SI; with what is said of it.
+/// The carry of the best drive, SI, with a note, if 1 yd is more than a tenth of it, so that
+/// [`usual_loss`] is 1 % of it.
 pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
     let carry = best
         .drive
         .as_ref()
         .and_then(|drive| Outcome::CarryDistance.value(drive))?;
     let is_short =
-        best.search.of.quantity() == Quantity::LENGTH && yard() > 0.1 * carry && carry > 0.0;
+        best.search.of.quantity == Quantity::LENGTH && yard() > 0.1 * carry && carry > 0.0;
     is_short.then_some((carry, OF_SHORT_DRIVE))
 }
 
@@ -98,10 +99,10 @@ fn yard() -> f64 {
     Quantity::LENGTH.size_of("yd").unwrap_or(1.0)
 }
 
-/// The loss that is asked about where no one states another: 1 yd of a distance, 1 % of anything
-/// else. Of a distance of a [short drive](short_drive) it is 1 % of the carry. SI.
+/// The default allowed loss, SI: 1 yd of a distance, 1 % of anything else; 1 % of the carry for a
+/// distance of a [short drive](short_drive).
 pub fn usual_loss(best: &Optimum) -> f64 {
-    match best.search.of.quantity() {
+    match best.search.of.quantity {
         Quantity::LENGTH => short_drive(best).map_or_else(yard, |(carry, _)| 0.01 * carry),
         _ => {
             0.01 * best
@@ -113,13 +114,14 @@ pub fn usual_loss(best: &Optimum) -> f64 {
     }
 }
 
-/// Points flown along an ellipse.
+/// Drives on an ellipse.
 const AROUND: usize = 24;
 
 /// The flatness of an optimum for a stated loss of the outcome, SI.
 ///
 /// # Errors
-/// [`Error::NotConverged`]; [`Error::Optimizer`] for a loss that is not above 0.
+/// [`Error::NotConverged`]; [`Error::Optimizer`] for a loss that is not above 0;
+/// [`Error::Unreadable`] for a search over swings.
 pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
     if !(loss > 0.0 && loss.is_finite()) {
         return Err(Error::Optimizer(format!("the loss {loss} must be above 0")));
@@ -130,10 +132,10 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
             message: best.message(),
         });
     }
-    let problem = posed(&best.setup, &best.search)?;
+    let problem = SearchProblem::of_drive(&best.setup, &best.search)?;
     let top = Top {
         domain: &problem.domain,
-        values: problem.values()?,
+        values: problem.evaluator()?,
         best,
         loss,
     };
@@ -157,7 +159,8 @@ struct Top<'a> {
 }
 
 impl Top<'_> {
-    /// What is lost at a point, or the constraint that it breaks; `None` where nothing flies.
+    /// The loss at a point, or the constraint that it violates; `None` for a drive that does not
+    /// fly.
     fn lost_at(&self, x: &[f64]) -> Option<Result<f64, usize>> {
         let values: Vec<f64> = self
             .values
@@ -168,7 +171,7 @@ impl Top<'_> {
             .collect();
         let limits = &self.domain.constraints;
         let excess = |j: usize| limits.excess(j, values[j + 1]).abs();
-        // what holds the optimum is met there to rounding
+        // an active constraint is met at the optimum up to rounding
         let rounding = |j: usize| 1e-9 * (1.0 + self.best.solution.constraints[j].value.abs());
         let broken = (0..limits.dimension()).find(|&j| excess(j) > rounding(j));
         Some(match broken {
@@ -198,7 +201,7 @@ impl Top<'_> {
         })
     }
 
-    /// How far variable i may go towards a bound.
+    /// The end of the window of variable i towards a bound.
     fn end(&self, i: usize, bound: f64) -> Result<(f64, Limit)> {
         let from = self.best.solution.x[i];
         let width = bound - from;
@@ -211,7 +214,7 @@ impl Top<'_> {
             Some(Ok(lost)) if lost > self.loss => Err(Limit::Loss),
             Some(Ok(_)) => Ok(()),
         };
-        // outward from a small part, so that the first end met is the window's and not one beyond
+        // outward from a small step, to find the end next to the optimum
         let mut inside = 0.0;
         let mut part: f64 = 1.0 / 1024.0;
         let (mut outside, mut limit) = loop {
@@ -222,7 +225,7 @@ impl Top<'_> {
             }
             part = (part * 1.25).min(1.0);
         };
-        // what is no loss has an edge without a function to solve: halve
+        // bisection for an end that is no root of a function
         while limit != Limit::Loss && outside - inside > 1e-12 {
             let middle = 0.5 * (inside + outside);
             match is_within(middle) {
@@ -237,7 +240,7 @@ impl Top<'_> {
         Ok((from + part * width, Limit::Loss))
     }
 
-    /// Where between two parts of the way to a bound the loss is what is allowed.
+    /// The fraction of the way to a bound at which the loss is the allowed one.
     fn crossing(&self, i: usize, from: f64, width: f64, inside: f64, outside: f64) -> Result<f64> {
         let search = BrentRoot::new(inside, outside, 1e-13);
         let found = Executor::new(
@@ -292,7 +295,7 @@ impl Top<'_> {
         order.into_iter().map(one).collect()
     }
 
-    /// The loss at a point, if it lies within ranges and constraints and flies.
+    /// The loss at a point within ranges and constraints, if its drive flies.
     fn lost_within(&self, x: &[f64]) -> Option<f64> {
         let bounds = &self.domain.variables;
         let is_within = x
@@ -318,7 +321,7 @@ impl Top<'_> {
             .collect()
     }
 
-    /// The ellipse of a pair, where the outcome falls in every direction of its plane.
+    /// The ellipse of a pair, if the outcome decreases in every direction of its plane.
     fn ellipse(&self, pair: [usize; 2]) -> Option<Ellipse> {
         let solution = &self.best.solution;
         let scale = self.domain.variables.scale(&solution.x);
@@ -335,7 +338,7 @@ impl Top<'_> {
             let reach = (2.0 * self.loss / block.eigenvalues[k]).sqrt();
             [0, 1].map(|row| reach * block.eigenvectors[(row, k)] * scale[pair[row]])
         });
-        // a loss so large, or a top so flat, has no ellipse
+        // the half-axes overflow for a very large loss or a very small curvature
         if !half_axes.as_flattened().iter().all(|part| part.is_finite()) {
             return None;
         }
@@ -360,7 +363,7 @@ impl Top<'_> {
     }
 }
 
-/// The loss beyond what is allowed, along a parameter's way to its bound.
+/// The loss less the allowed one, as a function of the fraction of the way to a bound.
 struct Excess<'a> {
     top: &'a Top<'a>,
     i: usize,

@@ -5,13 +5,13 @@ pub mod calibrate;
 pub mod certificate;
 mod chart;
 mod compare;
-mod comparison;
-mod constraint;
 pub mod delivery;
 pub mod design;
 mod effects;
+mod expression;
 mod face;
 mod flatness;
+mod goal;
 mod landing;
 mod launches;
 mod map;
@@ -27,21 +27,22 @@ mod stoppable;
 pub mod swings;
 pub mod uncertainty;
 pub mod validation;
+mod verdict;
 
 pub use crate::parameters::Vary;
 pub use accuracy::{Accuracy, accuracy};
 pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart, chart_at};
 pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
-pub use constraint::Constraint;
 pub use effects::{Bar, Effect, Effects, effects, flown_off};
 pub use face::Face;
 pub use flatness::{
     Direction, Ellipse, Flatness, Limit, Window, flatness, short_drive, usual_loss,
 };
+pub use goal::{Constraint, Goal};
 pub use landing::Landing;
 pub use launches::{Launched, Launches};
 pub use map::{Fineness, Map, Slope, map};
-pub use optimum::{Active, Optima, Optimum, optima, optimum};
+pub use optimum::{LocalOptimum, Optima, Optimum, goals_of, optima, optimum};
 pub use plane::Plane;
 pub use region::Region;
 pub use sample::Sample;
@@ -50,3 +51,4 @@ pub use sensitivity::{
     Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity,
 };
 pub use sigma::{Sigma, given_twice, with_defaults};
+pub use verdict::Active;

@@ -1,394 +1,138 @@
-use super::problem::DriveProblem;
+//! The search for the optimum: of one drive, or of a design over swings that vary.
+//!
+//! ```text
+//!   setup, Search ──▶ SearchProblem ──▶ local searches from starts ──▶ best end
+//!   one drive:  best end ──▶ compared with a sample of the ranges, and improved from it
+//!   swings:     ends ──▶ goals by their definitions
+//! ```
+
+use super::goal::{Constraint, Goal};
+use super::problem::SearchProblem;
 use super::sample::{Resampled, Sample, resample};
 use super::search::Search;
-use crate::drive::Drive;
+use super::stoppable::stopped;
+use super::swings::Scenarios;
+use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
-use crate::optimize::sensitivity::Held;
 use crate::optimize::{
-    Follow, Local, Observer, Solution, Status, minimize_from, minimize_observed, starts,
+    Constrained, Follow, Local, Observer, Solution, Status, minimize_from, minimize_observed,
+    starts,
 };
-use crate::parameters::Setup;
-use crate::units::{self, Digits, Message};
-use std::fmt;
+use crate::parameters::{Setup, Vary};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// An active bound or constraint of an optimum. It reads `club.loft at its upper bound`, or as the
-/// constraint was given.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Active {
-    /// The varied parameter, or the constraint's expression.
-    pub name: String,
-    /// The bound, `lower` or `upper`; `None` for a constraint.
-    pub end: Option<&'static str>,
-}
-
-impl fmt::Display for Active {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.end {
-            Some(end) => write!(f, "{} at its {end} bound", self.name),
-            None => f.write_str(&self.name),
-        }
-    }
-}
-
-/// The best drive found.
+/// The best drive, or the best design over swings, that a search found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Optimum {
-    /// What was asked.
+    /// The search.
     pub search: Search,
-    /// How the search ended; its objective is the outcome times
-    /// [`Sense::sign`](super::Sense::sign).
+    /// The end of the local search. Its objective is the goal times
+    /// [`Sense::sign`](super::Sense::sign), over swings with smoothed edges.
     pub solution: Solution,
+    /// The goals there by their definitions, SI: the objective, then the limited goals; `None` if a
+    /// drive does not fly.
+    pub goals: Option<Vec<f64>>,
     /// The setup at the optimum.
     pub setup: Setup<f64>,
-    /// The drive there; `None` where nothing flew.
+    /// The drive there, of a search over one drive; `None` if no drive of the search flies.
     pub drive: Option<Drive<f64>>,
-    /// The sample of the ranges that the optimum was compared with; `None` for a local search
-    /// alone, and for one that was interrupted.
+    /// The sample of the ranges that the optimum of one drive was compared with; `None` after a
+    /// local search, and after an interrupted one.
     pub sample: Option<Sample>,
+    /// The goals over the swings with the setup's own design; `None` if a swing does not fly, and
+    /// for one drive.
+    pub as_set_up: Option<Vec<f64>>,
+    /// The share of the swings whose ball ends where the table of strokes is extrapolated; `None`
+    /// without a table, and after an interrupted search.
+    pub beyond_strokes: Option<f64>,
 }
 
 impl Optimum {
-    /// The outcome's value at the optimum, SI.
+    /// The objective at the optimum, SI.
     pub fn value(&self) -> Option<f64> {
-        self.solution
-            .value
-            .map(|value| self.search.sense.sign() * value)
+        Some(self.goals.as_ref()?[0])
     }
 
-    /// The outcome's gradient at the optimum by the parameters varied, SI.
+    /// The gradient of the objective by the parameters varied, SI.
     pub fn gradient(&self) -> Vec<f64> {
-        self.solution
-            .gradient
+        let sign = self.search.sense.sign();
+        let slopes = self.solution.gradient.iter();
+        slopes.map(|slope| sign * slope).collect()
+    }
+
+    /// The constraints at the optimum: value and violation by the definition of the goal,
+    /// multiplier of the search.
+    pub fn constraints(&self) -> Vec<(&Constraint, Constrained)> {
+        let all = self
+            .search
+            .subject_to
             .iter()
-            .map(|slope| self.search.sense.sign() * slope)
+            .zip(&self.solution.constraints);
+        if self.search.is_of_outcomes() {
+            return all.map(|(constraint, at)| (constraint, *at)).collect();
+        }
+        let values = self.goals.as_ref().map_or(&[][..], |goals| &goals[1..]);
+        all.zip(values)
+            .map(|((constraint, at), value)| {
+                let violation = constraint.violation(*value);
+                let at = Constrained {
+                    value: *value,
+                    violation,
+                    ..*at
+                };
+                (constraint, at)
+            })
             .collect()
     }
-
-    /// How the search ended, in a sentence, in terms of the drive.
-    pub fn message(&self) -> Message {
-        let of = self.search.of.name();
-        match (&self.solution.kink, self.solution.status) {
-            (Some(kink), _) => {
-                let (parameter, outcome) =
-                    (self.search.vary[kink.variable].parameter, self.search.of);
-                let (by, si) = (
-                    parameter.name,
-                    units::per(outcome.quantity().si, parameter.quantity.si),
-                );
-                let sign = self.search.sense.sign();
-                let slope = |slope: Option<f64>| {
-                    slope.map_or("not computed (out of range)".into(), |slope| {
-                        let slope = sign * slope;
-                        format!("{} {si}", units::signed(slope, units::fixed(slope, 4)))
-                    })
-                };
-                let at = self.solution.x[kink.variable];
-                Message::from(format!("{of} has a corner at {by} = "))
-                    .quantity(
-                        parameter.quantity,
-                        parameter.unit,
-                        at,
-                        Digits::Significant(7),
-                    )
-                    .words(format!(
-                        ": d {of}/d {by} is {} below it and {} above",
-                        slope(kink.slope_below),
-                        slope(kink.slope_above),
-                    ))
-            }
-            (None, Status::Infeasible) => {
-                let missed = self
-                    .search
-                    .subject_to
-                    .iter()
-                    .zip(&self.solution.constraints);
-                let missed: Vec<_> = missed
-                    .filter(|(_, constrained)| constrained.violation != 0.0)
-                    .map(|(constraint, constrained)| {
-                        let (quantity, unit) =
-                            (constraint.outcome.quantity(), constraint.outcome.unit());
-                        Message::from(format!("{} (its value is ", constraint.expression))
-                            .quantity(quantity, unit, constrained.value, Digits::Fine)
-                            .words(", outside by ")
-                            .quantity(
-                                quantity,
-                                unit,
-                                constrained.violation.abs(),
-                                Digits::Difference,
-                            )
-                            .words(")")
-                    })
-                    .collect();
-                let tried = self.sample.map_or(String::new(), |sample| {
-                    format!(
-                        " (the search and {} other points in the ranges were tried)",
-                        sample.points
-                    )
-                });
-                Message::from(format!(
-                    "no point was found that meets the constraints{tried}; the nearest one \
-                     violates "
-                ))
-                .message(Message::joined(missed, " and "))
-            }
-            (None, Status::Converged) if !self.idle().is_empty() => {
-                let (idle, varied) = (
-                    self.idle(),
-                    self.search.vary.iter().filter(|vary| vary.low < vary.high),
-                );
-                let alone = format!(
-                    "{of} does not depend on the parameters varied here: every drive is equally \
-                     good"
-                );
-                let in_part = || {
-                    let found = &self.solution.message;
-                    format!(
-                        "{found}; {of} does not depend on {}: every value is equally good",
-                        idle.join(", ")
-                    )
-                };
-                if idle.len() == varied.count() {
-                    alone
-                } else {
-                    in_part()
-                }
-                .into()
-            }
-            (None, Status::Interrupted) if self.solution.value.is_none() => {
-                "stopped before a drive that flies was found".into()
-            }
-            (None, Status::Undefined) => {
-                let trials = self.search.options.start_trials as usize;
-                let trials = trials + self.sample.map_or(0, |sample| sample.points);
-                Message::from(format!(
-                    "no drive of the search flies, neither at the start nor at the other points of \
-                     the ranges that were tried ({trials}); at \
-                     the start: "
-                ))
-                .message(self.undefined_at_start())
-            }
-            _ => self.solution.message.clone().into(),
-        }
-    }
-
-    /// Why the outcome has no value at the start, where a search that found none stays. The
-    /// optimizer kept only the words.
-    fn undefined_at_start(&self) -> Message {
-        let words = self
-            .solution
-            .undefined_at_start
-            .as_deref()
-            .unwrap_or_default();
-        let again = Drive::new(&self.setup)
-            .and_then(|drive| self.search.of.of(&drive))
-            .err();
-        let again = again
-            .map(|error| error.message())
-            .filter(|message| message.to_string() == words);
-        again.unwrap_or_else(|| words.into())
-    }
-
-    /// The bounds and constraints that are active at the optimum.
-    pub fn active(&self) -> Vec<Active> {
-        let Ok(problem) = DriveProblem::new(&self.setup, &self.search) else {
-            return vec![];
-        };
-        if self.solution.value.is_none() {
-            return vec![];
-        }
-        let held = Held::new(&self.solution, &problem.domain);
-        let bound = |i: usize| {
-            let end = if self.solution.lower_multipliers[i] > 0.0 {
-                "lower"
-            } else {
-                "upper"
-            };
-            Active {
-                name: self.search.vary[i].parameter.name.into(),
-                end: Some(end),
-            }
-        };
-        let is_bounded = |i: &usize| held.variables[*i] && !problem.domain.variables.is_fixed(*i);
-        let bounds = (0..self.search.vary.len()).filter(is_bounded).map(bound);
-        let limits = held.tight().into_iter();
-        let limits = limits.map(|j| Active {
-            name: self.search.subject_to[j].expression.clone(),
-            end: None,
-        });
-        bounds.chain(limits).collect()
-    }
-
-    /// Whether the outcome does not depend on a varied parameter: within its range it changes, to
-    /// second order, by rounding alone.
-    pub fn is_idle(&self, i: usize) -> bool {
-        const ROUNDING: f64 = 1e-12;
-        let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
-        let Solution {
-            gradient,
-            hessian,
-            value,
-            ..
-        } = &self.solution;
-        let (Some(slope), Some(bends)) = (gradient.get(i), hessian.get(i)) else {
-            return false;
-        };
-        let bends: f64 = bends
-            .iter()
-            .enumerate()
-            .map(|(j, bend)| (bend * width(j)).abs())
-            .sum();
-        width(i) > 0.0
-            && (slope.abs() + bends) * width(i) <= ROUNDING * value.unwrap_or_default().abs()
-    }
-
-    /// The varied parameters that the outcome does not depend on.
-    fn idle(&self) -> Vec<&'static str> {
-        let vary = self.search.vary.iter().enumerate();
-        vary.filter(|(i, _)| self.is_idle(*i))
-            .map(|(_, vary)| vary.parameter.name)
-            .collect()
-    }
-
-    /// Where the search began instead, if the start does not fly.
-    pub fn moved_start(&self) -> Option<String> {
-        let why = self
-            .solution
-            .undefined_at_start
-            .as_ref()
-            .filter(|_| !self.solution.begun_at.is_empty())?;
-        let begun = self.search.vary.iter().zip(&self.solution.begun_at);
-        let begun: Vec<_> = begun
-            .map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x))))
-            .collect();
-        Some(format!(
-            "the start does not fly ({why}); the search began at {} instead",
-            begun.join(", ")
-        ))
-    }
-
-    /// The status in a word; where the optimizer says undefined, nothing flew.
-    pub fn status(&self) -> &'static str {
-        match self.solution.status {
-            Status::Undefined => "no-flight",
-            status => status.name(),
-        }
-    }
 }
 
-/// Finds the parameters that make an outcome largest or smallest: by a local search from the
-/// setup's own values, moved into the ranges, and by further ones from points of a [`Sample`] of
-/// the ranges that are better than its end.
-///
-/// ```
-/// use longdrive::{Setup, optimize::Observer, study::{Search, Vary, optimum}};
-/// let setup = Setup::preset("mae494").unwrap();
-/// let vary = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
-/// let search = Search {
-///     vary: vary.map(|text| Vary::read(&setup, text).unwrap()).to_vec(),
-///     ..Search::longest_drive(&setup).unwrap()
-/// };
-/// let best = optimum(&setup, search, Observer::default()).unwrap();
-/// assert!((best.value().unwrap() - 153.333552731).abs() < 1e-8);
-/// assert!((best.solution.upper_multipliers[1] - 60.2924949).abs() < 1e-6); // m per radian of attack angle
-/// ```
-///
-/// # Errors
-/// [`Error::Nothing`] without parameters to vary, or where every range is a single value;
-/// [`Error::SearchRange`] for one that is varied twice; what [`Setup::validate`] refuses.
-pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
-    let problem = posed(setup, &search)?;
-    let interrupt = observer.interrupt.clone();
-    let end = minimize_observed(
-        &problem,
-        &problem.domain,
-        &problem.start(),
-        &search.options,
-        observer,
-    )?;
-    if end.status == Status::Interrupted {
-        return found(&problem, search, end, None);
-    }
-    let again = |start: &[f64]| {
-        let observer = Observer {
-            interrupt: interrupt.clone(),
-            ..Observer::default()
-        };
-        minimize_observed(&problem, &problem.domain, start, &search.options, observer)
-    };
-    match resample(&problem, &end, &interrupt, again)? {
-        Some(Resampled { sample, solution }) => {
-            found(&problem, search, solution.unwrap_or(end), Some(sample))
-        }
-        None => found(&problem, search, end, None),
-    }
+/// An end that one search or several came to.
+#[derive(Clone, Debug)]
+pub struct LocalOptimum {
+    /// The end.
+    pub solution: Solution,
+    /// The objective there by its definition, SI; `None` if a drive does not fly.
+    pub value: Option<f64>,
+    /// The numbers of the starts that led to it.
+    pub starts: Vec<usize>,
 }
 
-/// The local optimum that a search from the setup's own values ends at.
-///
-/// # Errors
-/// As [`optimum`].
-pub(super) fn local_optimum(
-    setup: &Setup<f64>,
-    search: Search,
-    observer: Observer,
-) -> Result<Optimum> {
-    let problem = posed(setup, &search)?;
-    let solution = minimize_observed(
-        &problem,
-        &problem.domain,
-        &problem.start(),
-        &search.options,
-        observer,
-    )?;
-    found(&problem, search, solution, None)
-}
-
-/// Local optima, best first, each with the numbers of the starts that ended there.
+/// The optimum of searches from several starts.
 #[derive(Clone, Debug)]
 pub struct Optima {
-    /// The optima.
-    pub locals: Vec<(Optimum, Vec<usize>)>,
-    /// How many starts there were, including the point of the [`Sample`] that the best optimum was
-    /// found from, if so.
+    /// The best optimum.
+    pub best: Optimum,
+    /// All ends, the best first.
+    pub locals: Vec<LocalOptimum>,
+    /// The number of starts, including the point of the [`Sample`] that led to the best optimum, if
+    /// any.
     pub starts: usize,
 }
 
 impl Optima {
-    /// The ends of the searches that came to one, best first, each with the numbers of its starts.
-    pub fn ended(&self) -> impl Iterator<Item = &(Optimum, Vec<usize>)> {
+    /// The ends of the searches that were not interrupted, best first.
+    pub fn ended(&self) -> impl Iterator<Item = &LocalOptimum> {
         self.locals
             .iter()
-            .filter(|(best, _)| best.solution.status != Status::Interrupted)
+            .filter(|local| local.solution.status != Status::Interrupted)
     }
 
-    /// How many searches were stopped from outside before they ended.
+    /// The number of interrupted searches.
     pub fn stopped(&self) -> usize {
-        self.starts - self.ended().map(|(_, starts)| starts.len()).sum::<usize>()
+        let ended = self.ended().map(|local| local.starts.len());
+        self.starts - ended.sum::<usize>()
     }
 
-    /// How far the searches came, if any was stopped from outside before it ended.
+    /// The progress of the searches, if any was interrupted.
     pub fn interrupted(&self) -> Option<String> {
-        stopped_of(self.stopped(), self.starts, || match self.locals.first() {
-            None => "stopped before it began".into(),
-            Some((best, _)) => best.message().to_string(),
-        })
-    }
-
-    /// The best of them.
-    ///
-    /// # Errors
-    /// [`Error::Nothing`] where no search was run.
-    pub fn best(&self) -> Result<&Optimum> {
-        let first = self.locals.first().map(|(best, _)| best);
-        first.ok_or(Error::Nothing {
-            doing: "search from",
-            what: "start",
+        stopped_of(self.stopped(), self.starts, || {
+            self.best.message().to_string()
         })
     }
 }
 
-/// How far searches came of which some were stopped from outside; `only` says it where there was
-/// one.
+/// The progress of searches of which some were interrupted; `only` describes a single one.
 pub(super) fn stopped_of(
     stopped: usize,
     all: usize,
@@ -403,8 +147,82 @@ pub(super) fn stopped_of(
     })
 }
 
+/// Finds the parameters that make the objective largest or smallest, by a local search from the
+/// setup's own values, moved into the ranges; a parameter without a value begins in the middle of
+/// its range.
+///
+/// Over one drive further searches begin at points of a [`Sample`] of the ranges that are better
+/// than its end. Over swings the scenarios are the same for every design, so that the objective is
+/// a smooth function of it, with exact gradients and Hessians.
+///
+/// ```
+/// use longdrive::{Setup, optimize::Observer, study::{Search, Vary, optimum}};
+/// let setup = Setup::preset("mae494").unwrap();
+/// let vary = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
+/// let search = Search {
+///     vary: vary.map(|text| Vary::read(&setup, text).unwrap()).to_vec(),
+///     ..Search::longest_drive(&setup).unwrap()
+/// };
+/// let best = optimum(&setup, search, Observer::default()).unwrap();
+/// assert!((best.value().unwrap() - 153.333552731).abs() < 1e-8);
+/// assert!((best.solution.upper_multipliers[1] - 60.2924949).abs() < 1e-6); // m per radian of attack angle
+/// ```
+///
+/// Over swings:
+///
+/// ```
+/// use longdrive::Setup;
+/// use longdrive::optimize::Observer;
+/// use longdrive::study::swings::{Rule, Scenarios, Swings};
+/// use longdrive::study::{Goal, Search, Vary, optimum, uncertainty::Uncertain};
+///
+/// let setup = Setup::preset("mae494").unwrap();
+/// let attack = Uncertain::read(&setup, "swing.attack_angle=uniform(0deg, 10deg)").unwrap();
+/// let swings = Swings::distributed(vec![attack], &[]).unwrap();
+/// let search = Search {
+///     of: Goal::read("mean(carry)", None).unwrap(),
+///     vary: vec![Vary::read(&setup, "club.loft=4deg..20deg").unwrap()],
+///     scenarios: Scenarios::new(&swings, Rule::of(&swings, None, 0).unwrap()).unwrap(),
+///     ..Search::longest_drive(&setup).unwrap()
+/// };
+/// let best = optimum(&setup, search, Observer::default()).unwrap();
+/// assert_eq!(best.status(), "converged");
+/// ```
+///
+/// # Errors
+/// [`Error::Nothing`] without parameters to vary, or if every range is a single value;
+/// [`Error::SearchRange`] for a parameter that is varied twice; [`Error::Unreadable`] for one that
+/// the swings have values of; what [`Setup::validate`] refuses; [`Error::NotConverged`] if it is
+/// stopped before the search begins.
+pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
+    let interrupt = observer.interrupt.clone();
+    let study = Study::new(setup, search, interrupt)?;
+    let end = study.minimized(&study.problem.start(), observer)?;
+    let mut sample = None;
+    let mut best = end;
+    if let Some(resampled) = study.improved(&best, Observer::default)? {
+        sample = Some(resampled.sample);
+        best = resampled.solution.unwrap_or(best);
+    }
+    study.found(best, sample)
+}
+
+/// The local optimum that a search from the setup's own values ends at.
+///
+/// # Errors
+/// As [`optimum`].
+pub(super) fn local_optimum(
+    setup: &Setup<f64>,
+    search: Search,
+    observer: Observer,
+) -> Result<Optimum> {
+    let study = Study::new(setup, search, observer.interrupt.clone())?;
+    let end = study.minimized(&study.problem.start(), observer)?;
+    study.found(end, None)
+}
+
 /// Searches from the setup's own values and from starts spread evenly over the ranges, side by
-/// side; then, as [`optimum`], from points of a [`Sample`] that are better.
+/// side; then, over one drive as [`optimum`], from points of a [`Sample`] that are better.
 ///
 /// # Errors
 /// As [`optimum`]; [`Error::Nothing`] for no start; more starts than can be spread.
@@ -414,98 +232,222 @@ pub fn optima(
     count: usize,
     follow: &Follow,
 ) -> Result<Optima> {
+    let (study, mut locals) = searched(setup, search, count, follow)?;
+    let mut starts = count;
+    let mut sample = None;
+    let is_interrupted = |local: &Local| local.solution.status == Status::Interrupted;
+    let best = locals
+        .first()
+        .filter(|_| !locals.iter().any(is_interrupted));
+    if let Some(best) = best {
+        let observer = || {
+            let mut observer = Observer::default();
+            if let Some(show) = follow.iteration.clone() {
+                observer.iteration = Box::new(move |iteration| show(count, iteration));
+            }
+            observer
+        };
+        if let Some(resampled) = study.improved(&best.solution, observer)? {
+            sample = Some(resampled.sample);
+            if let Some(solution) = resampled.solution {
+                let starts_of_it = vec![count];
+                starts += 1;
+                locals.insert(
+                    0,
+                    Local {
+                        solution,
+                        starts: starts_of_it,
+                    },
+                );
+            }
+        }
+    }
+    study.all(locals, starts, sample)
+}
+
+/// [`optima`] without a sample of the ranges.
+///
+/// # Errors
+/// As [`optima`].
+pub(super) fn local_optima(
+    setup: &Setup<f64>,
+    search: &Search,
+    count: usize,
+    follow: &Follow,
+) -> Result<Optima> {
+    let (study, locals) = searched(setup, search, count, follow)?;
+    study.all(locals, count, None)
+}
+
+/// The ends of searches from several starts.
+fn searched(
+    setup: &Setup<f64>,
+    search: &Search,
+    count: usize,
+    follow: &Follow,
+) -> Result<(Study, Vec<Local>)> {
     if count == 0 {
         return Err(Error::Nothing {
             doing: "search from",
             what: "start",
         });
     }
-    let problem = posed(setup, search)?;
+    let study = Study::new(setup, search.clone(), follow.interrupt.clone())?;
+    let problem = &study.problem;
     let starts = starts(&problem.domain, &problem.start(), count)?;
-    let mut locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
-    let is_interrupted = |local: &Local| local.solution.status == Status::Interrupted;
-    let mut sample = None;
-    let mut count = starts.len();
-    if let Some(best) = locals
-        .first()
-        .filter(|_| !locals.iter().any(is_interrupted))
-    {
-        let again = |start: &[f64]| {
-            let mut observer = Observer {
-                interrupt: follow.interrupt.clone(),
-                ..Observer::default()
-            };
-            if let Some(show) = follow.iteration.clone() {
-                observer.iteration = Box::new(move |iteration| show(count, iteration));
-            }
-            minimize_observed(&problem, &problem.domain, start, &search.options, observer)
-        };
-        if let Some(resampled) = resample(&problem, &best.solution, &follow.interrupt, again)? {
-            sample = Some(resampled.sample);
-            if let Some(solution) = resampled.solution {
-                locals.insert(
-                    0,
-                    Local {
-                        solution,
-                        starts: vec![count],
-                    },
-                );
-                count += 1;
-            }
-        }
-    }
-    let whole = |Local { solution, starts }| {
-        Ok((found(&problem, search.clone(), solution, sample)?, starts))
-    };
-    Ok(Optima {
-        locals: locals.into_iter().map(whole).collect::<Result<_>>()?,
-        starts: count,
-    })
+    let locals = minimize_from(problem, &problem.domain, &starts, &search.options, follow)?;
+    Ok((study, locals))
 }
 
-/// The search as a problem, if it makes sense.
-pub(super) fn posed(setup: &Setup<f64>, search: &Search) -> Result<DriveProblem> {
-    if search.vary.iter().all(|vary| vary.low == vary.high) {
-        return Err(Error::Nothing {
-            doing: "vary",
-            what: "parameter with a range wider than a single value",
-        });
-    }
-    for (i, vary) in search.vary.iter().enumerate() {
-        if search.vary[..i]
-            .iter()
-            .any(|before| before.parameter == vary.parameter)
-        {
-            return Err(Error::SearchRange {
-                name: vary.parameter.name.into(),
-                reason: "it is varied twice; give it one range".into(),
-            });
-        }
-    }
-    let problem = DriveProblem::new(setup, search)?;
-    problem
-        .moved(&problem.domain.variables.project(&problem.start()))?
-        .validate()?;
-    Ok(problem)
-}
-
-fn found(
-    problem: &DriveProblem,
+/// A search with its problem.
+struct Study {
     search: Search,
-    solution: Solution,
-    sample: Option<Sample>,
-) -> Result<Optimum> {
-    let setup = problem.moved(&solution.x)?;
-    let drive = if solution.value.is_none() {
-        None
-    } else {
-        Some(Drive::new(&setup)?)
+    problem: SearchProblem,
+    interrupt: Arc<AtomicBool>,
+    /// The goals over the swings with the setup's own design.
+    as_set_up: Option<Vec<f64>>,
+}
+
+impl Study {
+    fn new(setup: &Setup<f64>, search: Search, interrupt: Arc<AtomicBool>) -> Result<Self> {
+        let problem = SearchProblem::new(setup, &search, &interrupt)?;
+        let mut as_set_up = None;
+        if !search.scenarios.is_one_drive() {
+            as_set_up = problem.as_set_up().ok();
+            if as_set_up.is_none() && interrupt.load(Ordering::Relaxed) {
+                return Err(stopped("the search began"));
+            }
+        }
+        Ok(Self {
+            search,
+            problem,
+            interrupt,
+            as_set_up,
+        })
+    }
+
+    fn minimized(&self, start: &[f64], observer: Observer) -> Result<Solution> {
+        let domain = &self.problem.domain;
+        minimize_observed(&self.problem, domain, start, &self.search.options, observer)
+    }
+
+    /// The end compared with a sample of the ranges, and improved from its points; `None` over
+    /// swings, and once interrupted.
+    fn improved(
+        &self,
+        end: &Solution,
+        observer: impl Fn() -> Observer,
+    ) -> Result<Option<Resampled>> {
+        if !self.search.scenarios.is_one_drive() || end.status == Status::Interrupted {
+            return Ok(None);
+        }
+        let again = |start: &[f64]| {
+            let observer = Observer {
+                interrupt: self.interrupt.clone(),
+                ..observer()
+            };
+            self.minimized(start, observer)
+        };
+        resample(&self.problem, end, &self.interrupt, again)
+    }
+
+    fn found(self, solution: Solution, sample: Option<Sample>) -> Result<Optimum> {
+        let goals = self.goals(&solution);
+        self.optimum(solution, goals, sample)
+    }
+
+    fn all(self, locals: Vec<Local>, starts: usize, sample: Option<Sample>) -> Result<Optima> {
+        let goals: Vec<_> = locals
+            .iter()
+            .map(|local| self.goals(&local.solution))
+            .collect();
+        let locals: Vec<_> = locals
+            .into_iter()
+            .zip(&goals)
+            .map(|(Local { solution, starts }, goals)| LocalOptimum {
+                solution,
+                value: goals.as_ref().map(|goals| goals[0]),
+                starts,
+            })
+            .collect();
+        let best = locals.first().map(|local| local.solution.clone());
+        let best = best.ok_or(Error::Nothing {
+            doing: "search from",
+            what: "start",
+        })?;
+        let goals = goals.into_iter().next().flatten();
+        Ok(Optima {
+            best: self.optimum(best, goals, sample)?,
+            locals,
+            starts,
+        })
+    }
+
+    /// The goals at the end of a search by their definitions, also after an interrupt.
+    fn goals(&self, solution: &Solution) -> Option<Vec<f64>> {
+        let value = solution.value?;
+        if self.search.is_of_outcomes() {
+            let limited = solution.constraints.iter().map(|at| at.value);
+            let objective = self.search.sense.sign() * value;
+            return Some(std::iter::once(objective).chain(limited).collect());
+        }
+        let never = AtomicBool::new(false);
+        self.problem.values_until(&solution.x, &never).ok()
+    }
+
+    fn optimum(
+        self,
+        solution: Solution,
+        goals: Option<Vec<f64>>,
+        sample: Option<Sample>,
+    ) -> Result<Optimum> {
+        let setup = self.problem.moved(&solution.x)?;
+        let mut drive = None;
+        let mut beyond_strokes = None;
+        if solution.value.is_some() {
+            if self.search.scenarios.is_one_drive() {
+                drive = Some(Drive::new(&setup)?);
+            }
+            beyond_strokes = match self.problem.beyond_strokes(&solution.x) {
+                Err(_) if self.interrupt.load(Ordering::Relaxed) => None,
+                found => found?,
+            };
+        }
+        Ok(Optimum {
+            search: self.search,
+            solution,
+            goals,
+            setup,
+            drive,
+            sample,
+            as_set_up: self.as_set_up,
+            beyond_strokes,
+        })
+    }
+}
+
+/// Goals over swings with a setup's own design, SI; `None` if a swing does not fly, and once `stop`
+/// is true.
+///
+/// # Errors
+/// As [`optimum`].
+pub fn goals_of(
+    setup: &Setup<f64>,
+    goals: &[Goal],
+    vary: &[Vary],
+    scenarios: &Scenarios,
+    stop: &Arc<AtomicBool>,
+) -> Result<Option<Vec<f64>>> {
+    let one = |goal: &Goal| {
+        let search = Search {
+            of: goal.clone(),
+            vary: vary.to_vec(),
+            scenarios: scenarios.clone(),
+            ..Search::largest(Outcome::Carry)
+        };
+        let problem = SearchProblem::of_goals(setup, &search, stop)?;
+        Ok(problem.as_set_up().ok().map(|values| values[0]))
     };
-    Ok(Optimum {
-        search,
-        solution,
-        setup,
-        drive,
-        sample,
-    })
+    let found = goals.iter().map(one).collect::<Result<Vec<_>>>()?;
+    Ok(found.into_iter().collect())
 }

@@ -1,120 +1,596 @@
-use super::constraint::Constraint;
+//! A search as the optimizer sees it: the goals as functions of the parameters varied.
+//!
+//! ```text
+//!   x ──▶ each scenario's drive with exact derivatives ──▶ goals: smoothed measures of the drives
+//! ```
+//!
+//! One drive is one scenario. If its goals are outcomes they need no measures, and the drive's
+//! derivatives are those of the goals.
+
+use super::goal::Goal;
 use super::search::{Search, Sense};
+use super::stoppable::{each_until, stopped, stopped_before};
+use super::swings::flown::{columns, moved, no_flight};
+use super::swings::part::part_of;
+use super::swings::{Measure, Scenarios};
 use crate::batch::Batch;
 use crate::derivative::{self, Evaluator, Order, Taylor};
 use crate::drive::Outcome;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::optimize::{Domain, Evaluation, Problem};
 use crate::parameters::{Parameter, Setup, Vary};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
-/// A search for the best drive as the optimizer sees it: the outcome, with the sign with which it
-/// is minimised, and the outcomes that are held between limits.
-pub(super) struct DriveProblem {
+/// The goals of a search as functions of the parameters varied.
+///
+/// The optimizer sees smooth goals with exact gradients. Their Hessians contain second derivatives
+/// of a part of the drives. Answers use the definitions of the goals ([`values`](Self::values)).
+pub(super) struct SearchProblem {
+    /// The setup as given.
+    set_up: Setup<f64>,
+    /// The setup with a value of every parameter varied.
     setup: Setup<f64>,
     vary: Vec<&'static Parameter>,
-    /// The outcome that is looked for, then those of the constraints.
+    scenarios: Scenarios,
+    /// The outcomes of a drive. Each goal is one of them, in order, if `is_of_outcomes`.
     of: Vec<Outcome>,
-    pub sense: Sense,
-    derivatives: Evaluator,
+    goals: Vec<Goal>,
+    /// True if every goal is an outcome of one drive.
+    is_of_outcomes: bool,
+    sense: Sense,
+    /// An evaluator for each scenario.
+    drives: Vec<Evaluator>,
+    /// The scenarios whose drives have second derivatives, in order.
+    part: Vec<usize>,
+    /// The number of scenarios that each of the part represents.
+    represents: Vec<f64>,
+    /// The last second derivatives of the part.
+    seconds: Mutex<Option<Arc<Seconds>>>,
+    /// Once it is true, no more drives of swings are hit, and what needs them fails.
+    stop: Arc<AtomicBool>,
     pub domain: Domain,
 }
 
-impl DriveProblem {
-    pub fn new(setup: &Setup<f64>, search: &Search) -> Result<Self> {
-        search.vary.iter().try_for_each(Vary::check)?;
-        search.subject_to.iter().try_for_each(Constraint::check)?;
-        let ends = |end: fn(&Vary) -> f64| search.vary.iter().map(end).collect::<Vec<_>>();
-        let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?.subject_to(
-            search
-                .subject_to
-                .iter()
-                .map(|constraint| constraint.low)
-                .collect(),
-            search
-                .subject_to
-                .iter()
-                .map(|constraint| constraint.high)
-                .collect(),
-        )?;
+/// Second derivatives of the part's drives.
+struct Seconds {
+    at: Vec<f64>,
+    /// A Hessian for each drive and outcome.
+    of_drives: Vec<Vec<Vec<Vec<f64>>>>,
+}
+
+impl SearchProblem {
+    /// The problem of a search over swings or one drive.
+    ///
+    /// # Errors
+    /// [`Error::Nothing`] and [`Error::SearchRange`] for ranges and limits without sense;
+    /// [`Error::Unreadable`] for a parameter that is both varied and distributed; what
+    /// [`Setup::validate`] refuses; [`Error::NotConverged`] once `stop` is true.
+    pub fn new(setup: &Setup<f64>, search: &Search, stop: &Arc<AtomicBool>) -> Result<Self> {
+        search.check()?;
+        let problem = Self::of_goals(setup, search, stop)?;
+        if problem.scenarios.is_one_drive() {
+            let start = problem.domain.variables.project(&problem.start());
+            problem.moved(&start)?.validate()?;
+        }
+        Ok(problem)
+    }
+
+    /// The problem of a search over one drive, whose goals are outcomes.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::Unreadable`] for a search over swings.
+    pub fn of_drive(setup: &Setup<f64>, search: &Search) -> Result<Self> {
+        search.refuse_swings()?;
+        Self::new(setup, search, &Arc::default())
+    }
+
+    /// The goals, also if no parameter is varied.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn of_goals(setup: &Setup<f64>, search: &Search, stop: &Arc<AtomicBool>) -> Result<Self> {
+        let domain = search.domain()?;
         let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
-        let of = search.outcomes();
-        let derivatives = Evaluator::new(setup, &of, &vary, Order::Second)?;
+        let scenarios = search.scenarios.clone();
+        refuse_distributed(search)?;
+        let goals: Vec<Goal> = search.goals().cloned().collect();
+        let is_of_outcomes = search.is_of_outcomes();
+        let mut of: Vec<Outcome> = vec![];
+        for outcome in search.outcomes() {
+            if is_of_outcomes || !of.contains(&outcome) {
+                of.push(outcome);
+            }
+        }
+        let begun = Vary::begun(setup, &search.vary)?;
+        // second derivatives of a goal with an edge come from the few drives at the edge: no part
+        // of the drives represents them
+        let (part, represents) = if goals.iter().any(Goal::has_edge) {
+            let count = scenarios.points.len();
+            ((0..count).collect(), vec![1.0; count])
+        } else {
+            part_of(&scenarios)
+        };
+        let evaluator = |point: &Vec<f64>| {
+            let setup = moved(&begun, &scenarios.parameters, point)?;
+            Evaluator::new(&setup, &of, &vary, Order::Second)
+        };
+        // of several mistakes always the first is reported
+        let drives = each_until(&scenarios.points, stop, evaluator)
+            .ok_or_else(|| stopped("all swings were set up"))?
+            .into_iter()
+            .collect::<Result<Vec<_>>>()?;
         Ok(Self {
-            setup: *setup,
+            set_up: *setup,
+            setup: begun,
             vary,
+            scenarios,
             of,
+            goals,
+            is_of_outcomes,
             sense: search.sense,
-            derivatives,
+            drives,
+            part,
+            represents,
+            seconds: Mutex::default(),
+            stop: Arc::clone(stop),
             domain,
         })
     }
 
-    /// The setup's own values of what is varied.
-    pub fn start(&self) -> Vec<f64> {
-        values(&self.setup, &self.vary)
+    /// Factor of the objective in the function minimized.
+    pub fn sign(&self) -> f64 {
+        self.sense.sign()
     }
 
-    /// The setup with the varied parameters at `x`.
+    /// The start of the search: the setup's own values of the parameters varied, and the middle of
+    /// the range of one that has no value.
+    pub fn start(&self) -> Vec<f64> {
+        let own = |parameter: &&'static Parameter| self.setup.value(parameter);
+        self.vary.iter().filter_map(own).collect()
+    }
+
+    /// The setup with the parameters varied at `x`, and its own swing.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         moved(&self.setup, &self.vary, x)
     }
 
-    /// The outcome looked for, then those of the constraints, without derivatives.
-    pub fn values(&self) -> Result<Evaluator> {
+    /// The outcomes of the goals without derivatives, of a search over one drive.
+    pub fn evaluator(&self) -> Result<Evaluator> {
         Evaluator::new(&self.setup, &self.of, &self.vary, Order::Value)
     }
 
-    /// The same outcomes at very many points.
+    /// The outcomes of the goals at many points, of a search over one drive.
     pub fn batch(&self) -> Result<Batch> {
         Batch::new(&self.setup, &self.vary, &self.of, &[])
     }
 
-    /// The functions at `x` with derivatives by the varied parameters, and by one more.
-    pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
-        let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
-        Ok(self.as_functions(derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?))
+    /// The goals from the outcomes of one drive.
+    pub fn goals_of(&self, x: &[f64], outcomes: Vec<f64>) -> Vec<f64> {
+        if self.is_of_outcomes {
+            return outcomes;
+        }
+        let columns: Vec<Vec<f64>> = outcomes.into_iter().map(|value| vec![value]).collect();
+        self.exact(x, &columns, &[1.0])
     }
 
-    fn as_functions(&self, mut taylors: Vec<Taylor>) -> Evaluation {
-        let constraints = taylors.split_off(1);
-        let of = taylors.pop();
+    /// The functions at `x` with derivatives by the parameters varied and by one more, of a search
+    /// over one drive.
+    pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
+        let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
+        let goals = derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?;
+        Ok(self.as_functions(goals))
+    }
+
+    /// The goals as functions to minimize and to limit.
+    fn as_functions(&self, mut goals: Vec<Taylor>) -> Evaluation {
+        let constraints = goals.split_off(1);
+        let objective = goals.pop().unwrap_or_default();
         let objective = match self.sense {
-            Sense::Maximize => of.map(Taylor::negated),
-            Sense::Minimize => of,
+            Sense::Maximize => objective.negated(),
+            Sense::Minimize => objective,
         };
         Evaluation {
-            objective: objective.unwrap_or_default(),
+            objective,
             constraints,
         }
     }
-}
 
-/// A setup's own values of some parameters.
-pub(super) fn values(setup: &Setup<f64>, parameters: &[&'static Parameter]) -> Vec<f64> {
-    parameters
-        .iter()
-        .filter_map(|parameter| setup.value(parameter))
-        .collect()
-}
-
-/// A setup with other values of some parameters.
-pub(super) fn moved(
-    setup: &Setup<f64>,
-    parameters: &[&'static Parameter],
-    values: &[f64],
-) -> Result<Setup<f64>> {
-    let mut moved = *setup;
-    for (parameter, value) in parameters.iter().zip(values) {
-        moved.set_value(parameter, Some(*value))?;
+    /// The outcomes of these scenarios, with derivatives to an order.
+    fn flown(
+        &self,
+        scenarios: &[usize],
+        x: &[f64],
+        order: Order,
+        stop: &AtomicBool,
+    ) -> std::result::Result<Vec<Vec<Taylor>>, String> {
+        // in the order of the scenarios, so that neither sums nor the first error depend on the
+        // threads
+        let flown = each_until(scenarios, stop, |k| self.drives[*k].at_order(x, order));
+        let flown = flown
+            .ok_or_else(|| stopped_before("all swings were flown"))?
+            .into_iter()
+            .zip(scenarios);
+        let named = |k: usize, error| no_flight(&self.scenarios, &self.scenarios.points[k], &error);
+        flown
+            .map(|(drive, k)| drive.map_err(|error| named(*k, error)))
+            .collect()
     }
-    Ok(moved)
+
+    /// The second derivatives of the part's drives near `x`, each times the number of scenarios
+    /// that the drive represents: at the nearest point of a grid over the ranges, so that near an
+    /// optimum they are computed once. They do not depend on the points evaluated before.
+    fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<Seconds>, String> {
+        let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
+        let cached = |seconds: &Option<Arc<Seconds>>| {
+            seconds.clone().filter(|seconds| seconds.at == nearest)
+        };
+        if let Some(seconds) = cached(&self.seconds.lock().unwrap_or_else(PoisonError::into_inner))
+        {
+            return Ok(seconds);
+        }
+        let seconds = |at: &[f64]| {
+            let mut flown = self.flown(&self.part, at, Order::Second, &self.stop)?;
+            for (outcomes, factor) in flown.iter_mut().zip(&self.represents) {
+                let seconds = outcomes
+                    .iter_mut()
+                    .flat_map(|outcome| outcome.hessian.iter_mut().flatten());
+                seconds.for_each(|second| *second *= factor);
+            }
+            let hessians = |outcomes: Vec<Taylor>| {
+                outcomes
+                    .into_iter()
+                    .map(|outcome| outcome.hessian)
+                    .collect()
+            };
+            Ok(Arc::new(Seconds {
+                at: at.to_vec(),
+                of_drives: flown.into_iter().map(hessians).collect(),
+            }))
+        };
+        // a swing may fly at `x` and not at the point of the grid
+        let found = seconds(&nearest).or_else(|_: String| seconds(x))?;
+        *self.seconds.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&found));
+        Ok(found)
+    }
+
+    /// The nearest point of the grid for second derivatives to a value of a parameter.
+    fn on_the_grid(&self, i: usize, x: f64) -> f64 {
+        /// Cells over the range of a parameter. A drive's second derivatives change by about 1 %
+        /// from one to the next.
+        const CELLS: f64 = 64.0;
+        let [low, high] = [self.domain.variables.low[i], self.domain.variables.high[i]];
+        let place = (CELLS * (x - low) / (high - low)).round() / CELLS;
+        if place.is_finite() {
+            (low + place * (high - low)).clamp(low, high)
+        } else {
+            x
+        }
+    }
+
+    /// A term of a goal that depends on the parameters alone; `None` if it depends on drives.
+    fn of_the_design(&self, measure: &Measure, x: &[f64], order: Order) -> Option<Taylor> {
+        let (value, place) = match measure {
+            Measure::One => (1.0, None),
+            Measure::Parameter(parameter) => {
+                let place = self.vary.iter().position(|vary| vary == parameter);
+                (
+                    place.map_or_else(
+                        || {
+                            self.setup
+                                .value(parameter)
+                                .or(parameter.unset)
+                                .unwrap_or(f64::NAN)
+                        },
+                        |place| x[place],
+                    ),
+                    place,
+                )
+            }
+            _ => return None,
+        };
+        let slope = |i: usize| f64::from(u8::from(place == Some(i)));
+        let n = if order > Order::Value { x.len() } else { 0 };
+        let rows = if order == Order::Second { n } else { 0 };
+        Some(Taylor {
+            value,
+            gradient: (0..n).map(slope).collect(),
+            ..Taylor::zero(n, rows)
+        })
+    }
+
+    /// The goals at `x` from the outcomes of the scenarios, with smoothed edges.
+    fn measured(
+        &self,
+        x: &[f64],
+        flown: &[Vec<Taylor>],
+        weights: &[f64],
+        order: Order,
+    ) -> Vec<Taylor> {
+        let goal = |goal: &Goal| {
+            let terms = goal.terms.iter().map(|(weight, measure)| {
+                if let Some(term) = self.of_the_design(measure, x, order) {
+                    return (term, *weight);
+                }
+                let outcomes = measure.outcomes();
+                let places: Vec<usize> = outcomes
+                    .iter()
+                    .filter_map(|of| self.of.iter().position(|it| it == of))
+                    .collect();
+                let drives: Vec<Vec<&Taylor>> = flown
+                    .iter()
+                    .map(|outcomes| places.iter().map(|place| &outcomes[*place]).collect())
+                    .collect();
+                (measure.smoothed(&drives, weights, order), *weight)
+            });
+            let terms: Vec<_> = terms.collect();
+            Taylor::sum(terms.iter().map(|(term, weight)| (term, *weight)))
+        };
+        self.goals.iter().map(goal).collect()
+    }
+
+    /// The goals at `x` by their definitions, from a column of values for each outcome.
+    fn exact(&self, x: &[f64], columns: &[Vec<f64>], weights: &[f64]) -> Vec<f64> {
+        let term = |(weight, measure): &(f64, Measure)| {
+            let value = self
+                .of_the_design(measure, x, Order::Value)
+                .map(|term| term.value);
+            weight
+                * value.unwrap_or_else(|| {
+                    measure.exact(&self.columns_of(&measure.outcomes(), columns), weights)
+                })
+        };
+        self.goals
+            .iter()
+            .map(|goal| goal.terms.iter().map(term).sum())
+            .collect()
+    }
+
+    fn columns_of<'a>(&self, outcomes: &[Outcome], columns: &'a [Vec<f64>]) -> Vec<&'a [f64]> {
+        let places = outcomes
+            .iter()
+            .filter_map(|of| self.of.iter().position(|it| it == of));
+        places.map(|place| &columns[place][..]).collect()
+    }
+
+    /// The goals at `x` by their definitions: the objective, then the limited goals. Goals with an
+    /// edge are evaluated over the swings of [`sequences`](Scenarios::sequences) if all of these
+    /// fly, other goals over the scenarios.
+    ///
+    /// # Errors
+    /// [`Error::NoFlight`] for a scenario that does not fly; [`Error::NotConverged`] once stopped.
+    pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
+        self.values_until(x, &self.stop)
+    }
+
+    /// [`values`](Self::values) until this flag is true.
+    ///
+    /// # Errors
+    /// As [`values`](Self::values).
+    pub fn values_until(&self, x: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
+        self.reported(&self.moved(x)?, x, stop)
+    }
+
+    /// The goals with the design as set up, in which a parameter without a value has none.
+    ///
+    /// # Errors
+    /// As [`values`](Self::values).
+    pub fn as_set_up(&self) -> Result<Vec<f64>> {
+        self.reported(&self.set_up, &self.own(), &self.stop)
+    }
+
+    /// The goals at `x` by their definitions over the scenarios with other weights.
+    ///
+    /// # Errors
+    /// As [`values`](Self::values).
+    pub fn weighted_values(&self, x: &[f64], weights: &[f64]) -> Result<Vec<f64>> {
+        Ok(self.exact(
+            x,
+            &columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?,
+            weights,
+        ))
+    }
+
+    /// The goals with the design as set up over the scenarios with other weights.
+    ///
+    /// # Errors
+    /// As [`values`](Self::values).
+    pub fn weighted_as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
+        Ok(self.exact(
+            &self.own(),
+            &columns(&self.set_up, &self.of, &self.scenarios, &self.stop)?,
+            weights,
+        ))
+    }
+
+    /// The goals at `x` over each of the [`sequences`](Scenarios::sequences).
+    ///
+    /// # Errors
+    /// As [`values`](Self::values).
+    pub fn replications(&self, x: &[f64]) -> Result<Vec<Vec<f64>>> {
+        let setup = self.moved(x)?;
+        let one = |sequence: Result<Scenarios>| {
+            let sequence = sequence?;
+            Ok(self.exact(
+                x,
+                &columns(&setup, &self.of, &sequence, &self.stop)?,
+                &sequence.weights,
+            ))
+        };
+        self.scenarios.sequences().into_iter().map(one).collect()
+    }
+
+    /// The values that the setup as given has of the parameters varied.
+    fn own(&self) -> Vec<f64> {
+        let own = |parameter: &&'static Parameter| {
+            self.set_up
+                .value(parameter)
+                .or(parameter.unset)
+                .unwrap_or(f64::NAN)
+        };
+        self.vary.iter().map(own).collect()
+    }
+
+    /// The goals by their definitions, as answers report them.
+    fn reported(&self, setup: &Setup<f64>, design: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
+        let flown = columns(setup, &self.of, &self.scenarios, stop)?;
+        let mut values = self.exact(design, &flown, &self.scenarios.weights);
+        if !self.goals.iter().any(Goal::has_edge) {
+            return Ok(values);
+        }
+        let mut all: Vec<Vec<f64>> = vec![vec![]; self.of.len()];
+        for sequence in self.scenarios.sequences() {
+            let more = match columns(setup, &self.of, &sequence?, stop) {
+                Err(Error::NoFlight { .. }) => return Ok(values),
+                more => more?,
+            };
+            all.iter_mut()
+                .zip(more)
+                .for_each(|(column, more)| column.extend(more));
+        }
+        let count = all[0].len();
+        if count > 0 {
+            let over_all = self.exact(design, &all, &vec![1.0 / count as f64; count]);
+            let with_edge = values
+                .iter_mut()
+                .zip(over_all)
+                .zip(&self.goals)
+                .filter(|(_, goal)| goal.has_edge());
+            with_edge.for_each(|((value, over_all), _)| *value = over_all);
+        }
+        Ok(values)
+    }
+
+    /// The goals at `x` with smoothed edges, over the scenarios with these weights, with derivatives
+    /// to an order: the objective, then the limited goals.
+    ///
+    /// # Errors
+    /// [`Error::NoFlight`] for a swing that does not fly; [`Error::NotConverged`] once `stop` is
+    /// true.
+    pub fn goals_until(
+        &self,
+        x: &[f64],
+        weights: &[f64],
+        order: Order,
+        stop: &AtomicBool,
+    ) -> Result<Vec<Taylor>> {
+        let all: Vec<usize> = (0..self.drives.len()).collect();
+        let flown = self.flown(&all, x, order, stop);
+        let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
+            true => stopped("all swings were flown"),
+            false => Error::NoFlight {
+                reason: reason.into(),
+            },
+        })?;
+        Ok(self.measured(x, &flown, weights, order))
+    }
+
+    /// The share of the scenarios in which the ball ends at a distance outside of a table of
+    /// strokes; `None` without such a table.
+    ///
+    /// # Errors
+    /// As [`values`](Self::values).
+    pub fn beyond_strokes(&self, x: &[f64]) -> Result<Option<f64>> {
+        let tables: Vec<_> = self.goals.iter().flat_map(Goal::strokes).collect();
+        if tables.is_empty() {
+            return Ok(None);
+        }
+        let flown = columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?;
+        let ends: Vec<_> = tables
+            .iter()
+            .map(|(strokes, _)| self.columns_of(strokes.outcomes(), &flown))
+            .collect();
+        let is_beyond = |k: usize| {
+            let mut all = tables.iter().zip(&ends);
+            all.any(|((strokes, hole), end)| !strokes.reaches((hole - end[0][k]).hypot(end[1][k])))
+        };
+        let weights = self.scenarios.weights.iter().enumerate();
+        Ok(Some(
+            weights
+                .filter(|(k, _)| is_beyond(*k))
+                .map(|(_, weight)| weight)
+                .sum(),
+        ))
+    }
+
+    /// The problem over the scenarios with other weights.
+    pub fn weighted(&self, weights: Vec<f64>) -> Weighted<'_> {
+        Weighted {
+            problem: self,
+            weights,
+        }
+    }
+
+    /// The goals with exact values and gradients. In the Hessians the products of gradients are
+    /// exact too; the second derivatives of drives are those of the part.
+    fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
+        if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
+            let goals = drive.at(x).map_err(|error| error.to_string())?;
+            return Ok(self.as_functions(goals));
+        }
+        let all: Vec<usize> = (0..self.drives.len()).collect();
+        let flown = if self.part.len() == all.len() {
+            self.flown(&all, x, Order::Second, &self.stop)?
+        } else {
+            let mut flown = self.flown(&all, x, Order::First, &self.stop)?;
+            let seconds = self.second_derivatives(x)?;
+            for (k, of_drive) in self.part.iter().zip(&seconds.of_drives) {
+                flown[*k]
+                    .iter_mut()
+                    .zip(of_drive)
+                    .for_each(|(outcome, hessian)| outcome.hessian.clone_from(hessian));
+            }
+            flown
+        };
+        Ok(self.as_functions(self.measured(x, &flown, weights, Order::Second)))
+    }
 }
 
-impl Problem for DriveProblem {
+/// Refuses a parameter that is varied or in a relation, and that the swings have values of.
+fn refuse_distributed(search: &Search) -> Result<()> {
+    let distributed = &search.scenarios.parameters;
+    let refuse = |parameter: &Parameter, reason: &str| {
+        Err(Error::Unreadable {
+            name: parameter.name.into(),
+            source: reason.into(),
+        })
+    };
+    let mut varied = search.vary.iter().map(|vary| vary.parameter);
+    if let Some(parameter) = varied.find(|parameter| distributed.contains(parameter)) {
+        return refuse(
+            parameter,
+            "it is varied, and the swings have values of it; vary something else, or leave it out \
+             of the swings",
+        );
+    }
+    for (_, measure) in search.goals().flat_map(|goal| &goal.terms) {
+        if let Measure::Parameter(parameter) = measure
+            && distributed.contains(parameter)
+        {
+            return refuse(
+                parameter,
+                "a relation of the design has it, and the swings have values of it; leave it out \
+                 of one of the two",
+            );
+        }
+    }
+    Ok(())
+}
+
+impl Problem for SearchProblem {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
-        let taylors = self.derivatives.at(x);
-        taylors
-            .map(|taylors| self.as_functions(taylors))
-            .map_err(|e| e.to_string())
+        self.evaluated(x, &self.scenarios.weights)
+    }
+}
+
+/// The problem over its scenarios with other weights.
+pub(super) struct Weighted<'a> {
+    problem: &'a SearchProblem,
+    weights: Vec<f64>,
+}
+
+impl Problem for Weighted<'_> {
+    fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
+        self.problem.evaluated(x, &self.weights)
     }
 }

@@ -1,53 +1,54 @@
-//! The part of a map that is nearly as good as its optimum: found by flying, within bounds and
-//! constraints.
+//! The region of a map with nearly the optimum's value, within bounds and constraints.
 
 use super::optimum::Optimum;
 use super::plane::Plane;
 use super::{Constraint, Vary};
 use crate::error::Result;
 
-/// Where drives lose at most a stated amount of an optimum's outcome, and meet every bound and
-/// every constraint. The other parameters are held at the optimum.
+/// The drives of a map that lose at most a stated amount of an optimum's outcome and meet every
+/// bound and constraint. The other parameters are fixed at the optimum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// The loss, SI.
+    /// The allowed loss, SI.
     pub loss: f64,
-    /// The part of the map that holds it, across.
+    /// The horizontal range of the grid.
     pub across: Vary,
-    /// The same, up.
+    /// The vertical range of the grid.
     pub up: Vary,
-    /// Nodes to each side.
+    /// Nodes in each direction.
     pub columns: usize,
-    /// What each node misses: at most 0 in the region. The loss over what is allowed, less 1, or
-    /// how far the constraint missed most is missed in parts of its own range over the map,
-    /// whichever is more; `None` where nothing flies.
+    /// The excess at each node, at most 0 in the region: loss/allowed − 1, or the largest violation
+    /// of a constraint divided by the range of its goal over the map, whichever is larger; `None`
+    /// if the drive does not fly.
     pub misses: Vec<Option<f64>>,
-    /// What an equation misses at each node: the region is the part of the line where it is 0.
+    /// The signed violation of an equation at each node: the region is a part of its zero line.
     pub equation: Option<Vec<Option<f64>>>,
 }
 
-/// Nodes to each side where the region is looked for, and where it is drawn.
+/// Nodes in each direction: to find the region, and to draw it.
 const COARSE: usize = 41;
 const FINE: usize = 97;
 
-/// The closer looks that a region is given at most, each at the part of the last one that holds it.
+/// Largest number of grids, each over the part of the last one that contains the region.
 const LOOKS: usize = 8;
 
-/// A region that fills this part of what is looked at is seen well enough.
+/// Part of the width of a grid that a resolved region fills.
 const FILLED: f64 = 0.55;
 
-/// What an outcome may be off by where an equation holds, of the outcome looked for.
+/// Rounding of an equation, relative to the objective.
 const ROUNDING: f64 = 1e-12;
 
 impl Region {
     /// The region around an optimum over two of the parameters that its search varied.
     ///
-    /// `None` where it is but a point: the optimum has no value, two equations fix both parameters,
-    /// or it lies in no node of the finest look.
+    /// `None` if the optimum has no value, if two equations fix both parameters, and if no node of
+    /// the finest grid is in the region.
     ///
     /// # Errors
-    /// As [`Batch::new`](crate::batch::Batch::new).
+    /// As [`Batch::new`](crate::batch::Batch::new); [`Error::Unreadable`](crate::Error::Unreadable)
+    /// for a search over swings.
     pub fn around(best: &Optimum, across: Vary, up: Vary, loss: f64) -> Result<Option<Self>> {
+        best.search.refuse_swings()?;
         let place = |of: &Vary| {
             best.search
                 .vary
@@ -102,7 +103,7 @@ impl Region {
         for (constraint, values) in best.search.subject_to.iter().zip(&plane.values[1..]) {
             let missed = missed(constraint, values);
             if constraint.is_equation() {
-                // one that holds all over the plane forbids nothing
+                // an equation that holds all over the plane excludes nothing
                 let rounding = ROUNDING
                     * plane.values[0]
                         .iter()
@@ -137,7 +138,7 @@ impl Region {
         }
     }
 
-    /// The part of what was looked at that holds the region and the optimum, and a node around.
+    /// The smallest ranges with the region, the optimum, and a margin of one node.
     fn extent(&self, top: [f64; 2]) -> (Vary, Vary) {
         let rows = self.misses.len() / self.columns;
         let step = |vary: &Vary, count: usize| (vary.high - vary.low) / (count - 1) as f64;
@@ -171,8 +172,8 @@ impl Region {
     }
 }
 
-/// How far a constraint is missed at each node, in parts of the range of its outcome: at most 0
-/// where it is met. Of an equation, to which side.
+/// The excess of a constraint at each node, divided by the range of its goal: at most 0 where it
+/// is met. Of an equation, the signed violation.
 fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
     let known = || values.iter().flatten().copied();
     let range = known().fold(f64::NEG_INFINITY, f64::max) - known().fold(f64::INFINITY, f64::min);

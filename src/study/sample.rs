@@ -1,50 +1,49 @@
-//! A sample of the ranges of a search, flown without derivatives: a check of where the search
-//! ended.
+//! A sample of the ranges of a search over one drive, without derivatives: a check of the end of
+//! the search.
 
-use super::problem::DriveProblem;
+use super::problem::SearchProblem;
 use crate::error::Result;
 use crate::optimize::{Solution, Status, starts};
 use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The points of a sample, and how the optimum compares with them.
+/// The comparison of an optimum with a sample of the ranges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Sample {
-    /// Points flown: Sobol's sequence, scrambled, over the ranges.
+    /// The number of points: a scrambled Sobol' sequence over the ranges.
     pub points: usize,
-    /// Points that have every outcome and meet every constraint.
+    /// The number of points whose drives fly and meet every constraint.
     pub feasible: usize,
-    /// Points better than the optimum.
+    /// The number of points better than the optimum.
     pub better: usize,
-    /// Whether a search from one of the points led to the optimum.
+    /// True if a search from one of the points led to the optimum.
     pub improved: bool,
 }
 
-/// A sample, and the better end of a search that was begun from it.
+/// A sample, with the better end of a search from one of its points.
 pub(super) struct Resampled {
     pub sample: Sample,
-    /// `None` where no search from a point of the sample ended better.
+    /// `None` if no search from a point of the sample ended better.
     pub solution: Option<Solution>,
 }
 
 /// Points of a sample.
 const POINTS: usize = 128;
 
-/// Points flown before the next look at the interrupt.
+/// Points of a batch, before the next check of the interrupt.
 const AT_ONCE: usize = 16;
 
-/// Searches begun from points of a sample, at most.
+/// Largest number of searches from points of a sample.
 const SEARCHES: usize = 3;
 
-/// A region that fewer than one in so many points are in may have several parts.
+/// A feasible region with fewer than one in so many points may be disconnected.
 const ONE_IN: usize = 8;
 
-/// Compares the end of a search with a sample of the ranges. While a point is better than the best
-/// end, `search` is called to begin from it; and from the best of few that meet the constraints,
-/// whose region may have several parts. `None` where `interrupt` became true before all points were
-/// flown.
+/// Compares the end of a search with a sample of the ranges. `search` starts from a point that is
+/// better than the best end; also from the best of few feasible points, since their region may be
+/// disconnected. `None` if `interrupt` became true before all points were evaluated.
 pub(super) fn resample(
-    problem: &DriveProblem,
+    problem: &SearchProblem,
     end: &Solution,
     interrupt: &AtomicBool,
     mut search: impl FnMut(&[f64]) -> Result<Solution>,
@@ -89,16 +88,16 @@ pub(super) fn resample(
     Ok(Some(Resampled { sample, solution }))
 }
 
-/// A point of a sample that has every outcome.
+/// A point of a sample whose drive has every outcome.
 struct Point {
     x: Vec<f64>,
     objective: f64,
     constraints: Vec<f64>,
 }
 
-/// The points of the sample that have every outcome; `None` where `interrupt` became true before
-/// all were flown.
-fn fly(problem: &DriveProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Point>>> {
+/// The points of the sample whose drives have every outcome; `None` if `interrupt` became true
+/// before all were evaluated.
+fn fly(problem: &SearchProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Point>>> {
     // the first start is the setup's own
     let sample = starts(&problem.domain, &problem.start(), 1 + POINTS)?.split_off(1);
     let batch = problem.batch()?;
@@ -109,11 +108,12 @@ fn fly(problem: &DriveProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Poin
         }
         let block = batch.evaluate(0, some.concat());
         points.extend(some.iter().enumerate().filter_map(|(row, x)| {
-            let mut values = block.outcomes(row).collect::<Option<Vec<f64>>>()?;
+            let outcomes = block.outcomes(row).collect::<Option<Vec<f64>>>()?;
+            let mut values = problem.goals_of(x, outcomes);
             let constraints = values.split_off(1);
             Some(Point {
                 x: x.clone(),
-                objective: problem.sense.sign() * values[0],
+                objective: problem.sign() * values[0],
                 constraints,
             })
         }));
@@ -121,28 +121,27 @@ fn fly(problem: &DriveProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Poin
     Ok(Some(points))
 }
 
-/// How good a point is: first by its constraints, then by its objective.
+/// The rank of a point: first by its constraints, then by its objective.
 struct Merit {
-    /// Whether the point meets every constraint.
+    /// True if the point meets every constraint.
     is_feasible: bool,
-    /// The largest violation of a constraint, relative to the spread of its outcome over the
-    /// sample.
+    /// The largest violation of a constraint, divided by the range of its goal over the sample.
     violation: f64,
-    /// f.
+    /// The function minimized.
     objective: f64,
 }
 
-/// The sizes that merits are measured by.
+/// The scales of a [`Merit`].
 struct Scale<'a> {
-    problem: &'a DriveProblem,
-    /// The spread of each constraint's outcome over the sample.
+    problem: &'a SearchProblem,
+    /// The range of each limited goal over the sample.
     constraints: Vec<f64>,
-    /// Objectives that differ by less are equal but for rounding.
+    /// Rounding of the objective.
     rounding: f64,
 }
 
 impl<'a> Scale<'a> {
-    fn of(problem: &'a DriveProblem, points: &[Point]) -> Self {
+    fn of(problem: &'a SearchProblem, points: &[Point]) -> Self {
         const ROUNDING: f64 = 1e-9;
         let spread = |j: usize| {
             let values = || points.iter().map(|point| point.constraints[j]);
@@ -174,7 +173,7 @@ impl<'a> Scale<'a> {
     }
 
     fn of_solution(&self, solution: &Solution) -> Merit {
-        /// Active constraints are met but for rounding.
+        /// Rounding of an active constraint.
         const MET: f64 = 1e-8;
         let Some(objective) = solution.value else {
             return Merit {

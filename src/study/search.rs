@@ -1,13 +1,14 @@
-//! What to look for: an outcome as large or as small as possible, the parameters to vary, and what
-//! is held meanwhile.
+//! A search: an objective as large or as small as possible, the parameters varied, constraints, and
+//! the drives it is over.
 
-use super::constraint::Constraint;
+use super::goal::{Constraint, Goal};
+use super::swings::Scenarios;
 use crate::drive::Outcome;
-use crate::error::Result;
-use crate::optimize::Options;
+use crate::error::{Error, Result};
+use crate::optimize::{Domain, Options};
 use crate::parameters::{Setup, Vary};
 
-/// Whether the largest or the smallest value of an outcome is looked for.
+/// Direction of a search: the largest or the smallest value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sense {
     /// The largest.
@@ -18,7 +19,7 @@ pub enum Sense {
 }
 
 impl Sense {
-    /// What an outcome is multiplied by to be minimised: −1 or 1.
+    /// Factor that turns the objective into a function to minimize: −1 or 1.
     pub fn sign(self) -> f64 {
         match self {
             Self::Maximize => -1.0,
@@ -43,46 +44,47 @@ impl Sense {
     }
 }
 
-/// What to look for.
+/// A search for the best drive, or for the best design over swings that vary.
+///
+/// ```text
+///   maximize   of(drives of x)                   x: the parameters varied
+///   subject to low ≤ x ≤ high
+///              low ≤ goal(drives of x) ≤ high    for each constraint
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Search {
-    /// The outcome to make as large or as small as possible.
-    pub of: Outcome,
-    /// Which of the two.
+    /// The objective: an outcome of one drive, or measures over swings.
+    pub of: Goal,
+    /// The direction.
     pub sense: Sense,
-    /// The parameters to vary.
+    /// The parameters varied, with their ranges.
     pub vary: Vec<Vary>,
-    /// Outcomes to hold between limits.
+    /// The constraints.
     pub subject_to: Vec<Constraint>,
-    /// The optimizer's settings.
+    /// The drives: [one](Scenarios::one_drive), or those of a golfer's swings.
+    pub scenarios: Scenarios,
+    /// Settings of the optimizer.
     pub options: Options,
 }
 
 impl Search {
-    /// The largest value of an outcome, with nothing varied yet.
+    /// The largest value of an outcome of one drive, with no parameter varied yet.
     pub fn largest(of: Outcome) -> Self {
-        let (sense, options) = (Sense::Maximize, Options::default());
         Self {
-            of,
-            sense,
+            of: of.into(),
+            sense: Sense::Maximize,
             vary: vec![],
             subject_to: vec![],
-            options,
+            scenarios: Scenarios::one_drive(),
+            options: Options::default(),
         }
-    }
-
-    /// The outcomes that it asks for: the one sought, then those that are held within limits.
-    pub fn outcomes(&self) -> Vec<Outcome> {
-        std::iter::once(self.of)
-            .chain(self.subject_to.iter().map(|constraint| constraint.outcome))
-            .collect()
     }
 
     /// The longest carry over loft 4–20° and attack angle −5…+5°.
     ///
     /// # Errors
-    /// [`Error::NotVariable`](crate::Error::NotVariable) where the setup gives the launch of the
-    /// ball: then there is no club to vary.
+    /// [`Error::NotVariable`] if the setup gives the launch of the ball: then there is no club to
+    /// vary.
     pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
         let vary = vary
@@ -93,5 +95,84 @@ impl Search {
             vary,
             ..Self::largest(Outcome::Carry)
         })
+    }
+
+    /// The objective, then the limited goals.
+    pub fn goals(&self) -> impl Iterator<Item = &Goal> {
+        let limited = self.subject_to.iter().map(|constraint| &constraint.goal);
+        std::iter::once(&self.of).chain(limited)
+    }
+
+    /// The outcomes that the goals need, in their order.
+    pub fn outcomes(&self) -> Vec<Outcome> {
+        self.goals().flat_map(Goal::outcomes).collect()
+    }
+
+    /// The outcome sought: the objective over one drive, the first outcome of the objective over
+    /// swings.
+    pub fn outcome(&self) -> Outcome {
+        // an objective that was read contains an outcome
+        self.of
+            .outcomes()
+            .first()
+            .copied()
+            .unwrap_or(Outcome::Carry)
+    }
+
+    /// Refuses a search over swings, for studies of one drive.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`].
+    pub fn refuse_swings(&self) -> Result<()> {
+        if self.is_of_outcomes() {
+            return Ok(());
+        }
+        let reason = "it is over swings that vary; this study needs an outcome of one drive, and \
+                      constraints on outcomes";
+        Err(Error::Unreadable {
+            name: format!("the search for {}", self.of.expression),
+            source: reason.into(),
+        })
+    }
+
+    /// True if every goal is an outcome of one drive.
+    pub(super) fn is_of_outcomes(&self) -> bool {
+        self.scenarios.is_one_drive() && self.goals().all(|goal| goal.outcome().is_some())
+    }
+
+    /// The ranges of the parameters and the limits of the constraints.
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`] for a range or limits that are reversed or no numbers.
+    pub(super) fn domain(&self) -> Result<Domain> {
+        self.vary.iter().try_for_each(Vary::check)?;
+        self.subject_to.iter().try_for_each(Constraint::check)?;
+        let (low, high) = self.vary.iter().map(|vary| (vary.low, vary.high)).unzip();
+        let limits = self.subject_to.iter();
+        let (least, most) = limits.map(|limit| (limit.low, limit.high)).unzip();
+        Domain::new(low, high)?.subject_to(least, most)
+    }
+
+    /// Refuses a search without a parameter to vary, and one that varies a parameter twice.
+    ///
+    /// # Errors
+    /// [`Error::Nothing`]; [`Error::SearchRange`].
+    pub(super) fn check(&self) -> Result<()> {
+        if self.vary.iter().all(|vary| vary.low == vary.high) {
+            return Err(Error::Nothing {
+                doing: "vary",
+                what: "parameter with a range wider than a single value",
+            });
+        }
+        for (i, vary) in self.vary.iter().enumerate() {
+            let mut before = self.vary[..i].iter();
+            if before.any(|before| before.parameter == vary.parameter) {
+                return Err(Error::SearchRange {
+                    name: vary.parameter.name.into(),
+                    reason: "it is varied twice; give it one range".into(),
+                });
+            }
+        }
+        Ok(())
     }
 }

@@ -1,7 +1,8 @@
-use super::optimum::{Active, Optimum, optimum, posed};
-use super::problem::DriveProblem;
+use super::optimum::{Optimum, optimum};
+use super::problem::SearchProblem;
 use super::search::Search;
 use super::sigma::amount_of;
+use super::verdict::Active;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
 use crate::optimize::{Observer, Status};
@@ -81,14 +82,14 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
     Ok(())
 }
 
-fn converged(best: &Optimum) -> Result<DriveProblem> {
+fn converged(best: &Optimum) -> Result<SearchProblem> {
     if best.solution.status != Status::Converged {
         return Err(Error::NotConverged {
             status: best.status(),
             message: best.message(),
         });
     }
-    posed(&best.setup, &best.search)
+    SearchProblem::of_drive(&best.setup, &best.search)
 }
 
 /// A stated change of a parameter.

@@ -16,6 +16,10 @@ pub(super) fn each_until<T: Sync, R: Send>(
     stop: &AtomicBool,
     work: impl Fn(&T) -> R + Sync,
 ) -> Option<Vec<R>> {
+    // a single item needs no threads
+    if let [only] = items {
+        return (!stop.load(Ordering::Relaxed)).then(|| vec![work(only)]);
+    }
     items
         .par_iter()
         .map(|item| (!stop.load(Ordering::Relaxed)).then(|| work(item)))

@@ -320,11 +320,11 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
                 found
                     .locals
                     .iter()
-                    .map(|(_, starts)| starts.len())
+                    .map(|local| local.starts.len())
                     .sum::<usize>(),
                 16
             );
-            let (first, _) = &found.locals[0];
+            let first = &found.best;
             assert!(
                 matches!(
                     first.solution.status,
@@ -337,7 +337,7 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
             let ordered: Vec<f64> = found
                 .locals
                 .iter()
-                .filter_map(|(local, _)| local.value())
+                .filter_map(|local| local.value)
                 .collect();
             assert!(
                 ordered.windows(2).all(|pair| pair[0] >= pair[1] - 1e-9),
@@ -567,7 +567,7 @@ fn a_saddle_is_left_for_a_maximum() {
     // by symmetry the landing speed has its minimum at zero cross wind
     let setup = Setup::default();
     let search = Search {
-        of: Outcome::LandingSpeed,
+        of: Outcome::LandingSpeed.into(),
         ..search(&setup, &["wind.right=-20m/s..20m/s"], &[])
     };
     let best = best(&setup, &search);
@@ -590,7 +590,7 @@ fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     let setup = Setup::default();
     let vary = ["club.loft=4deg..20deg", BOX[1]];
     let search = Search {
-        of: Outcome::Spin,
+        of: Outcome::Spin.into(),
         sense: Sense::Minimize,
         ..search(&setup, &vary, &[])
     };
@@ -629,11 +629,7 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
             )
         };
         let found = optima(&setup, &search, 8, &Follow::default()).unwrap();
-        let ends: Vec<_> = found
-            .locals
-            .iter()
-            .map(|(local, _)| &local.solution)
-            .collect();
+        let ends: Vec<_> = found.locals.iter().map(|local| &local.solution).collect();
         assert!(ends.len() > 1 && ends.iter().all(|end| end.status == Status::Infeasible));
         // each limit divided by its derivative by the loft, which changes both
         let missed = |end: &&Solution| -> f64 {

@@ -3,7 +3,8 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::Setup;
-use longdrive::study::swings::GoalLimit;
+use longdrive::study::Constraint;
+
 use serde_json::Value;
 
 /// A few swings of a golfer, so that a search takes no time.
@@ -241,7 +242,7 @@ fn differences_certify_the_price_of_a_relation() {
 #[test]
 fn a_relation_is_read_or_refused_with_its_position() {
     let setup = Setup::default();
-    let read = |text: &str| GoalLimit::read_relation(&setup, text);
+    let read = |text: &str| Constraint::read_relation(&setup, text);
     let limit = read("budget: 2*club.mass - 0.5 g/mm*club.cg_depth + 3 g == 400 g").unwrap();
     assert_eq!(
         (limit.low, limit.high, limit.goal.terms.len()),

@@ -77,7 +77,7 @@ fn mapped(
         .search
         .subject_to
         .iter()
-        .map(|constraint| (constraint.clone(), over(constraint.outcome)))
+        .map(|constraint| (constraint.clone(), over(constraint.goal.outcome().unwrap())))
         .collect();
     let region = Region::around(&best, across, up, YARD).unwrap();
     let on = OnMap {
@@ -144,14 +144,14 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
             }
             for constraint in &best.search.subject_to {
                 let unit = constraint
-                    .outcome
-                    .quantity()
-                    .size_of(constraint.outcome.unit())
+                    .goal
+                    .quantity
+                    .size_of(constraint.goal.unit)
                     .unwrap();
-                let short = (constraint.low - value(constraint.outcome))
-                    .max(value(constraint.outcome) - constraint.high);
+                let short = (constraint.low - value(constraint.goal.outcome().unwrap()))
+                    .max(value(constraint.goal.outcome().unwrap()) - constraint.high);
                 // 0.01 deg, 0.01 yd, 1 rpm: the map is linear between its nodes
-                let fine = if constraint.outcome == Outcome::Backspin {
+                let fine = if constraint.goal.outcome() == Some(Outcome::Backspin) {
                     unit
                 } else {
                     0.01 * unit

@@ -308,7 +308,7 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
     let found = optima(&setup, &search, 400, &follow)?;
     let (stopped, preset) = (found.stopped(), Preset::named("modern-driver").unwrap());
     assert!(
-        stopped > 0 && found.best()?.status() == "converged",
+        stopped > 0 && found.best.status() == "converged",
         "{stopped}"
     );
     let listed = optima_text(&found, System::Metric);
@@ -322,14 +322,18 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
         !listed.contains("interrupted") && listed.contains("converged"),
         "{listed}"
     );
-    let text = optimum_toml(&found, preset)?;
+    let text = optimum_toml(&found, None, preset)?;
     let ended = 400 - stopped;
     let line = format!(
         "\n# interrupted: {ended} of 400 searches ended, and {stopped} were stopped before their \
          end; the best so far:\n# converged: "
     );
     assert!(text.contains(&line), "{text}");
-    let whole = optimum_toml(&optima(&setup, &search, 4, &Follow::default())?, preset)?;
+    let whole = optimum_toml(
+        &optima(&setup, &search, 4, &Follow::default())?,
+        None,
+        preset,
+    )?;
     assert!(
         !whole.contains("interrupted") && whole.contains("\n# converged: "),
         "{whole}"

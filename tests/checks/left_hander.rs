@@ -4,13 +4,11 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::{close, random_setups};
 use longdrive::derivative::hessian;
-use longdrive::optimize::{Follow, Options};
+use longdrive::optimize::Observer;
 use longdrive::parameters::Golfer;
-use longdrive::study::swings::{
-    Correlation, Goal, Rule, Scenarios, Swings, SwingsSearch, swings_optimum,
-};
+use longdrive::study::swings::{Correlation, Rule, Scenarios, Swings};
 use longdrive::study::uncertainty::Uncertain;
-use longdrive::study::{Comparison, Sense, Vary};
+use longdrive::study::{Comparison, Goal, Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
 
 /// The outcomes with a side.
@@ -118,18 +116,17 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str]) -> (f64, Vec<f64>) {
         .collect();
     let correlation = Correlation::new([inputs[0].parameter, inputs[1].parameter], 0.5).unwrap();
     let swings = Swings::distributed(inputs, &[correlation]).unwrap();
-    let search = SwingsSearch {
+    let search = Search {
         of: Goal::read(goal, None).unwrap(),
         sense: Sense::Maximize,
         vary: vary
             .iter()
             .map(|text| Vary::read(setup, text).unwrap())
             .collect(),
-        subject_to: vec![],
-        options: Options::default(),
+        scenarios: Scenarios::new(&swings, Rule::Quadrature(4)).unwrap(),
+        ..Search::largest(Outcome::Carry)
     };
-    let scenarios = Scenarios::new(&swings, Rule::Quadrature(4)).unwrap();
-    let best = swings_optimum(setup, search, scenarios, &Follow::default()).unwrap();
+    let best = optimum(setup, search, Observer::default()).unwrap();
     (best.value().unwrap(), best.solution.x)
 }
 

@@ -3,12 +3,9 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::optimize::{Follow, Observer, Options};
-use longdrive::study::swings::{
-    Goal, GoalLimit, ParetoSearch, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, pareto,
-    swings_optimum,
-};
+use longdrive::study::swings::{ParetoSearch, Rule, Scenarios, Swings, pareto};
 use longdrive::study::uncertainty::Uncertain;
-use longdrive::study::{Search, Sense, Vary, optimum};
+use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
 
 fn golfer(setup: &Setup<f64>) -> Scenarios {
@@ -42,16 +39,17 @@ fn vary(setup: &Setup<f64>) -> Vec<Vary> {
         .collect()
 }
 
-fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<GoalLimit>) -> SwingsOptimum {
+fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<Constraint>) -> Optimum {
     let (of, sense) = goals()[k].clone();
-    let search = SwingsSearch {
+    let search = Search {
         of,
         sense,
         vary: vary(setup),
         subject_to,
-        options: Options::default(),
+        scenarios: golfer(setup),
+        ..Search::largest(Outcome::Carry)
     };
-    let best = swings_optimum(setup, search, golfer(setup), &Follow::default()).unwrap();
+    let best = optimum(setup, search, Observer::default()).unwrap();
     assert_eq!(best.status(), "converged");
     best
 }
@@ -66,7 +64,7 @@ fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
         (Outcome::Carry, Sense::Maximize),
         (Outcome::Spin, Sense::Minimize),
     ];
-    let goals = goals.map(|(outcome, sense)| (Goal::outcome(outcome), sense));
+    let goals = goals.map(|(outcome, sense)| (Goal::from(outcome), sense));
     let read = |text: &str| Vary::read(&setup, text).unwrap();
     let vary = vec![
         read("club.loft=4deg..20deg"),
@@ -137,7 +135,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
     }
     let held = |most: f64| {
         let (goal, _) = goals()[1].clone();
-        let limit = GoalLimit {
+        let limit = Constraint {
             expression: "std(lateral)".into(),
             goal,
             low: f64::NEG_INFINITY,

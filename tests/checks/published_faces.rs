@@ -3,13 +3,11 @@
 //! strikes by 30 to 50 % (Caldwell 2023): each case is tested for its own claim.
 
 use longdrive::derivative::gradient;
-use longdrive::optimize::{Follow, Options};
+use longdrive::optimize::Observer;
 use longdrive::parameters::Law;
-use longdrive::study::swings::{
-    Correlation, Goal, Rule, Scenarios, Swings, SwingsSearch, swings_optimum,
-};
+use longdrive::study::swings::{Correlation, Rule, Scenarios, Swings};
 use longdrive::study::uncertainty::Uncertain;
-use longdrive::study::{Sense, Vary};
+use longdrive::study::{Goal, Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
 
 const RPM: f64 = std::f64::consts::TAU / 60.0;
@@ -53,15 +51,14 @@ fn mcnally() -> Setup<f64> {
 fn best_bulge(setup: &Setup<f64>) -> f64 {
     let strikes = Uncertain::read(setup, "strike.toe=uniform(-25 mm, 25 mm)").unwrap();
     let swings = Swings::distributed(vec![strikes], &[]).unwrap();
-    let search = SwingsSearch {
+    let search = Search {
         of: Goal::read("rms(lateral)", None).unwrap(),
         sense: Sense::Minimize,
         vary: vec![Vary::read(setup, "club.bulge_radius=150mm..900mm").unwrap()],
-        subject_to: vec![],
-        options: Options::default(),
+        scenarios: Scenarios::new(&swings, Rule::Quadrature(16)).unwrap(),
+        ..Search::largest(Outcome::Carry)
     };
-    let scenarios = Scenarios::new(&swings, Rule::Quadrature(16)).unwrap();
-    let best = swings_optimum(setup, search, scenarios, &Follow::default()).unwrap();
+    let best = optimum(setup, search, Observer::default()).unwrap();
     assert_eq!(best.status(), "converged");
     best.solution.x[0]
 }

@@ -3,23 +3,22 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::optimize::{Follow, Iteration, Options};
+use longdrive::optimize::{Follow, Iteration};
 use longdrive::report::robust_reply;
-use longdrive::study::swings::{Goal, Model, Robust, Scenarios, SwingsSearch, robust};
-use longdrive::study::{Sense, Vary};
+use longdrive::study::swings::{Model, Robust, robust};
+use longdrive::study::{Goal, Search, Sense, Vary};
 use longdrive::{Drive, Error, Outcome, Setup};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-fn search(setup: &Setup<f64>) -> SwingsSearch {
+fn search(setup: &Setup<f64>) -> Search {
     let vary = vec![Vary::read(setup, "club.loft=4deg..20deg").unwrap()];
-    let (of, sense) = (Goal::outcome(Outcome::Carry), Sense::Maximize);
-    SwingsSearch {
+    let (of, sense) = (Goal::from(Outcome::Carry), Sense::Maximize);
+    Search {
         of,
         sense,
         vary,
-        subject_to: vec![],
-        options: Options::default(),
+        ..Search::largest(Outcome::Carry)
     }
 }
 
@@ -28,14 +27,7 @@ fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
     let models = own
         .chain(changes.iter().map(|text| Model::read(setup, text).unwrap()))
         .collect();
-    robust(
-        models,
-        search(setup),
-        &Scenarios::one_drive(),
-        1,
-        &Follow::default(),
-    )
-    .unwrap()
+    robust(models, search(setup), 1, &Follow::default()).unwrap()
 }
 
 /// Two models with different best lofts: at the minimax design both lose the same, and no loft of a
@@ -238,7 +230,6 @@ fn bad_models_are_refused_with_the_reason() {
     let alone = robust(
         vec![Model::as_set_up(&setup)],
         search(&setup),
-        &Scenarios::one_drive(),
         1,
         &Follow::default(),
     );
@@ -294,7 +285,7 @@ fn a_stopped_search_reports_its_progress() {
             Model::as_set_up(&setup),
             Model::read(&setup, "swing.attack_angle=-4 deg").unwrap(),
         ];
-        robust(models, search(&setup), &Scenarios::one_drive(), 4, &follow)
+        robust(models, search(&setup), 4, &follow)
     };
     // the loft and the largest loss
     let found = stopping_at(2).unwrap();

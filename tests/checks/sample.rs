@@ -3,9 +3,9 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::LARGE_STEPS;
 use longdrive::batch::Batch;
-use longdrive::optimize::{Observer, Options, Status};
+use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::PRESETS;
-use longdrive::study::{Constraint, Search, Sense, Vary, optimum};
+use longdrive::study::{Constraint, Search, Vary, optimum};
 use longdrive::{Outcome, Setup};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
@@ -115,7 +115,7 @@ fn generated(random: &mut Random) -> Option<Generated> {
         };
         subject_to.push(Constraint {
             expression: format!("{low} <= {outcome} <= {high}"),
-            outcome,
+            goal: outcome.into(),
             low,
             high,
         });
@@ -132,11 +132,9 @@ fn generated(random: &mut Random) -> Option<Generated> {
         .map(|values| -values[0])
         .reduce(f64::min)?;
     let search = Search {
-        of,
-        sense: Sense::Maximize,
         vary,
         subject_to,
-        options: Options::default(),
+        ..Search::largest(of)
     };
     Some(Generated {
         setup,

@@ -3,13 +3,10 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::derivative::{Order, Taylor, hessian};
-use longdrive::optimize::{Follow, Options};
-use longdrive::study::swings::{
-    Goal, GoalFunction, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, resampled,
-    swings_optimum,
-};
+use longdrive::optimize::Observer;
+use longdrive::study::swings::{GoalFunction, Rule, Scenarios, Swings, resampled};
 use longdrive::study::uncertainty::{Distribution, Uncertain};
-use longdrive::study::{Sense, Vary};
+use longdrive::study::{Goal, Optimum, Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
 use std::sync::Arc;
 
@@ -24,18 +21,18 @@ fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
     .unwrap()
 }
 
-fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str], scenarios: Scenarios) -> SwingsOptimum {
-    let search = SwingsSearch {
+fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str], scenarios: Scenarios) -> Optimum {
+    let search = Search {
         of: Goal::read(goal, None).unwrap(),
         sense: Sense::Maximize,
         vary: vary
             .iter()
             .map(|text| Vary::read(setup, text).unwrap())
             .collect(),
-        subject_to: vec![],
-        options: Options::default(),
+        scenarios,
+        ..Search::largest(Outcome::Carry)
     };
-    swings_optimum(setup, search, scenarios, &Follow::default()).unwrap()
+    optimum(setup, search, Observer::default()).unwrap()
 }
 
 /// Value, gradient and Hessian of a mean at the optimum, compared with the weighted sums of single
@@ -313,7 +310,7 @@ fn sampled_interval_of_the_best_loft_from_recorded_swings() {
             "{count}: {design:?} {}",
             truth.solution.x[0]
         );
-        assert!(found.rounds == 40 && found.apart.is_some_and(|apart| apart.better.low > 0.0));
+        assert!(found.rounds == 40 && found.significance.is_some_and(|gain| gain.better.low > 0.0));
         design.high - design.low
     });
     assert!((widths[0] / widths[1] - 3.0).abs() < 1.5, "{widths:?}");

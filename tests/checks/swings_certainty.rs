@@ -2,13 +2,10 @@
 
 use crate::command_line::{json, number};
 use longdrive::batch::Batch;
-use longdrive::optimize::{Follow, Options};
-use longdrive::study::swings::{
-    Doubt, Goal, GoalLimit, Measure, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, price,
-    swings_optimum,
-};
+use longdrive::optimize::Observer;
+use longdrive::study::swings::{GoalError, Measure, Rule, Scenarios, Swings, price};
 use longdrive::study::uncertainty::Uncertain;
-use longdrive::study::{Sense, Vary};
+use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Setup};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
@@ -109,23 +106,24 @@ fn has_edge(goal: &Goal) -> bool {
 }
 
 /// The best design for the first goal, with the other goals.
-fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> SwingsOptimum {
+fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optimum {
     let mut goals = goals.iter().map(|text| Goal::read(text, None).unwrap());
-    let search = SwingsSearch {
+    let search = Search {
         of: goals.next().unwrap(),
         sense: Sense::Maximize,
         vary: vec![Vary::read(setup, "club.loft=7deg..15deg").unwrap()],
         subject_to: goals
-            .map(|goal| GoalLimit {
+            .map(|goal| Constraint {
                 expression: goal.expression.clone(),
                 goal,
                 low: f64::NEG_INFINITY,
                 high: f64::INFINITY,
             })
             .collect(),
-        options: Options::default(),
+        scenarios,
+        ..Search::largest(Outcome::Carry)
     };
-    swings_optimum(setup, search, scenarios, &Follow::default()).unwrap()
+    optimum(setup, search, Observer::default()).unwrap()
 }
 
 /// For 117 generated goals over one to five distributions, by Gauss's rules and by sequences, the
@@ -190,7 +188,7 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
         goals.push(format!("within(lateral, {}yd)", between(3.0, 25.0)));
         goals.rotate_left(round % 3);
         let best = searched(&setup, &goals, scenarios.clone());
-        let doubts = price(&setup, &swings, &best).unwrap().doubts;
+        let errors = price(&setup, &swings, &best).unwrap().errors;
         let outcomes = [
             Outcome::Carry,
             Outcome::Lateral,
@@ -214,16 +212,16 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
         };
         let all = std::iter::once(&best.search.of)
             .chain(best.search.subject_to.iter().map(|limit| &limit.goal));
-        for ((goal, value), doubt) in all.zip(best.goals().unwrap()).zip(doubts) {
+        for ((goal, value), error) in all.zip(best.goals.as_ref().unwrap()).zip(errors) {
             let reference = of_nodes
                 .as_ref()
                 .filter(|_| !has_edge(goal))
                 .unwrap_or(&of_sequence);
             let truth = reference.goal(goal);
-            let [low, high] = match doubt {
-                Doubt::Quadrature(error) => [value - error, value + error],
-                Doubt::Sampling(interval, _) => [interval.low, interval.high],
-                Doubt::Unknown(why) => panic!("{why}"),
+            let [low, high] = match error {
+                GoalError::Quadrature(error) => [value - error, value + error],
+                GoalError::Sampling(interval, _) => [interval.low, interval.high],
+                GoalError::Unknown(why) => panic!("{why}"),
             };
             let rounding = 1e-11 * truth.abs();
             told += 1;

@@ -2,13 +2,11 @@
 //! sample to that over all swings.
 
 use crate::common::close;
-use longdrive::Setup;
-use longdrive::optimize::{Follow, Options};
-use longdrive::study::swings::{
-    Goal, Rule, Scenarios, Strokes, Swings, SwingsSearch, swings_optimum,
-};
+use longdrive::optimize::{Observer, Options};
+use longdrive::study::swings::{Rule, Scenarios, Strokes, Swings};
 use longdrive::study::uncertainty::Uncertain;
-use longdrive::study::{Sense, Vary};
+use longdrive::study::{Goal, Search, Sense, Vary, optimum};
+use longdrive::{Outcome, Setup};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
@@ -65,7 +63,7 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
             )
             .unwrap();
         }
-        let search = SwingsSearch {
+        let search = Search {
             of: Goal::read(goal, Some(&strokes)).unwrap(),
             sense: Sense::Minimize,
             vary: vary
@@ -77,8 +75,10 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
                 max_iterations: 0,
                 ..Options::default()
             },
+            scenarios: scenarios.clone(),
+            ..Search::largest(Outcome::Carry)
         };
-        swings_optimum(&here, search, scenarios.clone(), &Follow::default())
+        optimum(&here, search, Observer::default())
             .unwrap()
             .solution
     };
@@ -151,14 +151,14 @@ fn order_of_the_error_of_the_optimum_over_a_sample() {
         ],
     );
     let best = |scenarios: Scenarios| {
-        let search = SwingsSearch {
+        let search = Search {
             of: Goal::read("mean(carry)", None).unwrap(),
             sense: Sense::Maximize,
             vary: vec![Vary::read(&setup, "club.loft=4deg..25deg").unwrap()],
-            subject_to: vec![],
-            options: Options::default(),
+            scenarios,
+            ..Search::largest(Outcome::Carry)
         };
-        swings_optimum(&setup, search, scenarios, &Follow::default())
+        optimum(&setup, search, Observer::default())
             .unwrap()
             .solution
             .x[0]

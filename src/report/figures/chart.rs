@@ -28,7 +28,7 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     let along = Measure::parameter(chart.along.parameter);
     let tag = chart.along.parameter.name.replace('.', "-");
     let x = || Axis::linear(along.clone());
-    let of = Measure::outcome(search.of);
+    let of = Measure::outcome(search.outcome());
     let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
     let own = own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at));
     let yours = |y: Option<f64>, told: &dyn Fn(f64) -> String| {
@@ -55,12 +55,12 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
         .iter()
         .filter_map(|point| Some([point.at, point.best.value()?]))
         .collect();
-    let name = format!("chart-{}-by-{tag}", search.of.name());
+    let name = format!("chart-{}-by-{tag}", search.outcome().name());
     let title = format!("Best {} against {}", of.label, along.label);
     let mut best = Figure::new(name, title, x(), Axis::linear(of)).with(line(value));
     let own_value = own.and_then(|(_, best)| best.value());
     best.layers.extend(yours(own_value, &|value| {
-        shown::outcome(search.of, value, system)
+        shown::outcome(search.outcome(), value, system)
     }));
     best = marked(best, chart, system, |point| point.best.value());
 

@@ -2,7 +2,8 @@ use super::map::capital;
 use crate::report::pareto::role;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
-use crate::study::swings::{Goal, Pareto, ParetoPoint};
+use crate::study::Goal;
+use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
 /// How far the line of the slope reaches from the knee, as a part of the front's width.

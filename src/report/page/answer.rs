@@ -140,7 +140,7 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
 
 /// What is said of a parameter on its bound: "your limit: each further degree adds 2.11 yd".
 fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
-    let (of, parameter) = (best.search.of, best.search.vary[i].parameter);
+    let (of, parameter) = (best.search.outcome(), best.search.vary[i].parameter);
     let (lower, upper) = (
         best.solution.lower_multipliers[i],
         best.solution.upper_multipliers[i],

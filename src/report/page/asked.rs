@@ -116,7 +116,7 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
             dt { "Wind" } dd { (both(|system| wind(findings, system))) }
             @if let Some(search) = search {
                 dt { "Wanted" } dd {
-                    "the " (search.sense.adjective()) " " (shown::words(search.of.name())) " by "
+                    "the " (search.sense.adjective()) " " (shown::words(search.outcome().name())) " by "
                     (both(|system| {
                         let range = |vary: &Vary| {
                             let [low, high] = [vary.low, vary.high].map(|value| shown::told(vary.parameter, value, system));

@@ -80,7 +80,7 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
             .collect(),
     };
     let setup = match findings.best {
-        Some(best) => best_toml(best, None, findings.preset)?,
+        Some(best) => best_toml(best, None, None, findings.preset)?,
         None => setup_toml(
             findings.setup,
             findings.preset,

@@ -84,7 +84,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
 /// Where the optimum is, which bounds it lies on, and what moving them would bring.
 pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let (search, solution) = (&best.search, &best.solution);
-    let of = search.of;
+    let of = search.outcome();
     let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
     html! {
         p { (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } "." }
@@ -141,7 +141,7 @@ fn limits(best: &Optimum) -> Markup {
                 @for (j, (constraint, report)) in best.search.subject_to.iter().zip(reports).enumerate() {
                     tr {
                         td { (both(|system| shown::constraint(constraint, system))) }
-                        td.number { (outcome(constraint.outcome, Some(report.value))) }
+                        td.number { (both(|system| shown::goal(&constraint.goal, report.value, system))) }
                         td.words { (both(|system| constraint_in_words(best, j, system))) }
                     }
                 }

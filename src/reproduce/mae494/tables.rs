@@ -77,7 +77,7 @@ fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
         ..Search::largest(Outcome::Carry)
     };
     // some printed optima do not fly, and carry may have more than one peak
-    let best = optima(&at, &search, 8, &Follow::default())?.best()?.clone();
+    let best = optima(&at, &search, 8, &Follow::default())?.best;
     Ok(Row {
         printed,
         active: best.active(),

@@ -1,7 +1,7 @@
 //! What holds a design, and how it stands at the best one.
 
 use super::rules::Rule;
-use crate::study::swings::SwingsOptimum;
+use crate::study::Optimum;
 use crate::units::Quantity;
 
 /// What a search may leave of a limit unmet, of the change that its price is told for.
@@ -57,7 +57,7 @@ pub struct Standing {
 
 impl Held {
     /// How it stands at the best design.
-    pub fn at(&self, best: &SwingsOptimum) -> Standing {
+    pub fn at(&self, best: &Optimum) -> Standing {
         let solution = &best.solution;
         let margin_of = |value: f64| (value - self.range[0]).min(self.range[1] - value);
         // what is not met has no price
@@ -86,7 +86,7 @@ impl Held {
             By::Limit(k) => {
                 // the search met the limit of the smoothed goal
                 let smoothed = solution.constraints.get(k);
-                let value = best.limits().nth(k).map(|(_, at)| at.value);
+                let value = best.constraints().get(k).map(|(_, at)| at.value);
                 (
                     value,
                     smoothed.and_then(|at| price_of(Some(at.value), at.multiplier.abs())),

@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::study::swings::{Goal, SwingsOptimum, goals_of};
+use crate::study::{Goal, Optimum, goals_of};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -24,16 +24,20 @@ const PARTS: [&str; 3] = ["mean(carry)", "std(carry)", "rms(lateral)"];
 ///
 /// # Errors
 /// As [`goals_of`].
-pub fn parts(
-    setup: &Setup<f64>,
-    best: &SwingsOptimum,
-    stop: &Arc<AtomicBool>,
-) -> Result<Vec<Part>> {
+pub fn parts(setup: &Setup<f64>, best: &Optimum, stop: &Arc<AtomicBool>) -> Result<Vec<Part>> {
     let goals = PARTS
         .iter()
         .map(|text| Goal::read(text, None))
         .collect::<Result<Vec<_>>>()?;
-    let of = |setup: &Setup<f64>| goals_of(setup, &goals, &best.search.vary, &best.scenarios, stop);
+    let of = |setup: &Setup<f64>| {
+        goals_of(
+            setup,
+            &goals,
+            &best.search.vary,
+            &best.search.scenarios,
+            stop,
+        )
+    };
     let found = of(setup).and_then(|before| Ok((before, of(&best.setup)?)));
     if stop.load(Ordering::Relaxed) {
         return Ok(vec![]);

@@ -6,8 +6,9 @@ use crate::drive::{Outcome, is_outside_any_face};
 use crate::error::{Error, Result};
 use crate::impact::Head;
 use crate::parameters::{Parameter, Setup, Vary};
-use crate::study::problem::moved;
-use crate::study::swings::{Goal, GoalLimit, Scenarios, SwingsOptimum, SwingsSearch};
+use crate::study::swings::Scenarios;
+use crate::study::swings::flown::moved;
+use crate::study::{Constraint, Optimum, Search};
 use crate::units::{Amount, Quantity, counted};
 
 /// What is varied where nothing is asked for: the face.
@@ -32,7 +33,7 @@ const REACHED: &str = "the swings reach";
 #[derive(Clone, Debug)]
 pub struct Design {
     /// The search with the bounds and limits of the rules.
-    pub search: SwingsSearch,
+    pub search: Search,
     /// All that holds the design: rules, conditions, and the limits that were asked for.
     pub held: Vec<Held>,
     /// Whether the Rules of Golf hold it.
@@ -49,12 +50,8 @@ impl Design {
     /// # Errors
     /// [`Error::Rule`] for a setup or a range that breaks a rule; [`Error::Unreadable`] for strikes
     /// that no face reaches.
-    pub fn new(
-        setup: &Setup<f64>,
-        scenarios: &Scenarios,
-        search: SwingsSearch,
-        is_under_rules: bool,
-    ) -> Result<Self> {
+    pub fn new(setup: &Setup<f64>, search: Search, is_under_rules: bool) -> Result<Self> {
+        let scenarios = &search.scenarios.clone();
         check_strikes(setup, scenarios, &search.vary)?;
         let mut design = Self {
             search,
@@ -103,7 +100,7 @@ impl Design {
     }
 
     /// How the best design stands to all that holds it.
-    pub fn standings(&self, best: &SwingsOptimum) -> Vec<Standing> {
+    pub fn standings(&self, best: &Optimum) -> Vec<Standing> {
         self.held.iter().map(|held| held.at(best)).collect()
     }
 
@@ -353,14 +350,10 @@ impl Design {
         [low, high]: [f64; 2],
         rule: Option<&'static Rule>,
     ) {
-        let goal = Goal {
-            expression: of.name().into(),
-            ..Goal::mean(of)
-        };
         let by = By::Limit(self.search.subject_to.len());
-        self.search.subject_to.push(GoalLimit {
+        self.search.subject_to.push(Constraint {
             expression: expression.clone(),
-            goal,
+            goal: of.into(),
             low,
             high,
         });
@@ -387,7 +380,7 @@ impl Design {
     fn budget(&mut self, setup: &Setup<f64>) {
         let is_mass =
             |row: &Parameter| row.name.starts_with("club.") && row.quantity == Quantity::MASS;
-        let is_about_it = |limit: &GoalLimit| limit.goal.quantity == Quantity::MASS;
+        let is_about_it = |limit: &Constraint| limit.goal.quantity == Quantity::MASS;
         if !self.varies(is_mass) || self.search.subject_to.iter().any(is_about_it) {
             return;
         }

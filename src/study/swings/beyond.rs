@@ -1,19 +1,19 @@
-//! What deserves a word about the drives of a design: a law beyond what it was fitted to, strikes
+//! Warnings about the drives of a design: a law outside of the range it was fitted to, strikes
 //! beside the face, balls that land flat.
 
-use super::optimum::{SwingsOptimum, SwingsSearch};
+use super::flown::moved;
 use super::pareto::Pareto;
 use super::robust::Robust;
 use super::scenarios::Scenarios;
 use crate::drive::{CheckScope, Drive, ExceededCount, ExceededLimits, ExceededShare, Outcome};
 use crate::parameters::Setup;
-use crate::study::problem::moved;
+use crate::study::Optimum;
 use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// Which shares of the swings are outside of what the model is made for with the design of a setup;
-/// those that do not land are not among them. `None` once `stop` is true.
+/// The shares of the swings that exceed a validity limit of the model with the design of a setup.
+/// Swings that do not land are not counted. `None` once `stop` is true.
 pub fn beyond_share(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -36,8 +36,8 @@ pub fn beyond_share(
     Some(share)
 }
 
-/// What deserves a word about a setup and its drives: of one drive as [`Drive::warnings_about`], of
-/// many swings with their share.
+/// Warnings about a setup and its drives: of one drive [`Drive::warnings_about`], over swings with
+/// the share of the swings.
 fn warnings(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -58,24 +58,15 @@ fn warnings(
     warnings
 }
 
-impl SwingsSearch {
-    /// The outcomes that it asks for: of what is looked for, then of what is limited.
-    pub fn outcomes(&self) -> Vec<Outcome> {
-        let limited = self
-            .subject_to
-            .iter()
-            .flat_map(|limit| limit.goal.outcomes());
-        self.of.outcomes().into_iter().chain(limited).collect()
-    }
-}
-
-impl SwingsOptimum {
-    /// Warnings about the setup with the best design, and about its drives; without an optimum
-    /// about the setup alone. Once `stop` is true, that many swings were not looked at.
+impl Optimum {
+    /// Warnings about the setup at the optimum and about its drives; without an optimum about the
+    /// setup only. Once `stop` is true, one says that the swings were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
-        match self.solution.value {
-            Some(_) => warnings(&self.setup, &self.scenarios, &self.search.outcomes(), stop),
-            None => self.setup.warnings(),
+        let of = self.search.outcomes();
+        match (&self.drive, self.solution.value) {
+            (Some(drive), _) => drive.warnings_about(&self.setup, &of),
+            (None, Some(_)) => warnings(&self.setup, &self.search.scenarios, &of, stop),
+            (None, None) => self.setup.warnings(),
         }
     }
 }
@@ -86,15 +77,15 @@ impl Robust {
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
         let mut all: Vec<Message> = vec![];
-        for (model, best) in &self.models {
+        for (model, _) in &self.models {
             let design: Vec<_> = self.search.vary.iter().map(|vary| vary.parameter).collect();
             let Ok(setup) = moved(&model.setup, &design, &self.design) else {
                 continue;
             };
-            let told = warnings(&setup, &best.scenarios, &of, stop);
+            let of_drives = warnings(&setup, &self.search.scenarios, &of, stop);
             let of_setup = setup.warnings();
-            for message in told {
-                // what is odd in the setup is so with every model, and so is what was left out
+            for message in of_drives {
+                // a warning about the setup concerns every model
                 let message = match of_setup.contains(&message) || message == NOT_LOOKED_AT.into() {
                     true => message,
                     false => {
@@ -111,8 +102,8 @@ impl Robust {
 }
 
 impl Pareto {
-    /// Warnings about the drives of the compromises: at how many of them. Nothing once `stop` is
-    /// true, but that it was not looked at.
+    /// Warnings about the drives at the points of the front, with the number of points. Once `stop`
+    /// is true, one that says that the drives were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let Some(first) = self.points.first() else {
             return vec![];

@@ -1,4 +1,4 @@
-//! A function of a function, with its derivatives.
+//! The chain rule for a function of a function of several variables.
 
 use crate::number::Taylor;
 

@@ -1,4 +1,4 @@
-//! The outcomes of very many swings without derivatives, side by side.
+//! The outcomes of many swings without derivatives, in batches.
 
 use super::scenarios::Scenarios;
 use crate::batch::Batch;
@@ -6,26 +6,25 @@ use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::study::problem::moved;
 use crate::study::stoppable::{each_until, stopped};
 use std::sync::atomic::AtomicBool;
 
-/// Swings that a thread flies at a time.
+/// Swings of a batch, which a thread flies.
 const BLOCK: usize = 512;
 
-/// A column of values for each outcome: those of a setup with each swing.
+/// The outcomes of a setup with each swing: a column of values for each outcome.
 ///
 /// # Errors
 /// [`Error::NoFlight`], which names the first swing that does not fly; [`Error::NotConverged`] once
 /// `stop` is true.
-pub(super) fn columns(
+pub(in crate::study) fn columns(
     setup: &Setup<f64>,
     of: &[Outcome],
     scenarios: &Scenarios,
     stop: &AtomicBool,
 ) -> Result<Vec<Vec<f64>>> {
     let blocks: Vec<&[Vec<f64>]> = scenarios.points.chunks(BLOCK).collect();
-    // a batch has parameters; one drive alone has none
+    // a batch needs a parameter, and one drive has none
     let batch = match scenarios.is_one_drive() {
         true => None,
         false => Some(Batch::new(setup, &scenarios.parameters, of, &[])?),
@@ -38,7 +37,7 @@ pub(super) fn columns(
             let found = block
                 .as_ref()
                 .and_then(|block| block.outcomes(k).collect::<Option<Vec<f64>>>());
-            found.map_or_else(|| alone(setup, of, scenarios, point), Ok)
+            found.map_or_else(|| of_swing(setup, of, scenarios, point), Ok)
         };
         points.iter().enumerate().map(row).collect()
     };
@@ -49,8 +48,11 @@ pub(super) fn columns(
         .collect())
 }
 
-/// The outcomes of one swing by itself, or why it does not fly.
-fn alone(
+/// The outcomes of one swing.
+///
+/// # Errors
+/// [`Error::NoFlight`].
+fn of_swing(
     setup: &Setup<f64>,
     of: &[Outcome],
     scenarios: &Scenarios,
@@ -64,8 +66,21 @@ fn alone(
     Ok(found.into_iter().map(|outcome| outcome.value).collect())
 }
 
-/// Why a scenario does not fly, with its values; one drive alone has none.
-pub(super) fn no_flight(scenarios: &Scenarios, point: &[f64], error: &Error) -> String {
+/// A setup with other values of some parameters.
+pub(in crate::study) fn moved(
+    setup: &Setup<f64>,
+    parameters: &[&'static Parameter],
+    values: &[f64],
+) -> Result<Setup<f64>> {
+    let mut moved = *setup;
+    for (parameter, value) in parameters.iter().zip(values) {
+        moved.set_value(parameter, Some(*value))?;
+    }
+    Ok(moved)
+}
+
+/// The reason why a scenario does not fly, with its values, which one drive does not have.
+pub(in crate::study) fn no_flight(scenarios: &Scenarios, point: &[f64], error: &Error) -> String {
     if scenarios.is_one_drive() {
         return error.to_string();
     }

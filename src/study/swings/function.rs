@@ -1,21 +1,22 @@
-use super::problem::SwingsProblem;
-use super::read::Goal;
 use super::scenarios::Scenarios;
 use crate::derivative::{Order, Taylor};
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
-use crate::study::Sense;
+use crate::study::problem::SearchProblem;
+use crate::study::{Goal, Search, Sense};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// A goal over swings as a function of some parameters of the design, with as many derivatives as
-/// are asked for: for optimizers that take functions. Measures with an edge (`lowest`, `highest`,
-/// `within`) are smoothed there. The drives are integrated as the setup says.
+/// A goal over swings as a function of some parameters of the design, with derivatives up to the
+/// second order: an objective for any optimizer. Measures with an edge (`lowest`, `highest`,
+/// `within`) are smoothed. The setup chooses the method of integration.
 ///
 /// ```
 /// use longdrive::Setup;
 /// use longdrive::derivative::Order;
-/// use longdrive::study::swings::{Goal, GoalFunction, Rule, Scenarios, Swings};
+/// use longdrive::study::Goal;
+/// use longdrive::study::swings::{GoalFunction, Rule, Scenarios, Swings};
 /// use longdrive::study::uncertainty::Uncertain;
 ///
 /// let setup = Setup::preset("mae494").unwrap();
@@ -28,7 +29,9 @@ use std::sync::atomic::AtomicBool;
 /// assert!(at_ten_degrees.gradient[0] > 0.0); // of these swings the best loft is higher
 /// ```
 pub struct GoalFunction {
-    problem: SwingsProblem,
+    problem: SearchProblem,
+    /// The weights of the scenarios.
+    weights: Vec<f64>,
     wrt: Vec<&'static Parameter>,
 }
 
@@ -53,17 +56,17 @@ impl GoalFunction {
             low: parameter.range.low,
             high: parameter.range.high,
         };
-        let vary: Vec<Vary> = wrt.iter().map(whole).collect();
-        let problem = SwingsProblem::new(
-            setup,
-            (goal, Sense::Minimize),
-            &[],
-            &vary,
+        let search = Search {
+            of: goal.clone(),
+            sense: Sense::Minimize,
+            vary: wrt.iter().map(whole).collect(),
             scenarios,
-            &Arc::default(),
-        )?;
+            ..Search::largest(Outcome::Carry)
+        };
+        let problem = SearchProblem::of_goals(setup, &search, &Arc::default())?;
         Ok(Self {
             problem,
+            weights: search.scenarios.weights,
             wrt: wrt.to_vec(),
         })
     }
@@ -85,7 +88,7 @@ impl GoalFunction {
         self.at_until(x, order, &AtomicBool::new(false))
     }
 
-    /// The same; once `stop` is true no more drives are hit.
+    /// [`at`](Self::at) until `stop` is true.
     ///
     /// # Errors
     /// As [`at`](Self::at); [`Error::NotConverged`], with the status `interrupted`, where it is
@@ -98,9 +101,7 @@ impl GoalFunction {
         for (parameter, value) in self.wrt.iter().zip(x) {
             parameter.check(*value)?;
         }
-        let goals = self
-            .problem
-            .goals_until(x, &self.problem.scenarios().weights, order, stop)?;
+        let goals = self.problem.goals_until(x, &self.weights, order, stop)?;
         goals.into_iter().next().ok_or(Error::Nothing {
             doing: "look for",
             what: "goal",

@@ -12,7 +12,7 @@ pub enum Swings {
         /// The lower triangular factor L of the correlations of their normal scores, L Lᵀ.
         factor: Vec<Vec<f64>>,
     },
-    /// As they were recorded, each as likely as any other.
+    /// Recorded swings, all with the same probability.
     Recorded {
         /// The parameters that were recorded.
         parameters: Vec<&'static Parameter>,
@@ -35,7 +35,7 @@ impl Correlation {
     /// Reads `NAME,NAME=COEFFICIENT`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for what is none; as [`Setup::variable`].
+    /// [`Error::Unreadable`] for a text that is no correlation; as [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source: String| Error::Unreadable {
             name: format!("the correlation {}", text.trim()),

@@ -6,7 +6,7 @@ use crate::number::Taylor;
 use crate::parameters::Parameter;
 use crate::units::Quantity;
 
-/// A number that is made of the drives of all scenarios.
+/// A statistic of the drives of all scenarios.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Measure {
     /// The mean of an outcome.
@@ -20,8 +20,7 @@ pub enum Measure {
     Lowest(Outcome, f64),
     /// The mean of its highest share.
     Highest(Outcome, f64),
-    /// The share of drives within so much of 0, of which each counts by how far inside it is: the
-    /// edges are as wide as a unit.
+    /// The share of drives within this distance of 0. The search smooths the edges over one unit.
     Within(Outcome, f64),
     /// Expected strokes to hole out from where the ball ends, on a hole of a length, m.
     Strokes(Strokes, f64),
@@ -31,9 +30,9 @@ pub enum Measure {
     One,
 }
 
-/// A standard deviation below this part of a unit is none: it keeps the root smooth.
+/// Least standard deviation, in units of the outcome: it keeps the root smooth.
 const LEAST_DEVIATION: f64 = 1e-9;
-/// How much the edge of a lowest or highest share is smoothed, in units of the outcome.
+/// Width of the smoothed edge of a lowest or highest share, in units of the outcome.
 const SMOOTHING: f64 = 0.1;
 
 impl Measure {
@@ -51,7 +50,7 @@ impl Measure {
         }
     }
 
-    /// What kind of number it is.
+    /// The kind of quantity.
     pub fn quantity(&self) -> Quantity {
         match self {
             Self::Within(..) | Self::Strokes(..) | Self::One => Quantity::NUMBER,
@@ -60,7 +59,7 @@ impl Measure {
         }
     }
 
-    /// The unit that it is shown in.
+    /// The unit in which texts show it.
     pub fn unit(&self) -> &'static str {
         match self {
             Self::Within(..) | Self::Strokes(..) | Self::One => "",
@@ -69,8 +68,8 @@ impl Measure {
         }
     }
 
-    /// Whether it has an edge, where one drive more or less changes it with a kink or a jump.
-    pub(super) fn has_edge(&self) -> bool {
+    /// True if it has an edge, at which a drive changes it with a kink or a jump.
+    pub(in crate::study) fn has_edge(&self) -> bool {
         matches!(
             self,
             Self::Lowest(..) | Self::Highest(..) | Self::Within(..)
@@ -79,7 +78,7 @@ impl Measure {
 
     /// The measure by its definition, from a column of values for each of its outcomes. Parameters
     /// of the design have no outcomes: 0.
-    pub(super) fn exact(&self, columns: &[&[f64]], weights: &[f64]) -> f64 {
+    pub(in crate::study) fn exact(&self, columns: &[&[f64]], weights: &[f64]) -> f64 {
         let each = || columns[0].iter().copied().zip(weights.iter().copied());
         let mean = |f: &dyn Fn(f64) -> f64| each().map(|(x, weight)| weight * f(x)).sum::<f64>();
         match self {
@@ -108,7 +107,7 @@ impl Measure {
     /// The measure with its edges smoothed, from the gradients of its outcomes in each scenario, or
     /// from values alone; to second order also from those Hessians that the outcomes have.
     /// Parameters of the design have no outcomes: 0.
-    pub(super) fn smoothed(
+    pub(in crate::study) fn smoothed(
         &self,
         drives: &[Vec<&Taylor>],
         weights: &[f64],
@@ -137,7 +136,7 @@ impl Measure {
                     gradient,
                     ..
                 } = summed(each().map(|(f, w)| (f, [w * f.value, w, 0.0])), &[], false);
-                // Σ w (f − mean) = 0: the derivatives of the mean fall out of the slopes
+                // Σ w (f − mean) = 0 cancels the derivatives of the mean
                 let squares = each().map(|(f, w)| {
                     let off = f.value - mean;
                     (f, [w * off * off, 2.0 * w * off, 2.0 * w])
@@ -217,8 +216,7 @@ fn summed<'a>(
     all.unwrap_or_default()
 }
 
-/// The mean of the lowest share: of the drive at its edge, the part that belongs to the share
-/// counts.
+/// The mean of the lowest share. The drive at its edge counts by the part in the share.
 fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
     let mut sorted: Vec<_> = drives.collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -492,7 +490,7 @@ mod tests {
         }
     }
 
-    /// Where all drives are alike every share of them has their value, whatever the weights.
+    /// Equal drives: every share of them has their value, for any weights.
     #[test]
     fn exact_shares_of_identical_drives() {
         let weights = [0.5, 0.25, 0.15, 0.1];

@@ -1,35 +1,34 @@
-use super::optimum::{SwingsSearch, posed, violated};
-use super::problem::SwingsProblem;
-use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
 use crate::optimize::front::{Front, FrontEvent, FrontPoint, NoFront, front};
 use crate::optimize::sensitivity::Held;
 use crate::optimize::{Evaluation, Follow, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
+use crate::study::problem::SearchProblem;
 use crate::study::stoppable::stopped;
-use crate::study::{Active, ChartEvent, Sense};
+use crate::study::verdict::{Active, active, status_of, violated};
+use crate::study::{ChartEvent, Constraint, Goal, Search, Sense};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Two goals to be weighed against each other.
+/// A search for the best compromises between two goals.
 #[derive(Clone, Debug)]
 pub struct ParetoSearch {
-    /// The goals, and which value of each is better.
+    /// The two goals, each with its direction.
     pub goals: [(Goal, Sense); 2],
-    /// The parameters of the design to vary.
+    /// The parameters varied, with their ranges.
     pub vary: Vec<Vary>,
-    /// Goals to hold between limits.
-    pub subject_to: Vec<GoalLimit>,
-    /// Points spread evenly along the front, with its ends.
+    /// The constraints.
+    pub subject_to: Vec<Constraint>,
+    /// The number of points, spread evenly along the front, with its ends.
     pub points: usize,
-    /// The optimizer's settings.
+    /// Settings of the optimizer.
     pub options: Options,
 }
 
 /// The best compromises between two goals, from the best of the first to the best of the second.
 #[derive(Clone, Debug)]
 pub struct Pareto {
-    /// What was asked.
+    /// The search.
     pub search: ParetoSearch,
     /// The swings.
     pub scenarios: Scenarios,
@@ -37,41 +36,41 @@ pub struct Pareto {
     pub points: Vec<ParetoPoint>,
     /// Which of them is the knee (see [`Front::knee`]).
     pub knee: Option<usize>,
-    /// How far the front bends off the straight line between its ends, as a part of that line's
-    /// length, where both goals are scaled from one end to the other.
+    /// The largest distance of the front from the straight line between its ends, divided by the
+    /// length of the line, with both goals scaled from one end to the other.
     pub bend: f64,
     /// The goals with the setup's own design, `None` where a swing does not fly.
     pub as_set_up: Option<[f64; 2]>,
-    /// Compromises found that others are better than in both goals, and that are left out.
+    /// The number of dominated points, which `points` does not contain.
     pub dominated: usize,
-    /// Why a part of the front is missing, if it is.
+    /// The reason why a part of the front is missing, if any.
     pub ended: Option<String>,
-    /// Whether it was stopped from outside before its end.
+    /// True if it was interrupted.
     pub interrupted: bool,
 }
 
-/// A design than which none is better in both goals.
+/// A point of the front: no design is better in both goals.
 #[derive(Clone, Debug)]
 pub struct ParetoPoint {
     /// The varied parameters, SI.
     pub design: Vec<f64>,
     /// The two goals, SI.
     pub goals: [f64; 2],
-    /// What the first goal changes by for each unit of the second, along the front: the price of
-    /// the second. `None` where the front has no one slope.
+    /// The slope d first/d second along the front: the price of the second goal. `None` at a corner
+    /// of the front.
     pub slope: Option<f64>,
-    /// The bounds and limits that hold it.
+    /// The active bounds and constraints.
     pub active: Vec<Active>,
-    /// What happens here.
+    /// The change of the active set or of the branch here.
     pub event: Option<String>,
-    /// Whether no designs lead to it from the point before.
+    /// True if no path of designs leads to it from the point before.
     pub is_apart: bool,
     /// The setup with this design.
     pub setup: Setup<f64>,
 }
 
 impl Pareto {
-    /// How it ended, in a word.
+    /// The status in a word.
     pub fn status(&self) -> &'static str {
         match &self.ended {
             _ if self.interrupted => "interrupted",
@@ -80,7 +79,7 @@ impl Pareto {
         }
     }
 
-    /// Why there is no knee, if there is none.
+    /// The reason for a front without a knee.
     pub fn no_knee(&self) -> Option<String> {
         let [first, second] = self
             .search
@@ -108,7 +107,7 @@ impl Pareto {
 ///
 /// # Errors
 /// [`Error::NotConverged`] where the best of one goal alone is not found; as
-/// [`swings_optimum`](super::swings_optimum).
+/// [`optimum`](crate::study::optimum).
 pub fn pareto(
     setup: &Setup<f64>,
     search: ParetoSearch,
@@ -117,21 +116,22 @@ pub fn pareto(
 ) -> Result<Pareto> {
     let [(first, sense), (second, against)] = search.goals.clone();
     let (expression, low, high) = (second.expression.clone(), f64::NEG_INFINITY, f64::INFINITY);
-    let limits = search.subject_to.iter().cloned().chain([GoalLimit {
+    let limits = search.subject_to.iter().cloned().chain([Constraint {
         expression,
         goal: second,
         low,
         high,
     }]);
     let (vary, options) = (search.vary.clone(), search.options.clone());
-    let alone = SwingsSearch {
+    let alone = Search {
         of: first,
         sense,
         vary,
         subject_to: limits.collect(),
+        scenarios: scenarios.clone(),
         options,
     };
-    let problem = posed(setup, &alone, scenarios, &follow.interrupt)?;
+    let problem = SearchProblem::new(setup, &alone, &follow.interrupt)?;
     let own = problem.as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search began"));
@@ -167,7 +167,7 @@ pub fn pareto(
         interrupted,
     } = found.map_err(|error| named(error, &search, &problem))?;
     let signs = [sense.sign(), against.sign()];
-    // also after a stop: what was found until then is told
+    // values of the points are computed also after an interrupt
     let never = AtomicBool::new(false);
     let point = |point: FrontPoint| {
         let active = search.active(&point.x, &point.held);
@@ -208,7 +208,6 @@ pub fn pareto(
     let as_set_up = own
         .ok()
         .and_then(|values| Some([*values.first()?, *values.last()?]));
-    let scenarios = problem.scenarios().clone();
     Ok(Pareto {
         search,
         scenarios,
@@ -223,41 +222,15 @@ pub fn pareto(
 }
 
 impl ParetoSearch {
-    /// The bounds and limits that hold a design.
+    /// The active bounds and constraints of a design.
     fn active(&self, x: &[f64], held: &Held) -> Vec<Active> {
-        let is_bounded = |i: &usize| held.variables[*i] && self.vary[*i].low < self.vary[*i].high;
-        let bound = |i: usize| {
-            let Vary {
-                parameter,
-                low,
-                high,
-            } = self.vary[i];
-            let end = if x[i] - low <= high - x[i] {
-                "lower"
-            } else {
-                "upper"
-            };
-            Active {
-                name: parameter.name.into(),
-                end: Some(end),
-            }
-        };
-        let bounds = (0..self.vary.len()).filter(is_bounded).map(bound);
-        let limits = held
-            .tight()
-            .into_iter()
-            .filter_map(|j| self.subject_to.get(j));
-        bounds
-            .chain(limits.map(|limit| Active {
-                name: limit.expression.clone(),
-                end: None,
-            }))
-            .collect()
+        let is_lower = |i: usize| x[i] - self.vary[i].low <= self.vary[i].high - x[i];
+        active(&self.vary, &self.subject_to, held, is_lower)
     }
 }
 
-/// Why the best of a goal alone was not found, in the goal's name.
-fn named(none: NoFront, search: &ParetoSearch, problem: &SwingsProblem) -> Error {
+/// The error for an end of the front that was not found, with the name of its goal.
+fn named(none: NoFront, search: &ParetoSearch, problem: &SearchProblem) -> Error {
     let NoFront::NoEnd { function, found } = none else {
         return none.into_error();
     };
@@ -271,12 +244,8 @@ fn named(none: NoFront, search: &ParetoSearch, problem: &SwingsProblem) -> Error
         ),
         _ => found.message.clone(),
     };
-    let status = match found.status {
-        Status::Undefined => "no-flight",
-        status => status.name(),
-    };
     Error::NotConverged {
-        status,
+        status: status_of(&found),
         message: format!("for the {} {}: {why}", sense.adjective(), goal.expression).into(),
     }
 }

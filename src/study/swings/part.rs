@@ -1,21 +1,21 @@
-//! A part of the scenarios whose second derivatives stand for those of all.
+//! A part of the scenarios whose drives' second derivatives represent those of all.
 
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
 
-/// A part is one scenario in so many …
+/// The part is one scenario in so many …
 const ONE_IN: usize = 16;
 /// … this many at least …
 const LEAST: usize = 128;
 /// … and so many times the moments that its weights reproduce.
 const PER_MOMENT: usize = 2;
 
-/// The numbers of the scenarios in the part, in order, and for how many scenarios each of them
-/// stands. The part is the whole where it would save less than half.
+/// The indices of the scenarios in the part, in order, and the number of scenarios that each of
+/// them represents. The part is the whole if it would save less than half.
 ///
-/// The first points of a sequence are spread as evenly as the whole. Of Gauss's rules no part is a
-/// rule.
-pub(super) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>) {
+/// The first points of a sequence are spread as evenly as the whole. A part of Gauss's rule is no
+/// quadrature rule.
+pub(in crate::study) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>) {
     let all = scenarios.points.len();
     let count = (all / ONE_IN)
         .max(LEAST)
@@ -26,12 +26,12 @@ pub(super) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>) {
         _ => return ((0..all).collect(), vec![1.0; all]),
     };
     let weights = part_weights(&part, scenarios);
-    let stands_for = part
+    let represents = part
         .iter()
         .zip(weights)
         .map(|(k, weight)| weight / scenarios.weights[*k])
         .collect();
-    (part, stands_for)
+    (part, represents)
 }
 
 /// 1, the parameters, and their products by two.
@@ -39,12 +39,11 @@ fn moments(parameters: usize) -> usize {
     1 + parameters + parameters * (parameters + 1) / 2
 }
 
-/// Weights of the part with which its means, variances and covariances of the parameters are those
-/// of all scenarios: of all such weights the nearest to equal ones. A mean over the part is then
-/// exact for quadratic functions of the parameters.
+/// Weights of the part that reproduce the means, variances and covariances of the parameters over
+/// all scenarios, by least squares from equal weights. A mean over the part is then exact for
+/// quadratic functions of the parameters.
 fn part_weights(part: &[usize], scenarios: &Scenarios) -> Vec<f64> {
-    /// Singular values below this part of the largest are rounding: a parameter is constant, or
-    /// follows from others.
+    /// Relative tolerance of singular values: a parameter may be constant or depend on others.
     const ROUNDING: f64 = 1e-9;
     let n = scenarios.parameters.len();
     let over_all = |f: &dyn Fn(&[f64]) -> f64| {
@@ -123,7 +122,7 @@ mod tests {
     #[test]
     fn exact_means_of_quadratic_functions_over_a_part() {
         let all = scenarios(500);
-        let (part, stands_for) = part_of(&all);
+        let (part, represents) = part_of(&all);
         assert_eq!(part, (0..128).collect::<Vec<_>>());
         let speed = |k: usize| all.points[k][0] - 47.0;
         let functions: [&dyn Fn(usize) -> f64; 4] = [
@@ -136,7 +135,7 @@ mod tests {
             let exact = (0..500).map(f).sum::<f64>() / 500.0;
             let found = part
                 .iter()
-                .zip(&stands_for)
+                .zip(&represents)
                 .map(|(k, count)| count * f(*k))
                 .sum::<f64>()
                 / 500.0;

@@ -1,78 +1,76 @@
 use super::golfer::Swings;
 use super::measure::Measure;
-use super::optimum::{SwingsOptimum, posed};
-use super::read::Goal;
 use super::scenarios::Scenarios;
 use crate::error::Result;
 use crate::optimize::{Observer, minimize_observed};
 use crate::parameters::Setup;
+use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
+use crate::study::{Goal, Optimum, Search};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What it costs to ignore that swings vary.
+/// The loss of a design that ignores that swings vary, and the accuracy of the goals.
 #[derive(Clone, Debug)]
 pub struct Price {
-    /// The best design for the mean swing, or why there is none.
+    /// The best design for the mean swing, or the reason why it was not found.
     pub nominal: std::result::Result<Nominal, String>,
-    /// How far each goal at the best design is known, the objective, then what is limited: by other
-    /// scenarios of the same swings. Empty where there are no others.
-    pub doubts: Vec<Doubt>,
+    /// The error of each goal at the best design (the objective, then the limited goals), estimated
+    /// by other scenarios of the same swings. Empty if there are no others.
+    pub errors: Vec<GoalError>,
 }
 
 impl Price {
-    /// How far the objective is known.
-    pub fn doubt(&self) -> Option<&Doubt> {
-        self.doubts.first()
+    /// The error of the objective.
+    pub fn error(&self) -> Option<&GoalError> {
+        self.errors.first()
     }
 }
 
-/// What is best for the mean swing alone.
+/// The best design for the mean swing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nominal {
     /// The design.
     pub design: Vec<f64>,
-    /// The goals with it and the mean swing alone: what it promises.
+    /// The goals with this design and the mean swing.
     pub promised: Vec<f64>,
-    /// The goals with it over all swings: what it keeps; `None` where one of them does not fly.
+    /// The goals with this design over all swings; `None` if one of them does not fly.
     pub kept: Option<Vec<f64>>,
 }
 
-/// What other scenarios make of the same design.
+/// The error of a goal, estimated by other scenarios with the same design.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Doubt {
-    /// The error of the quadrature: twice what half as many nodes more change the goal by.
+pub enum GoalError {
+    /// The error of the quadrature: twice the change of the goal with 1.5 times as many nodes.
     Quadrature(f64),
-    /// The 99 % interval of the goal over all swings, by its scatter over so many independent
-    /// sequences of swings. It contains the value that is told.
+    /// The 99 % interval of the goal over all swings by its scatter over independent sequences of
+    /// swings, with the number of sequences. It contains the reported value.
     Sampling(Interval, usize),
-    /// It is not known, since one of the other scenarios does not fly: the swing, and why.
+    /// Unknown: one of the other scenarios does not fly. The swing, and the reason.
     Unknown(String),
 }
 
 /// The quantile of Student's distribution for an interval of 99 %.
 const QUANTILE: f64 = 0.995;
 
-/// The price of ignoring that swings vary, and how far the goal is known.
-///
-/// Neither the mean swing nor the other scenarios were asked about: where they do not fly, that is
-/// told in place of what they would say.
+/// The best design for the mean swing and the errors of the goals. If the mean swing or another
+/// scenario does not fly, the result contains the reason in its place.
 ///
 /// # Errors
-/// As [`swings_optimum`](super::swings_optimum).
-pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum) -> Result<Price> {
+/// As [`optimum`](crate::study::optimum).
+pub fn price(setup: &Setup<f64>, swings: &Swings, best: &Optimum) -> Result<Price> {
     computed(setup, swings, best, &Arc::default())
 }
 
-/// The same; nothing where `stop` became true before all of it was known.
+/// [`price`], or `None` if `stop` became true before the end.
 ///
 /// # Errors
 /// As [`price`].
 pub fn price_until(
     setup: &Setup<f64>,
     swings: &Swings,
-    best: &SwingsOptimum,
+    best: &Optimum,
     stop: &Arc<AtomicBool>,
 ) -> Result<Option<Price>> {
     let found = computed(setup, swings, best, stop);
@@ -83,15 +81,16 @@ pub fn price_until(
     }
 }
 
-/// The price; of no use once `stop` is true.
+/// [`price`]; incomplete once `stop` is true.
 fn computed(
     setup: &Setup<f64>,
     swings: &Swings,
-    best: &SwingsOptimum,
+    best: &Optimum,
     stop: &Arc<AtomicBool>,
 ) -> Result<Price> {
     let search = &best.search;
-    let alone = posed(setup, search, Scenarios::mean(swings), stop)?;
+    let mean_swing = over(search, Scenarios::mean(swings));
+    let alone = SearchProblem::new(setup, &mean_swing, stop)?;
     let observer = Observer {
         interrupt: Arc::clone(stop),
         ..Observer::default()
@@ -104,7 +103,7 @@ fn computed(
         observer,
     )?
     .x;
-    let kept = posed(setup, search, best.scenarios.clone(), stop)?
+    let kept = SearchProblem::new(setup, search, stop)?
         .values(&design)
         .ok();
     let nominal = alone.values(&design).map(|promised| Nominal {
@@ -113,56 +112,65 @@ fn computed(
         kept,
     });
     let nominal = nominal.map_err(|error| error.to_string());
-    let doubts = match best.goals() {
-        Some(goals) => doubts(setup, swings, best, goals, stop)
-            .unwrap_or_else(|error| vec![Doubt::Unknown(error.to_string()); goals.len()]),
+    let errors = match best.goals.as_deref() {
+        Some(goals) => errors_of(setup, swings, best, goals, stop)
+            .unwrap_or_else(|error| vec![GoalError::Unknown(error.to_string()); goals.len()]),
         None => vec![],
     };
-    Ok(Price { nominal, doubts })
+    Ok(Price { nominal, errors })
 }
 
-/// How far the goals at the best design are known.
-fn doubts(
+/// The search over other scenarios.
+fn over(search: &Search, scenarios: Scenarios) -> Search {
+    Search {
+        scenarios,
+        ..search.clone()
+    }
+}
+
+/// The errors of the goals at the best design.
+fn errors_of(
     setup: &Setup<f64>,
     swings: &Swings,
-    best: &SwingsOptimum,
+    best: &Optimum,
     goals: &[f64],
     stop: &Arc<AtomicBool>,
-) -> Result<Vec<Doubt>> {
+) -> Result<Vec<GoalError>> {
     let (search, x) = (&best.search, &best.solution.x);
-    let of: Vec<&Goal> = [&search.of]
-        .into_iter()
-        .chain(search.subject_to.iter().map(|limit| &limit.goal))
-        .collect();
+    let of: Vec<&Goal> = search.goals().collect();
     let finer = match best
+        .search
         .scenarios
         .rule
         .finer()
         .filter(|_| !of.iter().all(|goal| goal.has_edge()))
     {
-        Some(rule) => Some(posed(setup, search, Scenarios::new(swings, rule)?, stop)?.values(x)?),
+        Some(rule) => {
+            let finer = over(search, Scenarios::new(swings, rule)?);
+            Some(SearchProblem::new(setup, &finer, stop)?.values(x)?)
+        }
         None => None,
     };
     let replications = match finer.is_none() || of.iter().any(|goal| goal.has_edge()) {
-        true => posed(setup, search, best.scenarios.clone(), stop)?.replications(x)?,
+        true => SearchProblem::new(setup, search, stop)?.replications(x)?,
         false => vec![],
     };
-    let doubt = |(k, (goal, value)): (usize, (&&Goal, &f64))| match &finer {
-        // the error of the finer rule is a small part of that of the other
-        Some(finer) if !goal.has_edge() => Doubt::Quadrature(2.0 * (finer[k] - value).abs()),
+    let error = |(k, (goal, value)): (usize, (&&Goal, &f64))| match &finer {
+        // the error of the finer rule is negligible
+        Some(finer) if !goal.has_edge() => GoalError::Quadrature(2.0 * (finer[k] - value).abs()),
         _ => {
             let others: Vec<f64> = replications.iter().map(|values| values[k]).collect();
-            Doubt::Sampling(interval(goal, *value, &others), others.len())
+            GoalError::Sampling(interval(goal, *value, &others), others.len())
         }
     };
     if finer.is_none() && replications.is_empty() {
         return Ok(vec![]);
     }
-    Ok(of.iter().zip(goals).enumerate().map(doubt).collect())
+    Ok(of.iter().zip(goals).enumerate().map(error).collect())
 }
 
-/// The 99 % interval of a goal of which these are independent estimates: Student's about their
-/// mean, as wide as to contain the value that is told.
+/// The 99 % interval of a goal by independent estimates: Student's interval about their mean,
+/// extended to the reported value.
 fn interval(goal: &Goal, value: f64, others: &[f64]) -> Interval {
     let n = others.len() as f64;
     let mean = others.iter().sum::<f64>() / n;

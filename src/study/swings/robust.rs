@@ -1,6 +1,3 @@
-use super::optimum::{SwingsOptimum, SwingsSearch, posed, swings_optima};
-use super::problem::SwingsProblem;
-use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::{
@@ -8,22 +5,25 @@ use crate::optimize::{
     starts,
 };
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
-use crate::study::optimum::stopped_of;
+use crate::study::optimum::{local_optima, stopped_of};
+use crate::study::problem::SearchProblem;
 use crate::study::stoppable::stopped;
+use crate::study::{Optimum, Search};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// One of several ways in which drives may be computed: the setup with some changes.
+/// One of several models of impact and flight: the setup with some changes.
 #[derive(Clone, Debug)]
 pub struct Model {
-    /// What is changed, as it was given.
+    /// The text of the changes.
     pub name: String,
     /// The setup with it.
     pub setup: Setup<f64>,
-    /// Why it is one that may be true; empty where it was given.
+    /// The evidence for it; empty for a model given by the user.
     pub reason: &'static str,
 }
 
-/// What is not known of the impact and the flight, as usual changes of a setup (docs/sources.md).
+/// The usual models: known uncertainties of impact and flight as changes of a setup
+/// (docs/sources.md).
 const USUAL: [([(&str, &str); 1], &str); 4] = [
     ([(LAW, "launch-monitor")], "what a launch monitor predicts"),
     (
@@ -41,7 +41,7 @@ const USUAL: [([(&str, &str); 1], &str); 4] = [
 ];
 
 impl Model {
-    /// The setup as it is.
+    /// The setup without changes.
     pub fn as_set_up(setup: &Setup<f64>) -> Self {
         Self {
             name: "as set up".into(),
@@ -96,7 +96,7 @@ impl Model {
         })
     }
 
-    /// The setup as it is and with each of the usual changes, without those that change nothing.
+    /// The setup, and the usual models that differ from it.
     ///
     /// # Errors
     /// None that a test does not rule out.
@@ -123,43 +123,43 @@ impl Model {
     }
 }
 
-/// The design whose greatest loss over several models is the smallest.
+/// The design with the smallest greatest loss over several models.
 #[derive(Clone, Debug)]
 pub struct Robust {
-    /// What was asked.
-    pub search: SwingsSearch,
-    /// The models, each with the design that is best for it alone.
-    pub models: Vec<(Model, SwingsOptimum)>,
-    /// What each model (a row) loses at the best design of each (a column), beside its own best;
-    /// `None` where a limit is not met or a swing does not fly.
+    /// The search.
+    pub search: Search,
+    /// The models, each with its own best design.
+    pub models: Vec<(Model, Optimum)>,
+    /// The loss of each model (row) with the best design of each (column), against its own best
+    /// design; `None` if a constraint is violated or a swing does not fly.
     pub matrix: Vec<Vec<Option<f64>>>,
-    /// How the search for the smallest greatest loss ended. Its variables are those of the design
+    /// The end of the search for the smallest greatest loss. Its variables are those of the design
     /// and the greatest loss t.
     pub solution: Solution,
     /// The design.
     pub design: Vec<f64>,
     /// The first model's setup with this design.
     pub setup: Setup<f64>,
-    /// The goals of each model with this design: the objective, then what is limited.
+    /// The goals of each model with this design: the objective, then the limited goals.
     pub goals: Vec<Vec<f64>>,
-    /// What each model loses with this design.
+    /// The loss of each model with this design.
     pub losses: Vec<f64>,
-    /// How much each model limits the design: the multiplier of its loss. They add up to 1, and are
-    /// 0 for models that lose less than the greatest loss.
+    /// The multiplier of the loss of each model. They sum to 1, and are 0 for models that lose less
+    /// than the greatest loss.
     pub shares: Vec<f64>,
-    /// What each model loses with the design as set up, `None` where a limit is not met or a swing
-    /// does not fly.
+    /// The loss of each model with the design as set up; `None` if a constraint is violated or a
+    /// swing does not fly.
     pub as_set_up: Vec<Option<f64>>,
-    /// How many searches for the smallest greatest loss there were.
+    /// The number of searches for the smallest greatest loss.
     pub searches: usize,
-    /// How many of them were stopped from outside before they ended.
+    /// The number of interrupted ones.
     pub stopped: usize,
 }
 
 impl Robust {
-    /// Each limit with the model that it is of, where the search ended: the number of the model,
-    /// that of the limit, its value by the goal's definition, its multiplier by the search, and its
-    /// gradient by the design and the greatest loss.
+    /// The constraints of each model at the end of the search: the number of the model, that of the
+    /// constraint, its value by the goal's definition, its multiplier of the search, and its gradient
+    /// by the design and the greatest loss.
     pub fn limits(&self) -> impl Iterator<Item = (usize, usize, Constrained, &[f64])> {
         // each model's first constraint is its loss
         let each = 1 + self.search.subject_to.len();
@@ -187,9 +187,9 @@ impl Robust {
         })
     }
 
-    /// What the greatest loss falls by for each unit that the lower bound of a variable is lowered,
-    /// and that its upper one is raised: their multipliers, less what the best design of each model
-    /// alone gains by it, as far as that model decides.
+    /// The decrease of the greatest loss for each unit by which the lower bound of a variable is
+    /// lowered, and its upper bound raised: the multipliers, less the gains of each model's own best
+    /// design, weighted by [`shares`](Self::shares).
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
             let of_bests = self.shares.iter().zip(&self.models);
@@ -203,8 +203,8 @@ impl Robust {
         ]
     }
 
-    /// The same of a limit of a model, as [`limits`](Self::limits) numbers them, for each unit that
-    /// it is relaxed; of an equation, that it is raised.
+    /// The decrease of the greatest loss for each unit by which a limit of a model, numbered as in
+    /// [`limits`](Self::limits), is relaxed; of an equation, raised.
     pub fn limit_price(&self, model: usize, limit: usize, at: &Constrained) -> f64 {
         let is_equation = self.search.subject_to[limit].low == self.search.subject_to[limit].high;
         let of_best = self.models[model]
@@ -215,7 +215,7 @@ impl Robust {
             .map_or(0.0, |best| best.multiplier);
         match at.multiplier {
             own if is_equation => own - self.shares[model] * of_best,
-            // of two limits, the best design keeps to the other one
+            // the other one of two limits is active at the model's own best design
             own if own * of_best < 0.0 => own.abs(),
             own => own.abs() - self.shares[model] * of_best.abs(),
         }
@@ -229,12 +229,12 @@ impl Robust {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Whether all searches ended, the best of them at an optimum.
+    /// True if no search was interrupted and the best one converged.
     pub fn is_found(&self) -> bool {
         self.solution.status == Status::Converged && self.stopped == 0
     }
 
-    /// How far the searches came, if any was stopped from outside before it ended.
+    /// The progress of the searches, if any was interrupted.
     pub fn interrupted(&self) -> Option<String> {
         stopped_of(self.stopped, self.searches, || {
             self.solution.message.clone()
@@ -251,202 +251,225 @@ impl Robust {
     }
 }
 
-/// The design that loses least, beside the best design for each model, with the model that loses
-/// most: min t subject to f*ₖ − fₖ(x) ≤ t for every model k, which is smooth, with exact
-/// derivatives. Limits hold for all models. Each search is from `count` starts: the setup's own
-/// design and others spread evenly over the ranges; that for t also from the best design of each
-/// model and their mean.
+/// The design with the smallest greatest loss against the best design of each model: min t subject
+/// to f*ₖ − fₖ(x) ≤ t for every model k, a smooth problem with exact derivatives. The constraints
+/// hold for all models. Each search has `count` starts: the setup's own design and others spread
+/// evenly over the ranges; the search for t also starts at the best design of each model and at
+/// their mean.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] where the best design
 /// of a model is not found, or the search for all of them is stopped before it has begun; as
-/// [`swings_optima`].
-pub fn robust(
-    models: Vec<Model>,
-    search: SwingsSearch,
-    scenarios: &Scenarios,
-    count: usize,
-    follow: &Follow,
-) -> Result<Robust> {
+/// [`optima`](crate::study::optima).
+pub fn robust(models: Vec<Model>, search: Search, count: usize, follow: &Follow) -> Result<Robust> {
     if models.len() < 2 {
-        let source =
-            "one design for several models needs two or more; give `model` once for each beside \
-             the setup"
-                .into();
+        let reason = "one design for several models needs two or more; give `model` once for each \
+                      beside the setup";
         return Err(Error::Unreadable {
             name: "`model`".into(),
-            source,
+            source: reason.into(),
         });
     }
-    let mut found = vec![];
-    for model in models {
-        let best = swings_optima(
-            &model.setup,
-            search.clone(),
-            scenarios.clone(),
-            count,
-            follow,
-        )?;
-        if let Some(interrupted) = best.interrupted() {
-            let message = format!("with the model '{}': {interrupted}", model.name).into();
-            return Err(Error::NotConverged {
-                status: Status::Interrupted.name(),
-                message,
-            });
-        }
-        if best.solution.status != Status::Converged {
-            let message = format!("with the model '{}': {}", model.name, best.message()).into();
-            return Err(Error::NotConverged {
-                status: best.status(),
-                message,
-            });
-        }
-        found.push((model, best));
-    }
-    let problems = found
+    let models = best_of_each(models, &search, count, follow)?;
+    let losses = Losses::new(&search, &models, follow)?;
+    let designs: Vec<&[f64]> = models
         .iter()
-        .map(|(model, _)| posed(&model.setup, &search, scenarios.clone(), &follow.interrupt));
-    let problems = problems.collect::<Result<Vec<_>>>()?;
-    let sign = search.sense.sign();
-    let least: Vec<f64> = found
-        .iter()
-        .map(|(_, best)| sign * best.value().unwrap_or(f64::NAN))
+        .map(|(_, best)| &best.solution.x[..])
         .collect();
-    let loss = |k: usize, x: &[f64]| {
-        problems[k]
-            .values(x)
-            .ok()
-            .map(|values| sign * values[0] - least[k])
-    };
-    let designs: Vec<&[f64]> = found.iter().map(|(_, best)| &best.solution.x[..]).collect();
-    // a design that breaks a limit is no rival
-    let keeps = |values: &[f64]| {
-        search
-            .subject_to
-            .iter()
-            .zip(values)
-            .all(|(limit, value)| limit.is_met(*value))
-    };
-    let rival = |k: usize, values: &[f64]| keeps(&values[1..]).then(|| sign * values[0] - least[k]);
-    let at = |k: usize, x: &[f64]| rival(k, &problems[k].values(x).ok()?);
-    let matrix: Vec<Vec<Option<f64>>> = (0..problems.len())
-        .map(|k| designs.iter().map(|x| at(k, x)).collect())
-        .collect();
-    // from each model's own design, their mean, the setup's own and others, well inside of the
-    // greatest loss there: at least a tenth of a unit
-    let unit = search.of.quantity.size_of(search.of.unit).unwrap_or(1.0);
-    let of = designs.len() as f64;
-    let mean = (0..search.vary.len())
-        .map(|i| designs.iter().map(|x| x[i]).sum::<f64>() / of)
-        .collect::<Vec<_>>();
-    let spread = starts(&problems[0].domain, &problems[0].start(), count.max(1))?;
-    let starts = designs
-        .iter()
-        .copied()
-        .chain([&mean[..]])
-        .chain(spread.iter().map(|x| &x[..]))
-        .filter_map(|x| {
-            let greatest =
-                (0..problems.len()).try_fold(0.0_f64, |most, k| Some(most.max(loss(k, x)?)))?;
-            Some(
-                x.iter()
-                    .copied()
-                    .chain([greatest + greatest.max(0.1 * unit)])
-                    .collect::<Vec<_>>(),
-            )
-        });
-    let starts: Vec<_> = starts.collect();
-    if starts.is_empty() && !follow.interrupt.load(Ordering::Relaxed) {
+    let matrix = losses.matrix(&designs);
+    let starts = losses.starts(&designs, count)?;
+    let is_stopped = || follow.interrupt.load(Ordering::Relaxed);
+    if starts.is_empty() && !is_stopped() {
         let message =
-            "with the best design of each model some swing of another does not fly; vary less"
-                .into();
+            "with the best design of each model some swing of another does not fly; vary less";
         return Err(Error::NotConverged {
             status: "no-flight",
-            message,
+            message: message.into(),
         });
     }
-    let own = |k: usize| problems[k].as_set_up().ok();
-    let as_set_up = (0..problems.len()).map(|k| rival(k, &own(k)?)).collect();
-    if follow.interrupt.load(Ordering::Relaxed) {
+    let as_set_up = losses.as_set_up();
+    if is_stopped() {
         return Err(stopped("the search for one design for all models began"));
     }
-    let smoothed = found
-        .iter()
-        .map(|(_, best)| best.solution.value.unwrap_or(f64::NAN))
-        .collect();
     let greatest = GreatestLoss {
-        problems: &problems,
-        least: smoothed,
+        problems: &losses.problems,
+        least: models
+            .iter()
+            .map(|(_, best)| best.solution.value.unwrap_or(f64::NAN))
+            .collect(),
     };
-    let ends = minimize_from(
-        &greatest,
-        &greatest.domain()?,
-        &starts,
-        &search.options,
-        follow,
-    )?;
-    let stopped = ends
+    let domain = greatest.domain()?;
+    let ends = minimize_from(&greatest, &domain, &starts, &search.options, follow)?;
+    let interrupted = ends
         .iter()
-        .filter(|end| end.solution.status == Status::Interrupted)
-        .map(|end| end.starts.len())
-        .sum();
-    let searches = starts.len();
-    let solution = ends
-        .into_iter()
-        .next()
-        .ok_or(Error::Nothing {
-            doing: "search from",
-            what: "start",
-        })?
-        .solution;
+        .filter(|end| end.solution.status == Status::Interrupted);
+    let stopped = interrupted.map(|end| end.starts.len()).sum();
+    let best = ends.into_iter().next().ok_or(Error::Nothing {
+        doing: "search from",
+        what: "start",
+    })?;
+    let solution = best.solution;
     if solution.value.is_none() {
-        let message = solution.message.into();
         return Err(Error::NotConverged {
             status: solution.status.name(),
-            message,
+            message: solution.message.into(),
         });
     }
     let design = solution.x[..search.vary.len()].to_vec();
-    // also after a stop: what was found until then is told
-    let never = AtomicBool::new(false);
-    let goals = problems
-        .iter()
-        .map(|problem| problem.values_until(&design, &never))
-        .collect::<Result<Vec<_>>>()?;
-    let losses = goals
-        .iter()
-        .zip(&least)
-        .map(|(values, least)| sign * values[0] - least)
-        .collect();
-    // each model's first constraint is its loss less t
-    let each = 1 + search.subject_to.len();
-    let shares = solution
-        .constraints
-        .iter()
-        .step_by(each)
-        .map(|at| at.multiplier.max(0.0))
-        .collect();
-    let setup = problems[0].moved(&design)?;
+    let goals = losses.goals(&design)?;
     Ok(Robust {
-        search,
-        models: found,
+        setup: losses.problems[0].moved(&design)?,
+        losses: losses.of(&goals),
+        shares: shares(&solution, search.subject_to.len()),
+        models,
         matrix,
         solution,
         design,
-        setup,
         goals,
-        losses,
-        shares,
         as_set_up,
-        searches,
+        searches: starts.len(),
         stopped,
+        search,
     })
 }
 
-/// t, and for each model its loss less t and what is limited, as functions of (x, t).
+/// The models, each with its own best design.
+///
+/// # Errors
+/// [`Error::NotConverged`] for a model without one.
+fn best_of_each(
+    models: Vec<Model>,
+    search: &Search,
+    count: usize,
+    follow: &Follow,
+) -> Result<Vec<(Model, Optimum)>> {
+    let best = |model: Model| {
+        let optima = local_optima(&model.setup, search, count.max(1), follow)?;
+        if let Some(interrupted) = optima.interrupted() {
+            return Err(Error::NotConverged {
+                status: Status::Interrupted.name(),
+                message: format!("with the model '{}': {interrupted}", model.name).into(),
+            });
+        }
+        let best = optima.best;
+        if best.solution.status != Status::Converged {
+            let message = format!("with the model '{}': {}", model.name, best.message());
+            return Err(Error::NotConverged {
+                status: best.status(),
+                message: message.into(),
+            });
+        }
+        Ok((model, best))
+    };
+    models.into_iter().map(best).collect()
+}
+
+/// The multiplier of the loss of each model, whose first constraint is its loss less t.
+fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
+    let losses = solution.constraints.iter().step_by(1 + limits);
+    losses.map(|at| at.multiplier.max(0.0)).collect()
+}
+
+/// The losses of the models as functions of the design: fₖ(x) − f*ₖ, minimized.
+struct Losses<'a> {
+    search: &'a Search,
+    /// A problem for each model.
+    problems: Vec<SearchProblem>,
+    /// f*ₖ of each model.
+    least: Vec<f64>,
+}
+
+impl<'a> Losses<'a> {
+    fn new(search: &'a Search, models: &[(Model, Optimum)], follow: &Follow) -> Result<Self> {
+        let sign = search.sense.sign();
+        let problem = |(model, _): &(Model, Optimum)| {
+            SearchProblem::new(&model.setup, search, &follow.interrupt)
+        };
+        let least = |(_, best): &(Model, Optimum)| sign * best.value().unwrap_or(f64::NAN);
+        Ok(Self {
+            search,
+            problems: models.iter().map(problem).collect::<Result<_>>()?,
+            least: models.iter().map(least).collect(),
+        })
+    }
+
+    /// The loss of a model with these goals.
+    fn loss(&self, model: usize, goals: &[f64]) -> f64 {
+        self.search.sense.sign() * goals[0] - self.least[model]
+    }
+
+    /// The loss of a model with these goals; `None` if they violate a constraint.
+    fn feasible_loss(&self, model: usize, goals: &[f64]) -> Option<f64> {
+        let mut limits = self.search.subject_to.iter().zip(&goals[1..]);
+        let is_feasible = limits.all(|(limit, value)| limit.is_met(*value));
+        is_feasible.then(|| self.loss(model, goals))
+    }
+
+    /// The loss of each model (row) with each design (column).
+    fn matrix(&self, designs: &[&[f64]]) -> Vec<Vec<Option<f64>>> {
+        let at = |model: usize, x: &[f64]| {
+            let goals = self.problems[model].values(x).ok()?;
+            self.feasible_loss(model, &goals)
+        };
+        (0..self.problems.len())
+            .map(|model| designs.iter().map(|x| at(model, x)).collect())
+            .collect()
+    }
+
+    /// The loss of each model with the design as set up.
+    fn as_set_up(&self) -> Vec<Option<f64>> {
+        let own = |model: usize| {
+            let goals = self.problems[model].as_set_up().ok()?;
+            self.feasible_loss(model, &goals)
+        };
+        (0..self.problems.len()).map(own).collect()
+    }
+
+    /// The starts (x, t) of the search: the designs, their mean, the setup's own design and others
+    /// spread over the ranges, with t above the greatest loss there by at least a tenth of a unit.
+    fn starts(&self, designs: &[&[f64]], count: usize) -> Result<Vec<Vec<f64>>> {
+        let of = &self.search.of;
+        let margin = 0.1 * of.quantity.size_of(of.unit).unwrap_or(1.0);
+        let models = self.problems.len();
+        let first = &self.problems[0];
+        let mean: Vec<f64> = (0..self.search.vary.len())
+            .map(|i| designs.iter().map(|x| x[i]).sum::<f64>() / designs.len() as f64)
+            .collect();
+        let spread = starts(&first.domain, &first.start(), count.max(1))?;
+        let loss = |model: usize, x: &[f64]| {
+            let goals = self.problems[model].values(x).ok()?;
+            Some(self.loss(model, &goals))
+        };
+        let start = |x: &[f64]| {
+            let mut losses = (0..models).map(|model| loss(model, x));
+            let greatest = losses.try_fold(0.0_f64, |most, loss| Some(most.max(loss?)))?;
+            Some([x, &[greatest + greatest.max(margin)]].concat())
+        };
+        let spread = spread.iter().map(Vec::as_slice);
+        let all = designs.iter().copied().chain([&mean[..]]).chain(spread);
+        Ok(all.filter_map(start).collect())
+    }
+
+    /// The goals of each model with a design, also after an interrupt.
+    fn goals(&self, design: &[f64]) -> Result<Vec<Vec<f64>>> {
+        let never = AtomicBool::new(false);
+        let problems = self.problems.iter();
+        problems
+            .map(|problem| problem.values_until(design, &never))
+            .collect()
+    }
+
+    /// The loss of each model with these goals.
+    fn of(&self, goals: &[Vec<f64>]) -> Vec<f64> {
+        let all = goals.iter().enumerate();
+        all.map(|(model, goals)| self.loss(model, goals)).collect()
+    }
+}
+
+/// The functions of (x, t): t, and for each model its loss less t and its limited goals.
 struct GreatestLoss<'a> {
-    problems: &'a [SwingsProblem],
-    /// The least value of each model that its own search found, with smoothed edges as here.
+    problems: &'a [SearchProblem],
+    /// The least value of each model by its own search, with smoothed edges.
     least: Vec<f64>,
 }
 
@@ -455,7 +478,7 @@ impl GreatestLoss<'_> {
         let Bounds { mut low, mut high } = self.problems[0].domain.variables.clone();
         low.push(f64::NEG_INFINITY);
         high.push(f64::INFINITY);
-        let of = |problem: &SwingsProblem| {
+        let of = |problem: &SearchProblem| {
             let Bounds { low, high } = problem.domain.constraints.clone();
             let low = [f64::NEG_INFINITY].into_iter().chain(low);
             low.zip([0.0].into_iter().chain(high)).collect::<Vec<_>>()
@@ -468,7 +491,7 @@ impl GreatestLoss<'_> {
 impl Problem for GreatestLoss<'_> {
     fn evaluate(&self, xt: &[f64]) -> std::result::Result<Evaluation, String> {
         let n = xt.len() - 1;
-        // a function of x alone, with t as a variable more
+        // a function of x, as one of (x, t)
         let lifted = |mut f: Taylor| {
             f.gradient.push(0.0);
             f.hessian.iter_mut().for_each(|row| row.push(0.0));

@@ -7,57 +7,56 @@ use crate::study::uncertainty::{Distribution, Uncertain};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// How scenarios are taken.
+/// The rule by which scenarios are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// Gauss's rules with so many nodes for each parameter: for few parameters.
+    /// Gauss's rule with this number of nodes for each parameter: for few parameters.
     Quadrature(usize),
-    /// So many points of a scrambled Sobol' sequence.
+    /// A scrambled Sobol' sequence.
     Sequence {
-        /// How many.
+        /// The number of points.
         count: usize,
-        /// Another seed, other points; the same one, the same to the last bit.
+        /// The seed of the scrambling. Points depend on it to the last bit.
         seed: u32,
     },
     /// The recorded swings.
     Recorded,
 }
 
-/// Swings that stand for all: the same for every design, so that an expectation is a smooth
-/// function of it.
+/// Swings that represent all swings of a golfer. They do not depend on the design, so that an
+/// expectation is a smooth function of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenarios {
-    /// The parameters that have a value in each.
+    /// The parameters with a value in each scenario.
     pub parameters: Vec<&'static Parameter>,
     /// Their values, SI, a row for each scenario.
     pub points: Vec<Vec<f64>>,
-    /// The weight of each; they add up to 1.
+    /// The weight of each scenario; they sum to 1.
     pub weights: Vec<f64>,
-    /// How they were taken.
+    /// The rule by which they were chosen.
     pub rule: Rule,
-    /// The ends of each parameter's distribution, SI, infinite where it has none; `None` for what
-    /// was recorded.
+    /// The ends of each parameter's distribution, SI, or infinite; `None` for recorded swings.
     pub ends: Vec<Option<[f64; 2]>>,
-    /// The distributions that the points are of; `None` where there are none.
+    /// The distributions of the points; `None` for recorded swings and one drive.
     distributed: Option<Swings>,
 }
 
-/// Up to so many parameters are integrated by Gauss's rules.
+/// Largest number of parameters integrated by Gauss's rules.
 const MOST_INTEGRATED: usize = 3;
-/// Nodes for each, for one, two and three of them.
+/// Nodes for each parameter, of one, two and three.
 const NODES: [usize; MOST_INTEGRATED] = [32, 16, 8];
 /// Scenarios for more parameters.
 const SCENARIOS: usize = 512;
-/// More than this no search can wait for.
+/// Largest number of scenarios in a search.
 const MOST_SCENARIOS: usize = 100_000;
-/// Independent sequences that tell how far a goal is known.
+/// Independent sequences for the error of a goal.
 const SEQUENCES: u32 = 8;
-/// Points of each of them, at least.
+/// Least number of points of each of them.
 const POINTS: usize = 2048;
 
 impl Rule {
-    /// What suits some swings: `count` scenarios if it is given, and what their number of
-    /// parameters needs if not.
+    /// The default rule for some swings, by their number of parameters; a sequence of `count`
+    /// scenarios if it is given.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a number of
@@ -123,7 +122,7 @@ impl Rule {
         })
     }
 
-    /// Gauss's rules with half as many nodes more.
+    /// Gauss's rule with 1.5 times as many nodes.
     pub(super) fn finer(self) -> Option<Self> {
         match self {
             Self::Quadrature(nodes) => Some(Self::Quadrature(nodes + nodes / 2)),
@@ -133,7 +132,7 @@ impl Rule {
 }
 
 impl Scenarios {
-    /// One drive, as a setup has it: outcomes are then their own means.
+    /// One drive, the setup's own. The mean of an outcome is the outcome.
     pub fn one_drive() -> Self {
         Self {
             parameters: vec![],
@@ -145,7 +144,7 @@ impl Scenarios {
         }
     }
 
-    /// Whether there is one drive alone, of which nothing varies.
+    /// True if there is one drive only, without parameters that vary.
     pub fn is_one_drive(&self) -> bool {
         self.parameters.is_empty()
     }
@@ -269,9 +268,8 @@ impl Scenarios {
     }
 
     /// Independent scramblings of Sobol's sequence over the same distributions, which no search has
-    /// seen: at least as many points in each as there are scenarios. Nothing where there are no
-    /// distributions.
-    pub(super) fn sequences(&self) -> Vec<Result<Self>> {
+    /// used, each with at least as many points as there are scenarios; none without distributions.
+    pub(in crate::study) fn sequences(&self) -> Vec<Result<Self>> {
         let Some(swings) = &self.distributed else {
             return vec![];
         };
@@ -279,7 +277,7 @@ impl Scenarios {
             Rule::Sequence { count, seed } => (count.max(POINTS), seed),
             _ => (POINTS, 0),
         };
-        // far from the seeds that people give
+        // far from the usual seeds of users
         let seed = |round: u32| seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1));
         (0..SEQUENCES)
             .map(|round| {
@@ -294,8 +292,8 @@ impl Scenarios {
             .collect()
     }
 
-    /// The scenarios, and then all combinations of the ends that the distributions of these
-    /// parameters have, with what else varies as in each scenario.
+    /// The scenarios, then all combinations of the ends of the distributions of these parameters,
+    /// with the other parameters of each scenario.
     pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let ends = |k: &usize| Some((*k, self.ends.get(*k).copied().flatten()?));
         let (bounded, endless): (Vec<_>, Vec<_>) = of
@@ -307,7 +305,7 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // scenarios that differ in other parameters only have the same corners
+        // without an infinite distribution all scenarios have the same corners
         let others = if endless.is_empty() {
             1
         } else {
@@ -326,8 +324,7 @@ impl Scenarios {
         self.points.iter().cloned().chain(cornered)
     }
 
-    /// Whether a parameter's distribution has no ends, so that the scenarios say nothing of values
-    /// beyond them.
+    /// True if a parameter's distribution is infinite, so that it has values beyond the scenarios.
     pub(crate) fn is_endless(&self, of: usize) -> bool {
         self.ends
             .get(of)
@@ -336,7 +333,7 @@ impl Scenarios {
             .is_some_and(|ends| ends.iter().any(|end| end.is_infinite()))
     }
 
-    /// One scenario alone: the mean of each parameter.
+    /// One scenario: the mean of each parameter.
     pub fn mean(swings: &Swings) -> Self {
         let (parameters, points) = (swings.parameters(), vec![swings.means()]);
         let ends = vec![None; parameters.len()];

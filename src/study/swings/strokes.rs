@@ -14,13 +14,13 @@ pub struct Strokes {
     strokes: Vec<f64>,
     /// Second derivatives at the distances.
     bend: Vec<f64>,
-    /// Where the ball ends.
+    /// The outcomes of the end of the ball: downrange and to the right.
     outcomes: [Outcome; 2],
 }
 
 impl Strokes {
-    /// A table of distances (m, rising) with the strokes from each. Where the ball ends is where it
-    /// lands, or where it rests if `runs`.
+    /// A table of distances (m, rising) with the strokes from each. The ball ends where it lands,
+    /// or where it comes to rest if `runs`.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for fewer than two rows, distances that do not rise, or numbers below
@@ -126,13 +126,13 @@ impl Strokes {
         Self::new(&rows, runs)
     }
 
-    /// Whether the table has this distance within it.
-    pub(super) fn reaches(&self, distance: f64) -> bool {
+    /// True if the table contains this distance.
+    pub(in crate::study) fn reaches(&self, distance: f64) -> bool {
         self.distance[0] <= distance && distance <= self.distance[self.distance.len() - 1]
     }
 
-    /// Where the ball ends: downrange, and to the right.
-    pub(super) fn outcomes(&self) -> &[Outcome; 2] {
+    /// The outcomes of the end of the ball: downrange and to the right.
+    pub(in crate::study) fn outcomes(&self) -> &[Outcome; 2] {
         &self.outcomes
     }
 

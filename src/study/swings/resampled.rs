@@ -1,7 +1,8 @@
-use super::optimum::{SwingsOptimum, posed};
 use crate::error::Result;
 use crate::optimize::{Observer, Status, minimize_observed};
 use crate::parameters::Setup;
+use crate::study::Optimum;
+use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
@@ -9,56 +10,54 @@ use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What recorded swings tell of the best design: the same search over resamples of them
-/// (bootstrap).
+/// Bootstrap intervals of the best design: the search repeated over resamples of recorded swings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resampled {
     /// The 95 % interval of each varied parameter.
     pub design: Vec<Interval>,
-    /// That of the goal.
+    /// The 95 % interval of the objective.
     pub goal: Interval,
-    /// How many resamples came to an optimum.
+    /// The number of resamples whose search converged.
     pub rounds: usize,
-    /// The best design beside the setup's own.
-    pub apart: Option<Apart>,
+    /// The best design compared with the setup's own.
+    pub significance: Option<Significance>,
 }
 
-/// Whether recorded swings tell two designs apart.
+/// Significance of the gain of the best design over the setup's own, by recorded swings.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Apart {
-    /// How much better the goal is with the best design than with the setup's own: the 95 %
-    /// interval.
+pub struct Significance {
+    /// The gain of the objective: its 95 % interval.
     pub better: Interval,
-    /// Swings that would tell them apart in 80 % of all cases with 95 % confidence, if they go on
-    /// like these.
+    /// The number of swings like these for a significant gain: at a confidence of 95 % with a power
+    /// of 80 %.
     pub swings: Option<u64>,
 }
 
 /// z₀.₉₇₅ + z₀.₈.
 const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 
-/// The optima of resamples; `None` where fewer than half of them came to one, or all swings are
-/// alike: they tell of no others; or where `stop` became true before the end.
+/// The optima of resamples of recorded swings. `None` if fewer than half of the searches converged,
+/// if all swings are equal, and if `stop` became true before the end.
 ///
 /// # Errors
-/// As [`swings_optimum`](super::swings_optimum).
+/// As [`optimum`](crate::study::optimum).
 pub fn resampled(
     setup: &Setup<f64>,
-    best: &SwingsOptimum,
+    best: &Optimum,
     rounds: usize,
     seed: u64,
     stop: &Arc<AtomicBool>,
 ) -> Result<Option<Resampled>> {
-    let points = &best.scenarios.points;
+    let points = &best.search.scenarios.points;
     if points.iter().all(|point| *point == points[0]) {
         return Ok(None);
     }
     let is_stopped = || stop.load(Ordering::Relaxed);
-    let problem = match posed(setup, &best.search, best.scenarios.clone(), stop) {
+    let problem = match SearchProblem::new(setup, &best.search, stop) {
         Err(_) if is_stopped() => return Ok(None),
-        posed => posed?,
+        problem => problem?,
     };
-    let n = best.scenarios.points.len();
+    let n = best.search.scenarios.points.len();
     let sign = best.search.sense.sign();
     let round = |stream: u64| {
         if is_stopped() {
@@ -73,7 +72,7 @@ pub fn resampled(
         );
         let mut weights = vec![0.0; n];
         for _ in 0..n {
-            // n is small beside 2⁶⁴: no index is likelier by a visible amount
+            // the bias of the remainder is below n/2⁶⁴
             weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
         }
         let value = |x: &[f64]| {
@@ -120,7 +119,7 @@ pub fn resampled(
         found.iter().filter_map(|(value, ..)| *value).collect(),
     );
     let gains: Vec<f64> = found.iter().filter_map(|(.., gain)| *gain).collect();
-    let apart = problem
+    let significance = problem
         .as_set_up()
         .ok()
         .filter(|_| gains.len() >= 2)
@@ -135,7 +134,7 @@ pub fn resampled(
                 .sum::<f64>()
                 / (gains.len() as f64 - 1.0);
             let swings = (POWER / mean).powi(2) * variance * n as f64;
-            Apart {
+            Significance {
                 better,
                 swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64),
             }
@@ -147,11 +146,11 @@ pub fn resampled(
         design,
         goal,
         rounds: found.len(),
-        apart,
+        significance,
     }))
 }
 
-/// The 95 % interval of an estimate from those of resamples, by their quantiles.
+/// The 95 % interval of an estimate by the quantiles of its resamples.
 fn interval(value: f64, mut resamples: Vec<f64>) -> Interval {
     resamples.sort_by(f64::total_cmp);
     let last = resamples.len().saturating_sub(1) as f64;

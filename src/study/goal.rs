@@ -1,0 +1,123 @@
+//! The objective of a search and its constraints: a weighted sum of measures of drives, and such a
+//! sum between limits.
+
+use super::swings::{Measure, Strokes};
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::units::Quantity;
+
+/// A weighted sum of measures: `mean(carry) - 0.5*std(lateral)`; an outcome, of one drive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Goal {
+    /// The text it was read from, or the name of the outcome.
+    pub expression: String,
+    /// Each measure with its weight, SI.
+    pub terms: Vec<(f64, Measure)>,
+    /// The kind of quantity of the sum.
+    pub quantity: Quantity,
+    /// The unit in which texts show it.
+    pub unit: &'static str,
+}
+
+/// A goal between limits: `std(lateral) <= 12 yd`; of one drive `descent_angle >= 38 deg`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constraint {
+    /// The text it was read from.
+    pub expression: String,
+    /// The limited goal.
+    pub goal: Goal,
+    /// Lower limit, SI, or −∞.
+    pub low: f64,
+    /// Upper limit, SI, or ∞.
+    pub high: f64,
+}
+
+impl Goal {
+    /// The mean of an outcome over the swings.
+    pub fn mean(of: Outcome) -> Self {
+        Self {
+            expression: format!("mean({})", of.name()),
+            ..Self::from(of)
+        }
+    }
+
+    /// The outcome, if the goal is an outcome of one drive.
+    pub fn outcome(&self) -> Option<Outcome> {
+        match self.terms.as_slice() {
+            [(1.0, Measure::Mean(of))] if self.expression == of.name() => Some(*of),
+            _ => None,
+        }
+    }
+
+    /// The outcomes that its measures need.
+    pub fn outcomes(&self) -> Vec<Outcome> {
+        self.terms
+            .iter()
+            .flat_map(|(_, measure)| measure.outcomes())
+            .collect()
+    }
+
+    /// The tables of strokes of its measures, each with the length of the hole, m.
+    pub fn strokes(&self) -> impl Iterator<Item = (&Strokes, f64)> {
+        self.terms.iter().filter_map(|(_, measure)| match measure {
+            Measure::Strokes(strokes, hole) => Some((strokes, *hole)),
+            _ => None,
+        })
+    }
+
+    /// True if a measure has an edge (a kink or jump), which the search smooths.
+    pub(super) fn has_edge(&self) -> bool {
+        self.terms.iter().any(|(_, measure)| measure.has_edge())
+    }
+}
+
+/// An outcome of one drive: its mean over that drive alone.
+impl From<Outcome> for Goal {
+    fn from(of: Outcome) -> Self {
+        Self {
+            expression: of.name().into(),
+            terms: vec![(1.0, Measure::Mean(of))],
+            quantity: of.quantity(),
+            unit: of.unit(),
+        }
+    }
+}
+
+impl Constraint {
+    /// True if both limits are equal.
+    pub fn is_equation(&self) -> bool {
+        self.low == self.high
+    }
+
+    /// Distance of a value from the range: positive above the upper limit, negative below the lower
+    /// one.
+    pub fn violation(&self, value: f64) -> f64 {
+        value - value.clamp(self.low, self.high)
+    }
+
+    /// True if a value is within the limits, up to the rounding of a search: 1e-6 of the value, or
+    /// 1e-6 if that is more.
+    pub fn is_met(&self, value: f64) -> bool {
+        let rounding = 1e-6 * value.abs().max(1.0);
+        (self.low - rounding..=self.high + rounding).contains(&value)
+    }
+
+    /// Refuses limits that are not numbers or reversed, which a constraint that was not read from
+    /// text can have.
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`].
+    pub(super) fn check(&self) -> Result<()> {
+        if self.low <= self.high {
+            return Ok(());
+        }
+        let show = |limit: f64| self.goal.quantity.show(limit, self.goal.unit);
+        let (low, high) = (show(self.low), show(self.high));
+        Err(Error::SearchRange {
+            name: self.expression.clone(),
+            reason: format!(
+                "its limits are {low} and {high}; the lower must be a number not above the upper"
+            ),
+        })
+    }
+}

@@ -1,0 +1,347 @@
+//! The end of a search in words: status, message, active bounds and constraints.
+
+use super::goal::Constraint;
+use super::optimum::{LocalOptimum, Optimum};
+use crate::drive::Drive;
+use crate::optimize::sensitivity::Held;
+use crate::optimize::{Kink, Solution, Status};
+use crate::parameters::Vary;
+use crate::units::{self, Digits, Message, Quantity};
+use std::fmt;
+
+/// An active bound or constraint of an optimum: `club.loft at its upper bound`, or the text of the
+/// constraint.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Active {
+    /// The parameter varied, or the text of the constraint.
+    pub name: String,
+    /// The bound, `lower` or `upper`; `None` for a constraint.
+    pub end: Option<&'static str>,
+}
+
+impl fmt::Display for Active {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.end {
+            Some(end) => write!(f, "{} at its {end} bound", self.name),
+            None => f.write_str(&self.name),
+        }
+    }
+}
+
+/// The active bounds and constraints. `is_lower` chooses between the two bounds of a variable.
+pub(super) fn active(
+    vary: &[Vary],
+    constraints: &[Constraint],
+    held: &Held,
+    is_lower: impl Fn(usize) -> bool,
+) -> Vec<Active> {
+    let is_bounded = |i: &usize| held.variables[*i] && vary[*i].low < vary[*i].high;
+    let bounds = (0..vary.len()).filter(is_bounded).map(|i| Active {
+        name: vary[i].parameter.name.into(),
+        end: Some(if is_lower(i) { "lower" } else { "upper" }),
+    });
+    let limits = held.tight().into_iter();
+    let limits = limits
+        .filter_map(|j| constraints.get(j))
+        .map(|constraint| Active {
+            name: constraint.expression.clone(),
+            end: None,
+        });
+    bounds.chain(limits).collect()
+}
+
+/// The status of the end of a search in a word.
+pub(super) fn status_of(solution: &Solution) -> &'static str {
+    match solution.status {
+        Status::Undefined => "no-flight",
+        status => status.name(),
+    }
+}
+
+/// The constraints that the nearest design violates, with its goals.
+pub(super) fn violated(
+    constraints: &[Constraint],
+    found: &Solution,
+    goals: Option<&[f64]>,
+) -> String {
+    let all = constraints.iter().zip(&found.constraints).enumerate();
+    let missed = all.filter(|(_, (_, at))| at.violation != 0.0);
+    let missed = missed.map(|(j, (constraint, at))| {
+        let value = goals.map_or(at.value, |goals| goals[1 + j]);
+        let [value, outside] = [value, constraint.violation(value).abs()]
+            .map(|value| constraint.goal.quantity.show(value, constraint.goal.unit));
+        let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
+        let fixed = if is_fixed {
+            "nothing that is varied changes it at this design: "
+        } else {
+            ""
+        };
+        format!(
+            "{} ({fixed}it is {value}, outside by {outside})",
+            constraint.expression
+        )
+    });
+    format!(
+        "no design was found that meets the limits; the nearest one violates {}",
+        missed.collect::<Vec<_>>().join(" and ")
+    )
+}
+
+impl LocalOptimum {
+    /// The status in a word; `no-flight` where the optimizer says undefined.
+    pub fn status(&self) -> &'static str {
+        status_of(&self.solution)
+    }
+}
+
+impl Optimum {
+    /// The status in a word; `no-flight` where the optimizer says undefined.
+    pub fn status(&self) -> &'static str {
+        status_of(&self.solution)
+    }
+
+    /// The end of the search in a sentence, in terms of the drive or the design.
+    pub fn message(&self) -> Message {
+        if !self.search.scenarios.is_one_drive() {
+            return self.message_over_swings().into();
+        }
+        let found = &self.solution.message;
+        match (&self.solution.kink, self.solution.status) {
+            (Some(kink), _) => self.corner(kink),
+            (None, Status::Infeasible) => self.violated_by_drive(),
+            (None, Status::Undefined) => self.no_flight(),
+            (None, Status::Converged) => self
+                .idle_parameters()
+                .unwrap_or_else(|| found.as_str().into()),
+            (None, Status::Interrupted) if self.solution.value.is_none() => {
+                "stopped before a drive that flies was found".into()
+            }
+            _ => found.as_str().into(),
+        }
+    }
+
+    fn message_over_swings(&self) -> String {
+        let found = &self.solution.message;
+        match self.solution.status {
+            Status::Undefined => {
+                let start = self.solution.undefined_at_start.as_deref();
+                format!(
+                    "no design was found with which every swing flies; at the start: {}",
+                    start.unwrap_or("no drive flies")
+                )
+            }
+            Status::Infeasible => violated(
+                &self.search.subject_to,
+                &self.solution,
+                self.goals.as_deref(),
+            ),
+            Status::Interrupted if self.solution.value.is_none() => {
+                "stopped before a design was found with which every swing flies".into()
+            }
+            Status::Converged if self.is_flat() => format!(
+                "{} does not depend on what is varied here: every design is equally good",
+                self.search.of.expression
+            ),
+            Status::Converged => self.idle_parameters_over_swings(),
+            _ => found.clone(),
+        }
+    }
+
+    /// The slopes on both sides of a corner of the objective.
+    fn corner(&self, kink: &Kink) -> Message {
+        let goal = &self.search.of;
+        let parameter = self.search.vary[kink.variable].parameter;
+        let of = &goal.expression;
+        let by = parameter.name;
+        let unit = units::per(goal.quantity.si, parameter.quantity.si);
+        let sign = self.search.sense.sign();
+        let slope = |slope: Option<f64>| {
+            slope.map_or("not computed (out of range)".into(), |slope| {
+                let slope = sign * slope;
+                format!("{} {unit}", units::signed(slope, units::fixed(slope, 4)))
+            })
+        };
+        let at = self.solution.x[kink.variable];
+        Message::from(format!("{of} has a corner at {by} = "))
+            .quantity(
+                parameter.quantity,
+                parameter.unit,
+                at,
+                Digits::Significant(7),
+            )
+            .words(format!(
+                ": d {of}/d {by} is {} below it and {} above",
+                slope(kink.slope_below),
+                slope(kink.slope_above),
+            ))
+    }
+
+    /// The constraints that the nearest drive violates.
+    fn violated_by_drive(&self) -> Message {
+        let all = self.search.subject_to.iter();
+        let missed: Vec<_> = all
+            .zip(&self.solution.constraints)
+            .filter(|(_, at)| at.violation != 0.0)
+            .map(|(constraint, at)| {
+                let (quantity, unit) = (constraint.goal.quantity, constraint.goal.unit);
+                let outside = at.violation.abs();
+                Message::from(format!("{} (its value is ", constraint.expression))
+                    .quantity(quantity, unit, at.value, Digits::Fine)
+                    .words(", outside by ")
+                    .quantity(quantity, unit, outside, Digits::Difference)
+                    .words(")")
+            })
+            .collect();
+        let tried = self.sample.map_or(String::new(), |sample| {
+            format!(
+                " (the search and {} other points in the ranges were tried)",
+                sample.points
+            )
+        });
+        Message::from(format!(
+            "no point was found that meets the constraints{tried}; the nearest one violates "
+        ))
+        .message(Message::joined(missed, " and "))
+    }
+
+    /// No drive of the search flies, with the reason at the start.
+    fn no_flight(&self) -> Message {
+        let trials = self.search.options.start_trials as usize;
+        let trials = trials + self.sample.map_or(0, |sample| sample.points);
+        Message::from(format!(
+            "no drive of the search flies, neither at the start nor at the other points of the \
+             ranges that were tried ({trials}); at the start: "
+        ))
+        .message(self.undefined_at_start())
+    }
+
+    /// The reason why the drive at the start does not fly. The optimizer keeps its text only; the
+    /// drive computed again gives it with units.
+    fn undefined_at_start(&self) -> Message {
+        let start = self.solution.undefined_at_start.as_deref();
+        let text = start.unwrap_or_default();
+        let again = Drive::new(&self.setup).and_then(|drive| self.search.outcome().of(&drive));
+        again
+            .err()
+            .map(|error| error.message())
+            .filter(|message| message.to_string() == text)
+            .unwrap_or_else(|| text.into())
+    }
+
+    /// The message about parameters that the outcome of one drive does not depend on, if any.
+    fn idle_parameters(&self) -> Option<Message> {
+        let of = &self.search.of.expression;
+        let idle = self.idle();
+        let varied = self.search.vary.iter();
+        let varied = varied.filter(|vary| vary.low < vary.high).count();
+        match idle.len() {
+            0 => None,
+            all if all == varied => Some(
+                format!(
+                    "{of} does not depend on the parameters varied here: every drive is equally \
+                     good"
+                )
+                .into(),
+            ),
+            _ => Some(
+                format!(
+                    "{}; {of} does not depend on {}: every value is equally good",
+                    self.solution.message,
+                    idle.join(", ")
+                )
+                .into(),
+            ),
+        }
+    }
+
+    fn idle_parameters_over_swings(&self) -> String {
+        let little = match self.search.of.quantity {
+            Quantity::LENGTH => "1 mm",
+            _ => "a millionth of it",
+        };
+        let found = &self.solution.message;
+        let goal = &self.search.of.expression;
+        match self.idle().as_slice() {
+            [] => found.clone(),
+            [one] => format!(
+                "{found}; {one} has no effect worth telling: within its range it changes {goal} by \
+                 less than {little}"
+            ),
+            all => format!(
+                "{found}; {} have no effect worth telling: within its range each changes {goal} by \
+                 less than {little}",
+                all.join(" and ")
+            ),
+        }
+    }
+
+    /// True if the objective does not depend on a parameter varied: over its range it changes, to
+    /// second order, by rounding; over swings by less than 1 mm, or 1e-6 of what is no length.
+    /// The optimum of such an objective is at a bound, or at a random place.
+    pub fn is_idle(&self, i: usize) -> bool {
+        const ROUNDING: f64 = 1e-12;
+        let size = self.value().unwrap_or_default().abs();
+        let negligible = match self.search.of.quantity {
+            _ if self.search.scenarios.is_one_drive() => ROUNDING * size,
+            Quantity::LENGTH => 1e-3,
+            _ => 1e-6 * size,
+        };
+        let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
+        let solution = &self.solution;
+        let (Some(slope), Some(bends)) = (solution.gradient.get(i), solution.hessian.get(i)) else {
+            return false;
+        };
+        let bends = bends.iter().enumerate();
+        let bends: f64 = bends.map(|(j, bend)| (bend * width(j)).abs()).sum();
+        width(i) > 0.0 && (slope.abs() + bends) * width(i) <= negligible
+    }
+
+    /// The names of the parameters varied that the objective does not depend on.
+    fn idle(&self) -> Vec<&'static str> {
+        let vary = self.search.vary.iter().enumerate();
+        vary.filter(|(i, _)| self.is_idle(*i))
+            .map(|(_, vary)| vary.parameter.name)
+            .collect()
+    }
+
+    /// True if the objective changes over the ranges, to second order, by rounding only.
+    fn is_flat(&self) -> bool {
+        const ROUNDING: f64 = 1e-10;
+        let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
+        let slopes = self.solution.gradient.iter().enumerate();
+        let slopes = slopes.map(|(i, slope)| slope * width(i));
+        let rows = self.solution.hessian.iter().enumerate();
+        let bends = rows.flat_map(|(i, row)| {
+            let row = row.iter().enumerate();
+            row.map(move |(j, bend)| bend * width(i) * width(j))
+        });
+        slopes.chain(bends).all(|change| change.abs() < ROUNDING)
+    }
+
+    /// The start of the search if the setup's own values do not fly.
+    pub fn moved_start(&self) -> Option<String> {
+        let why = self.solution.undefined_at_start.as_ref();
+        let why = why.filter(|_| !self.solution.begun_at.is_empty())?;
+        let begun = self.search.vary.iter().zip(&self.solution.begun_at);
+        let begun: Vec<_> = begun
+            .map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x))))
+            .collect();
+        Some(format!(
+            "the start does not fly ({why}); the search began at {} instead",
+            begun.join(", ")
+        ))
+    }
+
+    /// The active bounds and constraints; none if no drive flies.
+    pub fn active(&self) -> Vec<Active> {
+        let solution = &self.solution;
+        let domain = self.search.domain().ok();
+        let Some(domain) = domain.filter(|_| solution.value.is_some()) else {
+            return vec![];
+        };
+        let held = Held::new(solution, &domain);
+        active(&self.search.vary, &self.search.subject_to, &held, |i| {
+            solution.lower_multipliers[i] > 0.0
+        })
+    }
+}
