@@ -50,9 +50,7 @@ fn main() -> Result<()> {
         let picture = figure_svg(&vcurve_figure(of_loft, &loops, At::SetUp), &Look::default())?;
         std::fs::write(Path::new(&folder).join("vcurve.svg"), picture).map_err(Error::Output)?;
     }
-    for (name, certificate) in &certificates {
-        smoothness(name, certificate);
-    }
+    smoothness(&certificates);
     Ok(())
 }
 
@@ -147,36 +145,36 @@ fn the_loop(loops: &[LoopRow]) {
     println!("![V-curves of the smooth landing and of the loop](pictures/vcurve.svg)\n");
 }
 
-fn smoothness(name: &str, certificate: &Certificate) {
+/// The worst outcome of each preset.
+fn smoothness(certificates: &[(&str, Certificate)]) {
     println!(
-        "## `{name}`: steps\n\n| outcome | jump where the number of steps changes: value, \
-         gradient, Hessian | order in the step: value, gradient | error from the time step: value, \
+        "## Steps\n\nThe worst of all outcomes of each preset, in the step of the preset.\n\n\
+         | preset | largest jump where the number of steps changes: value, gradient, Hessian | \
+         lowest order in the step: value, gradient | largest error from the time step: value, \
          worst derivative |\n|---|---|---|---|"
     );
-    for found in &certificate.continuity {
-        let orders = certificate
-            .convergence
-            .iter()
-            .find(|other| other.of == found.of)
-            .map(|other| other.orders);
-        let orders = orders
-            .unwrap_or_default()
-            .map(|order| order.map_or("rounding".into(), |order| format!("{order:.2}")));
-        let jumps = found.jumps.map(|jump| format!("{jump:.0e}")).join(", ");
-        let step = certificate.step.iter().find(|other| other.of == found.of);
-        let left = step.map(|it| {
-            format!(
-                "{:.0e}, {:.0e}",
-                it.value,
-                it.derivative.map_or(0.0, |(_, error)| error)
-            )
+    for (name, certificate) in certificates {
+        let largest = |errors: &mut dyn Iterator<Item = f64>| errors.fold(0.0, f64::max);
+        let jumps = [0, 1, 2].map(|i| {
+            let jump = largest(&mut certificate.continuity.iter().map(|found| found.jumps[i]));
+            format!("{jump:.0e}")
         });
+        let orders = [0, 1].map(|i| {
+            let orders = certificate.convergence.iter();
+            let lowest = orders
+                .filter_map(|found| found.orders[i])
+                .fold(f64::INFINITY, f64::min);
+            format!("{lowest:.2}")
+        });
+        let value = largest(&mut certificate.step.iter().map(|found| found.value));
+        let derivatives = certificate.step.iter();
+        let derivative = largest(
+            &mut derivatives.map(|found| found.derivative.map_or(0.0, |(_, error)| error)),
+        );
         println!(
-            "| {} | {jumps} | {} | {} |",
-            found.of.name(),
-            orders.join(", "),
-            left.unwrap_or_default()
+            "| `{name}` | {} | {} | {value:.0e}, {derivative:.0e} |",
+            jumps.join(", "),
+            orders.join(", ")
         );
     }
-    println!();
 }
