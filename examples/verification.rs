@@ -168,9 +168,8 @@ fn smoothness(certificates: &[(&str, Certificate)]) {
         });
         let value = largest(&mut certificate.step.iter().map(|found| found.value));
         let derivatives = certificate.step.iter();
-        let derivative = largest(
-            &mut derivatives.map(|found| found.derivative.map_or(0.0, |(_, error)| error)),
-        );
+        let derivative =
+            largest(&mut derivatives.map(|found| found.derivative.map_or(0.0, |(_, error)| error)));
         println!(
             "| `{name}` | {} | {} | {value:.0e}, {derivative:.0e} |",
             jumps.join(", "),
