@@ -55,6 +55,43 @@ fn the_answer_in_the_readme_is_the_programs() {
     );
 }
 
+/// The lines below a command of docs/tutorial.md are lines of its output; of the table of a sweep,
+/// whose last digits depend on the processor, each cell to 12 characters.
+#[test]
+fn the_outputs_in_the_tutorial_are_the_programs() {
+    let text = document("docs/tutorial.md");
+    let shown: Vec<&str> = text.split("```text\n").collect();
+    for pair in shown.windows(2) {
+        let command = pair[0].rsplit("```sh\nlongdrive ").next().unwrap();
+        let command = command.lines().next().unwrap();
+        let quoted = command.split('"').enumerate();
+        let words: Vec<&str> = quoted
+            .flat_map(|(i, part)| match i % 2 {
+                0 => part.split_whitespace().collect(),
+                _ => vec![part],
+            })
+            .collect();
+        let said = longdrive(&words);
+        assert_eq!(said.status, 0, "{command}\n{}", said.err);
+        let digits = |line: &str| match line.contains(",landed,") {
+            true => line
+                .split(',')
+                .map(|cell| cell.chars().take(12).collect())
+                .collect::<Vec<String>>(),
+            false => vec![line.to_owned()],
+        };
+        let printed: Vec<_> = said.out.lines().map(digits).collect();
+        for line in pair[1].split("```").next().unwrap().lines() {
+            assert!(
+                line.is_empty() || printed.contains(&digits(line)),
+                "docs/tutorial.md should not have '{line}' below {command}:\n{}",
+                said.out
+            );
+        }
+    }
+    assert!(shown.len() > 6, "{}", shown.len());
+}
+
 #[test]
 fn the_searches_in_validation_md_are_those_of_the_program() {
     let rows = table(
