@@ -3,10 +3,10 @@ use crate::parameters::Parameter;
 use crate::report::shown::words;
 use crate::units::{Quantity, System, printed};
 
-/// What is measured along an axis or by a colour.
+/// A quantity along an axis or of a colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
-    /// What it is called: "carry".
+    /// The name: "carry".
     pub label: String,
     /// Its kind of quantity; values are SI.
     pub quantity: Quantity,
@@ -39,8 +39,8 @@ impl Measure {
         Self::new(words(parameter.name), parameter.quantity, parameter.unit)
     }
 
-    /// How many SI units the unit of a system is: what SI values are divided by. Reading a unit
-    /// takes much longer than dividing by it.
+    /// The size of the unit of a system, in SI units. SI values are divided by it, since reading a
+    /// unit takes much longer.
     pub fn unit_size(&self, system: System) -> f64 {
         self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
@@ -50,7 +50,7 @@ impl Measure {
         self.quantity.read_off(value, system.unit(self.unit))
     }
 
-    /// The same, and in the unit of the other system in parentheses: "251.1 yd (229.6 m)".
+    /// A value in the units of both systems: "251.1 yd (229.6 m)".
     pub fn show_both(&self, value: f64, system: System) -> String {
         let [chosen, other] = [system, system.other()].map(|system| self.show(value, system));
         if chosen == other {
@@ -66,12 +66,12 @@ impl Measure {
             .read_off_difference(value, system.unit(self.unit))
     }
 
-    /// What it is called, with the unit of a system: `carry [yd]`, `club loft [°]`.
+    /// The name with the unit of a system: `carry [yd]`, `club loft [°]`.
     pub fn titled(&self, system: System) -> String {
         with_unit(&self.label, &printed(system.unit(self.unit)))
     }
 
-    /// What it is called, with its SI unit: `carry [m]`.
+    /// The name with the SI unit: `carry [m]`.
     pub fn titled_si(&self) -> String {
         with_unit(&self.label, self.quantity.si)
     }
@@ -103,13 +103,13 @@ pub enum Scale {
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it measures.
+    /// The quantity.
     pub measure: Measure,
     /// How.
     pub scale: Scale,
-    /// What it reaches at least, SI, beside the data.
+    /// Least range, SI; the data may extend it.
     pub reach: Option<[f64; 2]>,
-    /// Whether it ends exactly there, and what lies beyond is not shown.
+    /// The axis ends exactly at `reach`, and data beyond are not drawn.
     pub is_exact: bool,
 }
 
@@ -148,7 +148,7 @@ impl Axis {
         }
     }
 
-    /// The same, that reaches at least from `low` to `high`, SI.
+    /// Extends the axis to at least `low` and `high`, SI.
     #[must_use]
     pub fn reaching(self, low: f64, high: f64) -> Self {
         Self {
@@ -157,7 +157,7 @@ impl Axis {
         }
     }
 
-    /// The same, from `low` to `high` exactly, SI.
+    /// Limits the axis to `low` and `high` exactly, SI.
     #[must_use]
     pub fn exactly(self, low: f64, high: f64) -> Self {
         Self {

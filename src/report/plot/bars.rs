@@ -26,7 +26,7 @@ const MOST_LINES: usize = 2;
 const ROW: f64 = 34.0;
 const HALF: [f64; 2] = [8.0, 6.0];
 
-/// How far from the middle of a row two bars one below the other lie, pixels.
+/// Distance of two bars of a row from its middle, pixels.
 const APART: f64 = 7.5;
 
 /// From a bar's end to its value, pixels.
@@ -36,7 +36,7 @@ const GAP: f64 = 4.0;
 pub(super) struct Rows {
     names: Vec<Vec<String>>,
     is_above: bool,
-    /// What names beside the bars take, pixels.
+    /// Width of the names, pixels.
     pub left: f64,
 }
 
@@ -238,8 +238,8 @@ fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
     }
 }
 
-/// Whether a bar's value stands to its left: it goes there, or it has no length and the other bar
-/// goes to the right.
+/// A bar's value is written to its left: the bar points left, or it has no length and the other bar
+/// points right.
 fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
     let is_right = |bar: &Bar| bar.to > bar.from;
     bar.to < bar.from

@@ -26,7 +26,7 @@ pub(super) const LINE: f64 = 19.0;
 
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// What Plotters says went wrong, as an error of ours.
+/// An error of Plotters as [`Error::Plot`].
 pub(super) fn failed<E: std::error::Error + Send + Sync>(error: DrawingAreaErrorKind<E>) -> Error {
     Error::Plot {
         name: "SVG".into(),
@@ -109,7 +109,7 @@ impl Labels<'_, '_> {
         ]
     }
 
-    /// Whether words there would hide no others.
+    /// Words in this rectangle would cover no others.
     pub fn is_free(&self, [low, high]: [[f64; 2]; 2]) -> bool {
         let apart = |other: &[[f64; 2]; 2]| {
             (0..2).any(|axis| high[axis] < other[0][axis] || low[axis] > other[1][axis])

@@ -9,7 +9,7 @@ use contour::ContourBuilder;
 pub(super) struct Ground {
     /// The level, in the unit read.
     pub level: f64,
-    /// Where it stands among the levels, 0 to 1.
+    /// Its position among the levels, 0 to 1.
     pub part: f64,
     /// Its outlines, in the plane of the axes, SI; a hole is reached along a line without width.
     pub outlines: Vec<Vec<[f64; 2]>>,
@@ -29,13 +29,13 @@ impl Field {
         pieces.join(&[f64::NAN; 2])
     }
 
-    /// Where the field is at or above a value, SI: the outlines, in which a hole is reached along a
-    /// line without width.
+    /// Outlines of the region at or above a value, SI. A line without width connects a hole with
+    /// its outline.
     pub fn above(&self, level: f64) -> Vec<Vec<[f64; 2]>> {
         self.beyond(level, 1.0)
     }
 
-    /// Where the field is at or below a value, SI, likewise.
+    /// Outlines of the region at or below a value, SI.
     pub fn below(&self, level: f64) -> Vec<Vec<[f64; 2]>> {
         self.beyond(-level, -1.0)
     }
@@ -195,18 +195,18 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
     }
 }
 
-/// What lies between two levels that are neighbours.
+/// The range between two adjacent levels.
 struct Interval {
     ends: [f64; 2],
     /// The part of the map that lies in it.
     share: f64,
-    /// Whether no level is beyond it.
+    /// No level is beyond it.
     is_last: bool,
 }
 
-/// Where the levels should be finer: the interval in which most of the map lies and its neighbours
-/// in which much does, as far as there is room for lines; nothing where no interval is dense, or
-/// where it would stand alone between coarser ones.
+/// The intervals that need finer levels: the one that covers most of the map, and its neighbours
+/// that cover much, as far as there is room for lines. None if no interval is dense, or if a single
+/// dense one lies between coarser ones.
 fn dense_stretch(
     intervals: &[Interval],
     dense: f64,

@@ -10,10 +10,10 @@ type Row<'a> = (
     Option<(&'a Field, f64)>,
 );
 
-/// The data of a plot as CSV, SI and radians: a row for each point, bar, arrow or node, with what
-/// kind of thing it belongs to and its name. Each thing that contours measure has a column of its
-/// own. Columns that nothing fills are left out; what has no value is an empty cell. Views with
-/// contours have rows of their own, named by what the view is of.
+/// The data of a plot as CSV, SI and radians: a row for each point, bar, arrow or node, with its
+/// kind of layer and its name. Each quantity that contours show has a column of its own. Empty
+/// columns are omitted; a missing value is an empty cell. Views with contours have rows of their
+/// own, named after the view.
 ///
 /// # Errors
 /// [`Error::Output`].

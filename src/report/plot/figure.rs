@@ -5,11 +5,11 @@ use super::axis::{Axis, Measure};
 pub struct Figure {
     /// A name for files: "trajectory-side".
     pub name: String,
-    /// What it shows, in a few words.
+    /// The title: a few words.
     pub title: String,
-    /// Where that is so, in a line below the title: what is held, and at what; may be empty.
+    /// A line below the title with the constant parameters and their values; may be empty.
     pub subtitle: String,
-    /// What a reader should know beside, in a sentence or two; may be empty.
+    /// A note of a sentence or two; may be empty.
     pub note: String,
     /// The horizontal axis.
     pub x: Axis,
@@ -18,13 +18,13 @@ pub struct Figure {
     /// Height over width of the frame of the axes; rows of an axis of names have a height of their
     /// own.
     pub aspect: f64,
-    /// What is drawn, the lowest first.
+    /// The layers, the lowest first.
     pub layers: Vec<Layer>,
-    /// Whether lines have their names on them, in place of a legend.
+    /// Names are written on the lines, in place of a legend.
     pub names_on_lines: bool,
     /// Other views, drawn after it. Those without contours are of the same data.
     pub panels: Vec<Figure>,
-    /// How many views stand beside each other, where the picture is broad enough.
+    /// Number of views in a row, if the picture is broad enough.
     pub columns: usize,
 }
 
@@ -47,14 +47,14 @@ impl Figure {
         }
     }
 
-    /// The same with one more layer on top.
+    /// Adds a layer on top.
     #[must_use]
     pub fn with(mut self, layer: Layer) -> Self {
         self.layers.push(layer);
         self
     }
 
-    /// The same with a note.
+    /// Sets the note.
     #[must_use]
     pub fn noted(self, note: impl Into<String>) -> Self {
         Self {
@@ -69,7 +69,7 @@ impl Figure {
 pub enum Hue {
     /// Text and axes.
     Ink,
-    /// What stands back.
+    /// Background elements.
     Faint,
     /// A series, by number. Colours begin again after [`Hue::SERIES`], with one more bar across its
     /// lines and points each time.
@@ -83,10 +83,10 @@ impl Hue {
     /// The optimum, in every plot: dashed.
     pub const OPTIMUM: Self = Self::Series(1);
 
-    /// How many colours there are for series.
+    /// Number of colours for series.
     pub const SERIES: usize = 6;
 
-    /// How many short bars cross its lines and points, which tell it from series of the same
+    /// Number of short bars across its lines and points. They distinguish series of the same
     /// colour.
     pub fn bars(self) -> usize {
         match self {
@@ -96,8 +96,7 @@ impl Hue {
     }
 }
 
-/// Something drawn. A name, where it is not empty, stands in the legend and in the table of the
-/// data.
+/// A layer of a plot. A name that is not empty appears in the legend and in the table of the data.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
     /// A line through points; it breaks where a coordinate is not finite.
@@ -106,7 +105,7 @@ pub enum Layer {
         name: String,
         /// Its colour.
         hue: Hue,
-        /// Whether it is dashed.
+        /// The line is dashed.
         is_dashed: bool,
         /// Its points.
         points: Vec<[f64; 2]>,
@@ -117,10 +116,10 @@ pub enum Layer {
         name: String,
         /// Their colour.
         hue: Hue,
-        /// Where they are.
+        /// The coordinates.
         points: Vec<[f64; 2]>,
     },
-    /// What lies between two lines.
+    /// The area between two lines.
     Band {
         /// Its name.
         name: String,
@@ -146,7 +145,7 @@ pub enum Layer {
         name: String,
         /// Its colour.
         hue: Hue,
-        /// Where it is.
+        /// The coordinates.
         at: [f64; 2],
     },
     /// Arrows.
@@ -164,7 +163,7 @@ pub enum Layer {
         name: String,
         /// Its colour.
         hue: Hue,
-        /// Whether it is hatched, as what is forbidden, or tinted and outlined.
+        /// A forbidden region is hatched; others are tinted and outlined.
         is_hatched: bool,
         /// Its outlines; a hole is reached along a line without width.
         rings: Vec<Vec<[f64; 2]>>,
@@ -212,7 +211,7 @@ impl Layer {
         }
     }
 
-    /// What it is called, and its colour where it has one of its own.
+    /// Its name, and its colour if it has one of its own.
     pub fn named(&self) -> (&str, Option<Hue>) {
         match self {
             Self::Line { name, hue, .. }
@@ -233,16 +232,16 @@ impl Layer {
 pub struct Bar {
     /// The number of its name on the axis.
     pub place: usize,
-    /// Where it begins.
+    /// The start.
     pub from: f64,
-    /// Where it ends.
+    /// The end.
     pub to: f64,
 }
 
 /// Values over a grid that spans both axes' ends evenly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
-    /// What is measured.
+    /// The quantity.
     pub measure: Measure,
     /// First and last column.
     pub x: [f64; 2],
@@ -252,7 +251,7 @@ pub struct Field {
     pub columns: usize,
     /// Row by row from the lowest; `None` where there is no value.
     pub values: Vec<Option<f64>>,
-    /// What it means where there is none: "no flight".
+    /// The meaning of a missing value: "no flight".
     pub nothing: &'static str,
     /// The values of other fields with which it has its levels and colours in common, SI.
     pub beside: Vec<f64>,

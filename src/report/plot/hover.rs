@@ -127,7 +127,7 @@ fn of(measure: &Measure, value: f64, system: System) -> String {
     measure.quantity.read_off(value, system.unit(measure.unit))
 }
 
-/// Text as pictures print it, and as it stands in XML.
+/// Typeset text, escaped for XML.
 pub(super) fn escaped(text: &str) -> String {
     typeset(text)
         .replace('&', "&amp;")

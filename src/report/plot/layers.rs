@@ -1,4 +1,4 @@
-//! Each kind of layer as it is drawn, in pixels of the plot.
+//! Drawing of each kind of layer, in pixels of the plot.
 
 use super::canvas::{Area, FINE, Labels, SIGN, block, failed, fine, path, stroke};
 use super::contour::Ground;
@@ -11,12 +11,12 @@ use crate::units::{System, significant, with_unit};
 use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
 use plotters::style::{Color, RGBColor};
 
-/// Where the first bars of a series stand along its line, amid its sign in the legend, and how far
-/// apart the next, pixels.
+/// Position of the first bars of a series along its line (the middle of its sign in the legend),
+/// and distance of the next, pixels.
 const FIRST_BARS: f64 = 0.5 * SIGN;
 const BARS_APART: f64 = 32.0;
 
-/// How far the lines of a hatching are apart, pixels.
+/// Distance of the lines of a hatching, pixels.
 const HATCHES_APART: f64 = 11.0;
 
 /// The plane of the axes on the sheet.
@@ -28,7 +28,7 @@ pub(super) struct Plane<'a> {
 }
 
 impl Plane<'_> {
-    /// Where SI coordinates lie, pixels; `None` off the axes.
+    /// The pixel of SI coordinates; `None` outside of the axes.
     pub fn pixel(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let [left, top, right, bottom] = self.frame;
         let along = |drawn: &Drawn, value: f64, from: f64, to: f64| {
@@ -43,7 +43,7 @@ impl Plane<'_> {
         ])
     }
 
-    /// Where an SI value lies along the horizontal axis, pixels; `None` off it.
+    /// The horizontal pixel of an SI value; `None` outside of the axis.
     pub fn pixel_across(&self, x: f64) -> Option<f64> {
         let [left, _, right, _] = self.frame;
         let part = (self.x.place(x)? - self.x.low) / (self.x.high - self.x.low);
@@ -177,7 +177,7 @@ pub(super) fn label(
     Ok(())
 }
 
-/// Where words have room on a line: nearest to its middle, since ends crowd together.
+/// A free place for words on a line: nearest to its middle, since ends crowd together.
 pub(super) fn place_on(
     labels: &Labels<'_, '_>,
     plane: &Plane<'_>,

@@ -11,7 +11,7 @@ use super::ticks::Drawn;
 use crate::error::{Error, Result};
 use crate::units::{System, typeset};
 
-/// From the edge of a picture to what stands in it, pixels.
+/// Margin of a picture, pixels.
 pub(super) const MARGIN: f64 = 6.0;
 
 /// Size of the title and of the numbers on axes, pixels.
@@ -32,7 +32,7 @@ pub(super) struct Layout<'a> {
     pub legend: Vec<Entry<'a>>,
     pub x: Drawn,
     pub y: Drawn,
-    /// What the axes are called, in lines.
+    /// The titles of the axes, in lines.
     pub x_title: Vec<String>,
     pub y_title: Vec<String>,
     /// The rows of an axis of names.

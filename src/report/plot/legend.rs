@@ -15,7 +15,7 @@ const SIZE: f64 = TEXT - 0.5;
 /// From a sign to its name, and from a name to the next sign, pixels.
 const GAPS: [f64; 2] = [6.0, 14.0];
 
-/// More names than these stand in columns below each other; fewer take what room they need.
+/// A legend with more names has columns; one with fewer has a width of its own.
 const FEW: usize = 4;
 
 /// A layer that a legend names.
@@ -23,7 +23,7 @@ pub(super) struct Entry<'a> {
     layer: &'a Layer,
     /// Its name in lines.
     lines: Vec<String>,
-    /// Where its sign begins, pixels from the legend's top left.
+    /// The start of its sign, pixels from the legend's top left.
     at: [f64; 2],
 }
 
@@ -82,7 +82,7 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
     (entries, at[1] + LINE * (tallest as f64 - 0.5) + 3.0)
 }
 
-/// Whether the legend names a layer: a mark has its word beside it.
+/// The legend names a layer. A mark has its word beside it.
 fn is_named(figure: &Figure, layer: &Layer) -> bool {
     let (name, hue) = layer.named();
     let is_named_where_it_is = matches!(layer, Layer::Mark { .. })
@@ -98,7 +98,7 @@ fn is_named(figure: &Figure, layer: &Layer) -> bool {
     !name.is_empty() && hue.is_some() && !is_named_where_it_is && !is_part_of_another(figure, name)
 }
 
-/// Whether the legend has this name.
+/// The legend has this name.
 pub(super) fn has(figure: &Figure, name: &str) -> bool {
     figure
         .layers
@@ -106,8 +106,7 @@ pub(super) fn has(figure: &Figure, name: &str) -> bool {
         .any(|layer| layer.named().0 == name && is_named(figure, layer))
 }
 
-/// Whether a layer goes with another, named as that one with a remark behind: "ferguson
-/// (extrapolated)".
+/// A layer belongs to another whose name it extends by a remark: "ferguson (extrapolated)".
 fn is_part_of_another(figure: &Figure, name: &str) -> bool {
     let whole = name.rsplit_once(" (").map(|(whole, _)| whole);
     whole.is_some_and(|whole| {

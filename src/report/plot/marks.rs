@@ -7,15 +7,15 @@ use super::legend;
 use crate::error::Result;
 use plotters::style::RGBColor;
 
-/// What a mark covers around its place, and from there to its word, pixels.
+/// Size of a mark, and its distance from its word, pixels.
 const SIZE: f64 = 6.5;
 const GAP: f64 = 9.0;
 
 /// A word farther than this from its mark is joined to it by a line, pixels.
 const FAR: f64 = 2.0 * LINE;
 
-/// Draws the marks, then their words. Words that the legend has too are left out with their marks,
-/// all of them, where one of them has no room beside its mark.
+/// Draws the marks, then their words. If the legend has a word too and one of its marks has no room
+/// for it, none of these marks is drawn.
 pub(super) fn write_marks(
     labels: &mut Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -100,7 +100,7 @@ fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
     places
 }
 
-/// Whether a word around a place lies in the frame and hides nothing.
+/// A word around a place lies in the frame and covers nothing.
 fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]) -> bool {
     let [left, top, right, bottom] = plane.frame;
     let [low, high] = Labels::extent(name, *middle);

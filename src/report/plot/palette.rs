@@ -1,20 +1,20 @@
 use super::figure::Hue;
 use plotters::style::RGBColor;
 
-/// The colours of a picture. Series are told apart by the colour-blind too (hues after Okabe & Ito,
-/// 2008, darkened or lightened until each stands out 3 : 1 from the ground, and from what maps and
-/// bands are filled with). Where there are more series than colours, bars across tell them apart.
+/// The colours of a picture. The hues of series are distinguishable with colour blindness (after
+/// Okabe & Ito, 2008, darkened or lightened to a contrast of 3 : 1 with the ground and with the
+/// fills of maps and bands). Bars across distinguish series that share a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// The page.
     pub ground: RGBColor,
     /// Text and axes.
     pub ink: RGBColor,
-    /// What stands back.
+    /// Background elements.
     pub faint: RGBColor,
     /// Lines of the mesh.
     pub mesh: RGBColor,
-    /// Where a field has no value.
+    /// Parts of a field without a value.
     pub nothing: RGBColor,
     series: [RGBColor; Hue::SERIES],
     /// The lowest, middle and highest ground of a field.

@@ -7,12 +7,12 @@ use super::svg::{Look, Panel, panel};
 use crate::error::Result;
 use std::fmt::Write;
 
-/// Views stand beside each other where each is so broad, pixels.
+/// Least width of a view in a row of several, pixels.
 const LEAST_BESIDE: u32 = 280;
 
-/// A plot as SVG, a picture that scales. It is complete in itself, and names no other file; its
-/// colours are plain attributes, which [`dark_rules`](super::dark_rules) can change on a page.
-/// Values stand in titles, which a browser shows where a pointer rests on a point or a line.
+/// A plot as SVG. It is complete in itself, and names no other file; its colours are plain
+/// attributes, which [`dark_rules`](super::dark_rules) can change on a page. Titles contain the
+/// values, which a browser shows if a pointer rests on a point or a line.
 ///
 /// # Errors
 /// [`Error::Plot`](crate::Error::Plot) where nothing of it has a place on its axes.

@@ -106,7 +106,7 @@ impl Drawn {
             .collect();
     }
 
-    /// Where an SI value lies; `None` where it has no place.
+    /// The place of an SI value; `None` where it has none.
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.axis.scale {
             Scale::Names(_) => value,
@@ -116,7 +116,7 @@ impl Drawn {
         place.is_finite().then_some(place)
     }
 
-    /// What stands at a tick.
+    /// The text of a tick.
     pub fn text(&self, tick: f64) -> String {
         match &self.axis.scale {
             Scale::Names(names) => names
@@ -140,7 +140,7 @@ impl Drawn {
         }
     }
 
-    /// What the axis is called.
+    /// The title of the axis.
     pub fn title(&self) -> String {
         let titled = self.axis.measure.titled(self.system);
         if self.axis.scale == Scale::LeftRight {
@@ -158,8 +158,7 @@ impl Drawn {
             .fold(0.0, f64::max)
     }
 
-    /// Whether texts at ticks have the distance that `least` says they need, on an axis so many
-    /// pixels long.
+    /// Texts at ticks have the distance that `least` requires, on an axis of this length in pixels.
     pub fn is_apart(&self, length: f64, least: impl Fn(&str, &str) -> f64) -> bool {
         let place = |tick: f64| length * (tick - self.low) / (self.high - self.low);
         self.ticks.windows(2).all(|pair| {
