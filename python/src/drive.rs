@@ -4,7 +4,7 @@ use crate::boundary::answer;
 use crate::json::to_python;
 use crate::names::{listed, outcomes_named};
 use crate::setup::PySetup;
-use longdrive::report::DriveReport;
+use longdrive::report::{DriveReport, Reply};
 use longdrive::{Drive, Outcome};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -33,7 +33,7 @@ pub fn simulate<'py>(
         let warnings = drive.warnings_about(&setup, &of);
         Ok((
             outcomes,
-            to_python(py, &DriveReport::reply(&setup, &drive, warnings))?,
+            to_python(py, &Reply::of(DriveReport::new(&setup, &drive), warnings))?,
         ))
     })
 }

@@ -5,7 +5,7 @@ use crate::json::to_python;
 use crate::setup::PySetup;
 use longdrive::drive::OutcomeGroup;
 use longdrive::parameters::Parameter;
-use longdrive::report::{parameters_reply, presets_reply};
+use longdrive::report::{ParametersReport, PresetsReport, Reply};
 use longdrive::{Outcome, Setup};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PySequence, PyString};
@@ -131,15 +131,16 @@ pub fn parameters<'py>(
     setup: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     answer(|| {
-        let setup = PySetup::of_any(setup)?;
-        to_python(py, &parameters_reply(&setup.setup, setup.setup.warnings()))
+        let setup = PySetup::of_any(setup)?.setup;
+        let report = ParametersReport::new(&setup);
+        to_python(py, &Reply::of(report, setup.warnings()))
     })
 }
 
 /// Every preset with its numbers and their sources, as ``longdrive presets --json`` gives them.
 #[pyfunction]
 pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-    answer(|| to_python(py, &presets_reply(None)?))
+    answer(|| to_python(py, &Reply::of(PresetsReport::new(None)?, vec![])))
 }
 
 /// Every outcome: a list of dicts with its ``name``, ``symbol``, ``si`` unit, the ``unit`` people

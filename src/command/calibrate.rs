@@ -6,13 +6,12 @@ use crate::command::reproduce::{DOCUMENT, write};
 use crate::command::running::running;
 use crate::optimize::least_squares::{Follow, Loss, Status};
 use crate::parameters::{Law, Vary};
-use crate::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
+use crate::report::{CalibrationReport, Report};
 use crate::study::calibrate::{
     Calibration, HeldOut, Plan, ShotTable, beyond, calibrate, check_folds, held_out, ranges,
 };
 use crate::units::{Message, System};
 use crate::{Error, Result, Setup};
-use serde_json::json;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -141,11 +140,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
             ));
         }
     }
-    let report = CalibrationReport {
-        table: &table,
-        found: &found,
-        held_out: &held,
-    };
+    let mut report = CalibrationReport::new(&table, &found, &held);
     if !report.is_found() {
         let without_minimum = [Message::from(format!(
             "the fit ended as '{}': {}",
@@ -169,7 +164,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         is_fitted
     });
     if let Some(output) = &output {
-        let toml = calibration_toml(&found, request.source().preset(), &file)?;
+        let toml = report.toml(request.source().preset(), &file)?;
         output.write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!(
             "wrote the fitted setup into {}",
@@ -179,20 +174,14 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     if let Some(folder) = &folder {
         write(
             folder,
-            &System::ALL.map(|system| calibration_document(&report, system)),
+            &System::ALL.map(|system| report.document(system)),
             system(),
         )?;
     }
-    let answer = if request.is_json() {
-        let mut reply = calibration_reply(&report, warnings);
-        let named =
-            |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));
-        reply.body["file"] = named(&args.output.clone().filter(|_| output.is_some()));
-        reply.body["folder"] = named(&args.plot);
-        Answer::json(&reply)
-    } else {
-        Answer::text(calibration_document(&report, system()).text())
-    };
+    let named = |path: &PathBuf| path.display().to_string();
+    report.file = args.output.as_ref().filter(|_| output.is_some()).map(named);
+    report.folder = args.plot.as_ref().map(named);
+    let answer = Answer::report(&report, warnings, request.is_json());
     Ok(answer.found(report.is_found()))
 }
 

@@ -2,9 +2,7 @@ use crate::command::args::ChartArgs;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, spinner, system, tell, tell_error, warn};
 use crate::optimize::Iteration;
-use crate::report::{
-    ChartReport, chart_csv, chart_text, iteration_line, outcome_text, parameter_text,
-};
+use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
 use crate::{Error, Result, Setup};
 use indicatif::ProgressBar;
@@ -86,7 +84,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
                 interrupted,
             };
             let answer = if request.is_json() {
-                Answer::json(&ChartReport::reply(&none, &search, warnings))
+                Answer::report(&ChartReport::new(&none, &search), warnings, true)
             } else {
                 Answer::text(String::new())
             };
@@ -97,15 +95,14 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let beyond = chart.warnings();
     warn(&beyond);
     warnings.extend(beyond);
-    let answer = if request.is_json() {
-        Answer::json(&ChartReport::reply(&chart, &search, warnings))
-    } else if args.csv {
+    let report = ChartReport::new(&chart, &search);
+    let answer = if args.csv && !request.is_json() {
         for note in chart.begun.iter().chain(&chart.ended) {
             tell(&note.in_units(system()));
         }
-        Answer::text(chart_csv(&chart)?)
+        Answer::text(report.csv()?)
     } else {
-        Answer::text(chart_text(&chart, system()))
+        Answer::report(&report, warnings, request.is_json())
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }

@@ -1,8 +1,8 @@
 use crate::command::args::{Compare, Pair};
 use crate::command::names::outcomes;
-use crate::command::output::{Answer, spinner, system, tell, tell_error, warn};
+use crate::command::output::{Answer, spinner, tell, tell_error, warn};
 use crate::command::request::{Request, Setting, Source, refuse_duplicates};
-use crate::report::{ComparisonReport, comparison_text, difference_text};
+use crate::report::ComparisonReport;
 use crate::study::Comparison;
 use crate::units::Message;
 use crate::{Error, Outcome, Result};
@@ -27,21 +27,8 @@ pub fn run(args: &Compare) -> Result<Answer> {
             difference => each.push((of, Ok(difference?))),
         }
     }
-    let answer = if args.pair.setup_args.json {
-        Answer::json(&ComparisonReport::reply(&comparison, &each, warnings))
-    } else {
-        let differences = each
-            .iter()
-            .filter_map(|(_, difference)| difference.as_ref().ok());
-        let texts = differences.map(|difference| difference_text(difference, system()));
-        let heads = std::iter::once(comparison_text(&comparison, args.pair.titles(), system()));
-        Answer::text(
-            heads
-                .chain(texts.filter(|_| comparison.differs()))
-                .collect::<Vec<_>>()
-                .join("\n"),
-        )
-    };
+    let report = ComparisonReport::new(&comparison, &each, args.pair.titles());
+    let answer = Answer::report(&report, warnings, args.pair.setup_args.json);
     Ok(answer.found(is_complete))
 }
 

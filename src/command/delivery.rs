@@ -5,7 +5,7 @@ use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::command::request::{Request, Setting, Source};
 use crate::parameters::Vary;
 use crate::report::{
-    bound_warnings, delivered_text, deliveries_text, delivery_reply, delivery_toml, parameter_text,
+    DeliveryOptions, DeliveryReport, bound_warnings, delivery_toml, parameter_text,
     population_warnings, recovered_csv, recovered_toml,
 };
 use crate::study::Sigma;
@@ -159,20 +159,12 @@ fn answer(args: &DeliveryArgs, found: &Found, warnings: Vec<Message>) -> Answer 
         .population
         .as_ref()
         .and_then(|found| found.as_ref().ok());
-    if args.setup_args.json {
-        return Answer::json(&delivery_reply(
-            &found.all,
-            population,
-            found.left_out,
-            warnings,
-        ));
-    }
-    let first = found.all.first();
-    let first = first.and_then(|delivery| delivery.found.as_ref().ok());
-    Answer::text(match (&args.shots, first) {
-        (None, Some(delivered)) => delivered_text(delivered, system()),
-        _ => deliveries_text(&found.all, population, system()),
-    })
+    let options = DeliveryOptions {
+        is_table: args.shots.is_some(),
+        left_out: found.left_out,
+    };
+    let report = DeliveryReport::new(&found.all, population, options);
+    Answer::report(&report, warnings, args.setup_args.json)
 }
 
 /// The files to write.

@@ -1,8 +1,8 @@
 use crate::command::args::Gradient;
 use crate::command::names::{outcomes, usual, variables};
-use crate::command::output::{Answer, bar, show, system, tell_error, warn};
+use crate::command::output::{Answer, bar, show, tell_error, warn};
 use crate::derivative::{Order, Taylor, evaluate_with};
-use crate::report::{GradientReport, gradient_text};
+use crate::report::GradientReport;
 use crate::{Drive, Error, Result};
 
 pub fn run(args: &Gradient) -> Result<Answer> {
@@ -42,15 +42,8 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     }
 
     let found: Vec<_> = of.into_iter().zip(each).collect();
-    let answer = if request.is_json() {
-        Answer::json(&GradientReport::reply(&found, &wrt, warnings))
-    } else {
-        let text = |(of, taylor): &(_, crate::Result<_>)| {
-            Some(gradient_text(*of, &wrt, taylor.as_ref().ok()?, system()))
-        };
-        let texts = found.iter().filter_map(text);
-        Answer::text(texts.collect::<Vec<_>>().join("\n"))
-    };
+    let report = GradientReport::new(&found, &wrt);
+    let answer = Answer::report(&report, warnings, request.is_json());
     Ok(answer.found(is_complete))
 }
 

@@ -1,13 +1,17 @@
 use crate::Result;
 use crate::command::args::Laws;
 use crate::command::output::{Answer, system};
-use crate::report::{laws_reply, laws_text};
+use crate::report::{LawsReport, Line, Report};
 
 pub fn run(args: &Laws) -> Result<Answer> {
-    let own = args.own.law()?;
-    Ok(if args.json {
-        Answer::json(&laws_reply(own))
-    } else {
-        Answer::text(laws_text(own, system()))
-    })
+    let report = LawsReport::new(args.own.law()?);
+    if args.json {
+        return Ok(Answer::report(&report, vec![], true));
+    }
+    let mut document = report.document(system());
+    document.list([
+        Line::item("choose one with `set aero.law=NAME`; `parameters()` lists the coefficients"),
+        Line::item("or your own table with `set aero.table=mine.csv`; `plot laws()` draws them"),
+    ]);
+    Ok(Answer::text(document.text()))
 }

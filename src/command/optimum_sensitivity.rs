@@ -3,7 +3,7 @@ use crate::command::names::variables;
 use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
 use crate::command::search::write;
 use crate::parameters::Parameter;
-use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_text, sensitivity_text};
+use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_text};
 use crate::study::{
     Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied,
     sensitivities, short_drive, usual_loss,
@@ -109,10 +109,8 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         reply.body.optimum.file = written;
         Answer::json(&reply)
     } else {
-        Answer::text(
-            optimum_text(best, OverSwings::default(), system())
-                + &sensitivity_text(&analysis, system()),
-        )
+        let text = optimum_text(best, OverSwings::default(), system());
+        Answer::text(text + "\n" + &analysis.document(system()).text())
     };
     Ok(answer.found(is_answered))
 }

@@ -1,7 +1,7 @@
 use super::host::Kind;
 use super::running::running;
 use super::wording::{advice_on, in_words_of_the_host, name_in_words_of_the_host};
-use crate::report::{Empty, Reply};
+use crate::report::{Empty, Reply, Report};
 use crate::units::{Message, System};
 use crate::{Error, Result};
 use clap::error::{ContextKind, ContextValue};
@@ -55,6 +55,15 @@ impl Answer {
         }
         put_in_words_of_the_host(&mut value);
         Self::text(serde_json::to_string_pretty(&value).unwrap_or_default() + "\n")
+    }
+
+    /// The report of a command as JSON or as text.
+    pub fn report(report: &impl Report, warnings: Vec<Message>, is_json: bool) -> Self {
+        if is_json {
+            Self::json(&Reply::of(report, warnings))
+        } else {
+            Self::text(report.document(system()).text())
+        }
     }
 
     /// The same answer, with exit status 1 where it says that there is none.

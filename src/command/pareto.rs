@@ -13,7 +13,7 @@ use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
 use crate::optimize::{Follow, Iteration, Options};
 use crate::parameters::Vary;
 use crate::report::figures::pareto_figure;
-use crate::report::{pareto_csv, pareto_reply, pareto_text, pareto_toml};
+use crate::report::{ParetoReport, pareto_csv, pareto_toml};
 use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
 use crate::study::{Goal, Search, Sense};
 use crate::units::{Message, counted};
@@ -35,11 +35,9 @@ pub fn run(args: &ParetoArgs) -> Result<Answer> {
     warn(&warnings);
     // a file that was asked for and is not there is no success
     let is_whole = found.ended.is_none() && output.is_none() == written.is_none();
-    let answer = if request.is_json() {
-        Answer::json(&pareto_reply(&found, warnings, written))
-    } else {
-        Answer::text(pareto_text(&found, system()))
-    };
+    let mut report = ParetoReport::new(&found);
+    report.file = written;
+    let answer = Answer::report(&report, warnings, request.is_json());
     Ok(answer.found(is_whole))
 }
 

@@ -10,7 +10,7 @@ use crate::report::Reply;
 use crate::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
 use crate::units::Message;
 use crate::{Drive, Error, Result, Setup};
-use serde_json::json;
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// The width of a picture, pixels.
@@ -129,11 +129,31 @@ impl Target {
             tell(&figure.note);
         }
         Ok(if is_json {
-            let (name, title, note) = (&figure.name, &figure.title, &figure.note);
-            let body = json!({ "name": name, "file": file, "title": title, "note": note, "bytes": bytes.len() });
+            let body = PlotFile {
+                name: &figure.name,
+                file,
+                title: &figure.title,
+                note: &figure.note,
+                bytes: bytes.len(),
+            };
             Answer::json(&Reply::done("plot", warnings, body))
         } else {
             Answer::text(String::new())
         })
     }
+}
+
+/// The file of a plot.
+#[derive(Serialize)]
+struct PlotFile<'a> {
+    /// Name of the plot.
+    name: &'a str,
+    /// Path of the file.
+    file: String,
+    /// Title of the plot.
+    title: &'a str,
+    /// Note of the plot.
+    note: &'a str,
+    /// Size of the file.
+    bytes: usize,
 }

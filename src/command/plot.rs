@@ -13,14 +13,14 @@ use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Law;
 use crate::report::figures::{
-    At, Causes, Coefficient, Flown, OnMap, Over, View, chart_figures, difference_figure,
-    laws_figure, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    At, Causes, Coefficient, OnMap, Over, View, chart_figures, difference_figure, laws_figure,
+    map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    Constraint, Fineness, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, map, optimum,
-    short_drive, usual_loss, with_defaults,
+    Constraint, Fineness, Map, NamedDrive, Optimum, Region, Search, Sigma, Vary, chart, effects,
+    map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
@@ -46,7 +46,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = Target::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let flown = Flown::new("", &setup)?;
+    let flown = NamedDrive::new("", &setup)?;
     flown.drive.landed()?;
     let view = match args.view {
         Seen::Side => View::Side,

@@ -1,12 +1,19 @@
 use crate::Result;
 use crate::command::args::Presets;
-use crate::command::output::Answer;
-use crate::report::{preset_toml, presets_reply, presets_text};
+use crate::command::output::{Answer, system};
+use crate::report::{Line, PresetsReport, Report, preset_toml};
 
 pub fn run(args: &Presets) -> Result<Answer> {
-    Ok(match &args.name {
-        name if args.json => Answer::json(&presets_reply(name.as_deref())?),
-        Some(name) => Answer::text(preset_toml(name)?),
-        None => Answer::text(presets_text()),
-    })
+    if args.json {
+        let report = PresetsReport::new(args.name.as_deref())?;
+        return Ok(Answer::report(&report, vec![], true));
+    }
+    if let Some(name) = &args.name {
+        return Ok(Answer::text(preset_toml(name)?));
+    }
+    let mut document = PresetsReport::new(None)?.document(system());
+    document.list([Line::item(
+        "'longdrive presets NAME' prints one as a setup file, with the source of each number",
+    )]);
+    Ok(Answer::text(document.text()))
 }

@@ -9,17 +9,16 @@ use crate::command::wording::in_words_of_the_host;
 use crate::flight::Flight;
 use crate::optimize::{Observer, Status};
 use crate::report::Reply;
-use crate::report::figures::Flown;
 use crate::report::page::{Document, Findings, SETUP_FILE, report_documents};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Row, certify};
 use crate::study::{
-    Chart, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart,
-    effects, flatness, map, optimum, short_drive, usual_loss, with_defaults,
+    Chart, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region, Search, Sigma,
+    Vary, chart, effects, flatness, map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
-use serde_json::json;
+use serde::Serialize;
 use std::path::Path;
 
 /// Optima along the parameter are about this many: what the bar counts to.
@@ -49,7 +48,7 @@ pub fn run(args: &Report) -> Result<Answer> {
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
-    let mut flown = vec![Flown::new("as set up", &setup)?];
+    let mut flown = vec![NamedDrive::new("as set up", &setup)?];
     let mut remarks = flown[0].drive.warnings_about(&setup, Outcome::ALL);
     bar.inc(1);
 
@@ -68,7 +67,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         _ => None,
     };
     if let Some(best) = best {
-        let longest = Flown::new(Flown::OPTIMUM, &best.setup)?;
+        let longest = NamedDrive::new(NamedDrive::OPTIMUM, &best.setup)?;
         let of_drive = longest
             .drive
             .warnings_about(&best.setup, Outcome::ALL)
@@ -209,7 +208,10 @@ pub fn run(args: &Report) -> Result<Answer> {
             (Flight::Landed(_), None) => ("done", None),
             (Flight::Landed(_), Some(found)) => (found.status(), Some(found.message().to_string())),
         };
-        let body = json!({ "folder": args.output.display().to_string(), "files": names });
+        let body = ReportFiles {
+            folder: args.output.display().to_string(),
+            files: names,
+        };
         Answer::json(&Reply::done("report", remarks.clone(), body).ended(status, message))
     } else {
         Answer::text(String::new())
@@ -291,7 +293,7 @@ impl Pictures {
     fn of(
         setup: &Setup<f64>,
         best: Option<&Optimum>,
-        flown: &[Flown],
+        flown: &[NamedDrive],
         given: &[Sigma],
         remarks: &mut Vec<Message>,
     ) -> Result<Self> {
@@ -365,4 +367,13 @@ fn said<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
         }
         Err(error) => Err(error),
     }
+}
+
+/// The files of a page.
+#[derive(Serialize)]
+struct ReportFiles<'a> {
+    /// The folder.
+    folder: String,
+    /// Their names.
+    files: Vec<&'a str>,
 }

@@ -2,10 +2,7 @@ use crate::Result;
 use crate::command::args::{Published, Reproduce};
 use crate::command::files::{Folder, Rule};
 use crate::command::output::{Answer, stated_system, tell};
-use crate::report::{
-    Document, document_files, mae494_document, mae494_reply, winfield_tan_document,
-    winfield_tan_reply,
-};
+use crate::report::{Document, Mae494Report, Report, WinfieldTanReport, document_files};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
 
@@ -19,31 +16,44 @@ pub fn run(args: &Reproduce) -> Result<Answer> {
         .as_ref()
         .map(|folder| rule.folder(folder, &DOCUMENT))
         .transpose()?;
-    let (documents, reply, system) = match args.study {
+    let computing = |what: &str| tell(&format!("computing {what}"));
+    match args.study {
         Published::Mae494 => {
-            let found = mae494(|what| tell(&format!("computing {what}")))?;
-            let documents = System::ALL.map(|system| mae494_document(&found, system));
-            (
-                documents,
-                mae494_reply(&found),
-                stated_system().unwrap_or(Mae494::UNITS),
+            let found = mae494(computing)?;
+            answer(
+                &Mae494Report::new(&found),
+                Mae494::UNITS,
+                folder.as_ref(),
+                args.json,
             )
         }
         Published::WinfieldTan => {
-            let found = winfield_tan(|what| tell(&format!("computing {what}")))?;
-            let documents = System::ALL.map(|system| winfield_tan_document(&found, system));
-            (
-                documents,
-                winfield_tan_reply(&found),
-                stated_system().unwrap_or(WinfieldTan::UNITS),
+            let found = winfield_tan(computing)?;
+            answer(
+                &WinfieldTanReport::new(&found),
+                WinfieldTan::UNITS,
+                folder.as_ref(),
+                args.json,
             )
         }
-    };
-    if let Some(folder) = &folder {
+    }
+}
+
+/// Writes the report of a study if there is a folder, and answers with it: in the units of the
+/// study, if no others are requested.
+fn answer(
+    report: &impl Report,
+    units: System,
+    folder: Option<&Folder>,
+    is_json: bool,
+) -> Result<Answer> {
+    let system = stated_system().unwrap_or(units);
+    let documents = System::ALL.map(|system| report.document(system));
+    if let Some(folder) = folder {
         write(folder, &documents, system)?;
     }
-    Ok(if args.json {
-        Answer::json(&reply)
+    Ok(if is_json {
+        Answer::report(report, vec![], true)
     } else {
         Answer::text(chosen(&documents, system).text())
     })
@@ -54,7 +64,7 @@ pub fn chosen(documents: &[Document; 2], system: System) -> &Document {
     &documents[usize::from(system == System::ALL[1])]
 }
 
-/// Writes a document, that is there in both systems, with its figures and their data into a folder.
+/// Writes a document, given in both systems, with its figures and their data into a folder.
 pub fn write(folder: &Folder, documents: &[Document; 2], system: System) -> Result<()> {
     let mut files = document_files(documents, system)?;
     files.push((

@@ -4,11 +4,11 @@ use crate::command::args::RobustArgs;
 use crate::command::files::Rule;
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, spinner, system, tell, warn};
+use crate::command::output::{Answer, spinner, tell, warn};
 use crate::command::request::Request;
 use crate::command::swings::{ranges, searched};
 use crate::optimize::Follow;
-use crate::report::{robust_reply, robust_text, robust_toml};
+use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
 use crate::units::{Message, Quantity};
@@ -75,11 +75,9 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
         }
     }
     warn(&warnings);
-    let answer = if request.is_json() {
-        Answer::json(&robust_reply(&found, within, warnings, written))
-    } else {
-        Answer::text(robust_text(&found, within, system()))
-    };
+    let mut report = RobustReport::new(&found, within);
+    report.file = written;
+    let answer = Answer::report(&report, warnings, request.is_json());
     Ok(answer.found(is_found))
 }
 

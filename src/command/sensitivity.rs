@@ -3,8 +3,7 @@ use crate::command::names::outcomes;
 use crate::command::output::{Answer, bar, show, system, tell, warn};
 use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
-use crate::report::figures::At;
-use crate::report::{EffectsReport, OutcomeEffects, by_reason, effects_text};
+use crate::report::{EffectsReport, by_reason};
 use crate::study::{
     Bar, Effects, Sensitivity, Sigma, effects, flown_off, optimum, sensitivities, with_defaults,
 };
@@ -90,31 +89,9 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         .collect();
     warn(&missing);
     warnings.extend(missing);
-    let totals_of = |of: Outcome| {
-        totals
-            .as_ref()
-            .filter(|(maximized, _)| *maximized == of)
-            .map(|(_, all)| all.as_slice())
-    };
-    let answer = if request.is_json() {
-        let reports: Vec<_> = found
-            .iter()
-            .map(|effects| OutcomeEffects::new(effects, totals_of(effects.of)))
-            .collect();
-        Answer::json(&EffectsReport::reply(reports, best.as_ref(), warnings))
-    } else {
-        let at = if best.is_some() {
-            At::Optimum
-        } else {
-            At::SetUp
-        };
-        let texts: Vec<_> = found
-            .iter()
-            .map(|effects| effects_text(effects, totals_of(effects.of), at, system()))
-            .collect();
-        Answer::text(texts.join("\n"))
-    };
-    Ok(answer)
+    let totals = totals.as_ref().map(|(of, all)| (*of, all.as_slice()));
+    let report = EffectsReport::new(&found, best.as_ref(), totals);
+    Ok(Answer::report(&report, warnings, request.is_json()))
 }
 
 /// Why there is no drive at one end of an uncertainty, for each that has none.

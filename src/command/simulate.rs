@@ -1,7 +1,7 @@
 use crate::command::args::Simulate;
-use crate::command::output::{Answer, system, warn};
+use crate::command::output::{Answer, warn};
 use crate::flight::Flight;
-use crate::report::{DriveReport, air_text, drive_text};
+use crate::report::DriveReport;
 use crate::{Drive, Outcome, Result};
 
 pub fn run(args: &Simulate) -> Result<Answer> {
@@ -15,10 +15,7 @@ pub fn run(args: &Simulate) -> Result<Answer> {
     warnings.extend(setup.wind_profile_warning());
     warn(&warnings);
     let drive = drive?;
-    let answer = if request.is_json() {
-        Answer::json(&DriveReport::reply(&setup, &drive, warnings))
-    } else {
-        Answer::text(drive_text(&drive, system()) + &air_text(&setup, system()))
-    };
+    let report = DriveReport::new(&setup, &drive);
+    let answer = Answer::report(&report, warnings, request.is_json());
     Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))
 }

@@ -2,7 +2,7 @@ use crate::command::args::UncertaintyArgs;
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, bar, show, system, tell, warn};
 use crate::command::request::Request;
-use crate::report::{UncertaintyReport, parameter_text, uncertainty_text};
+use crate::report::{UncertaintyReport, parameter_text};
 use crate::study::uncertainty::{Plan, Uncertain, uncertainty};
 use crate::study::{Sigma, given_twice, with_defaults};
 use crate::{Drive, Outcome, Result, Setup};
@@ -42,11 +42,8 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
         .outcomes
         .iter()
         .all(|outcome| outcome.sampled.is_some());
-    let answer = if request.is_json() {
-        Answer::json(&UncertaintyReport::reply(&found, warnings))
-    } else {
-        Answer::text(uncertainty_text(&found, system()))
-    };
+    let report = UncertaintyReport::new(&found);
+    let answer = Answer::report(&report, warnings, request.is_json());
     Ok(answer.found(is_found))
 }
 

@@ -3,7 +3,7 @@ use crate::command::args::Validate;
 use crate::command::files::Rule;
 use crate::command::output::{Answer, system, tell};
 use crate::command::reproduce::{DOCUMENT, chosen, write};
-use crate::report::{validation_csv, validation_document, validation_reply};
+use crate::report::{Report, ValidationReport};
 use crate::study::validation::validation;
 use crate::units::System;
 
@@ -24,18 +24,19 @@ pub fn run(args: &Validate) -> Result<Answer> {
         .map(|path| rule.folder(path, &DOCUMENT))
         .transpose()?;
     let found = validation(own)?;
-    let documents = System::ALL.map(|system| validation_document(&found, system));
+    let report = ValidationReport::new(&found);
+    let documents = System::ALL.map(|system| report.document(system));
     if let Some(folder) = &folder {
         write(folder, &documents, system())?;
     }
     if let (Some(file), Some(path)) = (&file, output) {
-        file.write(validation_csv(&found)?.as_bytes())?;
+        file.write(report.csv()?.as_bytes())?;
         tell(&format!("wrote {}", path.display()));
     }
     Ok(if args.json {
-        Answer::json(&validation_reply(&found))
+        Answer::report(&report, vec![], true)
     } else if args.csv {
-        Answer::text(validation_csv(&found)?)
+        Answer::text(report.csv()?)
     } else {
         Answer::text(chosen(&documents, system()).text())
     })

@@ -2,7 +2,7 @@ use crate::command::args::Verify;
 use crate::command::interrupt;
 use crate::command::names::{outcomes, variables};
 use crate::command::output::{Answer, bar, show, system, tell, warn};
-use crate::report::{CertificateReport, by_reason, certificate_text};
+use crate::report::{CertificateReport, by_reason};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Certificate, StepError, certify};
 use crate::{Drive, Result};
@@ -52,10 +52,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
     };
     // until here an interruption is too late to stop anything, and the answer is given
     interrupt::ends();
-    let answer = if request.is_json() {
-        Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))
-    } else {
-        Answer::text(certificate_text(&certificate, &loops, system()))
-    };
+    let report = CertificateReport::new(&certificate, &loops);
+    let answer = Answer::report(&report, warnings, request.is_json());
     Ok(answer.found(certificate.passed()))
 }

@@ -1,21 +1,23 @@
-use super::lines::paragraph;
-use super::table::table;
-use super::{Reply, json, shown};
+use super::document::{Document, Table};
+use super::json::{ByName, Number};
+use super::reply::{Ending, Report};
+use super::shown;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::study::{Active, Chart, ChartPoint, Search, Vary};
+use crate::study::{Active, Chart, ChartPoint, Search};
 use crate::units::{Message, Quantity, System};
 use serde::Serialize;
-use serde_json::{Map, Value};
 
-/// A chart as JSON, SI and radians.
+/// Optima along a parameter, SI and radians.
 #[derive(Clone, Debug, Serialize)]
-pub struct ChartReport {
+pub struct ChartReport<'a> {
+    #[serde(skip)]
+    chart: &'a Chart,
     /// The parameter it runs along.
     pub parameter: &'static str,
-    /// The outcome that is sought.
+    /// The outcome that is optimized.
     pub objective: &'static str,
-    /// Which value of it: `maximize` or `minimize`.
+    /// `maximize` or `minimize`.
     pub sense: &'static str,
     /// Its points, in order.
     pub points: Vec<ChartPointReport>,
@@ -25,83 +27,153 @@ pub struct ChartReport {
     pub ended: Option<String>,
 }
 
-/// A point of a chart.
+/// An optimum of a chart.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChartPointReport {
     /// The parameter's value.
     pub at: f64,
     /// The outcome's best value there.
-    pub value: Value,
-    /// Where it is, by parameter.
-    pub optimum: Map<String, Value>,
+    pub value: Number,
+    /// The varied parameters at the optimum.
+    pub optimum: ByName<Number>,
     /// The ball as it leaves there: speed, launch angle and backspin.
-    pub launch: Map<String, Value>,
-    /// What holds it: parameters at a bound, and constraints.
+    pub launch: ByName<Number>,
+    /// The active bounds and constraints.
     pub active: Vec<String>,
-    /// At which bound, `lower` or `upper`.
-    pub bounds: Map<String, Value>,
-    /// What changes here.
+    /// The bound of each parameter at one, `lower` or `upper`.
+    pub bounds: ByName<&'static str>,
+    /// The change of the active bounds and constraints here.
     pub event: Option<String>,
 }
 
-impl ChartReport {
-    /// The answer of `chart`: `done`, `interrupted`, `partial` where the optimum is missing for a
-    /// part of the range, or `no-answer`.
-    pub fn reply(chart: &Chart, search: &Search, warnings: Vec<Message>) -> Reply<Self> {
-        let notes: Vec<String> = chart
-            .begun
-            .iter()
-            .chain(&chart.ended)
-            .map(Message::to_string)
-            .collect();
-        let status = match (notes.is_empty(), chart.points.is_empty()) {
-            _ if chart.interrupted => "interrupted",
-            (true, _) => "done",
-            (false, true) => "no-answer",
-            (false, false) => "partial",
-        };
-        let message = (!notes.is_empty()).then(|| notes.join("; "));
-        Reply::done("chart", warnings, Self::new(chart, search)).ended(status, message)
-    }
-
-    fn new(chart: &Chart, search: &Search) -> Self {
-        let point = |point: &ChartPoint| {
-            let names = point
-                .best
-                .search
-                .vary
-                .iter()
-                .map(|vary| vary.parameter.name);
-            let bounds = point
-                .active
-                .iter()
-                .filter_map(|active| Some((active.name.clone(), active.end?.into())));
-            ChartPointReport {
-                at: point.at,
-                value: json::number(point.best.value()),
-                optimum: json::named(names.zip(point.best.solution.x.iter().map(|x| Some(*x)))),
-                launch: json::named(LAUNCH.iter().map(|of| of.name()).zip(launch(point))),
-                active: point
-                    .active
-                    .iter()
-                    .map(|active| active.name.clone())
-                    .collect(),
-                bounds: bounds.collect(),
-                event: point.event.as_ref().map(ToString::to_string),
-            }
-        };
+impl<'a> ChartReport<'a> {
+    /// The report of a chart of this search.
+    pub fn new(chart: &'a Chart, search: &Search) -> Self {
         Self {
+            chart,
             parameter: chart.along.parameter.name,
             objective: search.outcome().name(),
             sense: search.sense.name(),
-            points: chart.points.iter().map(point).collect(),
+            points: chart.points.iter().map(ChartPointReport::new).collect(),
             begun: chart.begun.as_ref().map(Message::to_string),
             ended: chart.ended.as_ref().map(Message::to_string),
         }
     }
+
+    /// The chart as CSV, SI and radians; the head names the unit of each column, `swing.speed [m/s]`.
+    ///
+    /// # Errors
+    /// [`Error::Output`].
+    pub fn csv(&self) -> Result<String> {
+        let chart = self.chart;
+        let failed = |error: csv::Error| Error::Output(error.into());
+        let mut writer = csv::Writer::from_writer(vec![]);
+        let launched = LAUNCH.iter().map(|of| (of.name(), of.quantity()));
+        let numbers = head(chart)
+            .into_iter()
+            .chain(launched)
+            .map(|(name, quantity)| quantity.head(name));
+        writer
+            .write_record(numbers.chain(["active".into(), "event".into()]))
+            .map_err(failed)?;
+        for point in &chart.points {
+            let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
+            let launch = launch(point).map(|value| value.unwrap_or(f64::NAN));
+            let numbers = numbers.iter().chain(&point.best.solution.x).chain(&launch);
+            let numbers = numbers.map(|number| {
+                if number.is_nan() {
+                    String::new()
+                } else {
+                    format!("{number:?}")
+                }
+            });
+            let words = [
+                listed(point, "; ", Active::to_string),
+                point
+                    .event
+                    .as_ref()
+                    .map(ToString::to_string)
+                    .unwrap_or_default(),
+            ];
+            writer.write_record(numbers.chain(words)).map_err(failed)?;
+        }
+        let bytes = writer
+            .into_inner()
+            .map_err(|error| Error::Output(error.into_error()))?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
 }
 
-/// What is told of the ball as it leaves at each optimum.
+impl ChartPointReport {
+    fn new(point: &ChartPoint) -> Self {
+        let vary = &point.best.search.vary;
+        let names = vary.iter().map(|vary| vary.parameter.name);
+        let bounds = point
+            .active
+            .iter()
+            .filter_map(|active| Some((active.name.clone(), active.end?)));
+        Self {
+            at: point.at,
+            value: point.best.value().into(),
+            optimum: names.zip(point.best.solution.x.iter().copied()).collect(),
+            launch: LAUNCH
+                .iter()
+                .map(|of| of.name())
+                .zip(launch(point))
+                .collect(),
+            active: point
+                .active
+                .iter()
+                .map(|active| active.name.clone())
+                .collect(),
+            bounds: bounds.collect(),
+            event: point.event.as_ref().map(ToString::to_string),
+        }
+    }
+}
+
+impl Report for ChartReport<'_> {
+    const COMMAND: &'static str = "chart";
+
+    /// The status is `done`, `interrupted`, `partial` where the optimum is missing for a part of the
+    /// range, or `no-answer`.
+    fn ending(&self) -> Ending {
+        let reasons: Vec<&str> = self
+            .begun
+            .iter()
+            .chain(&self.ended)
+            .map(String::as_str)
+            .collect();
+        let status = match (reasons.is_empty(), self.points.is_empty()) {
+            _ if self.chart.interrupted => "interrupted",
+            (true, _) => "done",
+            (false, true) => "no-answer",
+            (false, false) => "partial",
+        };
+        Ending {
+            status,
+            message: (!reasons.is_empty()).then(|| reasons.join("; ")),
+        }
+    }
+
+    /// A row for each optimum, and why the chart does not cover its range.
+    fn document(&self, system: System) -> Document {
+        let chart = self.chart;
+        let mut document = Document::default();
+        let mut columns: Vec<&str> = head(chart).into_iter().map(|(name, _)| name).collect();
+        columns.extend(LAUNCH.iter().map(|of| of.name()));
+        let numbers = columns.len();
+        columns.push("active");
+        let rows = chart.points.iter().map(|point| row(chart, point, system));
+        document.add(Table::new(columns, rows).right(0..numbers));
+        for why in chart.begun.iter().chain(&chart.ended) {
+            document.paragraph(why.in_units(system));
+        }
+        document
+    }
+}
+
+/// The outcomes of the launch shown at each optimum.
 const LAUNCH: [Outcome; 3] = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
 
 fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
@@ -128,109 +200,36 @@ fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
     .collect()
 }
 
-/// A chart as a table.
-pub fn chart_text(chart: &Chart, system: System) -> String {
-    let mut columns: Vec<&str> = head(chart).into_iter().map(|(name, _)| name).collect();
-    columns.extend(LAUNCH.iter().map(|of| of.name()));
-    let right: Vec<usize> = (0..columns.len()).collect();
-    columns.push("active");
-    let rows = chart.points.iter().map(|point| {
-        let show = |(vary, x): (&Vary, &f64)| shown::parameter(vary.parameter, *x, system);
-        let value = shown::outcome_or_dash(point.best.search.outcome(), point.best.value(), system);
-        let told =
-            |active: &Active| shown::active(active, &point.best.search, system, str::to_owned);
-        let event = point
-            .event
-            .as_ref()
-            .map(|event| format!("<- {}", event.words(told)));
-        let words = if point.active.is_empty() {
-            shown::NONE.into()
-        } else {
-            listed(point, ", ", told)
-        };
-        [
-            shown::parameter(chart.along.parameter, point.at, system),
-            value,
-        ]
-        .into_iter()
-        .chain(
-            point
-                .best
-                .search
-                .vary
-                .iter()
-                .zip(&point.best.solution.x)
-                .map(show),
-        )
-        .chain(
-            LAUNCH
-                .into_iter()
-                .zip(launch(point))
-                .map(|(of, value)| shown::outcome_or_dash(of, value, system)),
-        )
-        .chain([[Some(words), event]
-            .into_iter()
-            .flatten()
-            .collect::<Vec<_>>()
-            .join("\n")])
-        .collect()
+/// The cells of an optimum.
+fn row(chart: &Chart, point: &ChartPoint, system: System) -> Vec<String> {
+    let search = &point.best.search;
+    let mut cells = vec![
+        shown::parameter(chart.along.parameter, point.at, system),
+        shown::outcome_or_dash(search.outcome(), point.best.value(), system),
+    ];
+    let varied = search.vary.iter().zip(&point.best.solution.x);
+    cells.extend(varied.map(|(vary, x)| shown::parameter(vary.parameter, *x, system)));
+    let launch = LAUNCH.into_iter().zip(launch(point));
+    cells.extend(launch.map(|(of, value)| shown::outcome_or_dash(of, value, system)));
+    let words = |active: &Active| shown::active(active, search, system, str::to_owned);
+    let active = if point.active.is_empty() {
+        shown::NONE.into()
+    } else {
+        listed(point, ", ", words)
+    };
+    cells.push(match &point.event {
+        Some(event) => format!("{active}\n<- {}", event.words(words)),
+        None => active,
     });
-    let notes = chart
-        .begun
-        .iter()
-        .chain(&chart.ended)
-        .map(|why| format!("\n{}", paragraph(&why.in_units(system))));
-    table(&columns, &right, rows) + &notes.collect::<String>()
+    cells
 }
 
-/// A chart as CSV, SI and radians; the head names the unit of each column, `swing.speed [m/s]`.
-///
-/// # Errors
-/// [`Error::Output`].
-pub fn chart_csv(chart: &Chart) -> Result<String> {
-    let failed = |error: csv::Error| Error::Output(error.into());
-    let mut writer = csv::Writer::from_writer(vec![]);
-    let launched = LAUNCH.iter().map(|of| (of.name(), of.quantity()));
-    let numbers = head(chart)
-        .into_iter()
-        .chain(launched)
-        .map(|(name, quantity)| quantity.head(name));
-    writer
-        .write_record(numbers.chain(["active".into(), "event".into()]))
-        .map_err(failed)?;
-    for point in &chart.points {
-        let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
-        let launch = launch(point).map(|value| value.unwrap_or(f64::NAN));
-        let numbers = numbers.iter().chain(&point.best.solution.x).chain(&launch);
-        let numbers = numbers.map(|number| {
-            if number.is_nan() {
-                String::new()
-            } else {
-                format!("{number:?}")
-            }
-        });
-        let words = [
-            listed(point, "; ", Active::to_string),
-            point
-                .event
-                .as_ref()
-                .map(ToString::to_string)
-                .unwrap_or_default(),
-        ];
-        writer.write_record(numbers.chain(words)).map_err(failed)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| Error::Output(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
-}
-
-/// The bounds and constraints that are active at a point, as `told` writes them.
-fn listed(point: &ChartPoint, separator: &str, told: impl Fn(&Active) -> String) -> String {
+/// The bounds and constraints that are active at a point, as `words` writes them.
+fn listed(point: &ChartPoint, separator: &str, words: impl Fn(&Active) -> String) -> String {
     point
         .active
         .iter()
-        .map(told)
+        .map(words)
         .collect::<Vec<_>>()
         .join(separator)
 }

@@ -1,89 +1,126 @@
-use super::lines::{item, paragraph};
-use super::reply::{Reply, share};
-use super::table::table;
-use super::{drive, json, shown};
+use super::document::{Document, Line, Table};
+use super::drive::{LaunchReport, flight, launch};
+use super::json::{ByName, Number, Setting, settings};
+use super::reply::{Ending, Report};
+use super::shown;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup, UNSET};
 use crate::study::{Cause, Comparison, Difference, Share, Shares};
-use crate::units::{Message, System};
+use crate::units::System;
 use serde::Serialize;
-use serde_json::{Map, Value, json};
 
-/// Two drives and their differences as JSON, SI and radians.
+const NOTHING: &str = "nothing differs: a and b are the same drive";
+
+/// Two drives and their differences, SI and radians.
 #[derive(Clone, Debug, Serialize)]
-pub struct ComparisonReport {
-    /// The first drive: `setup`, `launch` and `flight`.
-    pub a: Value,
+pub struct ComparisonReport<'a> {
+    #[serde(skip)]
+    comparison: &'a Comparison,
+    #[serde(skip)]
+    found: &'a [(Outcome, Result<Difference>)],
+    #[serde(skip)]
+    titles: [String; 2],
+    /// The first drive.
+    pub a: ComparedDrive,
     /// The second drive.
-    pub b: Value,
-    /// The outcomes asked for, in their order.
+    pub b: ComparedDrive,
+    /// The outcomes requested, in their order.
     pub outcomes: Vec<DifferenceReport>,
 }
 
-/// The difference of an outcome as JSON, SI and radians.
+/// A drive of a comparison.
+#[derive(Clone, Debug, Serialize)]
+pub struct ComparedDrive {
+    /// Every parameter by its dotted name.
+    pub setup: ByName<Setting>,
+    /// The launch.
+    pub launch: LaunchReport,
+    /// The outcomes of the flight; `null` where the ball does not land.
+    pub flight: Option<ByName<Number>>,
+}
+
+/// The difference of an outcome, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct DifferenceReport {
     /// The outcome.
     pub of: &'static str,
     /// Its value in each drive; `null` where there is no comparison.
-    pub values: Option<[Value; 2]>,
-    /// What b has more than a.
-    pub difference: Value,
+    pub values: Option<[Number; 2]>,
+    /// The value of b less that of a.
+    pub difference: Number,
     /// The difference by the parameters that differ.
-    pub by_parameter: Option<Map<String, Value>>,
-    /// The difference by launch conditions and what else the flight depends on; `null` for an
+    pub by_parameter: Option<SharesReport>,
+    /// The difference by launch conditions and the other inputs of the flight; `null` for an
     /// outcome of the launch, and where the launches are given, so that these are the parameters.
-    pub by_launch: Option<Map<String, Value>>,
+    pub by_launch: Option<SharesReport>,
     /// Why there is no comparison; `null` where there is one.
     pub message: Option<String>,
 }
 
-impl ComparisonReport {
-    /// The answer of `compare`.
-    pub fn reply(
-        comparison: &Comparison,
-        found: &[(Outcome, Result<Difference>)],
-        warnings: Vec<Message>,
-    ) -> Reply<Self> {
-        let mut missing: Vec<_> = found
-            .iter()
-            .filter_map(|(_, difference)| difference.as_ref().err())
-            .collect();
-        let status = match (
-            share(found.len() - missing.len(), found.len()),
-            missing.first(),
-        ) {
-            // where all of them lack the same, that is the answer
-            ("no-answer", Some(first))
-                if missing.iter().all(|why| why.status() == first.status()) =>
-            {
-                first.status()
+/// A difference split into its causes.
+#[derive(Clone, Debug, Serialize)]
+pub struct SharesReport {
+    /// The share of each cause.
+    pub shares: Vec<ShareReport>,
+    /// The difference less the sum of the shares.
+    pub remainder: Number,
+    /// The error estimate of the integrals that the shares are.
+    pub integration_error: Number,
+}
+
+/// The share of a cause.
+#[derive(Clone, Debug, Serialize)]
+pub struct ShareReport {
+    /// The parameter or choice that differs.
+    pub cause: &'static str,
+    /// Its value in each drive.
+    pub values: [CauseValue; 2],
+    /// Its part of the difference.
+    pub share: Number,
+    /// It changes at once, since there are no values between.
+    pub at_once: bool,
+}
+
+/// The value of a cause in a drive.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum CauseValue {
+    /// A number in SI, or radians.
+    Number(Number),
+    /// The name of a choice.
+    Choice(&'static str),
+    /// The numbers given for a quantity that may be stated in several ways.
+    Numbers(ByName<Number>),
+}
+
+impl<'a> ComparisonReport<'a> {
+    /// The report of a comparison; `titles` describe the drives.
+    pub fn new(
+        comparison: &'a Comparison,
+        found: &'a [(Outcome, Result<Difference>)],
+        titles: [String; 2],
+    ) -> Self {
+        let [a, b] = [0, 1].map(|side| {
+            let drive = &comparison.drives[side];
+            ComparedDrive {
+                setup: settings(&comparison.setups[side]),
+                launch: launch(drive),
+                flight: flight(drive),
             }
-            (status, _) => status,
-        };
-        missing.dedup_by_key(|why| why.to_string());
-        let mut said: Vec<_> = missing.iter().map(ToString::to_string).collect();
-        said.extend((!comparison.differs()).then(|| NOTHING.into()));
-        let side = |side: usize| {
-            let of = &comparison.drives[side];
-            json!({ "setup": json::setup(&comparison.setups[side]), "launch": drive::launch(of), "flight": drive::flight(of) })
-        };
+        });
         let outcomes = found
             .iter()
             .map(|(of, difference)| DifferenceReport::new(*of, difference))
             .collect();
-        let message = (!said.is_empty()).then(|| said.join("; "));
-        Reply::done(
-            "compare",
-            warnings,
-            Self {
-                a: side(0),
-                b: side(1),
-                outcomes,
-            },
-        )
-        .ended(status, message)
+        Self {
+            comparison,
+            found,
+            titles,
+            a,
+            b,
+            outcomes,
+        }
     }
 }
 
@@ -93,16 +130,16 @@ impl DifferenceReport {
         match difference {
             Ok(found) => Self {
                 of,
-                values: Some(found.values.map(|value| json::number(Some(value)))),
-                difference: json::number(Some(found.amount())),
-                by_parameter: Some(shares(&found.by_parameter)),
-                by_launch: found.by_launch.as_ref().map(shares),
+                values: Some(found.values.map(Number::from)),
+                difference: found.amount().into(),
+                by_parameter: Some(SharesReport::new(&found.by_parameter)),
+                by_launch: found.by_launch.as_ref().map(SharesReport::new),
                 message: None,
             },
             Err(why) => Self {
                 of,
                 values: None,
-                difference: Value::Null,
+                difference: Number(None),
                 by_parameter: None,
                 by_launch: None,
                 message: Some(why.to_string()),
@@ -111,39 +148,80 @@ impl DifferenceReport {
     }
 }
 
-fn shares(split: &Shares) -> Map<String, Value> {
-    let value = |cause: Cause, setup: &Setup<f64>| match cause {
-        Cause::Number(parameter) | Cause::AtOnce(parameter) => json::number(setup.value(parameter)),
-        Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => json!(choice(cause, setup)),
-        Cause::Ways(ways) => {
-            let given = ways.given_in(setup).into_iter();
-            given
-                .map(|parameter| (parameter.name, json::number(setup.value(parameter))))
-                .collect()
+impl SharesReport {
+    fn new(split: &Shares) -> Self {
+        let share = |Share { cause, amount }: &Share| ShareReport {
+            cause: cause.name(),
+            values: split.setups.each_ref().map(|setup| value(*cause, setup)),
+            share: (*amount).into(),
+            at_once: cause.is_at_once(),
+        };
+        Self {
+            shares: split.shares.iter().map(share).collect(),
+            remainder: split.remainder.into(),
+            integration_error: split.error.into(),
         }
-    };
-    let each = split.shares.iter().map(|Share { cause, amount }| {
-        json!({
-            "cause": cause.name(),
-            "values": split.setups.each_ref().map(|setup| value(*cause, setup)),
-            "share": json::number(Some(*amount)),
-            "at_once": cause.is_at_once(),
-        })
-    });
-    let [remainder, error] =
-        [split.remainder, split.error].map(|amount| json::number(Some(amount)));
-    let entries = [
-        ("shares", each.collect()),
-        ("remainder", remainder),
-        ("integration_error", error),
-    ];
-    entries
-        .into_iter()
-        .map(|(name, entry)| (name.to_owned(), entry))
-        .collect()
+    }
 }
 
-/// What a setup has of a choice.
+impl Report for ComparisonReport<'_> {
+    const COMMAND: &'static str = "compare";
+
+    fn ending(&self) -> Ending {
+        let errors = self.found.iter().map(|(_, found)| found.as_ref().err());
+        let ending = Ending::of_each(errors);
+        if self.comparison.differs() {
+            return ending;
+        }
+        let message = ending.message.into_iter().chain([NOTHING.into()]);
+        Ending {
+            message: Some(message.collect::<Vec<_>>().join("; ")),
+            ..ending
+        }
+    }
+
+    /// The outcomes of the two drives, then each difference split into its causes.
+    fn document(&self, system: System) -> Document {
+        let [a, b] = &self.titles;
+        let mut document = Document::default();
+        document.list([
+            Line::flush(format!("a: {a}")),
+            Line::flush(format!("b: {b}")),
+        ]);
+        document.add(outcomes(self.comparison, system));
+        if !self.comparison.differs() {
+            document.paragraph(NOTHING);
+            return document;
+        }
+        let differences = self
+            .found
+            .iter()
+            .filter_map(|(_, found)| found.as_ref().ok());
+        for difference in differences {
+            add_difference(&mut document, difference, system);
+        }
+        document
+    }
+}
+
+/// The value of a cause in a setup.
+fn value(cause: Cause, setup: &Setup<f64>) -> CauseValue {
+    match cause {
+        Cause::Number(parameter) | Cause::AtOnce(parameter) => {
+            CauseValue::Number(setup.value(parameter).into())
+        }
+        Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => {
+            CauseValue::Choice(choice(cause, setup))
+        }
+        Cause::Ways(ways) => {
+            let given = ways.given_in(setup).into_iter();
+            let numbers = given.map(|parameter| (parameter.name, setup.value(parameter)));
+            CauseValue::Numbers(numbers.collect())
+        }
+    }
+}
+
+/// The choice of a setup.
 fn choice(cause: Cause, setup: &Setup<f64>) -> &'static str {
     match cause {
         Cause::Golfer => setup.golfer.name(),
@@ -157,63 +235,56 @@ fn choice(cause: Cause, setup: &Setup<f64>) -> &'static str {
     }
 }
 
-const NOTHING: &str = "nothing differs: a and b are the same drive";
-
-/// The outcomes of two drives beside each other as text; `titles` say what the drives are.
-pub fn comparison_text(comparison: &Comparison, titles: [String; 2], system: System) -> String {
+/// The outcomes of two drives, and their differences.
+fn outcomes(comparison: &Comparison, system: System) -> Table {
     let rows = Outcome::ALL.iter().filter_map(|of| {
         let values = comparison.drives.each_ref().map(|drive| of.value(drive));
         let change = match values {
             [None, None] => return None,
             [Some(a), Some(b)] => {
                 let change = of.unwrap_angle(b, a) - a;
-                shown::change(
-                    *of,
-                    if shown::is_rounding(*of, a, change) {
-                        0.0
-                    } else {
-                        change
-                    },
-                    system,
-                )
+                let is_rounding = shown::is_rounding(*of, a, change);
+                shown::change(*of, if is_rounding { 0.0 } else { change }, system)
             }
             _ => shown::NONE.into(),
         };
         let [a, b] = values.map(|value| shown::outcome_or_dash(*of, value, system));
         Some(vec![shown::words(of.name()), a, b, change])
     });
-    let [a, b] = titles;
-    let text = paragraph(&format!("a: {a}")) + &paragraph(&format!("b: {b}"));
-    let text = text + "\n" + &table(&["", "a", "b", "difference"], &[1, 2, 3], rows);
-    if comparison.differs() {
-        text
-    } else {
-        format!("{text}\n{}", paragraph(NOTHING))
-    }
+    Table::new(["", "a", "b", "difference"], rows).right([1, 2, 3])
 }
 
-/// The difference of an outcome, split into its causes, as text: the largest share first.
-pub fn difference_text(difference: &Difference, system: System) -> String {
-    let Difference {
-        of,
-        values,
-        by_parameter,
-        by_launch,
-    } = difference;
-    let [a, b] = values.map(|value| shown::outcome(*of, value, system));
-    let amount = shown::change(*of, difference.amount(), system);
-    let mut text = paragraph(&format!(
+/// Adds the difference of an outcome and its causes to a document.
+fn add_difference(document: &mut Document, difference: &Difference, system: System) {
+    let of = difference.of;
+    let [a, b] = difference
+        .values
+        .map(|value| shown::outcome(of, value, system));
+    let amount = shown::change(of, difference.amount(), system);
+    document.paragraph(format!(
         "{}: {amount}, from {a} to {b}",
         shown::words(of.name())
     ));
-    text += &shares_text("by parameter", difference, by_parameter, system);
-    if let Some(by_launch) = by_launch {
-        text += &shares_text("by launch and air", difference, by_launch, system);
+    add_shares(
+        document,
+        "by parameter",
+        difference,
+        &difference.by_parameter,
+        system,
+    );
+    if let Some(by_launch) = &difference.by_launch {
+        add_shares(document, "by launch and air", difference, by_launch, system);
     }
-    text
 }
 
-fn shares_text(title: &str, difference: &Difference, split: &Shares, system: System) -> String {
+/// Adds the shares of a difference to a document, the largest first.
+fn add_shares(
+    document: &mut Document,
+    title: &str,
+    difference: &Difference,
+    split: &Shares,
+    system: System,
+) {
     let of = difference.of;
     let is_rounding = |amount: f64| shown::is_rounding(of, difference.values[0], amount);
     let (without, mut with): (Vec<&Share>, Vec<&Share>) = split
@@ -221,6 +292,39 @@ fn shares_text(title: &str, difference: &Difference, split: &Shares, system: Sys
         .iter()
         .partition(|share| is_rounding(share.amount));
     with.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
+
+    let mut remarks = vec![];
+    if !without.is_empty() {
+        let causes = names(without.iter().map(|share| share.cause));
+        remarks.push(format!("without a share: {causes}"));
+    }
+    let at_once = names(
+        with.iter()
+            .map(|share| share.cause)
+            .filter(|cause| cause.is_at_once()),
+    );
+    if !at_once.is_empty() {
+        remarks.push(format!(
+            "changed at once, halfway between a and b, since there are no values between: {at_once}"
+        ));
+    }
+    let remainder = shown::change(of, split.remainder, system);
+    // without a sign it reads as 0
+    if remainder.starts_with(['+', '-']) && !is_rounding(split.remainder) {
+        let why = if split.remainder.abs() <= split.error {
+            let error = shown::spread(of, split.error, system);
+            format!("the shares are integrals between a and b, computed within {error}")
+        } else {
+            "there is a corner of the model between a and b".into()
+        };
+        remarks.push(format!("not in these shares: {remainder}; {why}"));
+    }
+
+    if with.is_empty() {
+        let remarks = remarks.into_iter().map(Line::item);
+        document.list([Line::item(title)].into_iter().chain(remarks));
+        return;
+    }
     let rows = with.iter().map(|share| {
         let [a, b] = split
             .setups
@@ -233,46 +337,18 @@ fn shares_text(title: &str, difference: &Difference, split: &Shares, system: Sys
             shown::change(of, share.amount, system),
         ]
     });
-    let mut text = if with.is_empty() {
-        format!("\n{}", item(title))
-    } else {
-        format!("\n{}", table(&[title, "a", "b", "share"], &[1, 2, 3], rows))
-    };
-    let names = |causes: &mut dyn Iterator<Item = Cause>| {
-        causes.map(Cause::name).collect::<Vec<_>>().join(", ")
-    };
-    if !without.is_empty() {
-        text += &item(&format!(
-            "without a share: {}",
-            names(&mut without.iter().map(|share| share.cause))
-        ));
+    let mut table = Table::new([title, "a", "b", "share"], rows).right([1, 2, 3]);
+    for remark in remarks {
+        table.remark(remark);
     }
-    let mut at_once = with
-        .iter()
-        .map(|share| share.cause)
-        .filter(|cause| cause.is_at_once())
-        .peekable();
-    if at_once.peek().is_some() {
-        text += &item(&format!(
-            "changed at once, halfway between a and b, since there are no values between: {}",
-            names(&mut at_once)
-        ));
-    }
-    let remainder = shown::change(of, split.remainder, system);
-    // without a sign it reads as 0
-    if remainder.starts_with(['+', '-']) && !is_rounding(split.remainder) {
-        let why = if split.remainder.abs() <= split.error {
-            let error = shown::spread(of, split.error, system);
-            format!("the shares are integrals between a and b, computed within {error}")
-        } else {
-            "there is a corner of the model between a and b".into()
-        };
-        text += &item(&format!("not in these shares: {remainder}; {why}"));
-    }
-    text
+    document.add(table);
 }
 
-/// What a cause is in one of the drives.
+fn names(causes: impl Iterator<Item = Cause>) -> String {
+    causes.map(Cause::name).collect::<Vec<_>>().join(", ")
+}
+
+/// The cell of a cause in one of the drives.
 fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
     match cause {
         Cause::Number(parameter) | Cause::AtOnce(parameter) => stated(parameter, setup, system),

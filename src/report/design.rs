@@ -1,34 +1,35 @@
+use super::json::Number;
 use super::limits::ended_at;
 use super::lines::paragraph;
+use super::optimum::{DesignReport, GoalReport, LimitReport, OptimumReport};
 use super::table::table;
-use super::{OptimumReport, Reply, json, shown};
+use super::{Reply, shown};
 use crate::parameters::{Parameter, Setup};
 use crate::study::Optimum;
 use crate::study::Sense;
 use crate::study::design::{By, Design, Part, Standing};
 use crate::units::{System, signed};
-use serde_json::{Value, json};
 
-/// A part of the step that a price is told for: limits are met to less than this.
+/// Limits are met to less than this part of the step of their price.
 const ROUNDING: f64 = 1e-6;
 
-/// What was found of a design, beside the search itself.
+/// A design: its limits, and what it changes.
 #[derive(Clone, Copy, Debug)]
 pub struct Designed<'a> {
-    /// The search, and what holds it.
+    /// The search with its rules and limits.
     pub design: &'a Design,
     /// The setup before.
     pub setup: &'a Setup<f64>,
     /// The best design.
     pub best: &'a Optimum,
-    /// What it changes.
+    /// The goals before and after.
     pub parts: &'a [Part],
-    /// What was assumed, in sentences.
+    /// The assumptions, in sentences.
     pub notes: &'a [String],
 }
 
 impl Designed<'_> {
-    /// The answer of `design`: that of a search over swings, with what holds the design.
+    /// The answer of `design`: that of the search, with the rules and limits.
     pub fn reply(&self, swings: Reply<OptimumReport>) -> Reply<OptimumReport> {
         let before = self
             .best
@@ -36,14 +37,23 @@ impl Designed<'_> {
             .vary
             .iter()
             .map(|vary| (vary.parameter.name, self.own(vary.parameter)));
-        let part = |part: &Part| json!({ "goal": part.goal.expression, "as_set_up": json::number(part.as_set_up), "best": json::number(part.best) });
-        let design = json!({
-            "rules": if self.design.is_under_rules { "golf" } else { "none" },
-            "notes": self.notes,
-            "as_set_up": json::named(before),
-            "parts": self.parts.iter().map(part).collect::<Vec<_>>(),
-            "held": self.design.standings(self.best).iter().map(held_json).collect::<Vec<_>>(),
-        });
+        let part = |part: &Part| GoalReport {
+            goal: part.goal.expression.clone(),
+            as_set_up: part.as_set_up.into(),
+            best: part.best.into(),
+        };
+        let standings = self.design.standings(self.best);
+        let design = DesignReport {
+            rules: if self.design.is_under_rules {
+                "golf"
+            } else {
+                "none"
+            },
+            notes: self.notes.to_vec(),
+            as_set_up: before.collect(),
+            parts: self.parts.iter().map(part).collect(),
+            held: standings.iter().map(limit_report).collect(),
+        };
         let body = OptimumReport {
             design: Some(design),
             ..swings.body
@@ -55,7 +65,7 @@ impl Designed<'_> {
         }
     }
 
-    /// The same as text, after that of the search.
+    /// The design as text, below that of the search.
     pub fn text(&self, system: System) -> String {
         let solution = &self.best.solution;
         let change = |text: String, amount: f64| signed(amount, text);
@@ -140,7 +150,7 @@ impl Designed<'_> {
         self.setup.value(parameter).or(parameter.unset)
     }
 
-    /// What holds the design, its value, and its margin or its price.
+    /// The cells of a rule or limit: its value, and its margin or its price.
     fn row(&self, standing: &Standing, system: System) -> Vec<String> {
         let Standing {
             held,
@@ -192,29 +202,24 @@ impl Designed<'_> {
     }
 }
 
-fn held_json(standing: &Standing) -> Value {
-    let Standing {
-        held,
-        value,
-        margin,
-        price,
-    } = standing;
-    let by = match held.by {
-        By::Bound(_) => "bound",
-        By::Limit(_) => "limit",
-        By::Value(_) => "value",
-        By::Unknown => "unknown",
-    };
-    let end = |end: f64| json::number(Some(end).filter(|end| end.is_finite()));
-    json!({
-        "name": held.name,
-        "expression": held.expression,
-        "source": held.rule.map(|rule| rule.source),
-        "by": by,
-        "low": end(held.range[0]),
-        "high": end(held.range[1]),
-        "value": json::number(*value),
-        "margin": json::number(*margin),
-        "price": json::number(*price),
-    })
+/// The report of a rule or limit.
+fn limit_report(standing: &Standing) -> LimitReport {
+    let held = &standing.held;
+    let end = |end: f64| Number(Some(end).filter(|end| end.is_finite()));
+    LimitReport {
+        name: held.name.clone(),
+        expression: held.expression.clone(),
+        source: held.rule.map(|rule| rule.source),
+        by: match held.by {
+            By::Bound(_) => "bound",
+            By::Limit(_) => "limit",
+            By::Value(_) => "value",
+            By::Unknown => "unknown",
+        },
+        low: end(held.range[0]),
+        high: end(held.range[1]),
+        value: standing.value.into(),
+        margin: standing.margin.into(),
+        price: standing.price.into(),
+    }
 }

@@ -1,213 +1,248 @@
-use super::{Reply, json, lines::note, lines::paragraph, shown, table::table};
+use super::document::{Document, Line, Table};
+use super::json::{ByName, Components, Number, Range, Setting, range_key, settings};
+use super::reply::{Ending, Report};
+use super::shown;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::flight::Flight;
 use crate::ground::Rest;
-use crate::impact::{Grip, Impact};
+use crate::impact::Grip;
 use crate::number::Vector;
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity, System};
 use serde::Serialize;
-use serde_json::{Map, Value, json};
 
-/// What a total is known within at best, m: grounds differ by as much (docs/limitations.md).
+/// Uncertainty of a total at best, m: grounds differ by as much (docs/limitations.md).
 const RUN_WITHIN: f64 = 10.0 * 0.9144;
 
-/// A drive as JSON, SI and radians.
+/// A drive: setup, launch, head after impact and flight.
 #[derive(Clone, Debug, Serialize)]
-pub struct DriveReport {
+pub struct DriveReport<'a> {
+    #[serde(skip)]
+    setup_in_si: &'a Setup<f64>,
+    #[serde(skip)]
+    drive: &'a Drive<f64>,
     /// Every parameter by its dotted name, and `aero.law`.
-    pub setup: Map<String, Value>,
-    /// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.
-    pub launch: Map<String, Value>,
-    /// The head after impact: `velocity` and `angular_velocity`; `null` where the launch is given
-    /// and there is no club.
-    pub club_after: Option<Map<String, Value>>,
-    /// Whether the ball still slid on the face as it left; `null` where there is no club.
+    pub setup: ByName<Setting>,
+    /// The launch.
+    pub launch: LaunchReport,
+    /// The head after impact; `null` where the launch is given and there is no club.
+    pub club_after: Option<ClubReport>,
+    /// The ball still slid on the face as it left; `null` where there is no club.
     pub slipped: Option<bool>,
-    /// The outcomes of the flight.
-    pub flight: Option<Map<String, Value>>,
-    /// What the law was fitted to, and how much of the flight is outside; `null` without air or a
-    /// flight.
-    pub law_range: Option<Map<String, Value>>,
+    /// The outcomes of the flight; `null` where the ball does not land.
+    pub flight: Option<ByName<Number>>,
+    /// Each quantity that a law may be fitted to; `null` without air or a flight.
+    pub law_range: Option<ByName<Option<LawRange>>>,
 }
 
-impl DriveReport {
-    /// The answer of `simulate`: the status is `landed`, `no-flight` or `aloft`, the message why
-    /// there is no landing.
-    pub fn reply(setup: &Setup<f64>, drive: &Drive<f64>, warnings: Vec<Message>) -> Reply<Self> {
-        let (status, message) = match &drive.flight {
-            Flight::Landed(_) => ("landed", None),
-            Flight::None(why) => (why.status(), Some(why.to_string())),
-        };
-        Reply::done("simulate", warnings, Self::new(setup, drive)).ended(status, message)
-    }
+/// The launch of a drive.
+#[derive(Clone, Debug, Serialize)]
+pub struct LaunchReport {
+    /// The outcomes of the launch.
+    #[serde(flatten)]
+    pub outcomes: ByName<Number>,
+    /// The velocity of the ball, m/s.
+    pub velocity: Components,
+    /// The angular velocity of the ball, rad/s.
+    pub spin_vector: Components,
+}
 
-    /// The report of a drive.
-    pub fn new(setup: &Setup<f64>, drive: &Drive<f64>) -> Self {
+/// The head of the club after impact.
+#[derive(Clone, Debug, Serialize)]
+pub struct ClubReport {
+    /// The velocity of the centre of mass, m/s.
+    pub velocity: Components,
+    /// The angular velocity, rad/s.
+    pub angular_velocity: Components,
+}
+
+/// The range of a quantity that a law was fitted to, beside the flight's.
+#[derive(Clone, Debug, Serialize)]
+pub struct LawRange {
+    /// The range of the fit.
+    pub fitted: Range,
+    /// The range of the flight.
+    pub flown: Range,
+    /// The share of the flight's time outside of the fit.
+    pub share_outside: Number,
+}
+
+impl<'a> DriveReport<'a> {
+    /// The report of a drive with this setup.
+    pub fn new(setup: &'a Setup<f64>, drive: &'a Drive<f64>) -> Self {
+        let impact = drive.impact.as_ref();
         Self {
-            setup: json::setup(setup),
+            setup_in_si: setup,
+            drive,
+            setup: settings(setup),
             launch: launch(drive),
-            club_after: drive.impact.as_ref().map(
-                |Impact {
-                     club_velocity,
-                     club_spin,
-                     ..
-                 }| {
-                    vectors([
-                        ("velocity", *club_velocity),
-                        ("angular_velocity", *club_spin),
-                    ])
-                    .collect()
-                },
-            ),
-            slipped: drive
-                .impact
-                .as_ref()
-                .map(|impact| matches!(impact.grip, Grip::Slips(_))),
+            club_after: impact.map(|impact| ClubReport {
+                velocity: impact.club_velocity.into(),
+                angular_velocity: impact.club_spin.into(),
+            }),
+            slipped: impact.map(|impact| matches!(impact.grip, Grip::Slips(_))),
             flight: flight(drive),
             law_range: law_range(setup, drive),
         }
     }
 }
 
-/// For each quantity that a law may be fitted to: the range, how far the flight goes, and the share
-/// of the time outside; `null` where no range is known.
-pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<Map<String, Value>> {
-    let range = |ends: [f64; 2]| json!({ "low": json::number(Some(ends[0])), "high": json::number(Some(ends[1])) });
-    let fitted = setup.law.fitted();
-    let within = drive.flown_ranges(setup);
-    let each = fitted.ranges().into_iter().zip(within).map(|((name, _, known), within)| {
-        let told = known.zip(within).map(|(known, within)| {
-            json!({ "fitted": range(known), "flown": range(within.flown), "share_outside": json::number(Some(within.outside)) })
-        });
-        (json::range_key(name).to_owned(), told.unwrap_or_default())
-    });
-    let found: Map<String, Value> = each.collect();
-    (AirState::of(&setup.air).density > 0.0 && matches!(drive.flight, Flight::Landed(_)))
-        .then_some(found)
+impl Report for DriveReport<'_> {
+    const COMMAND: &'static str = "simulate";
+
+    /// The status is `landed`, `no-flight` or `aloft`, the message the reason why the ball does not
+    /// land.
+    fn ending(&self) -> Ending {
+        match &self.drive.flight {
+            Flight::Landed(_) => Ending {
+                status: "landed",
+                message: None,
+            },
+            Flight::None(why) => Ending {
+                status: why.status(),
+                message: Some(why.to_string()),
+            },
+        }
+    }
+
+    /// The numbers of a launch monitor, and the flight; each in the units of `system`, then in
+    /// those of the other.
+    fn document(&self, system: System) -> Document {
+        let Self {
+            setup_in_si, drive, ..
+        } = self;
+        let mut document = Document::default();
+        document.add(outcomes("launch", OutcomeGroup::Launch, drive, system));
+        document.list(bodies(drive, system));
+        let air = air(setup_in_si).map(|air| Line::note(air.in_units(system)));
+        match &drive.flight {
+            Flight::Landed(landed) => {
+                document.add(outcomes("flight", OutcomeGroup::Flight, drive, system));
+                let run = on_the_run(landed.rest.as_ref()).in_units(system);
+                document.list([Line::note(run)].into_iter().chain(air));
+            }
+            Flight::None(why) => {
+                let why = Line::flush(why.message().in_units(system));
+                document.list([why].into_iter().chain(air));
+            }
+        }
+        document
+    }
 }
 
-/// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.
-pub(super) fn launch(drive: &Drive<f64>) -> Map<String, Value> {
-    let launch = &drive.launch;
-    let vectors = vectors([("velocity", launch.velocity), ("spin_vector", launch.spin)]);
-    of_part(drive, OutcomeGroup::Launch)
-        .into_iter()
-        .chain(vectors)
-        .collect()
+/// Each quantity that a law may be fitted to, with the ranges of fit and flight; `None` without air
+/// or a flight.
+pub(super) fn law_range(
+    setup: &Setup<f64>,
+    drive: &Drive<f64>,
+) -> Option<ByName<Option<LawRange>>> {
+    let has_air = AirState::of(&setup.air).density > 0.0;
+    if !has_air || matches!(drive.flight, Flight::None(_)) {
+        return None;
+    }
+    let ranges = setup.law.fitted().ranges().into_iter();
+    let each = ranges.zip(drive.flown_ranges(setup));
+    let each = each.map(|((name, _, fitted), within)| {
+        let range = fitted.zip(within).map(|(fitted, within)| LawRange {
+            fitted: fitted.into(),
+            flown: within.flown.into(),
+            share_outside: within.outside.into(),
+        });
+        (range_key(name), range)
+    });
+    Some(each.collect())
+}
+
+/// The outcomes of the launch, with the vectors of velocity and spin.
+pub(super) fn launch(drive: &Drive<f64>) -> LaunchReport {
+    LaunchReport {
+        outcomes: of_part(drive, OutcomeGroup::Launch),
+        velocity: drive.launch.velocity.into(),
+        spin_vector: drive.launch.spin.into(),
+    }
 }
 
 /// The outcomes of the flight; `None` where the ball does not land.
-pub(super) fn flight(drive: &Drive<f64>) -> Option<Map<String, Value>> {
+pub(super) fn flight(drive: &Drive<f64>) -> Option<ByName<Number>> {
     matches!(drive.flight, Flight::Landed(_)).then(|| of_part(drive, OutcomeGroup::Flight))
 }
 
-fn of_part(drive: &Drive<f64>, group: OutcomeGroup) -> Map<String, Value> {
-    json::named(Outcome::in_group(group).map(|outcome| (outcome.name(), outcome.value(drive))))
+fn of_part(drive: &Drive<f64>, part: OutcomeGroup) -> ByName<Number> {
+    Outcome::in_group(part)
+        .map(|outcome| (outcome.name(), outcome.value(drive)))
+        .collect()
 }
 
-fn vectors(pairs: [(&str, Vector<f64>); 2]) -> impl Iterator<Item = (String, Value)> {
-    pairs
-        .map(|(name, v)| (name.to_owned(), json::vector(v)))
-        .into_iter()
-}
-
-/// A drive as text: what a launch monitor shows, and the flight; each number in the units of
-/// `system`, then in the other's.
-pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
-    let part = |title: &str, group| {
-        let texts = Outcome::in_group(group)
-            .map(|outcome| {
-                (
-                    outcome,
-                    shown::outcome_or_dash(outcome, outcome.value(drive), system),
-                )
-            })
-            .collect::<Vec<_>>();
-        let number = |text: &str| {
-            text.split(' ')
-                .next()
-                .map_or(0, |number| number.chars().count())
-        };
-        let widest = texts
-            .iter()
-            .map(|(_, text)| number(text))
-            .max()
-            .unwrap_or(0);
-        let rows = texts.iter().map(|(outcome, text)| {
-            let other = outcome
-                .value(drive)
-                .map(|value| shown::in_parentheses(*outcome, value, system));
-            // numbers end below each other, and their units begin there
-            let text = format!("{}{text}", " ".repeat(widest - number(text)));
-            vec![
-                shown::words(outcome.name()),
-                text,
-                other.unwrap_or_default(),
-            ]
-        });
-        table(&[title, "", ""], &[], rows)
+/// The outcomes of a part of a drive: name, value, and the value in the other system.
+fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System) -> Table {
+    let texts: Vec<_> = Outcome::in_group(part)
+        .map(|outcome| {
+            let value = outcome.value(drive);
+            let text = shown::outcome_or_dash(outcome, value, system);
+            (outcome, value, text)
+        })
+        .collect();
+    let width = |text: &str| {
+        let number = text.split(' ').next().unwrap_or_default();
+        number.chars().count()
     };
-    let launch = part("launch", OutcomeGroup::Launch);
-    let mut bodies = format!(
-        "  ball velocity {}\n",
-        components(drive.launch.velocity, system)
-    );
+    let widest = texts.iter().map(|(_, _, text)| width(text)).max();
+    let widest = widest.unwrap_or(0);
+    let rows = texts.iter().map(|(outcome, value, text)| {
+        let other = value.map(|value| shown::in_parentheses(*outcome, value, system));
+        // aligns the last digits of the numbers, and their units
+        let indent = " ".repeat(widest - width(text));
+        vec![
+            shown::words(outcome.name()),
+            format!("{indent}{text}"),
+            other.unwrap_or_default(),
+        ]
+    });
+    Table::new([title, "", ""], rows).right([])
+}
+
+/// The velocities of ball and head after impact.
+fn bodies(drive: &Drive<f64>, system: System) -> Vec<Line> {
+    let ball = components(drive.launch.velocity, system);
+    let mut lines = vec![Line::item(format!("ball velocity {ball}"))];
     if let Some(impact) = &drive.impact {
-        bodies += &format!(
-            "  club velocity after impact {}\n",
-            components(impact.club_velocity, system)
-        );
+        let head = components(impact.club_velocity, system);
+        lines.push(Line::item(format!("club velocity after impact {head}")));
         if matches!(impact.grip, Grip::Slips(_)) {
-            bodies += "  the ball slipped on the face\n";
+            lines.push(Line::item("the ball slipped on the face"));
         }
     }
-    match &drive.flight {
-        Flight::Landed(landed) => {
-            let run = note(&on_the_run(landed.rest.as_ref()).in_units(system));
-            format!(
-                "{launch}\n{bodies}\n{}\n{run}",
-                part("flight", OutcomeGroup::Flight)
-            )
-        }
-        Flight::None(why) => {
-            format!(
-                "{launch}\n{bodies}\n{}",
-                paragraph(&why.message().in_units(system))
-            )
-        }
-    }
+    lines
 }
 
-/// The air that the weather of a setup gives, in a line; empty where the air is given by itself.
-pub fn air_text(setup: &Setup<f64>, system: System) -> String {
-    if !setup.air.has_weather() {
-        return String::new();
-    }
+/// The air that the weather of a setup gives; `None` where the air is given by itself.
+fn air(setup: &Setup<f64>) -> Option<Message> {
     let density = AirState::of(&setup.air).density;
-    let told = Message::from("air: the weather gives a density of ");
-    note(
-        &told
-            .quantity(Quantity::DENSITY, "kg/m^3", density, Digits::Significant(5))
-            .in_units(system),
-    )
+    setup.air.has_weather().then(|| {
+        Message::from("air: the weather gives a density of ").quantity(
+            Quantity::DENSITY,
+            "kg/m^3",
+            density,
+            Digits::Significant(5),
+        )
+    })
 }
 
-/// What a run is made of, and what it is worth.
+/// The parts of a run, and its uncertainty.
 fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
-    let told = match rest {
+    let parts = match rest {
         Some(rest) if rest.downrange.is_nan() => {
             return Message::from(format!("run: {}", Outcome::Run.why_undefined()));
         }
         Some(Rest { bounces: 1.., .. }) => "run: bounces, then rolling; ",
         _ => "run: none, the ball embeds; ",
     };
-    Message::from(told).message(known_within())
+    Message::from(parts).message(known_within())
 }
 
-/// How well a total is known, in words.
+/// The uncertainty of a total, in words.
 pub fn known_within() -> Message {
     Message::from("total, run and lateral total are known within ")
         .quantity(Quantity::LENGTH, "yd", RUN_WITHIN, Digits::Significant(2))
@@ -218,7 +253,7 @@ pub fn known_within() -> Message {
 fn components(velocity: Vector<f64>, system: System) -> String {
     let unit = system.unit("m/s");
     let size = Quantity::SPEED.size_of(unit).unwrap_or(1.0);
-    // two decimals, as the paper prints them; rounding has no sign
+    // two decimals, as the paper prints them; the sum turns -0 into 0
     let [up, right, downrange] = velocity
         .to_array()
         .map(|component| (component / size * 100.0).round() / 100.0 + 0.0);

@@ -1,85 +1,150 @@
+use super::document::{Document, Line, Table};
 use super::figures::At;
-use super::lines::{by_reason, item};
-use super::table::table;
-use super::{OptimumReport, Reply, json, shown};
+use super::json::Number;
+use super::lines::by_reason;
+use super::reply::Report;
+use super::{OptimumReport, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
 use crate::study::{Bar, Effect, Effects, Optimum, Sensitivity};
-use crate::units::{Message, System, significant};
+use crate::units::{System, significant};
 use serde::Serialize;
-use serde_json::{Value, json};
 
-/// The sensitivity of an optimum's best value to each parameter, or why there is none.
+/// The sensitivity of an optimum's value to each parameter, or the error.
 pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
 
-/// The effects of all parameters on outcomes as JSON, SI and radians.
+/// The effects of all parameters on outcomes, SI and radians.
 #[derive(Clone, Debug, Serialize)]
-pub struct EffectsReport {
-    /// Each outcome, in the order asked for.
+pub struct EffectsReport<'a> {
+    #[serde(skip)]
+    found: &'a [Effects],
+    #[serde(skip)]
+    totals: Option<(Outcome, &'a Totals)>,
+    /// Each outcome, in the order requested.
     pub outcomes: Vec<OutcomeEffects>,
-    /// The optimum that was asked at; `null` where it was the setup itself.
+    /// The optimum whose drive it is; `null` for the drive as set up.
     pub at_optimum: Option<OptimumReport>,
 }
 
-impl EffectsReport {
-    /// The answer of `sensitivity`.
-    pub fn reply(
-        outcomes: Vec<OutcomeEffects>,
-        best: Option<&Optimum>,
-        warnings: Vec<Message>,
-    ) -> Reply<Self> {
-        Reply::done(
-            "sensitivity",
-            warnings,
-            Self {
-                outcomes,
-                at_optimum: best.map(OptimumReport::new),
-            },
-        )
-    }
-}
-
-/// The effects of all parameters on an outcome as JSON, SI and radians.
+/// The effects of all parameters on an outcome, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct OutcomeEffects {
     /// The outcome.
     pub of: &'static str,
     /// Its value.
-    pub value: Value,
+    pub value: Number,
     /// Its standard uncertainty to first order.
-    pub standard_uncertainty: Value,
-    /// What the first order neglects; drives flown have it in them.
-    pub linearity: Value,
-    /// The parameters, by the size of what their uncertainty does.
-    pub effects: Vec<Value>,
+    pub standard_uncertainty: Number,
+    /// The sum of the second-order terms, which drives flown include.
+    pub linearity: Number,
+    /// The parameters, by the size of their effect.
+    pub effects: Vec<EffectReport>,
+}
+
+/// The effect of a parameter on an outcome; `null` for an uncertainty that it does not have.
+#[derive(Clone, Debug, Serialize)]
+pub struct EffectReport {
+    /// The parameter p.
+    pub parameter: &'static str,
+    /// ∂f/∂p.
+    pub derivative: Number,
+    /// (p/f) ∂f/∂p.
+    pub elasticity: Number,
+    /// The standard uncertainty σ.
+    pub standard_uncertainty: Number,
+    /// The source of σ.
+    pub source: Option<&'static str>,
+    /// σ ∂f/∂p.
+    pub effect: Number,
+    /// ½ σ² ∂²f/∂p².
+    pub second_order: Number,
+    /// The change of f in drives flown at p − σ and p + σ.
+    pub flown: Option<[Number; 2]>,
+    /// d f*/dp of the optimum.
+    pub derivative_of_optimum: Number,
+}
+
+impl<'a> EffectsReport<'a> {
+    /// The report of these effects: of a drive as set up, or of an optimum with the outcome that it
+    /// optimizes and the sensitivities of its value.
+    pub fn new(
+        found: &'a [Effects],
+        best: Option<&Optimum>,
+        totals: Option<(Outcome, &'a Totals)>,
+    ) -> Self {
+        let outcomes = found
+            .iter()
+            .map(|effects| OutcomeEffects::new(effects, totals_of(effects.of, totals)))
+            .collect();
+        Self {
+            found,
+            totals,
+            outcomes,
+            at_optimum: best.map(OptimumReport::new),
+        }
+    }
 }
 
 impl OutcomeEffects {
-    /// The report of an outcome's effects; `totals` where the drive is an optimum of it.
-    pub fn new(effects: &Effects, totals: Option<&Totals>) -> Self {
+    fn new(effects: &Effects, totals: Option<&Totals>) -> Self {
         let effect = |effect: &Effect| {
             let bar = effect.bar.as_ref();
-            json!({
-                "parameter": effect.parameter.name,
-                "derivative": json::number(Some(effect.gradient)),
-                "elasticity": json::number(effect.elasticity),
-                "standard_uncertainty": json::number(bar.map(|bar| bar.sigma.value)),
-                "source": bar.map(|bar| bar.sigma.source.unwrap_or("given")),
-                "effect": json::number(bar.map(|bar| bar.first_order)),
-                "second_order": json::number(bar.and_then(|bar| bar.second_order)),
-                "flown": bar.map(|bar| bar.flown.map(json::number)),
-                "derivative_of_optimum": json::number(total(totals, effect.parameter)),
-            })
+            EffectReport {
+                parameter: effect.parameter.name,
+                derivative: effect.gradient.into(),
+                elasticity: effect.elasticity.into(),
+                standard_uncertainty: bar.map(|bar| bar.sigma.value).into(),
+                source: bar.map(|bar| bar.sigma.source.unwrap_or("given")),
+                effect: bar.map(|bar| bar.first_order).into(),
+                second_order: bar.and_then(|bar| bar.second_order).into(),
+                flown: bar.map(|bar| bar.flown.map(Number::from)),
+                derivative_of_optimum: total(totals, effect.parameter).into(),
+            }
         };
         Self {
             of: effects.of.name(),
-            value: json::number(Some(effects.value)),
-            standard_uncertainty: json::number(Some(effects.standard_uncertainty())),
-            linearity: json::number(Some(effects.linearity())),
+            value: effects.value.into(),
+            standard_uncertainty: effects.standard_uncertainty().into(),
+            linearity: effects.linearity().into(),
             effects: effects.effects.iter().map(effect).collect(),
         }
     }
+}
+
+impl Report for EffectsReport<'_> {
+    const COMMAND: &'static str = "sensitivity";
+
+    /// Each outcome with the effects of uncertainties, then all slopes.
+    fn document(&self, system: System) -> Document {
+        let at = if self.at_optimum.is_some() {
+            At::Optimum
+        } else {
+            At::SetUp
+        };
+        let mut document = Document::default();
+        for effects in self.found {
+            let of = effects.of;
+            let value = shown::both(of, effects.value, system);
+            document.list([Line::flush(format!("{} = {value}, {at}", of.name()))]);
+            let bars: Vec<Bar> = effects
+                .effects
+                .iter()
+                .filter_map(|effect| effect.bar)
+                .collect();
+            if !bars.is_empty() {
+                document.add(uncertainties(effects, &bars, system));
+            }
+            document.add(slopes(effects, totals_of(of, self.totals), system));
+        }
+        document
+    }
+}
+
+/// The sensitivities of an optimum, if it optimizes this outcome.
+fn totals_of(of: Outcome, totals: Option<(Outcome, &Totals)>) -> Option<&Totals> {
+    let (optimized, totals) = totals?;
+    (optimized == of).then_some(totals)
 }
 
 /// d f*/dp of a parameter at the optimum.
@@ -91,105 +156,81 @@ fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
         .map(|sensitivity| sensitivity.value)
 }
 
-/// The effects on an outcome of the drive `at` as text: those of uncertainties first, with what
-/// they neglect, then the other gradients.
-pub fn effects_text(effects: &Effects, totals: Option<&Totals>, at: At, system: System) -> String {
+/// The effects of uncertainties on an outcome, and what the first order neglects.
+fn uncertainties(effects: &Effects, bars: &[Bar], system: System) -> Table {
+    let of = effects.of;
+    let head = [
+        "uncertainty of",
+        "±σ",
+        "effect",
+        "second order",
+        "flown at −σ",
+        "flown at +σ",
+    ];
+    let rows = bars.iter().map(|bar| bar_cells(bar, of, system));
+    let mut table = Table::new(head, rows).right(1..=5);
+    let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
+    let flown = if is_flown {
+        ", which the drives flown at −σ and +σ have in them"
+    } else {
+        ""
+    };
+    table.remark(format!(
+        "together ±{} to first order, if independent; second order adds up to {}{flown}",
+        shown::spread(of, effects.standard_uncertainty(), system),
+        shown::spread(of, effects.linearity(), system),
+    ));
+    let without: Vec<&str> = effects
+        .effects
+        .iter()
+        .filter(|effect| is_without(effects, effect))
+        .map(|effect| effect.parameter.name)
+        .collect();
+    if !without.is_empty() {
+        table.remark(format!(
+            "{} does not depend on {} here",
+            of.name(),
+            without.join(", ")
+        ));
+    }
+    let source = |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
+    for line in by_reason(bars.iter().filter_map(source)) {
+        table.remark(format!("default of {line}"));
+    }
+    table
+}
+
+/// The derivatives of an outcome by all parameters.
+fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
     let of = effects.of;
     let rate = |slope: f64, parameter: &Parameter| {
         shown::slope(of, effects.value, parameter, slope, system, 5)
     };
-    let slopes = |effect: &Effect| {
+    let row = |effect: &Effect| {
         let parameter = effect.parameter;
-        let is_rounding = shown::settled(
-            effect.gradient,
-            effects.value,
-            (of.quantity(), of.unit()),
-            &[parameter],
-        ) == 0.0;
-        let elasticity = effect
-            .elasticity
-            .map(|elasticity| if is_rounding { 0.0 } else { elasticity });
-        let elasticity =
-            elasticity.map_or(shown::NONE.into(), |elasticity| significant(elasticity, 4));
+        let unit = (of.quantity(), of.unit());
+        let gradient = shown::settled(effect.gradient, effects.value, unit, &[parameter]);
+        let elasticity = effect.elasticity.map_or(shown::NONE.into(), |elasticity| {
+            significant(if gradient == 0.0 { 0.0 } else { elasticity }, 4)
+        });
         let mut row = vec![
             parameter.name.into(),
             rate(effect.gradient, parameter),
             elasticity,
         ];
-        let of_optimum =
-            || total(totals, parameter).map_or(shown::NONE.into(), |slope| rate(slope, parameter));
-        row.extend(totals.map(|_| of_optimum()));
+        row.extend(totals.map(|_| {
+            total(totals, parameter).map_or(shown::NONE.into(), |slope| rate(slope, parameter))
+        }));
         row
     };
-    let mut text = format!(
-        "{} = {}, {at}\n",
-        of.name(),
-        shown::both(of, effects.value, system)
-    );
-    let bars: Vec<Bar> = effects
-        .effects
-        .iter()
-        .filter_map(|effect| effect.bar)
-        .collect();
-    if !bars.is_empty() {
-        let head = [
-            "uncertainty of",
-            "±σ",
-            "effect",
-            "second order",
-            "flown at −σ",
-            "flown at +σ",
-        ];
-        text += &format!(
-            "\n{}",
-            table(
-                &head,
-                &[1, 2, 3, 4, 5],
-                bars.iter().map(|bar| bar_cells(bar, of, system))
-            ),
-        );
-        let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
-        text += &item(&format!(
-            "together ±{} to first order, if independent; second order adds up to {}{}",
-            shown::spread(of, effects.standard_uncertainty(), system),
-            shown::spread(of, effects.linearity(), system),
-            if is_flown {
-                ", which the drives flown at −σ and +σ have in them"
-            } else {
-                ""
-            },
-        ));
-        let without: Vec<&str> = effects
-            .effects
-            .iter()
-            .filter(|effect| is_without(effects, effect))
-            .map(|e| e.parameter.name)
-            .collect();
-        if !without.is_empty() {
-            text += &item(&format!(
-                "{} does not depend on {} here",
-                of.name(),
-                without.join(", ")
-            ));
-        }
-        let source = |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
-        for line in by_reason(bars.iter().filter_map(source)) {
-            text += &item(&format!("default of {line}"));
-        }
-    }
-    let head = ["by", "slope", "elasticity"]
-        .into_iter()
-        .chain(totals.map(|_| "slope of the optimum"));
-    let head: Vec<&str> = head.collect();
-    let right: Vec<usize> = (1..head.len()).collect();
-    text + &format!(
-        "\n{}",
-        table(&head, &right, effects.effects.iter().map(slopes))
-    )
+    let mut head = vec!["by", "slope", "elasticity"];
+    head.extend(totals.map(|_| "slope of the optimum"));
+    let columns = head.len();
+    Table::new(head, effects.effects.iter().map(row)).right(1..columns)
 }
 
-/// Whether an outcome does not depend on a parameter with an uncertainty: neither by its
-/// derivatives nor in the drives flown.
+/// An outcome does not depend on a parameter with an uncertainty, neither by its derivatives nor in
+/// the drives flown.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
     let Some(Bar {
         sigma,

@@ -1,67 +1,161 @@
+//! Values of the JSON of a report: numbers with infinities, vectors, values by name.
+
 use crate::atmosphere::in_effect;
 use crate::number::Vector;
 use crate::parameters::{GOLFER, LAW, METHOD, SPEED_OF, Setup, TABLE};
-use serde_json::{Map, Value, json};
+use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 
-/// A number, `null` for one that does not exist. JSON has no infinity: a flat face's radius is
-/// `"inf"`, as setup files write it; a range without a lower end begins at `"-inf"`.
-pub(super) fn number(value: Option<f64>) -> Value {
-    match value {
-        Some(f64::INFINITY) => json!("inf"),
-        Some(f64::NEG_INFINITY) => json!("-inf"),
-        Some(value) if value.is_finite() => json!(value + 0.0),
-        _ => Value::Null,
+/// A number or `null`. JSON has no infinity: a flat face's radius is `"inf"`, as setup files write
+/// it, and a range without a lower end begins at `"-inf"`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Number(pub Option<f64>);
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Self(Some(value))
     }
 }
 
-/// The components of a vector, up, right, downrange.
-pub(super) fn vector(v: Vector<f64>) -> Value {
-    Value::Array(
-        v.to_array()
-            .map(|component| number(Some(component)))
-            .to_vec(),
-    )
+impl From<Option<f64>> for Number {
+    fn from(value: Option<f64>) -> Self {
+        Self(value)
+    }
 }
 
-/// Names with their numbers, in order.
-pub(super) fn named<'a>(
-    pairs: impl IntoIterator<Item = (&'a str, Option<f64>)>,
-) -> Map<String, Value> {
-    pairs
-        .into_iter()
-        .map(|(name, value)| (name.to_owned(), number(value)))
-        .collect()
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Some(f64::INFINITY) => serializer.serialize_str("inf"),
+            Some(f64::NEG_INFINITY) => serializer.serialize_str("-inf"),
+            // the sum turns -0 into 0
+            Some(value) if value.is_finite() => serializer.serialize_f64(value + 0.0),
+            _ => serializer.serialize_none(),
+        }
+    }
+}
+
+/// The components of a vector: up, right, downrange.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Components([Number; 3]);
+
+impl From<Vector<f64>> for Components {
+    fn from(vector: Vector<f64>) -> Self {
+        Self(vector.to_array().map(Number::from))
+    }
+}
+
+/// A range of values; an open end is `"-inf"` or `"inf"`.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Range {
+    /// Lower end, SI.
+    pub low: Number,
+    /// Upper end, SI.
+    pub high: Number,
+}
+
+impl From<[f64; 2]> for Range {
+    fn from([low, high]: [f64; 2]) -> Self {
+        Self {
+            low: low.into(),
+            high: high.into(),
+        }
+    }
+}
+
+/// Values by name, in order: an object of JSON.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ByName<V>(pub Vec<(Cow<'static, str>, V)>);
+
+impl<V> ByName<V> {
+    /// The value of this name.
+    pub fn get(&self, name: &str) -> Option<&V> {
+        let entry = self.0.iter().find(|(other, _)| *other == name);
+        entry.map(|(_, value)| value)
+    }
+}
+
+impl<V, N: Into<Cow<'static, str>>, U: Into<V>> FromIterator<(N, U)> for ByName<V> {
+    fn from_iter<I: IntoIterator<Item = (N, U)>>(pairs: I) -> Self {
+        let pairs = pairs.into_iter();
+        Self(
+            pairs
+                .map(|(name, value)| (name.into(), value.into()))
+                .collect(),
+        )
+    }
+}
+
+impl<V: Serialize> Serialize for ByName<V> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// A matrix of parameters.
+#[derive(Clone, Debug, Serialize)]
+pub struct Matrix {
+    /// The parameters of its rows and columns.
+    pub names: Vec<&'static str>,
+    /// Its rows.
+    pub values: Vec<Vec<Number>>,
+}
+
+impl Matrix {
+    /// The matrix of these parameters with these entries, by row and column.
+    pub(super) fn new<N: Into<Number>>(
+        names: impl IntoIterator<Item = &'static str>,
+        entry: impl Fn(usize, usize) -> N,
+    ) -> Self {
+        let names: Vec<&str> = names.into_iter().collect();
+        let all = 0..names.len();
+        let row = |row: usize| -> Vec<Number> {
+            let entries = all.clone().map(|column| entry(row, column).into());
+            entries.collect()
+        };
+        let values = all.clone().map(row).collect();
+        Self { names, values }
+    }
+}
+
+/// The value of a parameter: a number, or the name of a choice.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Setting {
+    /// A number in SI, or radians.
+    Number(Number),
+    /// The name of a choice, such as a law, or the file of a table.
+    Choice(String),
 }
 
 /// Every parameter of a setup by its dotted name, as the drive has it, with the choices: hand,
 /// point of the club speed, law, method.
-pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
+pub(super) fn settings(setup: &Setup<f64>) -> ByName<Setting> {
     let setup = &in_effect(setup);
-    let mut all = Map::new();
-    all.insert(GOLFER.into(), json!(setup.golfer.name()));
+    let choice = |name: &str| Setting::Choice(name.to_owned());
+    let mut all: Vec<(&'static str, Setting)> = vec![(GOLFER, choice(setup.golfer.name()))];
+    let mut has_law = false;
     for parameter in setup.parameters() {
-        if parameter.law.is_some() && !all.contains_key(LAW) {
-            all.insert(LAW.into(), json!(setup.law.name()));
-            all.extend(
-                setup
-                    .law
-                    .table()
-                    .map(|table| (TABLE.to_owned(), json!(table.file()))),
-            );
+        if parameter.law.is_some() && !has_law {
+            has_law = true;
+            all.push((LAW, choice(setup.law.name())));
+            let table = setup.law.table();
+            all.extend(table.map(|table| (TABLE, choice(table.file()))));
         }
-        all.insert(parameter.name.into(), number(setup.value(parameter)));
+        let value = setup.value(parameter).into();
+        all.push((parameter.name, Setting::Number(value)));
         if parameter.name == "swing.speed" {
-            all.insert(SPEED_OF.into(), json!(setup.speed_of.name()));
+            all.push((SPEED_OF, choice(setup.speed_of.name())));
         }
         if parameter.name == "flight.step" {
-            all.insert(METHOD.into(), json!(setup.method.name()));
+            all.push((METHOD, choice(setup.method.name())));
         }
     }
-    all
+    all.into_iter().collect()
 }
 
 /// The key of a range that a law was fitted to: `spin_ratio`, `spin`, `reynolds`, `speed`.
-pub(super) fn range_key(name: &str) -> &str {
+pub(super) fn range_key(name: &'static str) -> &'static str {
     match name {
         "spin ratio" => "spin_ratio",
         "Reynolds number" => "reynolds",

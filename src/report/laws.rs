@@ -1,82 +1,116 @@
-use super::lines::{item, note};
-use super::{Reply, json};
-use crate::aerodynamics::{AerodynamicLaw, Fitted, Published};
+use super::document::{Document, Line};
+use super::json::Range;
+use super::reply::Report;
+use crate::aerodynamics::{AerodynamicLaw, Fitted};
 use crate::parameters::Law;
 use crate::units::{Message, System};
-use serde_json::{Value, json};
+use serde::Serialize;
 
-/// Every law with its published coefficients and the user's own, where it comes from, and what it
-/// was fitted to.
-fn all(own: Option<Law<f64>>) -> impl Iterator<Item = (Law<f64>, Published, Fitted)> {
-    let laws = Law::NAMES
-        .iter()
-        .filter_map(|name| Law::named(name))
-        .chain(own);
-    laws.map(|law| (law, law.published(), law.fitted()))
+/// The laws of drag and lift: their authors, formulas, and the ranges they were fitted to.
+#[derive(Clone, Debug, Serialize)]
+pub struct LawsReport {
+    /// Each law with its published coefficients, then the user's own.
+    pub laws: Vec<LawReport>,
 }
 
-/// The answer of `laws`.
-pub fn laws_reply(own: Option<Law<f64>>) -> Reply<Value> {
-    let range = |range: Option<[f64; 2]>| {
-        range.map(|[low, high]| json!({ "low": json::number(Some(low)), "high": json::number(Some(high)) }))
-    };
-    let one = |(law, published, fitted): (Law<f64>, Published, Fitted)| {
-        json!({
-            "name": law.name(),
-            "is_default": law.name() == Law::default().name(),
-            "authors": published.authors,
-            "year": published.year,
-            "ball": published.ball,
-            "source": published.source,
-            "formula": law.formula(),
-            "fitted": {
-                "to": Some(fitted.to).filter(|to| !to.is_empty()),
-                "spin_ratio": range(fitted.spin_ratio),
-                "spin": range(fitted.spin),
-                "reynolds": range(fitted.reynolds),
-                "speed": range(fitted.speed),
+/// A law of drag and lift.
+#[derive(Clone, Debug, Serialize)]
+pub struct LawReport {
+    #[serde(skip)]
+    fitted_in_si: Fitted,
+    /// The name by which a setup chooses it.
+    pub name: &'static str,
+    /// It is the law of a setup that chooses none.
+    pub is_default: bool,
+    /// Who published it.
+    pub authors: &'static str,
+    /// The year of publication.
+    pub year: Option<u16>,
+    /// The ball that was measured.
+    pub ball: Option<&'static str>,
+    /// The publication.
+    pub source: &'static str,
+    /// The formulas of C_D and C_L.
+    pub formula: &'static str,
+    /// The ranges it was fitted to.
+    pub fitted: FittedReport,
+}
+
+/// The data that a law was fitted to; `null` where a range is not known.
+#[derive(Clone, Debug, Serialize)]
+pub struct FittedReport {
+    /// The measurements.
+    pub to: Option<&'static str>,
+    /// Spin ratio r ω/v.
+    pub spin_ratio: Option<Range>,
+    /// Spin, rad/s.
+    pub spin: Option<Range>,
+    /// Reynolds number.
+    pub reynolds: Option<Range>,
+    /// Speed through the air, m/s.
+    pub speed: Option<Range>,
+}
+
+impl LawsReport {
+    /// The report of all laws and a user's own.
+    pub fn new(own: Option<Law<f64>>) -> Self {
+        let known = Law::NAMES.iter().filter_map(|name| Law::named(name));
+        let laws = known.chain(own).map(LawReport::new).collect();
+        Self { laws }
+    }
+}
+
+impl Report for LawsReport {
+    const COMMAND: &'static str = "laws";
+
+    fn document(&self, system: System) -> Document {
+        let mut document = Document::default();
+        for law in &self.laws {
+            document.list(law.lines(system));
+        }
+        document
+    }
+}
+
+impl LawReport {
+    fn new(law: Law<f64>) -> Self {
+        let (published, fitted) = (law.published(), law.fitted());
+        let range = |range: Option<[f64; 2]>| range.map(Range::from);
+        Self {
+            fitted_in_si: fitted,
+            name: law.name(),
+            is_default: law.name() == Law::default().name(),
+            authors: published.authors,
+            year: published.year,
+            ball: published.ball,
+            source: published.source,
+            formula: law.formula(),
+            fitted: FittedReport {
+                to: Some(fitted.to).filter(|to| !to.is_empty()),
+                spin_ratio: range(fitted.spin_ratio),
+                spin: range(fitted.spin),
+                reynolds: range(fitted.reynolds),
+                speed: range(fitted.speed),
             },
-        })
-    };
-    Reply::done(
-        "laws",
-        vec![],
-        json!({ "laws": all(own).map(one).collect::<Vec<_>>() }),
-    )
-}
+        }
+    }
 
-/// The laws as text: who published each, its formula, and below it the range, the ball and the
-/// source.
-pub fn laws_text(own: Option<Law<f64>>, system: System) -> String {
-    let one = |(law, published, fitted): (Law<f64>, Published, Fitted)| {
-        let year = published
-            .year
-            .map_or(String::new(), |year| format!(" {year}"));
-        let default = if law.name() == Law::default().name() {
-            " (default)"
-        } else {
-            ""
-        };
-        let range = if fitted == Fitted::UNKNOWN {
+    /// Authors and year; below them formula, range, ball and source.
+    fn lines(&self, system: System) -> [Line; 5] {
+        let year = self.year.map_or(String::new(), |year| format!(" {year}"));
+        let default = if self.is_default { " (default)" } else { "" };
+        let range = if self.fitted_in_si == Fitted::UNKNOWN {
             "fitted to: not known".into()
         } else {
-            fitted
-                .in_words(Message::from(format!("fitted to {}: ", fitted.to)))
-                .in_units(system)
+            let to = Message::from(format!("fitted to {}: ", self.fitted_in_si.to));
+            self.fitted_in_si.in_words(to).in_units(system)
         };
-        item(&format!(
-            "{}{default}: {}{year}",
-            law.name(),
-            published.authors
-        )) + &note(law.formula().trim_end_matches('.'))
-            + &note(&range)
-            + &note(&format!("ball: {}", published.ball.unwrap_or("not stated")))
-            + &note(&format!("source: {}", published.source))
-    };
-    let laws: Vec<String> = all(own).map(one).collect();
-    laws.join("\n")
-        + "\n  choose one with `set aero.law=NAME`; `parameters()` lists the \
-           coefficients\n  \
-           or your own table with `set aero.table=mine.csv`; `plot laws()` \
-           draws them\n"
+        [
+            Line::item(format!("{}{default}: {}{year}", self.name, self.authors)),
+            Line::note(self.formula.trim_end_matches('.')),
+            Line::note(range),
+            Line::note(format!("ball: {}", self.ball.unwrap_or("not stated"))),
+            Line::note(format!("source: {}", self.source)),
+        ]
+    }
 }

@@ -16,13 +16,13 @@ pub(super) fn item(text: &str) -> String {
     indented(text, INDENT, INDENT)
 }
 
-/// What belongs to the line above.
+/// Details of the line above.
 pub(super) fn note(text: &str) -> String {
     indented(text, 3 * INDENT, 3 * INDENT)
 }
 
-/// Why things are left out: those with the same reason in one line, in the order of the first:
-/// "gravity, air.density: the reason".
+/// Reasons for omissions, each once with all names: "gravity, air.density: the reason". They are in
+/// the order of their first name.
 pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
     let mut all: Vec<(String, String)> = vec![];
     for (name, reason) in reasons {
@@ -54,19 +54,6 @@ pub fn remark(text: &str) -> String {
         .map(|line| line.trim_end())
         .collect::<Vec<_>>()
         .join("\n")
-}
-
-/// Breaks the lines of a text that are too wide.
-pub(super) fn broken(text: &str) -> String {
-    let line = |line: &str| {
-        let indent = line.len() - line.trim_start().len();
-        if is_wide(line) {
-            indented(line.trim_start(), indent, indent)
-        } else {
-            format!("{line}\n")
-        }
-    };
-    text.lines().map(line).collect()
 }
 
 fn is_wide(line: &str) -> bool {

@@ -1,12 +1,13 @@
 //! The best drive, or the best design over swings: JSON, text, and setup file.
 
-use super::drive::{flight, launch, law_range};
+use super::drive::{LaunchReport, LawRange, flight, launch, law_range};
+use super::json::{ByName, Number, Setting, settings};
 use super::limits::{self, Limit, Objective, ended_at};
 use super::lines::paragraph;
 use super::swings::{OverSwings, StudiesReport, goals_text, nominal_design, notes_text};
 use super::table::table;
 use super::uncertainty::distribution_text;
-use super::{Reply, json, setup_toml, shown};
+use super::{Reply, setup_toml, shown};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
@@ -15,7 +16,6 @@ use crate::study::swings::Swings;
 use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample, Search, Sense};
 use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
 use serde::Serialize;
-use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 
 /// An optimum as JSON, SI and radians.
@@ -26,21 +26,21 @@ pub struct OptimumReport {
     /// The direction: `maximize` or `minimize`.
     pub sense: &'static str,
     /// Its value; `null` if no drive flies.
-    pub value: Value,
+    pub value: Number,
     /// The parameters varied, at the optimum.
-    pub optimum: Option<Map<String, Value>>,
+    pub optimum: Option<ByName<Number>>,
     /// The parameters varied, at the start, if no point of the search has a value; left out
     /// otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub start: Option<Map<String, Value>>,
+    pub start: Option<ByName<Number>>,
     /// The gradient of the objective at the optimum.
-    pub gradient: Option<Map<String, Value>>,
+    pub gradient: Option<ByName<Number>>,
     /// The multiplier of each bound, ≥ 0: what a unit beyond it would bring.
     pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
     /// The constraints.
     pub constraints: Vec<ConstraintReport>,
     /// The KKT residual, relative.
-    pub kkt_residual: Value,
+    pub kkt_residual: Number,
     /// Iterations of the optimizer.
     pub iterations: u64,
     /// Evaluations of the functions with derivatives.
@@ -53,13 +53,13 @@ pub struct OptimumReport {
     /// The sample of the ranges that the optimum was compared with; `null` without one.
     pub sample: Option<Sample>,
     /// Every parameter at the optimum; `null`, as launch and flight, if no drive flies.
-    pub setup: Option<Map<String, Value>>,
+    pub setup: Option<ByName<Setting>>,
     /// The launch of the best drive; `null` over swings.
-    pub launch: Option<Map<String, Value>>,
+    pub launch: Option<LaunchReport>,
     /// Its flight; `null` over swings.
-    pub flight: Option<Map<String, Value>>,
+    pub flight: Option<ByName<Number>>,
     /// The range that the law was fitted to, and the part of the best drive's flight outside of it.
-    pub law_range: Option<Map<String, Value>>,
+    pub law_range: Option<ByName<Option<LawRange>>>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
     /// Results over swings; left out for one drive.
@@ -67,7 +67,56 @@ pub struct OptimumReport {
     pub swings: Option<StudiesReport>,
     /// The limits of a design; left out for other searches.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub design: Option<Value>,
+    pub design: Option<DesignReport>,
+}
+
+/// The limits of a design, and what it changes.
+#[derive(Clone, Debug, Serialize)]
+pub struct DesignReport {
+    /// The rules: `golf` or `none`.
+    pub rules: &'static str,
+    /// The assumptions, in sentences.
+    pub notes: Vec<String>,
+    /// The parameters varied, as set up.
+    pub as_set_up: ByName<Number>,
+    /// The goals, as set up and with the best design.
+    pub parts: Vec<GoalReport>,
+    /// The rules and limits.
+    pub held: Vec<LimitReport>,
+}
+
+/// A goal, as set up and with the best design.
+#[derive(Clone, Debug, Serialize)]
+pub struct GoalReport {
+    /// The goal.
+    pub goal: String,
+    /// Its value as set up.
+    pub as_set_up: Number,
+    /// Its value with the best design.
+    pub best: Number,
+}
+
+/// A rule or limit of a design.
+#[derive(Clone, Debug, Serialize)]
+pub struct LimitReport {
+    /// Its name.
+    pub name: String,
+    /// The limited expression.
+    pub expression: String,
+    /// The source of the rule; `null` for a limit that was given.
+    pub source: Option<&'static str>,
+    /// The kind: `bound`, `limit`, `value` or `unknown`.
+    pub by: &'static str,
+    /// The lower limit; `null` without one.
+    pub low: Number,
+    /// The upper limit; `null` without one.
+    pub high: Number,
+    /// The value of the expression.
+    pub value: Number,
+    /// The distance from the nearer limit.
+    pub margin: Number,
+    /// The multiplier of an active limit.
+    pub price: Number,
 }
 
 /// A constraint at an optimum.
@@ -107,9 +156,9 @@ pub struct LocalReport {
     /// The status of the searches that ended here.
     pub status: &'static str,
     /// The objective; `null` if no drive flies.
-    pub value: Value,
+    pub value: Number,
     /// The parameters varied.
-    pub optimum: Map<String, Value>,
+    pub optimum: ByName<Number>,
     /// The number of starts that led here.
     pub starts: usize,
 }
@@ -120,11 +169,11 @@ impl LocalReport {
         let vary = &optima.best.search.vary;
         let one = |local: &LocalOptimum| {
             let names = vary.iter().map(|vary| vary.parameter.name);
-            let x = local.solution.x.iter().map(|x| Some(*x));
+            let x = local.solution.x.iter().copied();
             Self {
                 status: local.status(),
-                value: json::number(local.value),
-                optimum: json::named(names.zip(x)),
+                value: local.value.into(),
+                optimum: names.zip(x).collect(),
                 starts: local.starts.len(),
             }
         };
@@ -168,9 +217,9 @@ impl OptimumReport {
     pub fn new(optimum: &Optimum) -> Self {
         let (solution, vary) = (&optimum.solution, &optimum.search.vary);
         let found = optimum.value().is_some();
-        let by_name = |values: &[f64]| {
+        let by_name = |values: &[f64]| -> ByName<Number> {
             let names = vary.iter().map(|vary| vary.parameter.name);
-            json::named(names.zip(values.iter().map(|value| Some(*value))))
+            names.zip(values.iter().copied()).collect()
         };
         let multipliers = |i: usize| {
             let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
@@ -180,19 +229,19 @@ impl OptimumReport {
         Self {
             objective: optimum.search.of.expression.clone(),
             sense: optimum.search.sense.name(),
-            value: json::number(optimum.value()),
+            value: optimum.value().into(),
             optimum: found.then(|| by_name(&solution.x)),
             start: (!found).then(|| by_name(&solution.x)),
             gradient: found.then(|| by_name(&optimum.gradient())),
             multipliers: found.then(|| (0..vary.len()).map(multipliers).collect()),
             constraints: constraints(optimum),
-            kkt_residual: json::number(found.then_some(solution.kkt_residual)),
+            kkt_residual: found.then_some(solution.kkt_residual).into(),
             iterations: solution.iterations,
             evaluations: solution.evaluations,
             steps: solution.effort,
             optima: None,
             sample: optimum.sample,
-            setup: found.then(|| json::setup(&optimum.setup)),
+            setup: found.then(|| settings(&optimum.setup)),
             launch: drive.map(launch),
             flight: drive.and_then(flight),
             law_range: drive.and_then(|drive| law_range(&optimum.setup, drive)),

@@ -1,158 +1,215 @@
-use super::lines::{item, note};
-use super::{Reply, json};
+use super::document::{Document, Line, Table};
+use super::json::Number;
+use super::reply::Report;
 use crate::atmosphere::in_effect;
 use crate::parameters::{
     GOLFER, Kind, LAW, Law, METHOD, Method, Parameter, SPEED_OF, Setup, TABLE, TABLE_LAW, TURF,
     TURFS, UNSET,
 };
-use crate::units::{Message, System};
-use serde_json::{Value, json};
+use crate::units::System;
+use serde::Serialize;
 
-/// The rows of a setup with the values that the drive has, and then those of the laws it does not
-/// fly.
-fn rows(setup: &Setup<f64>) -> Vec<(&'static Parameter, Option<f64>)> {
-    let setup = &in_effect(setup);
-    let own = setup
-        .parameters()
-        .into_iter()
-        .map(|parameter| (parameter, setup.value(parameter)));
-    let others = Law::all_rows().filter(|row| row.law != Some(setup.law.name()));
-    own.chain(others.map(|parameter| (parameter, parameter.default_value())))
-        .collect()
+/// Every parameter with its value in a setup.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParametersReport<'a> {
+    #[serde(skip)]
+    setup: &'a Setup<f64>,
+    /// The law of drag and lift of the setup.
+    pub law: &'static str,
+    /// All laws.
+    pub laws: &'static [&'static str],
+    /// The parameters of the setup, then those of the other laws.
+    pub parameters: Vec<ParameterReport>,
 }
 
-/// The answer of `parameters`: every parameter with its value in a setup.
-pub fn parameters_reply(setup: &Setup<f64>, warnings: Vec<Message>) -> Reply<Value> {
-    let end = |value: f64| json::number(Some(value));
-    let row = |(parameter, value): &(&'static Parameter, Option<f64>)| {
-        let range = parameter.range;
-        json!({
-            "parameter": parameter.name,
-            "symbol": parameter.symbol,
-            "unit": parameter.quantity.si,
-            "shown_in": parameter.unit,
-            "value": json::number(*value),
-            "default": json::number(parameter.default_value()),
-            "source": parameter.source,
-            "range": {
-                "low": end(range.low), "low_included": range.low_included,
-                "high": end(range.high), "high_included": range.high_included,
+/// A parameter with its value in a setup.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParameterReport {
+    #[serde(skip)]
+    row: &'static Parameter,
+    /// Its dotted name.
+    pub parameter: &'static str,
+    /// Its symbol in docs/model.md.
+    pub symbol: &'static str,
+    /// Its SI unit.
+    pub unit: &'static str,
+    /// The unit in which texts show it.
+    pub shown_in: &'static str,
+    /// Its value in the setup; `null` where it is unset.
+    pub value: Number,
+    /// Its default.
+    pub default: Number,
+    /// The source of the default.
+    pub source: &'static str,
+    /// The values it may have.
+    pub range: ParameterRange,
+    /// `required`, `optional` (it may be unset), or `setting` (of the numerics).
+    pub kind: &'static str,
+    /// The law whose coefficient it is.
+    pub law: Option<&'static str>,
+    /// Its meaning.
+    pub doc: &'static str,
+}
+
+/// The values that a parameter may have.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParameterRange {
+    /// Lower end, SI.
+    pub low: Number,
+    /// The lower end is allowed.
+    pub low_included: bool,
+    /// Upper end, SI.
+    pub high: Number,
+    /// The upper end is allowed.
+    pub high_included: bool,
+}
+
+impl<'a> ParametersReport<'a> {
+    /// The report of a setup: its parameters as the drive has them, then those of the laws that it
+    /// does not fly.
+    pub fn new(setup: &'a Setup<f64>) -> Self {
+        let effective = &in_effect(setup);
+        let own = effective
+            .parameters()
+            .into_iter()
+            .map(|row| ParameterReport::new(row, effective.value(row)));
+        let others = Law::all_rows()
+            .filter(|row| row.law != Some(effective.law.name()))
+            .map(|row| ParameterReport::new(row, row.default_value()));
+        Self {
+            setup,
+            law: setup.law.name(),
+            laws: Law::NAMES,
+            parameters: own.chain(others).collect(),
+        }
+    }
+}
+
+impl ParameterReport {
+    fn new(row: &'static Parameter, value: Option<f64>) -> Self {
+        let range = row.range;
+        Self {
+            row,
+            parameter: row.name,
+            symbol: row.symbol,
+            unit: row.quantity.si,
+            shown_in: row.unit,
+            value: value.into(),
+            default: row.default_value().into(),
+            source: row.source,
+            range: ParameterRange {
+                low: range.low.into(),
+                low_included: range.low_included,
+                high: range.high.into(),
+                high_included: range.high_included,
             },
-            "kind": match parameter.kind {
+            kind: match row.kind {
                 Kind::Required => "required",
                 Kind::Optional => "optional",
                 Kind::Setting => "setting",
             },
-            "law": parameter.law,
-            "doc": parameter.doc,
-        })
-    };
-    let parameters: Vec<Value> = rows(setup).iter().map(row).collect();
-    let body = json!({ "law": setup.law.name(), "laws": Law::NAMES, "parameters": parameters });
-    Reply::done("parameters", warnings, body)
+            law: row.law,
+            doc: row.doc,
+        }
+    }
 }
 
-/// Every parameter with its value in a setup, as text: a line of numbers each, and below it the
-/// symbol and the meaning.
-pub fn parameters_text(setup: &Setup<f64>, system: System) -> String {
-    let (mine, others): (Vec<_>, Vec<_>) = rows(setup)
-        .into_iter()
-        .partition(|(row, _)| row.law.is_none_or(|law| law == setup.law.name()));
-    let mut text = listing("parameter", &mine, system);
+impl Report for ParametersReport<'_> {
+    const COMMAND: &'static str = "parameters";
+
+    /// The numbers of a parameter in a row, and below it symbol and meaning; then the choices, and
+    /// the coefficients of the other laws.
+    fn document(&self, system: System) -> Document {
+        let (own, others): (Vec<_>, Vec<_>) = self
+            .parameters
+            .iter()
+            .partition(|one| one.law.is_none_or(|law| law == self.law));
+        let mut document = Document::default();
+        document.add(listing("parameter", &own, system));
+        for choice in choices(self.setup) {
+            document.list([Line::item(choice)]);
+        }
+        document.list([Line::item(format!(
+            "{LAW} = {} here; the coefficients of the other laws:",
+            self.law
+        ))]);
+        for law in Law::NAMES.iter().copied().chain([TABLE_LAW]) {
+            let of_law: Vec<_> = others
+                .iter()
+                .copied()
+                .filter(|one| one.law == Some(law))
+                .collect();
+            if of_law.is_empty() {
+                continue;
+            }
+            if law == TABLE_LAW {
+                let title = format!("{TABLE_LAW}, your own {TABLE}");
+                document.add(listing(&title, &of_law, system));
+            } else {
+                document.add(listing(law, &of_law, system));
+            }
+        }
+        document
+    }
+}
+
+/// The choices of a setup that are no numbers, each with its alternatives.
+fn choices(setup: &Setup<f64>) -> [String; 4] {
     let methods = Method::ALL
         .iter()
         .map(|method| format!("{} (order {})", method.name(), method.order()));
-    text += &format!(
-        "\n{}",
-        item(&format!(
+    let turfs = TURFS
+        .iter()
+        .map(|turf| format!("{} ({})", turf.name, turf.about));
+    [
+        format!(
             "{METHOD} = {} here; the methods are {}",
             setup.method.name(),
             methods.collect::<Vec<_>>().join(", ")
-        ))
-    );
-    let golfer = format!(
-        "{GOLFER} = {} here; right or left, by the hand: swing, strike and club of a left-hander \
-         are the mirror image of a right-hander's",
-        setup.golfer.name()
-    );
-    text += &format!("\n{}", item(&golfer));
-    let speed_of = format!(
-        "{SPEED_OF} = {} here; centre-of-mass or face-centre, the point of the head whose speed, \
-         attack angle and path the swing states \
-         (they differ where swing.closure turns the head)",
-        setup.speed_of.name()
-    );
-    text += &format!("\n{}", item(&speed_of));
-    let turfs = TURFS
-        .iter()
-        .map(|turf| format!("{} ({})", turf.name, turf.about))
-        .collect::<Vec<_>>()
-        .join("; ");
-    let here = setup.turf().map_or("none of them", |turf| turf.name);
-    let told = format!(
-        "{TURF} sets ground.restitution, ground.friction, ground.compliance and ground.rolling at \
-         once ({here} here): {turfs}"
-    );
-    text += &format!("\n{}", item(&told));
-    text += &format!(
-        "\n  {LAW} = {} here; the coefficients of the other laws:\n",
-        setup.law.name()
-    );
-    for law in Law::NAMES.iter().copied().chain([TABLE_LAW]) {
-        let of_law: Vec<_> = others
-            .iter()
-            .copied()
-            .filter(|(row, _)| row.law == Some(law))
-            .collect();
-        if !of_law.is_empty() {
-            let title = if law == TABLE_LAW {
-                format!("{TABLE_LAW}, your own {TABLE}")
-            } else {
-                law.into()
-            };
-            text += &format!("\n{}", listing(&title, &of_law, system));
-        }
-    }
-    text
+        ),
+        format!(
+            "{GOLFER} = {} here; right or left, by the hand: swing, strike and club of a \
+             left-hander are the mirror image of a right-hander's",
+            setup.golfer.name()
+        ),
+        format!(
+            "{SPEED_OF} = {} here; centre-of-mass or face-centre, the point of the head whose \
+             speed, attack angle and path the swing states (they differ where swing.closure turns \
+             the head)",
+            setup.speed_of.name()
+        ),
+        format!(
+            "{TURF} sets ground.restitution, ground.friction, ground.compliance and \
+             ground.rolling at once ({} here): {}",
+            setup.turf().map_or("none of them", |turf| turf.name),
+            turfs.collect::<Vec<_>>().join("; ")
+        ),
+    ]
 }
 
-fn listing(title: &str, rows: &[(&'static Parameter, Option<f64>)], system: System) -> String {
-    let head = [title, "value", "default", "range"].map(str::to_owned);
-    let line = |(parameter, value): &(&'static Parameter, Option<f64>)| {
-        let unit = system.unit(parameter.unit);
-        let show = |value: Option<f64>| {
-            value.map_or(UNSET.into(), |value| parameter.quantity.show(value, unit))
+/// Parameters with value, default and range; symbol and meaning below each.
+fn listing(title: &str, all: &[&ParameterReport], system: System) -> Table {
+    let cells = |one: &&ParameterReport| {
+        let (row, quantity) = (one.row, one.row.quantity);
+        let unit = system.unit(row.unit);
+        let show = |value: Number| {
+            value
+                .0
+                .map_or(UNSET.into(), |value| quantity.show(value, unit))
         };
-        let range = parameter.range.show(parameter.quantity, unit);
-        [
-            parameter.name.into(),
-            show(*value),
-            show(parameter.default_value()),
-            range,
+        vec![
+            row.name.into(),
+            show(one.value),
+            show(one.default),
+            row.range.show(quantity, unit),
         ]
     };
-    let lines: Vec<[String; 4]> = std::iter::once(head).chain(rows.iter().map(line)).collect();
-    let width = |column: usize| {
-        lines
-            .iter()
-            .map(|line| line[column].chars().count())
-            .max()
-            .unwrap_or(0)
+    let meaning = |one: &&ParameterReport| {
+        let meaning = one.doc.trim_end_matches('.');
+        format!("{}: {meaning}", one.symbol)
     };
-    let [names, values, defaults] = [width(0), width(1), width(2)];
-    let lines = lines.iter().map(|[name, value, default, range]| {
-        format!("  {name:<names$}  {value:>values$}  {default:>defaults$}  {range}\n")
-    });
-    // below the head nothing, below each line what it means
-    let meanings = rows.iter().map(|(parameter, _)| {
-        note(&format!(
-            "{}: {}",
-            parameter.symbol,
-            parameter.doc.trim_end_matches('.')
-        ))
-    });
-    lines
-        .zip(std::iter::once(String::new()).chain(meanings))
-        .map(|(line, meaning)| line + &meaning)
-        .collect()
+    let head = [title, "value", "default", "range"];
+    Table::new(head, all.iter().map(cells))
+        .right([1, 2])
+        .with_row_notes(all.iter().map(meaning).collect())
 }

@@ -1,13 +1,14 @@
-use super::lines::paragraph;
+use super::document::{Document, Line, Table};
+use super::json::{ByName, Number};
+use super::reply::{Ending, Report};
+use super::shown;
 use super::swings::ScenariosReport;
-use super::table::table;
-use super::{Reply, json, shown};
 use crate::error::{Error, Result};
 use crate::parameters::Preset;
 use crate::study::Active;
 use crate::study::swings::{Pareto, ParetoPoint};
-use crate::units::{Message, System, counted, per, significant};
-use serde_json::{Value, json};
+use crate::units::{System, counted, per, significant};
+use serde::Serialize;
 
 /// The role of a point of a front: an end, or the knee.
 pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
@@ -25,47 +26,127 @@ pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
     }
 }
 
-/// The answer of `pareto`.
-pub fn pareto_reply(found: &Pareto, warnings: Vec<Message>, file: Option<String>) -> Reply<Value> {
-    let search = &found.search;
-    let names = || search.vary.iter().map(|vary| vary.parameter.name);
-    let values = |values: &[f64; 2]| values.map(|value| json::number(Some(value)));
-    let goals = search
-        .goals
-        .iter()
-        .map(|(goal, sense)| json!({ "expression": goal.expression, "sense": sense.name(), "unit": goal.quantity.si }));
-    let point = |(place, point): (usize, &ParetoPoint)| {
-        let bounds = point
-            .active
-            .iter()
-            .filter_map(|active| Some((active.name.clone(), active.end?.into())));
-        json!({
-            "values": values(&point.goals),
-            "design": json::named(names().zip(point.design.iter().map(|x| Some(*x)))),
-            "slope": json::number(point.slope),
-            "role": role(found, place),
-            "active": point.active.iter().map(|active| active.name.as_str()).collect::<Vec<_>>(),
-            "bounds": Value::Object(bounds.collect()),
-            "event": point.event,
-        })
-    };
-    let swings = (!found.scenarios.is_one_drive()).then(|| ScenariosReport::new(&found.scenarios));
-    let body = json!({
-        "goals": goals.collect::<Vec<_>>(),
-        "points": found.points.iter().enumerate().map(point).collect::<Vec<_>>(),
-        "knee": found.knee,
-        "bend": json::number(Some(found.bend)),
-        "as_set_up": found.as_set_up.as_ref().map(values),
-        "dominated": found.dominated,
-        "swings": swings,
-        "file": file,
-    });
-    let message = found.ended.clone().or_else(|| found.no_knee());
-    Reply::done("pareto", warnings, body).ended(found.status(), message)
+/// The front of two goals, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParetoReport<'a> {
+    #[serde(skip)]
+    found: &'a Pareto,
+    /// The two goals.
+    pub goals: Vec<ParetoGoalReport>,
+    /// The points, from the best of the first goal to that of the second.
+    pub points: Vec<ParetoPointReport>,
+    /// The place of the knee in `points`; `null` without one.
+    pub knee: Option<usize>,
+    /// The distance of the knee from the straight line between the ends, as a part of their
+    /// distance, with both goals scaled from one end to the other.
+    pub bend: Number,
+    /// The goals as set up; `null` if a swing does not fly.
+    pub as_set_up: Option<[Number; 2]>,
+    /// Number of points left out, since others are better in both goals.
+    pub dominated: usize,
+    /// The swings; `null` for one drive.
+    pub swings: Option<ScenariosReport>,
+    /// The file that was written; `null` without one.
+    pub file: Option<String>,
 }
 
-/// The front as a table, with notes on its knee and slope.
-pub fn pareto_text(found: &Pareto, system: System) -> String {
+/// A goal of a front.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParetoGoalReport {
+    /// The goal.
+    pub expression: String,
+    /// `maximize` or `minimize`.
+    pub sense: &'static str,
+    /// Its SI unit.
+    pub unit: &'static str,
+}
+
+/// A point of a front.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParetoPointReport {
+    /// The values of the goals.
+    pub values: [Number; 2],
+    /// The parameters varied.
+    pub design: ByName<Number>,
+    /// The change of the first goal for each unit of the second, along the front.
+    pub slope: Number,
+    /// The role: an end, or the knee.
+    pub role: Option<String>,
+    /// The active bounds and constraints.
+    pub active: Vec<String>,
+    /// The bound of each parameter at one, `lower` or `upper`.
+    pub bounds: ByName<&'static str>,
+    /// The change of the active bounds and constraints here.
+    pub event: Option<String>,
+}
+
+impl<'a> ParetoReport<'a> {
+    /// The report of a front.
+    pub fn new(found: &'a Pareto) -> Self {
+        let goals = found.search.goals.iter();
+        let goals = goals.map(|(goal, sense)| ParetoGoalReport {
+            expression: goal.expression.clone(),
+            sense: sense.name(),
+            unit: goal.quantity.si,
+        });
+        let points = found.points.iter().enumerate();
+        let points = points.map(|(place, point)| ParetoPointReport::new(found, place, point));
+        let has_swings = !found.scenarios.is_one_drive();
+        Self {
+            found,
+            goals: goals.collect(),
+            points: points.collect(),
+            knee: found.knee,
+            bend: found.bend.into(),
+            as_set_up: found.as_set_up.map(|goals| goals.map(Number::from)),
+            dominated: found.dominated,
+            swings: has_swings.then(|| ScenariosReport::new(&found.scenarios)),
+            file: None,
+        }
+    }
+}
+
+impl ParetoPointReport {
+    fn new(found: &Pareto, place: usize, point: &ParetoPoint) -> Self {
+        let names = found.search.vary.iter().map(|vary| vary.parameter.name);
+        let active = point.active.iter();
+        let bounds = active
+            .clone()
+            .filter_map(|active| Some((active.name.clone(), active.end?)));
+        Self {
+            values: point.goals.map(Number::from),
+            design: names.zip(point.design.iter().copied()).collect(),
+            slope: point.slope.into(),
+            role: role(found, place),
+            bounds: bounds.collect(),
+            active: active.map(|active| active.name.clone()).collect(),
+            event: point.event.clone(),
+        }
+    }
+}
+
+impl Report for ParetoReport<'_> {
+    const COMMAND: &'static str = "pareto";
+
+    fn ending(&self) -> Ending {
+        let found = self.found;
+        Ending {
+            status: found.status(),
+            message: found.ended.clone().or_else(|| found.no_knee()),
+        }
+    }
+
+    /// The front, with notes on its knee and slope.
+    fn document(&self, system: System) -> Document {
+        let mut document = Document::default();
+        document.add(front(self.found, system));
+        document.list(notes(self.found, system).into_iter().map(Line::flush));
+        document
+    }
+}
+
+/// The points of a front.
+fn front(found: &Pareto, system: System) -> Table {
     let search = &found.search;
     let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);
     let kinds = [first, second].map(|goal| (goal.quantity, goal.unit));
@@ -104,7 +185,13 @@ pub fn pareto_text(found: &Pareto, system: System) -> String {
         .chain(names)
         .chain(["slope", "remarks"])
         .collect();
-    let right: Vec<usize> = (0..head.len() - 1).collect();
+    let remarks = head.len() - 1;
+    Table::new(head, rows).right(0..remarks)
+}
+
+/// The notes of a front: swings, slope, knee, goals as set up, omissions.
+fn notes(found: &Pareto, system: System) -> Vec<String> {
+    let [first, second] = found.search.goals.each_ref().map(|(goal, _)| goal);
     let mut notes = vec![];
     if !found.scenarios.is_one_drive() {
         notes.push(format!(
@@ -151,8 +238,7 @@ pub fn pareto_text(found: &Pareto, system: System) -> String {
         ));
     }
     notes.extend(found.ended.clone());
-    let notes: String = notes.iter().map(|note| paragraph(note)).collect();
-    format!("{}\n{notes}", table(&head, &right, rows))
+    notes
 }
 
 /// The front as CSV, SI and radians; the head names the unit of each column.

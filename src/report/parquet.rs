@@ -20,7 +20,7 @@ const TAIL: usize = 8;
 /// Most bytes of the distinct values of a column that are kept once instead of in every row.
 const MOST_DISTINCT: usize = 64 << 10;
 
-/// What a column holds.
+/// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A number in every row; few distinct ones are kept once.
@@ -56,7 +56,7 @@ pub(super) struct ParquetTable {
 pub struct ParquetGroup {
     /// Its columns.
     pub bytes: Vec<u8>,
-    /// What a file's foot says about it, as if it stood alone in a file.
+    /// The footer that the column would have as a file of its own.
     pub metadata: Vec<u8>,
 }
 
@@ -244,7 +244,7 @@ fn present<T>(cells: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
     (cells.into_iter().flatten().collect(), levels)
 }
 
-/// The metadata at the end of a file: its length stands in four of the last eight bytes.
+/// The metadata at the end of a file. Four of the last eight bytes state their length.
 fn metadata_of(file: &[u8]) -> Vec<u8> {
     let end = file.len() - TAIL;
     let length = file[end..end + 4]

@@ -1,164 +1,174 @@
-use super::{Reply, json, shown, table::table};
+use super::document::{Document, Table};
+use super::json::{ByName, Setting, settings};
+use super::reply::Report;
+use super::shown;
 use crate::error::Result;
 use crate::parameters::{
     GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, SPEED_OF, Setup, TABLE, UNSET,
 };
 use crate::units::System;
-use serde_json::{Value, json};
+use serde::Serialize;
+use std::borrow::Cow;
 
-/// The source of a parameter's value in a preset: its own, or the table's where the preset does not
-/// change it.
-pub(super) fn sourced(
-    preset: &Preset,
-    setup: &Setup<f64>,
-) -> Vec<(&'static str, String, &'static str)> {
+/// A value of a setup with its source.
+#[derive(Clone, Debug)]
+pub(super) struct SourcedValue {
+    /// The parameter or choice.
+    pub name: &'static str,
+    /// Its value as text.
+    pub value: String,
+    /// The source of the value, or a remark.
+    pub source: Cow<'static, str>,
+}
+
+impl SourcedValue {
+    fn new(
+        name: &'static str,
+        value: impl Into<String>,
+        source: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self {
+            name,
+            value: value.into(),
+            source: source.into(),
+        }
+    }
+}
+
+/// The choices of a setup that are no numbers.
+struct Choices {
+    golfer: SourcedValue,
+    speed_of: SourcedValue,
+    method: SourcedValue,
+    law: SourcedValue,
+    /// The table of a user's own law.
+    table: Option<SourcedValue>,
+}
+
+impl Choices {
+    /// Inserts the choices beside the numbers that they belong to: the golfer first, the point of
+    /// the club speed behind it, the method before the step, the law before its coefficients.
+    fn insert_into(self, rows: &mut Vec<SourcedValue>) {
+        let place = |rows: &[SourcedValue], is: &dyn Fn(&str) -> bool| {
+            let place = rows.iter().position(|row| is(row.name));
+            place.unwrap_or(rows.len())
+        };
+        let law_at = place(rows, &|name| name.starts_with("aero."));
+        rows.splice(law_at..law_at, [self.law].into_iter().chain(self.table));
+        let method_at = place(rows, &|name| name == "flight.step");
+        rows.insert(method_at, self.method);
+        let speed = rows.iter().position(|row| row.name == "swing.speed");
+        rows.insert(speed.map_or(0, |at| at + 1), self.speed_of);
+        rows.insert(0, self.golfer);
+    }
+}
+
+/// The values of a preset with their sources: the preset's own, or those of the table of parameters
+/// for values that it does not change.
+pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> {
     let entry = |name: &str| preset.entries.iter().find(|entry| entry.name == name);
     let mut rows: Vec<_> = setup
         .parameters()
         .into_iter()
-        .map(|row| {
-            let shown = entry(row.name).map_or(row.default, |entry| entry.value);
-            (
-                row.name,
-                shown.to_owned(),
-                entry(row.name).map_or(row.source, |entry| entry.source),
-            )
+        .map(|row| match entry(row.name) {
+            Some(entry) => SourcedValue::new(row.name, entry.value, entry.source),
+            None => SourcedValue::new(row.name, row.default, row.source),
         })
         .collect();
-    let law_at = rows
-        .iter()
-        .position(|(name, ..)| name.starts_with("aero."))
-        .unwrap_or(rows.len());
-    let source = entry(LAW).map_or(
+    let law = entry(LAW).map_or(
         "fitted to what launch monitors predict; smooth, with the right apex and descent",
         |entry| entry.source,
     );
-    rows.insert(law_at, (LAW, setup.law.name().into(), source));
-    let method_at = rows
-        .iter()
-        .position(|(name, ..)| *name == "flight.step")
-        .unwrap_or(rows.len());
-    let source = entry(METHOD).map_or("the classical method, which the sources use", |entry| {
+    let method = entry(METHOD).map_or("the classical method, which the sources use", |entry| {
         entry.source
     });
-    rows.insert(method_at, (METHOD, setup.method.name().into(), source));
-    let speed_at = after_speed(&rows);
-    rows.insert(
-        speed_at,
-        (
+    let choices = Choices {
+        golfer: SourcedValue::new(
+            GOLFER,
+            setup.golfer.name(),
+            "right-handed, as the golfers of the sources",
+        ),
+        speed_of: SourcedValue::new(
             SPEED_OF,
-            setup.speed_of.name().into(),
+            setup.speed_of.name(),
             "as radars state it, within millimetres",
         ),
-    );
-    let source = "right-handed, as the golfers of the sources";
-    rows.insert(0, (GOLFER, setup.golfer.name().into(), source));
+        method: SourcedValue::new(METHOD, setup.method.name(), method),
+        law: SourcedValue::new(LAW, setup.law.name(), law),
+        table: None,
+    };
+    choices.insert_into(&mut rows);
     rows
 }
 
-/// Where each number of a setup comes from: its name, its value and its source, in the units of a
-/// system, or without one as they are typed. A number that differs from the preset's is the asker's
-/// own.
-pub fn sources(
+/// The values of a setup with their sources, in the units of a system, or without one as they are
+/// typed. A number that differs from the preset's is the user's own.
+pub(super) fn sources(
     setup: &Setup<f64>,
     preset: &Preset,
     system: Option<System>,
-) -> Result<Vec<(&'static str, String, String)>> {
+) -> Result<Vec<SourcedValue>> {
     let base = Setup::preset(preset.name)?;
     let known = sourced(preset, &base);
-    let source = |name: &str, is_kept: bool| {
-        let known = known.iter().find(|(known, ..)| *known == name);
-        match known {
-            Some((.., source)) if is_kept => (*source).to_owned(),
-            Some((_, shown, _)) => {
-                let row = base.parameter(name).ok();
-                let number = row
-                    .zip(system)
-                    .map(|(row, system)| shown::set(row, base.value(row), system));
-                format!(
-                    "as given, instead of {}",
-                    number.unwrap_or_else(|| shown.clone())
-                )
-            }
-            None => "as given".into(),
+    let source = |name: &str, is_kept: bool| -> Cow<'static, str> {
+        let Some(known) = known.iter().find(|known| known.name == name) else {
+            return "as given".into();
+        };
+        if is_kept {
+            return known.source.clone();
         }
+        let number = base
+            .parameter(name)
+            .ok()
+            .zip(system)
+            .map(|(row, system)| shown::set(row, base.value(row), system));
+        format!(
+            "as given, instead of {}",
+            number.unwrap_or_else(|| known.value.clone())
+        )
+        .into()
     };
     let set = |row: &Parameter, value: Option<f64>| match system {
         Some(system) => shown::set(row, value, system),
         None => row.show(value),
     };
+    let number = |row: &'static Parameter| {
+        let value = setup.value(row);
+        // a coefficient of another law than the preset's has its own source
+        let source = match base.parameter(row.name) {
+            Ok(known) => source(row.name, base.value(known) == value),
+            Err(_) if value == row.default_value() => row.source.into(),
+            Err(_) => format!("as given, instead of {}", set(row, row.default_value())).into(),
+        };
+        SourcedValue::new(row.name, set(row, value), source)
+    };
+    let choice = |name: &'static str, own: &str, of_preset: &str| {
+        SourcedValue::new(name, own, source(name, own == of_preset))
+    };
     let mut rows: Vec<_> = setup
         .parameters()
         .into_iter()
-        // what follows from other parameters is not given beside them
+        // a parameter that follows from others is not given
         .filter(|row| setup.why_replaced(row).is_none())
-        .map(|row| {
-            let value = setup.value(row);
-            // a coefficient of another law than the preset's has its own source
-            let source = match base.parameter(row.name) {
-                Ok(known) => source(row.name, base.value(known) == value),
-                Err(_) if value == row.default_value() => row.source.to_owned(),
-                Err(_) => format!("as given, instead of {}", set(row, row.default_value())),
-            };
-            (row.name, set(row, value), source)
-        })
+        .map(number)
         .collect();
-    let law_at = rows
-        .iter()
-        .position(|(name, ..)| name.starts_with("aero."))
-        .unwrap_or(rows.len());
-    if let Some(table) = setup.law.table() {
-        rows.insert(law_at, (TABLE, table.file().into(), source(TABLE, false)));
-    }
-    rows.insert(
-        law_at,
-        (
-            LAW,
-            setup.law.name().into(),
-            source(LAW, base.law.name() == setup.law.name()),
-        ),
-    );
-    let method_at = rows
-        .iter()
-        .position(|(name, ..)| *name == "flight.step")
-        .unwrap_or(rows.len());
-    rows.insert(
-        method_at,
-        (
-            METHOD,
-            setup.method.name().into(),
-            source(METHOD, base.method == setup.method),
-        ),
-    );
-    let speed_of = (
-        SPEED_OF,
-        setup.speed_of.name().into(),
-        source(SPEED_OF, base.speed_of == setup.speed_of),
-    );
-    rows.insert(after_speed(&rows), speed_of);
-    rows.insert(
-        0,
-        (
-            GOLFER,
-            setup.golfer.name().into(),
-            source(GOLFER, base.golfer == setup.golfer),
-        ),
-    );
+    let table = setup.law.table();
+    let choices = Choices {
+        golfer: choice(GOLFER, setup.golfer.name(), base.golfer.name()),
+        speed_of: choice(SPEED_OF, setup.speed_of.name(), base.speed_of.name()),
+        method: choice(METHOD, setup.method.name(), base.method.name()),
+        law: choice(LAW, setup.law.name(), base.law.name()),
+        table: table.map(|table| SourcedValue::new(TABLE, table.file(), source(TABLE, false))),
+    };
+    choices.insert_into(&mut rows);
     Ok(rows)
-}
-
-/// The place behind the club speed.
-fn after_speed<S, V>(rows: &[(&'static str, S, V)]) -> usize {
-    rows.iter()
-        .position(|(name, ..)| *name == "swing.speed")
-        .map_or(0, |at| at + 1)
 }
 
 /// A number, or a choice such as the law, that differs from the preset's, as a person reads it.
 pub struct Change {
     /// The parameter, where it is one.
     pub parameter: Option<&'static Parameter>,
-    /// What it is called.
+    /// Its name in words.
     pub name: String,
     /// In the preset.
     pub from: String,
@@ -166,7 +176,7 @@ pub struct Change {
     pub to: String,
 }
 
-/// What differs between a setup and the preset that it started from, in the units of a system.
+/// The differences between a setup and the preset that it started from, in the units of a system.
 ///
 /// ```
 /// use longdrive::parameters::Preset;
@@ -242,43 +252,68 @@ pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Ve
     Ok(numbers.chain(words).collect())
 }
 
-/// The answer of `presets`: every number of each preset, or of the one that is named, with its
-/// source.
-///
-/// # Errors
-/// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
-pub fn presets_reply(name: Option<&str>) -> Result<Reply<Value>> {
-    if let Some(name) = name {
-        Setup::preset(name)?;
-    }
-    let one = |preset: &Preset| -> Result<Value> {
-        let setup = Setup::preset(preset.name)?;
-        let sources = sourced(preset, &setup)
-            .into_iter()
-            .map(|(name, _, source)| (name.to_owned(), json!(source)));
-        Ok(json!({
-            "name": preset.name,
-            "about": preset.about,
-            "setup": json::setup(&setup),
-            "sources": sources.collect::<serde_json::Map<_, _>>(),
-        }))
-    };
-    let asked = PRESETS
-        .iter()
-        .filter(|preset| name.is_none_or(|name| preset.name == name));
-    Ok(Reply::done(
-        "presets",
-        vec![],
-        json!({ "presets": asked.map(one).collect::<Result<Vec<_>>>()? }),
-    ))
+/// Presets with every number and its source.
+#[derive(Clone, Debug, Serialize)]
+pub struct PresetsReport {
+    /// The presets.
+    pub presets: Vec<PresetReport>,
 }
 
-/// The presets as text, a line each.
-pub fn presets_text() -> String {
-    let rows = PRESETS
-        .iter()
-        .map(|preset| vec![preset.name.into(), preset.about.into()]);
-    table(&["preset", ""], &[], rows)
-        + "\n  'longdrive presets NAME' prints one as a setup file, with the source of each \
-           number\n"
+/// A preset with every number and its source.
+#[derive(Clone, Debug, Serialize)]
+pub struct PresetReport {
+    /// The name by which a setup starts from it.
+    pub name: &'static str,
+    /// A description in a line.
+    pub about: &'static str,
+    /// Every parameter by its dotted name, SI and radians.
+    pub setup: ByName<Setting>,
+    /// The source of each parameter.
+    pub sources: ByName<Cow<'static, str>>,
+}
+
+impl PresetsReport {
+    /// The report of all presets, or of the one with this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
+    pub fn new(name: Option<&str>) -> Result<Self> {
+        if let Some(name) = name {
+            Setup::preset(name)?;
+        }
+        let presets = PRESETS
+            .iter()
+            .filter(|preset| name.is_none_or(|name| preset.name == name))
+            .map(PresetReport::new)
+            .collect::<Result<_>>()?;
+        Ok(Self { presets })
+    }
+}
+
+impl PresetReport {
+    fn new(preset: &Preset) -> Result<Self> {
+        let setup = Setup::preset(preset.name)?;
+        let sources = sourced(preset, &setup).into_iter();
+        Ok(Self {
+            name: preset.name,
+            about: preset.about,
+            setup: settings(&setup),
+            sources: sources.map(|row| (row.name, row.source)).collect(),
+        })
+    }
+}
+
+impl Report for PresetsReport {
+    const COMMAND: &'static str = "presets";
+
+    /// The presets, a line each.
+    fn document(&self, _: System) -> Document {
+        let rows = self
+            .presets
+            .iter()
+            .map(|preset| vec![preset.name.into(), preset.about.into()]);
+        let mut document = Document::default();
+        document.add(Table::new(["preset", ""], rows).right([]));
+        document
+    }
 }

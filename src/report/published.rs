@@ -1,15 +1,40 @@
 //! Numbers of a published study: computed ones in the units asked for, printed ones in the paper's
 //! own units too.
 
+use super::json::Number;
 use super::shown::ratio;
 use crate::units::{Quantity, System, fixed, signed};
+use serde::Serialize;
+
+/// A delivery with its carry.
+#[derive(Clone, Debug, Serialize)]
+pub struct DeliveryPoint {
+    /// The loft.
+    #[serde(rename = "club.loft")]
+    pub loft: Number,
+    /// The attack angle.
+    #[serde(rename = "swing.attack_angle")]
+    pub attack_angle: Number,
+    /// The carry.
+    pub carry: Number,
+}
+
+/// A loft with its carry.
+#[derive(Clone, Debug, Serialize)]
+pub struct LoftCarry {
+    /// The loft.
+    #[serde(rename = "club.loft")]
+    pub loft: f64,
+    /// The carry.
+    pub carry: f64,
+}
 
 /// The units that a study is shown in.
 #[derive(Clone, Copy)]
 pub(super) struct Published {
-    /// Those of the paper.
+    /// The units of the paper.
     pub paper: System,
-    /// Those asked for.
+    /// The units requested.
     pub system: System,
 }
 

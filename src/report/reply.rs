@@ -1,5 +1,6 @@
+use super::Document;
 use crate::error::Error;
-use crate::units::Message;
+use crate::units::{Message, System};
 use serde::Serialize;
 
 /// An answer as one JSON object: what every command says first, then what it found. docs/json.md
@@ -10,18 +11,98 @@ pub struct Reply<T> {
     pub command: Option<&'static str>,
     /// How it ended, in a word: `done` where the command has none of its own.
     pub status: &'static str,
-    /// The same in a sentence; `null` where there is nothing to add.
+    /// The status in a sentence; `null` if there is nothing to add.
     pub message: Option<String>,
-    /// What the reader should know about the question.
+    /// Warnings about the question.
     pub warnings: Vec<Message>,
-    /// What was found.
+    /// The result.
     #[serde(flatten)]
     pub body: T,
+}
+
+/// The result of a command. Serialized, it is the body of the JSON, in SI and radians; its document
+/// is for readers.
+pub trait Report: Serialize {
+    /// The command.
+    const COMMAND: &'static str;
+
+    /// How the command ended; by default it found everything.
+    fn ending(&self) -> Ending {
+        Ending::DONE
+    }
+
+    /// The result in words, tables and figures, in the units of a system.
+    fn document(&self, system: System) -> Document;
+}
+
+impl<T: Report> Report for &T {
+    const COMMAND: &'static str = T::COMMAND;
+
+    fn ending(&self) -> Ending {
+        T::ending(self)
+    }
+
+    fn document(&self, system: System) -> Document {
+        T::document(self, system)
+    }
+}
+
+/// How a command ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ending {
+    /// The status in a word: `done`, `partial`, `no-answer`, or a word of the command's own.
+    pub status: &'static str,
+    /// Why, in a sentence, if the status does not say it.
+    pub message: Option<String>,
+}
+
+impl Ending {
+    /// Everything was found.
+    pub const DONE: Self = Self {
+        status: "done",
+        message: None,
+    };
+
+    /// The end of a question about several outcomes, each of which has an error or was found.
+    pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
+        let errors: Vec<Option<&Error>> = errors.collect();
+        let all = errors.len();
+        let mut errors: Vec<&Error> = errors.into_iter().flatten().collect();
+        let status = match (share(all - errors.len(), all), errors.first()) {
+            // the status of the errors, if all of them have the same
+            ("no-answer", Some(first))
+                if errors.iter().all(|error| error.status() == first.status()) =>
+            {
+                first.status()
+            }
+            (status, _) => status,
+        };
+        errors.dedup_by_key(|error| error.to_string());
+        let messages: Vec<_> = errors.iter().map(ToString::to_string).collect();
+        Self {
+            status,
+            message: (!messages.is_empty()).then(|| messages.join("; ")),
+        }
+    }
 }
 
 /// The body of a reply that found nothing.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Empty {}
+
+impl<T: Report> Reply<T> {
+    /// The reply with this report.
+    pub fn of(report: T, warnings: Vec<Message>) -> Self {
+        let Ending { status, message } = report.ending();
+        Self {
+            command: Some(T::COMMAND),
+            status,
+            message,
+            warnings,
+            body: report,
+        }
+    }
+}
 
 impl<T> Reply<T> {
     /// All that was asked for.
@@ -35,7 +116,7 @@ impl<T> Reply<T> {
         }
     }
 
-    /// The same reply with another status, and a sentence that says why.
+    /// Sets the status, and a sentence that explains it.
     #[must_use]
     pub fn ended(self, status: &'static str, message: Option<String>) -> Self {
         Self {
@@ -64,7 +145,7 @@ impl Reply<Empty> {
     }
 }
 
-/// How much was found of what was asked for: `done`, `partial` or `no-answer`.
+/// `done`, `partial` or `no-answer`, by the share of requests answered.
 pub(super) fn share(found: usize, asked: usize) -> &'static str {
     match found {
         _ if found == asked => "done",

@@ -1,75 +1,159 @@
+use super::document::{Document, Line, Table};
+use super::json::{ByName, Number, Setting, settings};
 use super::limits::{self, Limit, Objective, ended_at};
-use super::lines::{item, paragraph};
 use super::optimum::{ConstraintReport, Multipliers};
+use super::reply::{Ending, Report};
+use super::shown;
 use super::swings::ScenariosReport;
-use super::table::table;
-use super::{Reply, json, shown};
 use crate::error::Result;
 use crate::optimize::{Constrained, Status};
 use crate::parameters::Preset;
-use crate::study::swings::{Model, Robust};
-use crate::study::{Optimum, Sense};
-use crate::units::{Message, System, counted};
-use serde_json::{Value, json};
+use crate::study::Sense;
+use crate::study::swings::Robust;
+use crate::units::{System, counted};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Least multiplier of the loss of a model that decides the design.
 const IDLE: f64 = 1e-6;
 
-/// The answer of `robust`; `within` is the allowed loss, SI.
-pub fn robust_reply(
-    found: &Robust,
-    within: Option<f64>,
-    warnings: Vec<Message>,
-    file: Option<String>,
-) -> Reply<Value> {
-    let search = &found.search;
-    let names = || search.vary.iter().map(|vary| vary.parameter.name);
-    let design = |x: &[f64]| json::named(names().zip(x.iter().map(|x| Some(*x))));
-    let numbers = |values: &[Option<f64>]| {
-        values
-            .iter()
-            .map(|value| json::number(*value))
-            .collect::<Vec<_>>()
-    };
-    let model = |(k, (model, best)): (usize, &(Model, Optimum))| {
-        json!({
-            "model": model.name,
-            "reason": Some(model.reason).filter(|reason| !reason.is_empty()),
-            "value": json::number(best.value()),
-            "optimum": design(&best.solution.x),
-            "loss": json::number(Some(found.losses[k])),
-            "share": json::number(Some(found.shares[k])),
-            "losses": numbers(&found.matrix[k]),
-            "loss_as_set_up": json::number(found.as_set_up[k]),
-            "constraints": constraints(found, k),
-        })
-    };
-    let multipliers = |i: usize| {
-        let [lower, upper] = found.bound_prices(i);
-        (search.vary[i].parameter.name, Multipliers { lower, upper })
-    };
-    let swings = found
-        .models
-        .first()
-        .filter(|(_, best)| !best.search.scenarios.is_one_drive());
-    let body = json!({
-        "objective": search.of.expression,
-        "sense": search.sense.name(),
-        "optimum": design(&found.design),
-        "multipliers": (0..search.vary.len()).map(multipliers).collect::<BTreeMap<_, _>>(),
-        "greatest_loss": json::number(Some(found.greatest())),
-        "within": json::number(within),
-        "holds_for_all": within.map(|within| found.greatest() <= within),
-        "models": found.models.iter().enumerate().map(model).collect::<Vec<_>>(),
-        "swings": swings.map(|(_, best)| ScenariosReport::new(&best.search.scenarios)),
-        "setup": json::setup(&found.setup),
-        "file": file,
-    });
-    Reply::done("robust", warnings, body).ended(
-        found.status(),
-        Some(verdict(found, within, System::default())),
-    )
+/// A design for several models, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct RobustReport<'a> {
+    #[serde(skip)]
+    found: &'a Robust,
+    #[serde(skip)]
+    allowed: Option<f64>,
+    /// The objective.
+    pub objective: String,
+    /// `maximize` or `minimize`.
+    pub sense: &'static str,
+    /// The parameters varied, with the robust design.
+    pub optimum: ByName<Number>,
+    /// The multipliers of the bounds.
+    pub multipliers: BTreeMap<&'static str, Multipliers>,
+    /// The greatest loss of any model.
+    pub greatest_loss: Number,
+    /// The allowed loss; `null` without one.
+    pub within: Number,
+    /// No model loses more than the allowed loss.
+    pub holds_for_all: Option<bool>,
+    /// The models.
+    pub models: Vec<ModelReport>,
+    /// The swings; `null` for one drive.
+    pub swings: Option<ScenariosReport>,
+    /// Every parameter with the robust design.
+    pub setup: ByName<Setting>,
+    /// The setup file that was written; `null` without one.
+    pub file: Option<String>,
+}
+
+/// A model with its best design, and with the robust one.
+#[derive(Clone, Debug, Serialize)]
+pub struct ModelReport {
+    /// The model.
+    pub model: String,
+    /// Why it is one of the models; `null` for a model that was given.
+    pub reason: Option<&'static str>,
+    /// The objective with its best design.
+    pub value: Number,
+    /// Its best design.
+    pub optimum: ByName<Number>,
+    /// Its loss with the robust design.
+    pub loss: Number,
+    /// The multiplier of its loss.
+    pub share: Number,
+    /// Its losses with the best designs of all models.
+    pub losses: Vec<Number>,
+    /// Its loss as set up.
+    pub loss_as_set_up: Number,
+    /// Its constraints with the robust design.
+    pub constraints: Vec<ConstraintReport>,
+}
+
+impl<'a> RobustReport<'a> {
+    /// The report of a robust design; `within` is the allowed loss, SI.
+    pub fn new(found: &'a Robust, within: Option<f64>) -> Self {
+        let search = &found.search;
+        let multipliers = |i: usize| {
+            let [lower, upper] = found.bound_prices(i);
+            (search.vary[i].parameter.name, Multipliers { lower, upper })
+        };
+        let swings = found
+            .models
+            .first()
+            .filter(|(_, best)| !best.search.scenarios.is_one_drive());
+        let models = 0..found.models.len();
+        Self {
+            found,
+            allowed: within,
+            objective: search.of.expression.clone(),
+            sense: search.sense.name(),
+            optimum: by_parameter(found, &found.design),
+            multipliers: (0..search.vary.len()).map(multipliers).collect(),
+            greatest_loss: found.greatest().into(),
+            within: within.into(),
+            holds_for_all: within.map(|within| found.greatest() <= within),
+            models: models.map(|k| ModelReport::new(found, k)).collect(),
+            swings: swings.map(|(_, best)| ScenariosReport::new(&best.search.scenarios)),
+            setup: settings(&found.setup),
+            file: None,
+        }
+    }
+}
+
+impl ModelReport {
+    fn new(found: &Robust, k: usize) -> Self {
+        let (model, best) = &found.models[k];
+        Self {
+            model: model.name.clone(),
+            reason: Some(model.reason).filter(|reason| !reason.is_empty()),
+            value: best.value().into(),
+            optimum: by_parameter(found, &best.solution.x),
+            loss: found.losses[k].into(),
+            share: found.shares[k].into(),
+            losses: found.matrix[k].iter().copied().map(Number::from).collect(),
+            loss_as_set_up: found.as_set_up[k].into(),
+            constraints: constraints(found, k),
+        }
+    }
+}
+
+/// Numbers of the varied parameters, by name.
+fn by_parameter(found: &Robust, numbers: &[f64]) -> ByName<Number> {
+    let names = found.search.vary.iter().map(|vary| vary.parameter.name);
+    names.zip(numbers.iter().copied()).collect()
+}
+
+impl Report for RobustReport<'_> {
+    const COMMAND: &'static str = "robust";
+
+    fn ending(&self) -> Ending {
+        Ending {
+            status: self.found.status(),
+            message: Some(verdict(self.found, self.allowed, System::default())),
+        }
+    }
+
+    /// The robust design, with the loss of each model with it and with the best designs of the other
+    /// models.
+    fn document(&self, system: System) -> Document {
+        let found = self.found;
+        let mut document = Document::default();
+        document.paragraph(format!(
+            "{}: {} ({}, {} of {})",
+            found.status(),
+            verdict(found, self.allowed, system),
+            counted(found.solution.iterations, "iteration"),
+            counted(found.solution.evaluations, "evaluation"),
+            counted(found.models.len() as u64, "model")
+        ));
+        document.list(models(found, system));
+        add_design(&mut document, found, system);
+        document.add(designs(found, system));
+        document.add(losses(found, system));
+        document
+    }
 }
 
 /// The constraints of a model with the robust design; multipliers are of the greatest loss.
@@ -114,61 +198,15 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
         }
 }
 
-/// The robust design as text, with the loss of each model with it and with the best designs of the
-/// other models.
-pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> String {
-    let search = &found.search;
-    let goal = &search.of;
-    let show = |value: f64| shown::goal_difference(goal, value, system);
-    let solution = &found.solution;
-    let ending = paragraph(&format!(
-        "{}: {} ({}, {} of {})",
-        found.status(),
-        verdict(found, within, system),
-        counted(solution.iterations, "iteration"),
-        counted(solution.evaluations, "evaluation"),
-        counted(found.models.len() as u64, "model")
-    ));
-    let numbers = (1..=found.models.len()).map(|k| format!("best for {k}"));
-    let head: Vec<String> = std::iter::once("vary".to_owned())
-        .chain(numbers.clone())
-        .collect();
-    let rows = search.vary.iter().enumerate().map(|(i, vary)| {
-        let bests = found
-            .models
-            .iter()
-            .map(|(_, best)| shown::within(vary, best.solution.x[i], system));
-        std::iter::once(vary.parameter.name.into())
-            .chain(bests)
-            .collect()
-    });
-    let head: Vec<&str> = head.iter().map(String::as_str).collect();
-    let all: Vec<usize> = (1..head.len()).collect();
-    let designs = format!("{}\n{}", held_text(found, system), table(&head, &all, rows));
-
-    let head: Vec<String> = ["", "robust", "as set up"]
-        .map(str::to_owned)
-        .into_iter()
-        .chain(numbers)
-        .collect();
-    let head: Vec<&str> = head.iter().map(String::as_str).collect();
-    let rows = (0..found.models.len()).map(|k| {
-        let or_dash =
-            |loss: Option<f64>| loss.map_or(shown::NONE.into(), |loss| show(loss.max(0.0)));
-        let robust = show(found.losses[k].max(0.0));
-        [(k + 1).to_string(), robust, or_dash(found.as_set_up[k])]
-            .into_iter()
-            .chain(found.matrix[k].iter().copied().map(or_dash))
-            .collect()
-    });
-    let all: Vec<usize> = (1..head.len()).collect();
-    let losses = table(&head, &all, rows);
-
-    let models = found.models.iter().enumerate().map(|(k, (model, best))| {
+/// The models, each with its best value.
+fn models(found: &Robust, system: System) -> Vec<Line> {
+    let goal = &found.search.of;
+    let mut lines = vec![Line::flush("models")];
+    for (k, (model, best)) in found.models.iter().enumerate() {
         let value = best
             .value()
             .map_or(shown::NONE.into(), |value| shown::goal(goal, value, system));
-        let holds = if found.shares[k] > IDLE {
+        let decides = if found.shares[k] > IDLE {
             "; its loss decides the robust design"
         } else {
             ""
@@ -178,28 +216,61 @@ pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> Strin
         } else {
             format!(" ({})", model.reason)
         };
-        item(&format!(
-            "{}: {}{reason}: {} at best {value}{holds}",
+        lines.push(Line::item(format!(
+            "{}: {}{reason}: {} at best {value}{decides}",
             k + 1,
             model.name,
             goal.expression
-        ))
-    });
-    let told = format!(
-        "losses of {} beside the best for each model, by design; {} where the design breaks a \
-         limit, or a swing does not fly",
-        goal.expression,
-        shown::NONE
-    );
-    format!(
-        "{ending}\nmodels\n{}\n{designs}\n{}{losses}",
-        models.collect::<String>(),
-        paragraph(&told)
-    )
+        )));
+    }
+    lines
 }
 
-/// The robust design with the prices of its bounds and constraints, of the greatest loss.
-fn held_text(found: &Robust, system: System) -> String {
+/// The heads of the columns of each model's best design.
+fn heads_of_bests(found: &Robust) -> impl Iterator<Item = String> {
+    (1..=found.models.len()).map(|k| format!("best for {k}"))
+}
+
+/// The best design of each model.
+fn designs(found: &Robust, system: System) -> Table {
+    let head = std::iter::once("vary".to_owned()).chain(heads_of_bests(found));
+    let rows = found.search.vary.iter().enumerate().map(|(i, vary)| {
+        let bests = found.models.iter();
+        let bests = bests.map(|(_, best)| shown::within(vary, best.solution.x[i], system));
+        std::iter::once(vary.parameter.name.into())
+            .chain(bests)
+            .collect()
+    });
+    Table::new(head, rows).right(1..=found.models.len())
+}
+
+/// The loss of each model with each design.
+fn losses(found: &Robust, system: System) -> Table {
+    let goal = &found.search.of;
+    let show = |loss: f64| shown::goal_difference(goal, loss.max(0.0), system);
+    let or_dash = |loss: Option<f64>| loss.map_or(shown::NONE.into(), show);
+    let head = ["", "robust", "as set up"].map(str::to_owned);
+    let head = head.into_iter().chain(heads_of_bests(found));
+    let rows = (0..found.models.len()).map(|k| {
+        let robust = show(found.losses[k]);
+        [(k + 1).to_string(), robust, or_dash(found.as_set_up[k])]
+            .into_iter()
+            .chain(found.matrix[k].iter().copied().map(or_dash))
+            .collect()
+    });
+    Table::new(head, rows)
+        .right(1..found.models.len() + 3)
+        .with_caption(&format!(
+            "losses of {} beside the best for each model, by design; {} where the design breaks a \
+             limit, or a swing does not fly",
+            goal.expression,
+            shown::NONE
+        ))
+}
+
+/// Adds the robust design to a document, with the prices of its bounds and constraints, of the
+/// greatest loss.
+fn add_design(document: &mut Document, found: &Robust, system: System) {
     let (search, solution) = (&found.search, &found.solution);
     let goal = &search.of;
     let is_converged = solution.status == Status::Converged;
@@ -236,16 +307,13 @@ fn held_text(found: &Robust, system: System) -> String {
             held,
         ]
     });
-    let mut text = table(
-        &[
-            "vary",
-            ended_at(solution.status, "robust"),
-            "range",
-            "change of the greatest loss",
-        ],
-        &[1],
-        rows,
-    );
+    let head = [
+        "vary",
+        ended_at(solution.status, "robust"),
+        "range",
+        "change of the greatest loss",
+    ];
+    document.add(Table::new(head, rows).right([1]));
     let rows = found.limits().map(|(k, j, at, slopes)| {
         let limit = &search.subject_to[j];
         let by = (limit.goal.quantity, limit.goal.unit);
@@ -269,21 +337,14 @@ fn held_text(found: &Robust, system: System) -> String {
     });
     let rows: Vec<_> = rows.collect();
     if !rows.is_empty() {
-        text += &format!(
-            "\n{}",
-            table(
-                &[
-                    "subject to",
-                    "model",
-                    "value",
-                    "change of the greatest loss"
-                ],
-                &[1, 2],
-                rows
-            )
-        );
+        let head = [
+            "subject to",
+            "model",
+            "value",
+            "change of the greatest loss",
+        ];
+        document.add(Table::new(head, rows).right([1, 2]));
     }
-    text
 }
 
 /// The price of an inactive bound or constraint that is active at a single model's optimum.

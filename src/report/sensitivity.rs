@@ -1,9 +1,10 @@
-use super::lines::{by_reason, item};
+use super::document::{Document, Line, Table};
+use super::json::{ByName, Number};
+use super::lines::by_reason;
 use super::optimum::OptimumReport;
 use super::reply::{Reply, share};
+use super::shown;
 use super::swings::OverSwings;
-use super::table::table;
-use super::{json, shown};
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::study::{
@@ -11,48 +12,144 @@ use crate::study::{
 };
 use crate::units::{Message, Quantity, System, printed, significant, with_unit};
 use serde::Serialize;
-use serde_json::{Value, json};
 
-/// What is known of an optimum beside where it is.
+/// The analysis of an optimum.
+#[derive(Clone, Copy, Debug)]
 pub struct Analysis<'a> {
     /// The optimum.
     pub best: &'a Optimum,
-    /// Its sensitivities, or why there is none.
+    /// Its sensitivities, or their errors.
     pub sensitivities: &'a [(&'static Parameter, Result<Sensitivity>)],
     /// How flat it is.
     pub flatness: &'a Flatness,
-    /// What stated changes do to it.
+    /// The effects of stated changes.
     pub changes: &'a [Changed],
 }
 
-/// An optimum with its sensitivities and windows as JSON, SI and radians.
+/// An optimum with its sensitivities and windows, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct SensitivityReport {
     /// The optimum.
     #[serde(flatten)]
     pub optimum: OptimumReport,
-    /// What more is known of it; nothing of that where the search did not converge.
+    /// Its analysis; every entry `null` where the search did not converge.
     #[serde(flatten)]
     pub analysis: AnalysisReport,
 }
 
-/// What is known of an optimum beside where it is, as JSON; every entry `null` where there is no
-/// optimum.
+/// The analysis of an optimum, SI and radians; every entry `null` where there is no optimum.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct AnalysisReport {
-    /// By parameter: `value` is d f*/dp, `optimum` d x*/dp; `null` with a `message` where there is
-    /// none.
-    pub sensitivity: Value,
-    /// By varied parameter: how far it may stray alone for the loss stated.
-    pub window: Value,
+    /// The derivatives of the optimum by each parameter.
+    pub sensitivity: Option<ByName<SensitivityOf>>,
+    /// By varied parameter: the range in which it alone loses no more than the loss stated.
+    pub window: Option<ByName<WindowReport>>,
     /// The loss, SI.
-    pub window_loss: Value,
-    /// The directions of the free parameters, the flattest first, and how far they reach.
-    pub directions: Value,
+    pub window_loss: Number,
+    /// The directions of the free parameters, the flattest first.
+    pub directions: Option<Vec<DirectionReport>>,
     /// The ellipses of pairs of free parameters.
-    pub ellipses: Value,
-    /// What stated changes do, predicted and searched anew.
-    pub changes: Value,
+    pub ellipses: Option<Vec<FlatEllipseReport>>,
+    /// The effects of stated changes, predicted and searched anew.
+    pub changes: Option<Vec<StatedChangeReport>>,
+}
+
+/// The derivatives of an optimum by a parameter p, or `null` with a `message`.
+#[derive(Clone, Debug, Serialize)]
+pub struct SensitivityOf {
+    /// d f*/dp.
+    pub value: Number,
+    /// d x*/dp by varied parameter.
+    pub optimum: Option<ByName<Number>>,
+    /// d² f*/dp².
+    pub curvature: Number,
+    /// Why the derivatives do not exist.
+    pub message: Option<String>,
+}
+
+/// The range in which a parameter alone loses no more than the loss stated.
+#[derive(Clone, Debug, Serialize)]
+pub struct WindowReport {
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// The reason for the lower end: `loss`, `bound`, `no flight`, or a constraint.
+    pub low_limit: String,
+    /// The reason for the upper end.
+    pub high_limit: String,
+}
+
+/// A direction of the free parameters.
+#[derive(Clone, Debug, Serialize)]
+pub struct DirectionReport {
+    /// The direction, by parameter.
+    pub along: ByName<Number>,
+    /// The multiple of it that loses the loss stated, by the quadratic model.
+    pub reach: Number,
+    /// The losses of drives flown there, to both sides.
+    pub losses: [Option<f64>; 2],
+}
+
+/// The ellipse in which two parameters lose no more than the loss stated.
+#[derive(Clone, Debug, Serialize)]
+pub struct FlatEllipseReport {
+    /// The parameters.
+    pub parameters: [&'static str; 2],
+    /// The half-axes by their components, the longer first.
+    pub half_axes: [[f64; 2]; 2],
+    /// The smallest and the largest loss of drives flown on it.
+    pub losses: Option<(f64, f64)>,
+}
+
+/// The effect of a stated change.
+#[derive(Clone, Debug, Serialize)]
+pub struct StatedChangeReport {
+    /// The parameter.
+    pub parameter: &'static str,
+    /// Its change.
+    pub change: f64,
+    /// The optimum by derivatives.
+    pub predicted: PredictedOptimum,
+    /// The optimum of a new search.
+    pub resolved: ResolvedOptimum,
+    /// The first change of the active bounds and constraints that is predicted.
+    pub event: Option<EventReport>,
+    /// The differences of the active bounds and constraints after the change.
+    pub differences: Vec<Message>,
+}
+
+/// An optimum predicted by derivatives.
+#[derive(Clone, Debug, Serialize)]
+pub struct PredictedOptimum {
+    /// Its value, to second order.
+    pub value: f64,
+    /// Its value, to first order.
+    pub first_order: f64,
+    /// The varied parameters at the optimum.
+    pub optimum: ByName<Number>,
+}
+
+/// The end of a new search after a change.
+#[derive(Clone, Debug, Serialize)]
+pub struct ResolvedOptimum {
+    /// The status of the search.
+    pub status: &'static str,
+    /// The value.
+    pub value: Number,
+    /// The varied parameters at the optimum.
+    pub optimum: Option<ByName<Number>>,
+    /// The status in a sentence.
+    pub message: Message,
+}
+
+/// A change of the active bounds and constraints.
+#[derive(Clone, Debug, Serialize)]
+pub struct EventReport {
+    /// The part of the change after which it happens.
+    pub after: f64,
+    /// The event.
+    pub message: Message,
 }
 
 impl SensitivityReport {
@@ -112,68 +209,111 @@ impl AnalysisReport {
             sensitivities,
             flatness,
             changes,
-        } = analysis;
-        let names = || best.search.vary.iter().map(|vary| vary.parameter.name);
-        let by_name =
-            |values: &[f64]| json::named(names().zip(values.iter().map(|value| Some(*value))));
-        let sensitivity = sensitivities.iter().map(|(parameter, sensitivity)| {
-            let entry = match sensitivity {
-                Ok(s) => json!({
-                    "value": json::number(Some(s.value)),
-                    "optimum": by_name(&s.optimum),
-                    "curvature": json::number(Some(s.curvature)),
-                    "message": null,
-                }),
-                Err(error) => {
-                    json!({ "value": null, "optimum": null, "curvature": null, "message": error.to_string() })
-                }
+        } = *analysis;
+        let vary = &best.search.vary;
+        let sensitivity = sensitivities
+            .iter()
+            .map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)));
+        let windows = vary.iter().zip(&flatness.windows).map(|(vary, window)| {
+            let report = WindowReport {
+                low: window.low,
+                high: window.high,
+                low_limit: limit_name(best, window.low_limit),
+                high_limit: limit_name(best, window.high_limit),
             };
-            (parameter.name.to_owned(), entry)
+            (vary.parameter.name, report)
         });
-        let window = names().zip(&flatness.windows).map(|(name, window)| {
-            let limits = [window.low_limit, window.high_limit].map(|limit| limit_name(best, limit));
-            let entry =
-                json!({ "low": window.low, "high": window.high, "low_limit": limits[0], "high_limit": limits[1] });
-            (name.to_owned(), entry)
+        let directions = flatness.directions.iter().map(|direction| DirectionReport {
+            along: by_parameter(best, &direction.along),
+            reach: direction.reach.into(),
+            losses: direction.losses,
         });
-        let directions = flatness.directions.iter().map(|direction| {
-            let reach = json::number(Some(direction.reach));
-            json!({ "along": by_name(&direction.along), "reach": reach, "losses": direction.losses })
+        let ellipses = flatness.ellipses.iter().map(|ellipse| FlatEllipseReport {
+            parameters: ellipse.pair.map(|i| vary[i].parameter.name),
+            half_axes: ellipse.half_axes,
+            losses: ellipse.losses,
         });
-        let ellipses = flatness.ellipses.iter().map(|ellipse| {
-            let pair = ellipse.pair.map(|i| best.search.vary[i].parameter.name);
-            json!({ "parameters": pair, "half_axes": ellipse.half_axes, "losses": ellipse.losses })
-        });
-        let changes = changes.iter().map(|changed| {
-            json!({
-                "parameter": changed.change.parameter.name,
-                "change": changed.change.delta,
-                "predicted": {
-                    "value": changed.second_order,
-                    "first_order": changed.first_order,
-                    "optimum": by_name(&changed.predicted),
-                },
-                "resolved": {
-                    "status": changed.resolved.status(),
-                    "value": json::number(changed.resolved.value()),
-                    "optimum": changed.resolved.value().map(|_| by_name(&changed.resolved.solution.x)),
-                    "message": changed.resolved.message(),
-                },
-                "event": changed.event.as_ref().map(|(part, words)| json!({ "after": part, "message": words })),
-                "differences": changed.differences,
-            })
-        });
+        let changes = changes
+            .iter()
+            .map(|changed| StatedChangeReport::new(best, changed));
         Self {
-            sensitivity: Value::Object(sensitivity.collect()),
-            window: Value::Object(window.collect()),
-            window_loss: json::number(Some(flatness.loss)),
-            directions: directions.collect(),
-            ellipses: ellipses.collect(),
-            changes: changes.collect(),
+            sensitivity: Some(sensitivity.collect()),
+            window: Some(windows.collect()),
+            window_loss: flatness.loss.into(),
+            directions: Some(directions.collect()),
+            ellipses: Some(ellipses.collect()),
+            changes: Some(changes.collect()),
         }
     }
 }
 
+impl SensitivityOf {
+    fn new(best: &Optimum, found: &Result<Sensitivity>) -> Self {
+        match found {
+            Ok(sensitivity) => Self {
+                value: sensitivity.value.into(),
+                optimum: Some(by_parameter(best, &sensitivity.optimum)),
+                curvature: sensitivity.curvature.into(),
+                message: None,
+            },
+            Err(error) => Self {
+                value: Number(None),
+                optimum: None,
+                curvature: Number(None),
+                message: Some(error.to_string()),
+            },
+        }
+    }
+}
+
+impl StatedChangeReport {
+    fn new(best: &Optimum, changed: &Changed) -> Self {
+        let resolved = &changed.resolved;
+        let value = resolved.value();
+        Self {
+            parameter: changed.change.parameter.name,
+            change: changed.change.delta,
+            predicted: PredictedOptimum {
+                value: changed.second_order,
+                first_order: changed.first_order,
+                optimum: by_parameter(best, &changed.predicted),
+            },
+            resolved: ResolvedOptimum {
+                status: resolved.status(),
+                value: value.into(),
+                optimum: value.map(|_| by_parameter(best, &resolved.solution.x)),
+                message: resolved.message(),
+            },
+            event: changed.event.as_ref().map(|(after, message)| EventReport {
+                after: *after,
+                message: message.clone(),
+            }),
+            differences: changed.differences.clone(),
+        }
+    }
+}
+
+/// Numbers of the varied parameters, by name.
+fn by_parameter(best: &Optimum, numbers: &[f64]) -> ByName<Number> {
+    let vary = best.search.vary.iter();
+    let names = vary.map(|vary| vary.parameter.name);
+    names.zip(numbers.iter().copied()).collect()
+}
+
+impl Analysis<'_> {
+    /// Sensitivities, windows and changes.
+    pub fn document(&self, system: System) -> Document {
+        let mut document = Document::default();
+        add_sensitivities(&mut document, self.best, self.sensitivities, system);
+        add_flatness(&mut document, self.best, self.flatness, system);
+        for changed in self.changes {
+            document.add(change(self.best, changed, system));
+        }
+        document
+    }
+}
+
+/// The reason for the end of a window.
 fn limit_name(best: &Optimum, limit: Limit) -> String {
     match limit {
         Limit::Loss => "loss".into(),
@@ -183,151 +323,118 @@ fn limit_name(best: &Optimum, limit: Limit) -> String {
     }
 }
 
-/// Sensitivities, windows and changes as text, below the optimum's own.
-pub fn sensitivity_text(analysis: &Analysis<'_>, system: System) -> String {
-    let Analysis {
-        best,
-        sensitivities,
-        flatness,
-        changes,
-    } = analysis;
-    let mut text = sensitivities_text(best, sensitivities, system);
-    text += &windows_text(best, flatness, system);
-    for changed in *changes {
-        text += &change_text(best, changed, system);
-    }
-    text
-}
-
-fn sensitivities_text(
+/// Adds the derivatives of the optimum by each parameter to a document.
+fn add_sensitivities(
+    document: &mut Document,
     best: &Optimum,
     sensitivities: &[(&'static Parameter, Result<Sensitivity>)],
     system: System,
-) -> String {
-    let of = best.search.outcome();
-    let free: Vec<&Vary> = best
-        .search
-        .vary
-        .iter()
-        .filter(|vary| vary.low < vary.high)
-        .collect();
-    let best_of = format!("best {}", of.name());
-    let moved: Vec<String> = free
-        .iter()
-        .map(|vary| format!("best {}", vary.parameter.name))
-        .collect();
-    let head: Vec<&str> = ["per unit of", best_of.as_str()]
-        .into_iter()
-        .chain(moved.iter().map(String::as_str))
-        .collect();
-    let why = |(parameter, sensitivity): &(&Parameter, Result<Sensitivity>)| {
-        Some((parameter.name, sensitivity.as_ref().err()?.in_units(system)))
-    };
-    let left_out: String = by_reason(sensitivities.iter().filter_map(why))
-        .iter()
-        .map(|line| item(line))
-        .collect();
+) {
     let rows: Vec<Vec<String>> = sensitivities
         .iter()
-        .filter_map(|(parameter, sensitivity)| Some((parameter, sensitivity.as_ref().ok()?)))
-        .map(|(parameter, s)| {
-            let by = system.unit(parameter.unit);
-            let size = parameter.quantity.size_of(by).unwrap_or(1.0);
-            let per_unit = |slope: f64, value: f64, (quantity, unit): (Quantity, &'static str)| {
-                let slope = shown::settled(slope, value, (quantity, unit), &[*parameter]);
-                let unit = system.unit(unit);
-                let number = slope * size / quantity.size_of(unit).unwrap_or(1.0);
-                with_unit(&significant(number, 4), unit)
-            };
-            let moves = best
-                .search
-                .vary
-                .iter()
-                .zip(&best.solution.x)
-                .zip(&s.optimum);
-            let moves = moves.filter(|((vary, _), _)| vary.low < vary.high);
-            let moves = moves.map(|((vary, x), slope)| {
-                per_unit(*slope, *x, (vary.parameter.quantity, vary.parameter.unit))
-            });
-            let name = format!(
-                "{} [{}]",
-                parameter.name,
-                if by.is_empty() {
-                    "1".into()
-                } else {
-                    printed(by)
-                }
-            );
-            let value = best.value().unwrap_or_default();
-            [name, per_unit(s.value, value, (of.quantity(), of.unit()))]
-                .into_iter()
-                .chain(moves)
-                .collect()
+        .filter_map(|(parameter, found)| {
+            Some(sensitivity_row(
+                best,
+                parameter,
+                found.as_ref().ok()?,
+                system,
+            ))
         })
         .collect();
-    let right: Vec<usize> = (1..head.len()).collect();
-    let shown = if rows.is_empty() {
-        String::new()
-    } else {
-        format!("\n{}", table(&head, &right, rows))
+    if !rows.is_empty() {
+        let value = format!("best {}", best.search.outcome().name());
+        let optimum = free(best).map(|vary| format!("best {}", vary.parameter.name));
+        let head: Vec<String> = ["per unit of".into(), value]
+            .into_iter()
+            .chain(optimum)
+            .collect();
+        let columns = head.len();
+        document.add(Table::new(head, rows).right(1..columns));
+    }
+    let why = |(parameter, found): &(&Parameter, Result<Sensitivity>)| {
+        Some((parameter.name, found.as_ref().err()?.in_units(system)))
     };
-    let left_out = if left_out.is_empty() {
-        String::new()
-    } else {
-        format!("\n{left_out}")
-    };
-    shown + &left_out
+    let left_out = by_reason(sensitivities.iter().filter_map(why));
+    document.list(left_out.into_iter().map(Line::item));
 }
 
-fn windows_text(best: &Optimum, flatness: &Flatness, system: System) -> String {
+/// The varied parameters that the search may change.
+fn free(best: &Optimum) -> impl Iterator<Item = &Vary> {
+    best.search.vary.iter().filter(|vary| vary.low < vary.high)
+}
+
+/// The cells of a sensitivity, per unit of the parameter.
+fn sensitivity_row(
+    best: &Optimum,
+    parameter: &Parameter,
+    sensitivity: &Sensitivity,
+    system: System,
+) -> Vec<String> {
+    let of = best.search.outcome();
+    let by = system.unit(parameter.unit);
+    let size = parameter.quantity.size_of(by).unwrap_or(1.0);
+    let per_unit = |slope: f64, value: f64, (quantity, unit): (Quantity, &'static str)| {
+        let slope = shown::settled(slope, value, (quantity, unit), &[parameter]);
+        let unit = system.unit(unit);
+        let number = slope * size / quantity.size_of(unit).unwrap_or(1.0);
+        with_unit(&significant(number, 4), unit)
+    };
+    let unit = if by.is_empty() {
+        "1".into()
+    } else {
+        printed(by)
+    };
+    let value = best.value().unwrap_or_default();
+    let mut cells = vec![
+        format!("{} [{unit}]", parameter.name),
+        per_unit(sensitivity.value, value, (of.quantity(), of.unit())),
+    ];
+    let vary = best.search.vary.iter();
+    let moves = vary.zip(&best.solution.x).zip(&sensitivity.optimum);
+    let moves = moves.filter(|((vary, _), _)| vary.low < vary.high);
+    cells.extend(moves.map(|((vary, x), slope)| {
+        per_unit(*slope, *x, (vary.parameter.quantity, vary.parameter.unit))
+    }));
+    cells
+}
+
+/// Adds windows, directions and ellipses to a document.
+fn add_flatness(document: &mut Document, best: &Optimum, flatness: &Flatness, system: System) {
     let loss = shown::spread(best.search.outcome(), flatness.loss, system);
-    let rows = best
-        .search
-        .vary
-        .iter()
+    let vary = best.search.vary.iter();
+    let rows = vary
         .zip(&flatness.windows)
-        .map(|(vary, window)| {
-            let Window {
-                low,
-                low_limit,
-                high,
-                high_limit,
-            } = *window;
-            let end = |value: f64, limit: Limit| {
-                let value = shown::parameter(vary.parameter, value, system);
-                match limit {
-                    Limit::Loss => value,
-                    Limit::Constraint(j) => {
-                        format!(
-                            "{value} ({})",
-                            shown::constraint(&best.search.subject_to[j], system)
-                        )
-                    }
-                    other => format!("{value} ({})", limit_name(best, other)),
-                }
-            };
-            vec![
-                vary.parameter.name.into(),
-                end(low, low_limit),
-                end(high, high_limit),
-            ]
-        });
+        .map(|(vary, window)| window_row(best, vary, window, system));
     let title = format!("alone, for a loss of {loss}");
-    let mut text = format!(
-        "\n{}",
-        table(&[title.as_str(), "from", "to"], &[1, 2], rows)
-    );
-    for direction in flatness
-        .directions
-        .iter()
-        .filter(|direction| direction.reach.is_finite())
-    {
-        text += &direction_text(best, direction, &loss, system);
+    let mut table = Table::new([title.as_str(), "from", "to"], rows).right([1, 2]);
+    let directions = flatness.directions.iter();
+    for direction in directions.filter(|direction| direction.reach.is_finite()) {
+        table.remark(direction_line(best, direction, &loss, system));
     }
     for ellipse in &flatness.ellipses {
-        text += &ellipse_text(best, ellipse, &loss, system);
+        table.remark(ellipse_line(best, ellipse, &loss, system));
     }
-    text
+    document.add(table);
+}
+
+/// The cells of a window, with the reason for each end that is not the loss.
+fn window_row(best: &Optimum, vary: &Vary, window: &Window, system: System) -> Vec<String> {
+    let end = |value: f64, limit: Limit| {
+        let value = shown::parameter(vary.parameter, value, system);
+        match limit {
+            Limit::Loss => value,
+            Limit::Constraint(j) => {
+                let constraint = shown::constraint(&best.search.subject_to[j], system);
+                format!("{value} ({constraint})")
+            }
+            other => format!("{value} ({})", limit_name(best, other)),
+        }
+    };
+    vec![
+        vary.parameter.name.into(),
+        end(window.low, window.low_limit),
+        end(window.high, window.high_limit),
+    ]
 }
 
 /// A step of a parameter, with its sign: "+1.20 deg".
@@ -341,7 +448,7 @@ fn step(parameter: &Parameter, amount: f64, system: System) -> String {
 
 /// "ellipse of club.loft and swing.attack_angle for a loss of 1.00 yd: half-axes (+1.20 deg, -3.40
 /// deg) and (…); drives around it lose 0.90 yd to 1.10 yd".
-fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -> String {
+fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -> String {
     let pair = ellipse.pair.map(|i| best.search.vary[i].parameter);
     let axis = |components: [f64; 2]| {
         let [first, second] = [0, 1].map(|row| step(pair[row], components[row], system));
@@ -356,15 +463,15 @@ fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
         });
     let [long, short] = ellipse.half_axes.map(axis);
     let [first, second] = pair.map(|parameter| parameter.name);
-    item(&format!(
+    format!(
         "ellipse of {first} and {second} for a loss of {loss}, by the quadratic model, without \
          bounds and constraints: half-axes {long} and {short}; \
          {flown}"
-    ))
+    )
 }
 
 /// "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or the opposite: …".
-fn direction_text(best: &Optimum, direction: &Direction, loss: &str, system: System) -> String {
+fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: System) -> String {
     let moves = best
         .search
         .vary
@@ -392,13 +499,14 @@ fn direction_text(best: &Optimum, direction: &Direction, loss: &str, system: Sys
     } else {
         format!("drives there lose {}", flown.join(" and "))
     };
-    item(&format!(
+    format!(
         "together {}, or the opposite: a loss of {loss} by the quadratic model; {flown}",
         moves.join(", ")
-    ))
+    )
 }
 
-fn change_text(best: &Optimum, changed: &Changed, system: System) -> String {
+/// The optimum before and after a stated change.
+fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
     let (of, parameter) = (best.search.outcome(), changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
         let value = value.map_or(shown::NONE.into(), |value| shown::finely(of, value, system));
@@ -414,7 +522,7 @@ fn change_text(best: &Optimum, changed: &Changed, system: System) -> String {
             .collect::<Vec<_>>()
     };
     let delta = shown::stated(parameter, changed.change.delta, system);
-    // where it goes: an amount without a sign is a change too
+    // an amount without a sign is a change too: the new value makes that clear
     let to = best
         .setup
         .value(parameter)
@@ -438,20 +546,17 @@ fn change_text(best: &Optimum, changed: &Changed, system: System) -> String {
             None => row("searched again", None, &[]),
         },
     ];
-    let right: Vec<usize> = (1..head.len()).collect();
-    let mut text = format!("\n{}", table(&head, &right, rows));
+    let columns = head.len();
+    let mut table = Table::new(head, rows).right(1..columns);
     if let Some((part, words)) = &changed.event {
-        text += &item(&format!(
+        table.remark(format!(
             "predicted: {} after {} % of the change",
             words.in_units(system),
             significant(100.0 * part, 3)
         ));
     }
     for difference in &changed.differences {
-        text += &item(&format!(
-            "after the change: {}",
-            difference.in_units(system)
-        ));
+        table.remark(format!("after the change: {}", difference.in_units(system)));
     }
-    text
+    table
 }

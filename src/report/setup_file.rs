@@ -1,6 +1,6 @@
 //! Setups as files that a person can read, and that read back as the same setup to the last bit.
 
-use super::presets::{sourced, sources};
+use super::presets::{SourcedValue, sourced, sources};
 use crate::error::Result;
 use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET};
 use crate::units::significant;
@@ -29,11 +29,10 @@ pub fn setup_toml(
     about: &[String],
     remarks: &[(&'static Parameter, String)],
 ) -> Result<String> {
-    Ok(toml(preset, about, rows(setup, preset, remarks)?))
+    Ok(toml(preset, about, &rows(setup, preset, remarks)?))
 }
 
-/// The same without `flight.method` and `flight.step`: who reads it has not been told how to
-/// integrate, and may choose.
+/// A setup file without `flight.method` and `flight.step`: its reader may choose the integration.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::{Preset, SetupFile}, report::setup_toml_without_step};
@@ -75,25 +74,26 @@ fn rows(
     setup: &Setup<f64>,
     preset: &Preset,
     remarks: &[(&'static Parameter, String)],
-) -> Result<Vec<(&'static str, String, String)>> {
-    let row = |(name, shown, source): (&'static str, String, String)| {
-        // a table is looked for beside the setup file, which may be in any folder
-        if name == TABLE {
-            let file = std::path::absolute(&shown).map_or(shown, |path| path.display().to_string());
-            return (name, file, source);
+) -> Result<Vec<SourcedValue>> {
+    let row = |row: SourcedValue| {
+        // a relative path would start at the folder of the setup file, which may be any
+        if row.name == TABLE {
+            let file = std::path::absolute(&row.value);
+            let value = file.map_or(row.value, |path| path.display().to_string());
+            return SourcedValue { value, ..row };
         }
-        let Ok(parameter) = setup.parameter(name) else {
-            return (name, shown, source);
+        let Ok(parameter) = setup.parameter(row.name) else {
+            return row;
         };
         let remark = remarks
             .iter()
             .find(|(of, _)| *of == parameter)
-            .map(|(_, remark)| remark.clone());
-        (
-            name,
-            exact(parameter, setup.value(parameter)),
-            remark.unwrap_or(source),
-        )
+            .map(|(_, remark)| remark.clone().into());
+        SourcedValue {
+            name: row.name,
+            value: exact(parameter, setup.value(parameter)),
+            source: remark.unwrap_or(row.source),
+        }
     };
     Ok(sources(setup, preset, None)?.into_iter().map(row).collect())
 }
@@ -107,13 +107,10 @@ pub fn preset_toml(name: &str) -> Result<String> {
     let Some(preset) = Preset::named(name) else {
         return Ok(String::new());
     };
-    let rows = sourced(preset, &setup)
-        .into_iter()
-        .map(|(name, shown, source)| (name, shown, source.to_owned()));
     Ok(toml(
         preset,
         &[preset.name.into(), preset.about.into()],
-        rows.collect(),
+        &sourced(preset, &setup),
     ))
 }
 
@@ -142,10 +139,9 @@ fn exact(parameter: &Parameter, value: Option<f64>) -> String {
     })
 }
 
-/// A file of these lines at its head, its preset, and rows of name, value and remark, table by
-/// table.
-fn toml(preset: &Preset, about: &[String], rows: Vec<(&'static str, String, String)>) -> String {
-    // a name of a file may hold anything
+/// A setup file with these lines at its head, its preset, and the values, table by table.
+fn toml(preset: &Preset, about: &[String], rows: &[SourcedValue]) -> String {
+    // the name of a file may contain control characters
     let remark = |text: &str| text.replace(char::is_control, " ");
     let mut text: String = about
         .iter()
@@ -153,26 +149,27 @@ fn toml(preset: &Preset, about: &[String], rows: Vec<(&'static str, String, Stri
         .collect();
     text += &format!("preset = \"{}\"\n", preset.name);
     let table_of = |name: &'static str| name.split_once('.').map_or("", |(table, _)| table);
-    // keys without a table must precede the first table, and a table stands once
+    // keys without a table must precede the first table, and each table has one head
     let mut tables = vec![""];
-    for (name, ..) in &rows {
-        if !tables.contains(&table_of(name)) {
-            tables.push(table_of(name));
+    for row in rows {
+        if !tables.contains(&table_of(row.name)) {
+            tables.push(table_of(row.name));
         }
     }
     for table in tables {
         if !table.is_empty() {
             text += &format!("\n[{table}]\n");
         }
-        for (name, value, source) in rows.iter().filter(|(name, ..)| table_of(name) == table) {
-            let key = name.split_once('.').map_or(*name, |(_, key)| key);
-            text += &format!("{key} = {} # {}\n", quoted(value), remark(source));
+        for row in rows.iter().filter(|row| table_of(row.name) == table) {
+            let key = row.name.split_once('.').map_or(row.name, |(_, key)| key);
+            let (value, remark) = (quoted(&row.value), remark(&row.source));
+            text += &format!("{key} = {value} # {remark}\n");
         }
     }
     text
 }
 
-/// A text as TOML quotes it: the name of a file may hold anything.
+/// A text as TOML quotes it, with control characters escaped.
 fn quoted(text: &str) -> String {
     let escaped = |c: char| match c {
         '"' | '\\' => format!("\\{c}"),

@@ -8,10 +8,10 @@ use crate::units::{
     Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit,
 };
 
-/// What stands where there is no number.
+/// The sign of a missing number.
 pub(super) const NONE: &str = "–";
 
-/// What is to be known beside strikes off the centre.
+/// A remark about strikes off the centre.
 pub(super) const RIGID: &str =
     "rigid bodies are known to miss the side spin of strikes off the centre by 30 to 50 %";
 
@@ -53,7 +53,7 @@ pub(super) fn spoken(sentence: &str) -> String {
     sentence.split(' ').map(speak).collect::<Vec<_>>().join(" ")
 }
 
-/// Whether an outcome is positive to the right.
+/// The outcome is positive to the right.
 fn is_sideways(of: Outcome) -> bool {
     matches!(
         of,
@@ -97,7 +97,7 @@ pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     }
 }
 
-/// The same with one decimal more, to compare two that are close.
+/// The value of an outcome with one more decimal, to compare two close values.
 pub(super) fn finely(of: Outcome, value: f64, system: System) -> String {
     of.quantity().read_off_finely(value, system.unit(of.unit()))
 }
@@ -153,7 +153,7 @@ pub(super) fn parameter(parameter: &Parameter, value: f64, system: System) -> St
     computed(parameter, value).in_units(system)
 }
 
-/// The same in the unit that the parameter is declared in, as setup files write its value.
+/// A value of a parameter in its declared unit, as setup files write it.
 pub(super) fn as_declared(parameter: &Parameter, value: f64) -> String {
     computed(parameter, value).to_string()
 }
@@ -167,12 +167,12 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
     Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
-/// What is nearer to an end of a range than this part of it reads as that end: where a search that
+/// Largest distance from an end of a range, as a part of it, that counts as the end: a search that
 /// did not converge stops just short of it.
 const AT_THE_END: f64 = 1e-6;
 
-/// The same of a parameter that is varied: with more digits where it would read as an end of its
-/// range that it is not.
+/// A value of a varied parameter. It has more digits if it would read as an end of the range that
+/// it is not.
 pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
     let (parameter, ends) = (vary.parameter, ends(vary, system));
     let number = |text: &str| leading_number(text).parse::<f64>().ok();
@@ -229,8 +229,8 @@ pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, value, system, STATED)
 }
 
-/// The same in short, where the question is told: to four digits, so that "110 mph" is "49.17 m/s"
-/// and not "49.174 m/s".
+/// A stated value in short, for the question: to four digits, so that "110 mph" is "49.17 m/s" and
+/// not "49.174 m/s".
 pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, value, system, 4)
 }
@@ -240,7 +240,7 @@ pub(super) fn uncertainty(parameter: &Parameter, deviation: f64, system: System)
     given(parameter.quantity, parameter.unit, deviation, system, 3)
 }
 
-/// The same with all its digits, and with "none" where it is not set: the numbers of a setup.
+/// A value of a setup with all its digits, or "none".
 pub(super) fn set(parameter: &Parameter, value: Option<f64>, system: System) -> String {
     value.map_or(UNSET.into(), |value| {
         given(parameter.quantity, parameter.unit, value, system, 7)
@@ -299,7 +299,7 @@ pub(super) fn active(
     }
 }
 
-/// What changes of this size or less are rounding, as a part of what is differentiated.
+/// Relative size below which a change is rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// A derivative as texts show it: 0 where it is nothing but the rounding of its computation.
@@ -328,13 +328,13 @@ pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Param
     }
 }
 
-/// Whether a change of an outcome of this value is rounding.
+/// A change of an outcome with this value is rounding.
 pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
     settled(change, value, (of.quantity(), of.unit()), &[]) == 0.0
 }
 
-/// Whether an outcome depends on a parameter where it has this value, slope and second derivative:
-/// one of the two is more than rounding.
+/// An outcome with this value, slope and second derivative depends on the parameter: slope or
+/// curvature is more than rounding.
 pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curvature: f64) -> bool {
     let outcome = (of.quantity(), of.unit());
     settled(slope, value, outcome, &[by]) != 0.0
@@ -361,7 +361,7 @@ pub(super) fn slope(
     )
 }
 
-/// What moving a limit by one of its unit brings: "2.11 yd for each degree".
+/// The gain for each unit by which a limit moves: "2.11 yd for each degree".
 pub(super) fn price(
     of: (Quantity, &'static str),
     amount: f64,

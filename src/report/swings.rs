@@ -1,17 +1,17 @@
 //! Results over swings beside the optimum: the goals of other designs, and how well the answer is
 //! known.
 
+use super::json::{ByName, Number};
 use super::limits::ended_at;
 use super::lines::paragraph;
+use super::shown;
 use super::table::table;
-use super::{json, shown};
 use crate::optimize::Status;
 use crate::study::Optimum;
 use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, Scenarios, Swings};
 use crate::study::uncertainty::Interval;
 use crate::units::{System, counted};
 use serde::Serialize;
-use serde_json::{Map, Value};
 
 /// Results about swings beside the optimum; none for one drive.
 #[derive(Clone, Copy, Default)]
@@ -61,7 +61,7 @@ pub struct StudiesReport {
     #[serde(flatten)]
     pub scenarios: ScenariosReport,
     /// The goals with the design as set up; `null` if a swing does not fly.
-    pub as_set_up: Option<Map<String, Value>>,
+    pub as_set_up: Option<ByName<Number>>,
     /// The best design for the mean swing; `null` without one.
     pub nominal: Option<NominalReport>,
     /// Sentences about results that could not be computed.
@@ -80,11 +80,11 @@ pub struct StudiesReport {
 #[derive(Clone, Debug, Serialize)]
 pub struct NominalReport {
     /// The parameters varied.
-    pub optimum: Map<String, Value>,
+    pub optimum: ByName<Number>,
     /// The goals with the mean swing.
-    pub promised: Map<String, Value>,
+    pub promised: ByName<Number>,
     /// The goals over all swings; `null` if one does not fly.
-    pub kept: Option<Map<String, Value>>,
+    pub kept: Option<ByName<Number>>,
 }
 
 /// An interval of the objective by independent sequences of swings.
@@ -100,7 +100,7 @@ pub struct SamplingReport {
 #[derive(Clone, Debug, Serialize)]
 pub struct ResampledReport {
     /// The 95 % interval of each parameter varied.
-    pub optimum: Map<String, Value>,
+    pub optimum: ByName<IntervalReport>,
     /// The 95 % interval of the objective.
     pub value: IntervalReport,
     /// The number of resamples that came to an optimum.
@@ -115,19 +115,19 @@ pub struct ResampledReport {
 #[derive(Clone, Debug, Serialize)]
 pub struct IntervalReport {
     /// The value.
-    pub value: Value,
+    pub value: Number,
     /// The lower end.
-    pub low: Value,
+    pub low: Number,
     /// The upper end.
-    pub high: Value,
+    pub high: Number,
 }
 
 impl From<&Interval> for IntervalReport {
     fn from(of: &Interval) -> Self {
         Self {
-            value: json::number(Some(of.value)),
-            low: json::number(Some(of.low)),
-            high: json::number(Some(of.high)),
+            value: of.value.into(),
+            low: of.low.into(),
+            high: of.high.into(),
         }
     }
 }
@@ -139,13 +139,13 @@ impl StudiesReport {
         if search.scenarios.is_one_drive() {
             return None;
         }
-        let by_name = |values: &[f64]| {
+        let by_name = |values: &[f64]| -> ByName<Number> {
             let names = search.vary.iter().map(|vary| vary.parameter.name);
-            json::named(names.zip(values.iter().map(|value| Some(*value))))
+            names.zip(values.iter().copied()).collect()
         };
-        let goals = |values: &[f64]| {
-            let names = search.goals().map(|goal| goal.expression.as_str());
-            json::named(names.zip(values.iter().map(|value| Some(*value))))
+        let goals = |values: &[f64]| -> ByName<Number> {
+            let names = search.goals().map(|goal| goal.expression.clone());
+            names.zip(values.iter().copied()).collect()
         };
         let error = over.price.and_then(Price::error);
         Some(Self {
@@ -176,11 +176,9 @@ impl StudiesReport {
 
 fn resampled_report(best: &Optimum, found: &Resampled) -> ResampledReport {
     let vary = best.search.vary.iter();
-    let interval = |of: &Interval| serde_json::to_value(IntervalReport::from(of));
-    let optimum = vary.zip(&found.design).map(|(vary, design)| {
-        let design = interval(design).unwrap_or_default();
-        (vary.parameter.name.to_owned(), design)
-    });
+    let optimum = vary
+        .zip(&found.design)
+        .map(|(vary, design)| (vary.parameter.name, IntervalReport::from(design)));
     ResampledReport {
         optimum: optimum.collect(),
         value: (&found.goal).into(),

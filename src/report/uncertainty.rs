@@ -1,89 +1,301 @@
-use super::lines::item;
-use super::reply::{Reply, share};
-use super::table::table;
-use super::{json, shown};
+use super::document::{Document, Line, Table};
+use super::json::{ByName, Number};
+use super::reply::{Ending, Report, share};
+use super::shown;
 use crate::drive::OutcomeGroup;
 use crate::study::uncertainty::{
-    Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty,
+    Distribution, Interval, Moments, OutcomeUncertainty, Statistics, Uncertain, Uncertainty,
 };
-use crate::units::{Message, Quantity, System, counted, counted_of};
+use crate::units::{Quantity, System, counted, counted_of};
 use serde::Serialize;
-use serde_json::{Value, json};
 
-/// What is uncertain about a drive as JSON, SI and radians.
+/// The uncertainty of a drive, SI and radians.
 #[derive(Clone, Debug, Serialize)]
-pub struct UncertaintyReport {
+pub struct UncertaintyReport<'a> {
+    #[serde(skip)]
+    found: &'a Uncertainty,
     /// The uncertain parameters and their distributions.
-    pub inputs: Vec<Value>,
+    pub inputs: Vec<InputReport>,
     /// Each outcome.
-    pub outcomes: Vec<Value>,
-    /// Ellipses of the landings; empty unless carry and lateral were asked for.
-    pub ellipses: Vec<Value>,
+    pub outcomes: Vec<OutcomeUncertaintyReport>,
+    /// Ellipses of the landings; empty unless carry and lateral were requested.
+    pub ellipses: Vec<EllipseReport>,
     /// Points of the base sample.
     pub samples: usize,
     /// The seed of the sample.
     pub seed: u64,
-    /// How many drives were flown.
+    /// Number of drives flown.
     pub drives: u64,
-    /// How they ended: a number for each status.
-    pub statuses: Value,
+    /// Number of drives by status.
+    pub statuses: ByName<u64>,
 }
 
-impl UncertaintyReport {
-    /// The answer of `uncertainty`.
-    pub fn reply(found: &Uncertainty, warnings: Vec<Message>) -> Reply<Self> {
-        let sampled = found
-            .outcomes
-            .iter()
-            .filter(|outcome| outcome.sampled.is_some())
-            .count();
-        let missing = found
-            .outcomes
-            .iter()
-            .filter(|outcome| outcome.sampled.is_none());
-        let missing: Vec<_> = missing.map(|outcome| outcome.of.name()).collect();
-        let message = (!missing.is_empty())
-            .then(|| format!("no drive of the sample has {}", missing.join(", ")));
-        Reply::done("uncertainty", warnings, Self::new(found))
-            .ended(share(sampled, found.outcomes.len()), message)
-    }
+/// An uncertain parameter.
+#[derive(Clone, Debug, Serialize)]
+pub struct InputReport {
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The distribution: `normal`, `uniform`, `triangular` or `truncated`.
+    pub distribution: &'static str,
+    /// The values of the distribution, in the order in which it is given.
+    pub values: Vec<f64>,
+    /// Its mean.
+    pub mean: f64,
+    /// Its standard deviation.
+    pub standard_uncertainty: f64,
+}
 
-    fn new(found: &Uncertainty) -> Self {
-        let inputs = found.inputs.iter().map(|input| {
-            json!({
-                "parameter": input.parameter.name,
-                "distribution": name(&input.distribution),
-                "values": values(&input.distribution),
-                "mean": input.distribution.mean(),
-                "standard_uncertainty": input.distribution.deviation(),
-            })
+/// The uncertainty of an outcome.
+#[derive(Clone, Debug, Serialize)]
+pub struct OutcomeUncertaintyReport {
+    /// The outcome.
+    pub of: &'static str,
+    /// The outcome varies by more than rounding.
+    pub varies: bool,
+    /// By the gradient at the means.
+    pub delta: Option<MomentsReport>,
+    /// By gradient and Hessian at the means.
+    pub second_order: Option<MomentsReport>,
+    /// By the sample; `null` where no drive of it has the outcome.
+    pub monte_carlo: Option<SampledReport>,
+    /// The share of each uncertain parameter in the variance.
+    pub indices: Vec<IndicesReport>,
+    /// The parameter whose exact knowledge reduces the uncertainty most.
+    pub measure_first: Option<MeasureFirst>,
+}
+
+/// Mean and standard deviation of an outcome.
+#[derive(Clone, Debug, Serialize)]
+pub struct MomentsReport {
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation.
+    pub standard_uncertainty: f64,
+}
+
+/// An estimate with its 95 % interval.
+#[derive(Clone, Debug, Serialize)]
+pub struct EstimateInterval {
+    /// The estimate.
+    pub value: f64,
+    /// The lower end.
+    pub low: f64,
+    /// The upper end.
+    pub high: f64,
+}
+
+/// The statistics of an outcome over the sample.
+#[derive(Clone, Debug, Serialize)]
+pub struct SampledReport {
+    /// The mean.
+    pub mean: EstimateInterval,
+    /// The standard deviation.
+    pub standard_uncertainty: EstimateInterval,
+    /// The quantiles at 2.5, 50 and 97.5 %.
+    pub quantiles: ByName<f64>,
+    /// Number of points left out, since a drive there does not have the outcome.
+    pub rows_left_out: usize,
+}
+
+/// The share of an uncertain parameter in the variance of an outcome.
+#[derive(Clone, Debug, Serialize)]
+pub struct IndicesReport {
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The first-order Sobol' index.
+    pub first: Option<EstimateInterval>,
+    /// The total Sobol' index.
+    pub total: Option<EstimateInterval>,
+    /// The mean of the squared derivative over the sample.
+    pub mean_square_slope: Number,
+    /// The upper bound of the total index that follows from the derivatives.
+    pub bound: Option<EstimateInterval>,
+}
+
+/// The parameter whose exact knowledge reduces the uncertainty of an outcome most.
+#[derive(Clone, Debug, Serialize)]
+pub struct MeasureFirst {
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The standard uncertainty of the outcome once the parameter is known exactly.
+    pub standard_uncertainty: f64,
+}
+
+/// An ellipse of the landings.
+#[derive(Clone, Debug, Serialize)]
+pub struct EllipseReport {
+    /// The share of the drives that it should contain.
+    pub share: f64,
+    /// The method: `gradient` or `sample`.
+    pub by: &'static str,
+    /// The centre.
+    pub centre: LandingPoint,
+    /// The half-axes, the longer first: downrange and right, m.
+    pub half_axes: [[f64; 2]; 2],
+    /// The share of the sample's drives inside.
+    pub holds: f64,
+}
+
+/// A point on the ground, m.
+#[derive(Clone, Debug, Serialize)]
+pub struct LandingPoint {
+    /// To the right.
+    pub lateral: f64,
+    /// Downrange.
+    pub carry: f64,
+}
+
+impl<'a> UncertaintyReport<'a> {
+    /// The report of this uncertainty.
+    pub fn new(found: &'a Uncertainty) -> Self {
+        let inputs = found.inputs.iter().map(|input| InputReport {
+            parameter: input.parameter.name,
+            distribution: name(&input.distribution),
+            values: values(&input.distribution),
+            mean: input.distribution.mean(),
+            standard_uncertainty: input.distribution.deviation(),
         });
-        let ellipses = found.ellipses.iter().map(|sampled| {
-            json!({
-                "share": sampled.ellipse.share,
-                "by": if sampled.by_gradient { "gradient" } else { "sample" },
-                "centre": { "lateral": sampled.ellipse.centre[0], "carry": sampled.ellipse.centre[1] },
-                "half_axes": sampled.ellipse.half_axes,
-                "holds": sampled.holds,
-            })
+        let outcomes = found
+            .outcomes
+            .iter()
+            .map(|outcome| OutcomeUncertaintyReport::new(outcome, &found.inputs));
+        let ellipses = found.ellipses.iter().map(|sampled| EllipseReport {
+            share: sampled.ellipse.share,
+            by: if sampled.by_gradient {
+                "gradient"
+            } else {
+                "sample"
+            },
+            centre: LandingPoint {
+                lateral: sampled.ellipse.centre[0],
+                carry: sampled.ellipse.centre[1],
+            },
+            half_axes: sampled.ellipse.half_axes,
+            holds: sampled.holds,
         });
-        let statuses = found
-            .tally
-            .counts()
-            .map(|(status, count)| (status.name().to_owned(), count.into()));
+        let statuses = found.tally.counts();
         Self {
+            found,
             inputs: inputs.collect(),
-            outcomes: found
-                .outcomes
-                .iter()
-                .map(|outcome| outcome_json(outcome, &found.inputs))
-                .collect(),
+            outcomes: outcomes.collect(),
             ellipses: ellipses.collect(),
             samples: found.plan.samples,
             seed: found.plan.seed,
             drives: found.tally.counts().map(|(_, count)| count).sum(),
-            statuses: Value::Object(statuses.collect()),
+            statuses: statuses
+                .map(|(status, count)| (status.name(), count))
+                .collect(),
         }
+    }
+}
+
+impl OutcomeUncertaintyReport {
+    fn new(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Self {
+        let sampled = outcome.sampled.as_ref();
+        let indices = inputs.iter().enumerate().map(|(k, input)| {
+            let indices = sampled.and_then(|sampled| sampled.indices[k]);
+            let slopes = outcome.slopes[k];
+            IndicesReport {
+                parameter: input.parameter.name,
+                first: indices.map(|indices| indices.first.into()),
+                total: indices.map(|indices| indices.total.into()),
+                mean_square_slope: slopes.map(|slopes| slopes.mean_square).into(),
+                bound: slopes.map(|slopes| slopes.bound.into()),
+            }
+        });
+        let measure_first = outcome.measure_first(inputs);
+        Self {
+            of: outcome.of.name(),
+            varies: outcome.varies(),
+            delta: outcome.delta.map(|(first, _)| first.into()),
+            second_order: outcome
+                .delta
+                .and_then(|(_, second)| second.map(MomentsReport::from)),
+            monte_carlo: sampled.map(|sampled| {
+                let levels = ["2.5 %", "50 %", "97.5 %"];
+                SampledReport {
+                    mean: sampled.mean.into(),
+                    standard_uncertainty: sampled.deviation.into(),
+                    quantiles: levels.into_iter().zip(sampled.quantiles).collect(),
+                    rows_left_out: sampled.left_out,
+                }
+            }),
+            indices: indices.collect(),
+            measure_first: measure_first.map(|(parameter, deviation)| MeasureFirst {
+                parameter: parameter.name,
+                standard_uncertainty: deviation,
+            }),
+        }
+    }
+}
+
+impl From<Moments> for MomentsReport {
+    fn from(moments: Moments) -> Self {
+        Self {
+            mean: moments.mean,
+            standard_uncertainty: moments.deviation,
+        }
+    }
+}
+
+impl From<Interval> for EstimateInterval {
+    fn from(interval: Interval) -> Self {
+        Self {
+            value: interval.value,
+            low: interval.low,
+            high: interval.high,
+        }
+    }
+}
+
+impl Report for UncertaintyReport<'_> {
+    const COMMAND: &'static str = "uncertainty";
+
+    fn ending(&self) -> Ending {
+        let all = &self.found.outcomes;
+        let missing: Vec<_> = all
+            .iter()
+            .filter(|outcome| outcome.sampled.is_none())
+            .map(|outcome| outcome.of.name())
+            .collect();
+        Ending {
+            status: share(all.len() - missing.len(), all.len()),
+            message: (!missing.is_empty())
+                .then(|| format!("no drive of the sample has {}", missing.join(", "))),
+        }
+    }
+
+    /// The distributions, the uncertainty of each outcome, and the ellipses.
+    fn document(&self, system: System) -> Document {
+        let found = self.found;
+        let inputs = found.inputs.iter().map(|input| {
+            vec![
+                input.parameter.name.into(),
+                distribution_text(input, system),
+            ]
+        });
+        let mut document = Document::default();
+        document.add(Table::new(["uncertain parameter", "distribution"], inputs).right([]));
+        for outcome in &found.outcomes {
+            add_outcome(&mut document, outcome, found, system);
+        }
+        if !found.ellipses.is_empty() {
+            document.add(ellipses(found, system));
+        }
+        let counts: Vec<_> = found
+            .tally
+            .counts()
+            .filter(|(_, count)| *count > 0)
+            .map(|(status, count)| format!("{count} {status}"))
+            .collect();
+        document.list([Line::flush(format!(
+            "{} ({}, seed {}): {}",
+            counted(self.drives, "drive"),
+            counted(found.plan.samples as u64, "point"),
+            found.plan.seed,
+            counts.join(", ")
+        ))]);
+        document
     }
 }
 
@@ -108,71 +320,6 @@ fn values(distribution: &Distribution) -> Vec<f64> {
             high,
         } => vec![mean, deviation, low, high],
     }
-}
-
-fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
-    let moments = |moments: Option<Moments>| {
-        moments.map(|m| json!({ "mean": m.mean, "standard_uncertainty": m.deviation }))
-    };
-    let interval = |i: Interval| json!({ "value": i.value, "low": i.low, "high": i.high });
-    let sampled = outcome.sampled.as_ref();
-    let shares = inputs.iter().enumerate().map(|(k, input)| {
-        let indices = sampled.and_then(|sampled| sampled.indices[k]);
-        let slopes = outcome.slopes[k];
-        json!({
-            "parameter": input.parameter.name,
-            "first": indices.map(|indices| interval(indices.first)),
-            "total": indices.map(|indices| interval(indices.total)),
-            "mean_square_slope": json::number(slopes.map(|slopes| slopes.mean_square)),
-            "bound": slopes.map(|slopes| interval(slopes.bound)),
-        })
-    });
-    let first = outcome.measure_first(inputs);
-    json!({
-        "of": outcome.of.name(),
-        "varies": outcome.varies(),
-        "delta": moments(outcome.delta.map(|(first, _)| first)),
-        "second_order": moments(outcome.delta.and_then(|(_, second)| second)),
-        "monte_carlo": sampled.map(|sampled| json!({
-            "mean": interval(sampled.mean),
-            "standard_uncertainty": interval(sampled.deviation),
-            "quantiles": { "2.5 %": sampled.quantiles[0], "50 %": sampled.quantiles[1], "97.5 %": sampled.quantiles[2] },
-            "rows_left_out": sampled.left_out,
-        })),
-        "indices": shares.collect::<Vec<_>>(),
-        "measure_first": first.map(|(parameter, left)| json!({ "parameter": parameter.name, "standard_uncertainty": left })),
-    })
-}
-
-/// The uncertainty of outcomes as text.
-pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
-    let inputs = found.inputs.iter().map(|input| {
-        vec![
-            input.parameter.name.into(),
-            distribution_text(input, system),
-        ]
-    });
-    let mut text = table(&["uncertain parameter", "distribution"], &[], inputs);
-    for outcome in &found.outcomes {
-        text += &outcome_text(outcome, found, system);
-    }
-    if !found.ellipses.is_empty() {
-        text += &ellipses_text(found, system);
-    }
-    let all: u64 = found.tally.counts().map(|(_, count)| count).sum();
-    let counts = found
-        .tally
-        .counts()
-        .filter(|(_, count)| *count > 0)
-        .map(|(status, count)| format!("{count} {status}"));
-    let counts: Vec<_> = counts.collect();
-    text + &format!(
-        "\n{} ({}, seed {}): {}\n",
-        counted(all, "drive"),
-        counted(found.plan.samples as u64, "point"),
-        found.plan.seed,
-        counts.join(", ")
-    )
 }
 
 /// "normal: 110 mph ± 0.5 mph"; "truncated normal: 110 mph ± 4 mph, cut at 105 mph and 115 mph".
@@ -210,70 +357,94 @@ pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
 /// Points of a sample below which estimates of shares are noise.
 const ENOUGH: usize = 100;
 
-fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) -> String {
+/// Adds the uncertainty of an outcome to a document.
+fn add_outcome(
+    document: &mut Document,
+    outcome: &OutcomeUncertainty,
+    found: &Uncertainty,
+    system: System,
+) {
+    let of = outcome.of;
+    if let Some(sampled) = outcome.sampled.as_ref().filter(|_| !outcome.varies()) {
+        let mean = shown::outcome(of, sampled.mean.value, system);
+        let why = why_constant(outcome, found);
+        document.list([Line::flush(format!(
+            "{} is {mean} in every drive: {why}",
+            of.name()
+        ))]);
+        return;
+    }
+    document.add(moments(outcome, found, system));
+    let Some(sampled) = &outcome.sampled else {
+        return;
+    };
+    if found.plan.samples < ENOUGH {
+        document.list([Line::item(format!(
+            "shares of the variance are shown from {ENOUGH} points on; `samples` gives their number"
+        ))]);
+        return;
+    }
+    document.add(shares(outcome, sampled, found, system));
+}
+
+/// Why an outcome is the same in every drive.
+fn why_constant(outcome: &OutcomeUncertainty, found: &Uncertainty) -> &'static str {
+    if depends(outcome, found) {
+        "it varies by less than rounding, since the uncertainty is so small"
+    } else if found.inputs.len() == 1 {
+        "it does not depend on the uncertain parameter"
+    } else {
+        "it does not depend on any of the uncertain parameters"
+    }
+}
+
+/// Mean and standard deviation of an outcome, by each method.
+fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) -> Table {
     let of = outcome.of;
     let value = |value: f64| shown::outcome(of, value, system);
     let spread = |value: f64| shown::spread(of, value, system);
-    let between = |i: Interval, show: &dyn Fn(f64) -> String| {
-        format!("{} ({} to {})", show(i.value), show(i.low), show(i.high))
-    };
-    let moments = |words: &str, m: Moments| vec![words.into(), value(m.mean), spread(m.deviation)];
+    let row = |words: &str, m: Moments| vec![words.into(), value(m.mean), spread(m.deviation)];
     let mut rows = vec![];
     if let Some((first, second)) = outcome.delta {
-        rows.push(moments("by the gradient", first));
-        rows.extend(second.map(|second| moments("by gradient and Hessian", second)));
+        rows.push(row("by the gradient", first));
+        rows.extend(second.map(|second| row("by gradient and Hessian", second)));
     }
-    let Some(sampled) = &outcome.sampled else {
-        let head = [of.name(), "mean", "standard deviation"];
-        return format!(
-            "\n{}  no drive of the sample has this outcome\n",
-            table(&head, &[1, 2], rows)
-        );
-    };
-    if !outcome.varies() {
-        let given = if found.inputs.len() == 1 {
-            "the uncertain parameter"
-        } else {
-            "any of the uncertain parameters"
+    let remark = if let Some(sampled) = &outcome.sampled {
+        let between = |i: Interval, show: &dyn Fn(f64) -> String| {
+            format!("{} ({} to {})", show(i.value), show(i.low), show(i.high))
         };
-        let mean = value(sampled.mean.value);
-        let why = if depends(outcome, found) {
-            "it varies by less than rounding, since the uncertainty is so small".to_owned()
-        } else {
-            format!("it does not depend on {given}")
+        rows.push(vec![
+            "by the sample (95 % interval)".into(),
+            between(sampled.mean, &value),
+            between(sampled.deviation, &spread),
+        ]);
+        let [low, middle, high] = sampled.quantiles.map(value);
+        let drives = match of.group() {
+            OutcomeGroup::Flight if found.part_without_landing() > 0.0 => "drives that land",
+            _ => "drives",
         };
-        return format!("\n{} is {mean} in every drive: {why}\n", of.name());
-    }
-    rows.push(vec![
-        "by the sample (95 % interval)".into(),
-        between(sampled.mean, &value),
-        between(sampled.deviation, &spread),
-    ]);
-    let mut text = format!(
-        "\n{}",
-        table(&[of.name(), "mean", "standard deviation"], &[1, 2], rows)
-    );
-    let [low, middle, high] = sampled.quantiles.map(value);
-    let drives = match of.group() {
-        OutcomeGroup::Flight if found.part_without_landing() > 0.0 => "drives that land",
-        _ => "drives",
+        format!("95 % of the {drives} lie between {low} and {high}; the median is {middle}")
+    } else {
+        "no drive of the sample has this outcome".into()
     };
-    text +=
-        &format!("  95 % of the {drives} lie between {low} and {high}; the median is {middle}\n\n");
-    if found.plan.samples < ENOUGH {
-        return text
-            + &format!(
-                "  shares of the variance are shown from {ENOUGH} points on; `samples` gives their \
-                 number\n"
-            );
-    }
-    // rounding has no sign
+    let mut table = Table::new([of.name(), "mean", "standard deviation"], rows).right([1, 2]);
+    table.remark(remark);
+    table
+}
+
+/// The shares of the uncertain parameters in the variance of an outcome.
+fn shares(
+    outcome: &OutcomeUncertainty,
+    sampled: &Statistics,
+    found: &Uncertainty,
+    system: System,
+) -> Table {
+    // the sum turns -0 into 0
     let tenths = |value: f64| format!("{:.1}", (1000.0 * value).round() / 10.0 + 0.0);
-    let percent = |value: f64| format!("{} %", tenths(value));
     let share = |i: Interval| {
         format!(
-            "{} ({} to {})",
-            percent(i.value),
+            "{} % ({} to {})",
+            tenths(i.value),
             tenths(i.low),
             tenths(i.high)
         )
@@ -293,40 +464,36 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
         "total index",
         "upper bound of total",
     ];
-    text += &table(&head, &[1, 2, 3], rows);
-    if found.inputs.len() > 1 {
-        text += &item(
-            "estimates from the sample with 95 % intervals; the upper bound is estimated from the \
-             slopes",
-        );
+    let mut table = Table::new(head, rows).right([1, 2, 3]);
+    table.remark(if found.inputs.len() > 1 {
+        "estimates from the sample with 95 % intervals; the upper bound is estimated from the \
+         slopes"
     } else {
-        text += &item(
-            "of a single uncertain parameter the share is 100 %; the upper bound is estimated from \
-             the slopes, with a 95 % interval",
-        );
-    }
+        "of a single uncertain parameter the share is 100 %; the upper bound is estimated from \
+         the slopes, with a 95 % interval"
+    });
     if sampled.left_out > 0 {
-        text += &format!(
-            "  these shares leave out {} at which a drive does not have this outcome\n",
-            counted_of(
-                sampled.left_out as u64,
-                found.plan.samples as u64,
-                ["point", "points"]
-            )
+        let points = counted_of(
+            sampled.left_out as u64,
+            found.plan.samples as u64,
+            ["point", "points"],
         );
-    }
-    if let Some((parameter, left)) = outcome.measure_first(&found.inputs) {
-        text += &item(&format!(
-            "measure {} first: once it is known exactly, the standard deviation falls to {}",
-            parameter.name,
-            spread(left)
+        table.remark(format!(
+            "these shares leave out {points} at which a drive does not have this outcome"
         ));
     }
-    text
+    if let Some((parameter, deviation)) = outcome.measure_first(&found.inputs) {
+        table.remark(format!(
+            "measure {} first: once it is known exactly, the standard deviation falls to {}",
+            parameter.name,
+            shown::spread(outcome.of, deviation, system)
+        ));
+    }
+    table
 }
 
-/// Whether the outcome depends on any of the uncertain parameters at their means; also where it is
-/// not known not to.
+/// The outcome depends on one of the uncertain parameters at their means; also if the derivatives
+/// there are unknown.
 fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
     let Some(at) = &outcome.at_means else {
         return true;
@@ -344,7 +511,8 @@ fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
     })
 }
 
-fn ellipses_text(found: &Uncertainty, system: System) -> String {
+/// The ellipses of the landings.
+fn ellipses(found: &Uncertainty, system: System) -> Table {
     use crate::drive::Outcome::Carry;
     let head = [
         "landing ellipse",
@@ -356,7 +524,7 @@ fn ellipses_text(found: &Uncertainty, system: System) -> String {
         let [long, short] = sampled.ellipse.half_axes;
         let lengths =
             [long, short].map(|axis| shown::spread(Carry, axis[0].hypot(axis[1]), system));
-        // an axis has no direction of its own: within a quarter turn of downrange
+        // an axis has two opposite directions: the one within a quarter turn of downrange
         let turned = (long[0] * long[1].signum()).atan2(long[1].abs());
         vec![
             format!(
@@ -373,5 +541,5 @@ fn ellipses_text(found: &Uncertainty, system: System) -> String {
             format!("{:.1} %", 100.0 * sampled.holds),
         ]
     });
-    format!("\n{}", table(&head, &[1, 2, 3], rows))
+    Table::new(head, rows).right([1, 2, 3])
 }

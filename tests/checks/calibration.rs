@@ -6,7 +6,7 @@ use crate::common::panic_of;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
 use longdrive::optimize::least_squares::{Follow, Loss, Rows, Status};
-use longdrive::report::{CalibrationReport, calibration_document, calibration_reply};
+use longdrive::report::{CalibrationReport, Reply, Report};
 use longdrive::study::calibrate::{
     Calibration, Fitted, Plan, Shot, ShotTable, Statistics, Uncertainties, calibrate, held_out,
 };
@@ -1036,12 +1036,9 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
     let ended = 60 - found.stopped;
     assert_eq!(found.fit.status, Status::Interrupted);
     assert!(found.starts.1 <= ended, "{:?} of {ended}", found.starts);
-    let report = CalibrationReport {
-        table: &table,
-        found: &found,
-        held_out: &[],
-    };
-    let text = calibration_document(&report, System::Us)
+    let report = CalibrationReport::new(&table, &found, &[]);
+    let text = report
+        .document(System::Us)
         .text()
         .split_whitespace()
         .collect::<Vec<_>>()
@@ -1086,13 +1083,10 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
         ("linear, fitted as above".to_owned(), held),
         ("robinson, all coefficients fitted".into(), never),
     ];
-    let report = CalibrationReport {
-        table: &table,
-        found: &found,
-        held_out: &held,
-    };
+    let report = CalibrationReport::new(&table, &found, &held);
     assert!(report.is_interrupted() && !report.is_found());
-    let text = calibration_document(&report, System::Us)
+    let text = report
+        .document(System::Us)
         .text()
         .split_whitespace()
         .collect::<Vec<_>>()
@@ -1107,7 +1101,7 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
         text.contains("robinson, all coefficients fitted: interrupted, nothing was fitted"),
         "{text}"
     );
-    let json = serde_json::to_value(calibration_reply(&report, vec![])).unwrap();
+    let json = serde_json::to_value(Reply::of(&report, vec![])).unwrap();
     assert_eq!(json["status"], "interrupted");
     assert_eq!(
         (

@@ -3,7 +3,7 @@
 
 use crate::command_line::longdrive;
 use crate::reproduce::{FOUND, PAPER, PAPER_WRITTEN};
-use longdrive::report::{mae494_document, winfield_tan_document};
+use longdrive::report::{Mae494Report, Report, WinfieldTanReport};
 use longdrive::units::System;
 
 /// The words of a text, without its line breaks.
@@ -32,7 +32,7 @@ fn alone<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
 
 #[test]
 fn published_numbers_of_mae494_keep_their_units_and_computed_ones_have_the_chosen_units() {
-    let [metric, us] = System::ALL.map(|system| mae494_document(&FOUND, system).text());
+    let [metric, us] = System::ALL.map(|system| Mae494Report::new(&FOUND).document(system).text());
     for (text, system) in [(&metric, "metric"), (&us, "us")] {
         assert!(widest(text) <= 100, "{system}: {} columns", widest(text));
     }
@@ -77,7 +77,8 @@ fn published_numbers_of_mae494_keep_their_units_and_computed_ones_have_the_chose
 #[test]
 fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have_the_chosen_units()
 {
-    let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
+    let [metric, us] =
+        System::ALL.map(|system| WinfieldTanReport::new(&PAPER).document(system).text());
     assert!(
         widest(&metric) <= 100 && widest(&us) <= 100,
         "{metric}\n{us}"
@@ -108,7 +109,8 @@ fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have
 
 #[test]
 fn a_study_has_its_own_units_by_default() {
-    let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
+    let [metric, us] =
+        System::ALL.map(|system| WinfieldTanReport::new(&PAPER).document(system).text());
     let said = &PAPER_WRITTEN.said;
     assert!(us.contains("250.09 yd") && said.out == us, "{}", said.out);
     assert!(metric.contains("250.09 yd (228.68 m)"), "{metric}");

@@ -8,7 +8,7 @@ use longdrive::derivative::{
 };
 use longdrive::number::{Jet, Number, Numbers};
 use longdrive::parameters::Parameter;
-use longdrive::report::{GradientReport, gradient_text};
+use longdrive::report::{GradientReport, Report};
 use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
@@ -466,24 +466,28 @@ fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers(
     let setup = Setup::default();
     let wrt = ["club.loft", "swing.speed"].map(|name| setup.variable(name).unwrap());
     let carry = hessian(&setup, Outcome::Carry, &wrt).unwrap();
-    let said = panic_of(|| gradient_text(Outcome::Carry, &wrt[..1], &carry, System::Us));
+    let text = |wrt: &[&'static Parameter], taylor: &Taylor| {
+        let found = [(Outcome::Carry, Ok(taylor.clone()))];
+        GradientReport::new(&found, wrt).document(System::Us).text()
+    };
+    let said = panic_of(|| text(&wrt[..1], &carry));
     assert!(said.contains("1 parameters, and 2 derivatives"), "{said}");
     let short = Taylor {
         gradient: carry.gradient[..1].to_vec(),
         ..carry.clone()
     };
-    let said = panic_of(|| GradientReport::reply(&[(Outcome::Carry, Ok(short))], &wrt, vec![]));
+    let said = panic_of(|| text(&wrt, &short));
     assert!(said.contains("2 parameters, and 1 derivatives"), "{said}");
     let narrow = Taylor {
         hessian: vec![vec![0.0; 1]; 2],
         ..carry.clone()
     };
-    let said = panic_of(|| gradient_text(Outcome::Carry, &wrt, &narrow, System::Us));
+    let said = panic_of(|| text(&wrt, &narrow));
     assert!(
         said.contains("second derivatives in rows of [1, 1]"),
         "{said}"
     );
-    assert!(gradient_text(Outcome::Carry, &wrt, &carry, System::Us).contains("swing.speed"));
+    assert!(text(&wrt, &carry).contains("swing.speed"));
 }
 
 #[test]

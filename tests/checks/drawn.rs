@@ -5,14 +5,14 @@ use crate::common::close;
 use crate::report::{polylines, whole};
 use longdrive::optimize::Observer;
 use longdrive::report::figures::{
-    Flown, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
     trajectory_figure,
 };
 use longdrive::report::plot::{Figure, Layer, Look, figure_csv, figure_svg};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{
-    Constraint, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary,
-    chart, flatness, map, optimum, with_defaults,
+    Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region, Search, Sigma,
+    Vary, chart, flatness, map, optimum, with_defaults,
 };
 use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
@@ -452,7 +452,7 @@ fn trajectories_and_landings_are_drawn_at_true_scale() {
     ] {
         setup.set("swing.face_angle", face).unwrap();
         setup.set("club.loft", loft).unwrap();
-        let flown = [Flown::new("as set up", &setup).unwrap()];
+        let flown = [NamedDrive::new("as set up", &setup).unwrap()];
         for view in [View::Side, View::Top] {
             let figure = trajectory_figure(&flown, view, System::Us).unwrap();
             let [across, up] = scales(&figure, &line_of(&figure, "as set up"));
@@ -478,7 +478,7 @@ fn trajectories_and_landings_are_drawn_at_true_scale() {
 fn a_side_view_has_its_numbers_at_the_points_and_a_stretched_view_below() {
     let setup = setup();
     let figure = trajectory_figure(
-        &[Flown::new("as set up", &setup).unwrap()],
+        &[NamedDrive::new("as set up", &setup).unwrap()],
         View::Side,
         System::Us,
     )
@@ -580,7 +580,7 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
 
 #[test]
 fn a_straight_drive_has_no_view_from_above() {
-    let flown = [Flown::new("as set up", &setup()).unwrap()];
+    let flown = [NamedDrive::new("as set up", &setup()).unwrap()];
     let error = trajectory_figure(&flown, View::Top, System::Us).unwrap_err();
     assert!(
         matches!(&error, Error::Plot { reason, .. } if reason.contains("straight")),

@@ -4,11 +4,11 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::report::figures::{
-    At, Causes, Flown, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    At, Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, Shades, figure_csv, figure_svg};
 use longdrive::study::certificate::certify;
-use longdrive::study::{Fineness, Vary, effects, map, with_defaults};
+use longdrive::study::{Fineness, NamedDrive, Vary, effects, map, with_defaults};
 use longdrive::units::System;
 use longdrive::{Error, Outcome, Setup, derivative, flight, impact};
 use std::path::Path;
@@ -80,7 +80,7 @@ fn figures() -> Vec<Figure> {
     let landscape = map(&setup, Outcome::Carry, ranges[0], ranges[1], fineness).unwrap();
     let mut crooked = setup;
     crooked.set("swing.path", "3 deg").unwrap();
-    let flown = [Flown::new("as <set> & \"up\"", &crooked).unwrap()];
+    let flown = [NamedDrive::new("as <set> & \"up\"", &crooked).unwrap()];
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
     let effects = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap();
     let loft = setup.variable("club.loft").unwrap();
@@ -111,8 +111,12 @@ fn figures() -> Vec<Figure> {
 fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
     let setup = Setup::default();
     let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
-    let figure =
-        trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
+    let figure = trajectory_figure(
+        &[NamedDrive::new("", &setup).unwrap()],
+        View::Side,
+        System::Us,
+    )
+    .unwrap();
     let csv = figure_csv(&figure).unwrap();
     assert!(
         csv.starts_with("kind,name,downrange [m],height [m]\n"),
@@ -136,8 +140,12 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
     let ends = |face_angle: &str| {
         let mut setup = Setup::default();
         setup.set("swing.face_angle", face_angle).unwrap();
-        let figure =
-            trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Top, System::Us).unwrap();
+        let figure = trajectory_figure(
+            &[NamedDrive::new("", &setup).unwrap()],
+            View::Top,
+            System::Us,
+        )
+        .unwrap();
         let svg = figure_svg(&figure, &Look::default()).unwrap();
         let picture = whole(&svg);
         let longest = polylines(&picture)
@@ -609,8 +617,12 @@ fn a_png_has_its_size_and_its_words() {
     );
     // its text needs more width than an empty one: a missing font would give blanks
     let setup = Setup::default();
-    let figure =
-        trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
+    let figure = trajectory_figure(
+        &[NamedDrive::new("", &setup).unwrap()],
+        View::Side,
+        System::Us,
+    )
+    .unwrap();
     let silent = Figure {
         title: String::new(),
         ..figure.clone()

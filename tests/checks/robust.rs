@@ -4,7 +4,7 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::optimize::{Follow, Iteration};
-use longdrive::report::robust_reply;
+use longdrive::report::{Report, RobustReport};
 use longdrive::study::swings::{Model, Robust, robust};
 use longdrive::study::{Goal, Search, Sense, Vary};
 use longdrive::{Drive, Error, Outcome, Setup};
@@ -299,7 +299,7 @@ fn a_stopped_search_reports_its_progress() {
         found.searches
     );
     assert_eq!(found.interrupted().unwrap(), says);
-    let told = robust_reply(&found, Some(0.9144), vec![], None);
+    let told = RobustReport::new(&found, Some(0.9144)).ending();
     assert!(
         told.message
             .unwrap()

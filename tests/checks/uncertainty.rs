@@ -2,7 +2,7 @@
 
 use crate::common::{LARGE_STEPS, close, panic_of};
 use longdrive::batch::Status;
-use longdrive::report::{UncertaintyReport, uncertainty_text};
+use longdrive::report::{Reply, Report, UncertaintyReport};
 use longdrive::study::swings::{Rule, Scenarios, Swings};
 use longdrive::study::uncertainty::{
     Design, Distribution, Plan, Statistics, Uncertain, delta_method, uncertainty,
@@ -655,14 +655,15 @@ fn an_outcome_without_uncertain_parameters_says_so() {
     }
     let carry = &found.outcomes[2];
     assert!(carry.varies() && carry.measure_first(&found.inputs).unwrap().0.name == "air.density");
-    let text = uncertainty_text(&found, longdrive::units::System::Us);
+    let report = UncertaintyReport::new(&found);
+    let text = report.document(longdrive::units::System::Us).text();
     assert!(
         text.contains("ball_speed is 162.0 mph in every drive")
             && text.contains("it does not depend on the uncertain parameter\n"),
         "{text}"
     );
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
-    let json = serde_json::to_value(UncertaintyReport::reply(&found, vec![])).unwrap();
+    let json = serde_json::to_value(Reply::of(report, vec![])).unwrap();
     assert_eq!(json["outcomes"][0]["varies"], false);
     assert_eq!(
         json["outcomes"][0]["measure_first"],
@@ -769,7 +770,8 @@ fn huge_uncertainties_give_no_infinity() {
             "{outcome:?}"
         );
     }
-    let text = uncertainty_text(&found, longdrive::units::System::Us);
+    let report = UncertaintyReport::new(&found);
+    let text = report.document(longdrive::units::System::Us).text();
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
     let found = effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ())
         .unwrap()

@@ -5,7 +5,7 @@ use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
 use longdrive::parameters::{Law, Method, PRESETS, Parameter};
-use longdrive::report::{CertificateReport, certificate_text};
+use longdrive::report::{CertificateReport, Reply, Report};
 use longdrive::study::certificate::{Certificate, Plant, certify};
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
@@ -578,7 +578,8 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
         found.failures(),
         ["first derivatives by num-dual (carry by club.loft)"]
     );
-    let text = certificate_text(&found, &[], System::Us);
+    let report = CertificateReport::new(&found, &[]);
+    let text = report.document(System::Us).text();
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         words.contains("fail (num-dual)")
@@ -590,7 +591,7 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
             && words.contains("over the jets and 336.770083 over num-dual"),
         "{words}"
     );
-    let reply = serde_json::to_value(CertificateReport::reply(&found, &[], vec![])).unwrap();
+    let reply = serde_json::to_value(Reply::of(report, vec![])).unwrap();
     assert_eq!(
         (
             reply["status"].as_str(),

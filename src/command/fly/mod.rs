@@ -13,7 +13,7 @@ use crate::drive::CheckScope;
 use crate::parameters::{Law, Preset};
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
-use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
+use crate::report::{Ending, Report, ShotWriter, ShotsReport};
 use crate::shots::{Flying, Shots, Tally};
 use crate::table::{ASSUMED_UNITS, CONDITIONS};
 use crate::units::{Message, counted};
@@ -245,25 +245,25 @@ fn answer(
     remarks: &[Message],
     Missing { stopped, nothing }: Missing,
 ) -> Answer {
-    let text = shots_text(tally, source, system());
     let is_answered = stopped.is_none() && nothing.is_none();
+    let file = target
+        .file()
+        .filter(|_| stopped.is_none())
+        .map(|file| file.display().to_string());
+    let mut report = ShotsReport::new(tally, source, file, remarks);
     if request.is_json() {
-        let file = target
-            .file()
-            .filter(|_| stopped.is_none())
-            .map(|file| file.display().to_string());
-        let reply = Reply::done(
-            "fly",
-            warnings,
-            ShotsReport::new(tally, source, file, remarks),
-        );
-        let reply = match (stopped, nothing) {
-            (Some(stopped), _) => reply.ended("interrupted", Some(stopped)),
-            (None, Some(nothing)) => reply.ended("no-answer", Some(nothing)),
-            (None, None) => reply,
+        let status = match (&stopped, &nothing) {
+            (Some(_), _) => "interrupted",
+            (None, Some(_)) => "no-answer",
+            (None, None) => "done",
         };
-        return Answer::json(&reply).found(is_answered);
+        report.ending = Ending {
+            status,
+            message: stopped.or(nothing),
+        };
+        return Answer::report(&report, warnings, true).found(is_answered);
     }
+    let text = report.document(system()).text();
     for message in stopped.iter().chain(&nothing) {
         crate::command::output::say_error(message);
     }

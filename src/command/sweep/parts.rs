@@ -8,7 +8,7 @@ use crate::command::interrupt;
 use crate::command::output::{Answer, bar, system, tell, warn};
 use crate::drive::CheckScope;
 use crate::parts::{self, Checked, Dataset, Manifest, Question, Written};
-use crate::report::{Reply, summary_text};
+use crate::report::{Reply, summary_document};
 use crate::statistics::{Bins, Sought};
 use crate::units::{Message, counted};
 use crate::{Error, Result};
@@ -181,7 +181,7 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
         };
         return Ok(Answer::json(&reply).found(is_complete));
     }
-    let text = said.join("\n") + "\n\n" + &summary_text(&checked.summary, system());
+    let text = said.join("\n") + "\n\n" + &summary_document(&checked.summary, system()).text();
     Ok(Answer::text(text).found(is_complete))
 }
 

@@ -1,40 +1,224 @@
-//! A calibration as a document, as JSON and as a setup file.
+//! A calibration, as a document, as JSON and as a setup file.
 
-mod json;
 mod plots;
-mod setup_file;
-
-pub use json::calibration_reply;
-pub use setup_file::calibration_toml;
+mod text;
 
 use super::document::Document;
+use super::json::{ByName, Matrix, Number, Setting, settings};
+use super::reply::{Ending, Report};
+use super::setup_file::setup_toml;
+use super::shown::as_declared;
+use crate::error::Result;
 use crate::optimize::least_squares::Status;
-use crate::report::shown;
-use crate::study::calibrate::{
-    Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined,
-};
-use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant, with_unit};
-use std::path::Path;
+use crate::parameters::Preset;
+use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable};
+use crate::units::{Message, System, counted, counted_of};
+use serde::Serialize;
+use text::{by_outcome, to_its_error};
 
-/// All that a report of a calibration shows.
-#[derive(Clone, Copy, Debug)]
+/// A calibration, SI and radians.
+#[derive(Clone, Debug, Serialize)]
 pub struct CalibrationReport<'a> {
+    #[serde(skip)]
+    table: &'a ShotTable,
+    #[serde(skip)]
+    found: &'a Calibration,
+    #[serde(skip)]
+    held: &'a [(String, HeldOut)],
+    /// The fit, or one for the held-out error, was interrupted.
+    pub interrupted: bool,
     /// The data.
-    pub table: &'a ShotTable,
-    /// The fit.
-    pub found: &'a Calibration,
-    /// Held-out errors, each with what was fitted.
-    pub held_out: &'a [(String, HeldOut)],
+    pub data: DataReport,
+    /// Each parameter.
+    pub estimates: ByName<EstimateReport>,
+    /// The covariance of the estimates.
+    pub covariance: Matrix,
+    /// The correlation of the estimates.
+    pub correlation: Matrix,
+    /// Directions that the data do not determine, by parameter.
+    pub undetermined: Vec<ByName<Number>>,
+    /// χ² of the fit.
+    pub chi_square: Number,
+    /// Number of values less that of parameters.
+    pub degrees_of_freedom: usize,
+    /// The probability of a χ² as large as this.
+    pub probability: Number,
+    /// √(χ²/degrees of freedom).
+    pub uncertainty_scale: Number,
+    /// Iterations of the fit.
+    pub iterations: u64,
+    /// Evaluations of the residuals.
+    pub evaluations: u64,
+    /// Trial points that the fit refused.
+    pub refused: RefusedReport,
+    /// The searches.
+    pub starts: StartsReport,
+    /// Each measured value.
+    pub residuals: Vec<RemainderReport>,
+    /// The errors on data left out of the fit.
+    pub held_out: Vec<HeldOutReport>,
+    /// Every parameter of the fitted setup by its dotted name.
+    pub setup: ByName<Setting>,
+    /// The setup file that was written; `null` where none was.
+    pub file: Option<String>,
+    /// The folder of the page that was written; `null` where none was.
+    pub folder: Option<String>,
 }
 
-impl CalibrationReport<'_> {
-    /// Whether the fit, or one for the held-out error, was interrupted.
-    pub fn is_interrupted(&self) -> bool {
-        self.found.fit.status == Status::Interrupted
-            || self.held_out.iter().any(|(_, held)| held.is_interrupted())
+/// The data of a calibration.
+#[derive(Clone, Debug, Serialize)]
+pub struct DataReport {
+    /// The file.
+    pub file: String,
+    /// Number of shots.
+    pub shots: usize,
+    /// Number of measured values.
+    pub values: usize,
+    /// The rows are launch conditions, flown without an impact.
+    pub launch_conditions: bool,
+    /// Remarks about the file.
+    pub remarks: Vec<Message>,
+}
+
+/// The estimate of a parameter.
+#[derive(Clone, Debug, Serialize)]
+pub struct EstimateReport {
+    /// The estimate.
+    pub value: Number,
+    /// Its standard uncertainty; `null` if the data give none.
+    pub standard_uncertainty: Number,
+    /// Its 95 % interval.
+    pub interval_95: Option<[f64; 2]>,
+    /// It lies on a bound of its range.
+    pub at_bound: bool,
+    /// The data determine it.
+    pub determined: bool,
+}
+
+/// Trial points that a fit refused, since the residuals are not defined there.
+#[derive(Clone, Debug, Serialize)]
+pub struct RefusedReport {
+    /// Their number.
+    pub count: u64,
+    /// The reason for the last.
+    pub last: Option<String>,
+}
+
+/// The searches of a fit.
+#[derive(Clone, Debug, Serialize)]
+pub struct StartsReport {
+    /// Number of starts.
+    pub made: usize,
+    /// Number of those that ended at the smallest sum.
+    pub same: usize,
+    /// Number of the others by status.
+    pub elsewhere: ByName<usize>,
+}
+
+/// The residual of a measured value.
+#[derive(Clone, Debug, Serialize)]
+pub struct RemainderReport {
+    /// The row of the file.
+    pub row: usize,
+    /// The outcome.
+    pub of: &'static str,
+    /// The parameter in which the row is an optimum of the outcome; `null` for a measured value.
+    pub parameter: Option<&'static str>,
+    /// The measured value.
+    pub measured: Number,
+    /// Computed less measured.
+    pub difference: Number,
+    /// The difference in standard uncertainties.
+    pub residual: Number,
+}
+
+/// The errors on data left out of a fit.
+#[derive(Clone, Debug, Serialize)]
+pub struct HeldOutReport {
+    /// The law, and the parameters that were fitted.
+    pub fit: String,
+    /// Number of folds; 0 where nothing was fitted.
+    pub folds: usize,
+    /// Number of fits by status.
+    pub fits: ByName<usize>,
+    /// Root mean square of the residuals.
+    pub rms_standardized: Number,
+    /// Root mean square of the differences of each outcome.
+    pub rms: ByName<Number>,
+}
+
+impl<'a> CalibrationReport<'a> {
+    /// The report of a fit to these shots, with held-out errors, each with a description of the fit.
+    pub fn new(
+        table: &'a ShotTable,
+        found: &'a Calibration,
+        held_out: &'a [(String, HeldOut)],
+    ) -> Self {
+        let statistics = &found.statistics;
+        let names: Vec<&'static str> = found
+            .estimates
+            .iter()
+            .map(|estimate| estimate.parameter.name)
+            .collect();
+        let estimates = found.estimates.iter().map(|estimate| {
+            let report = EstimateReport::new(estimate, statistics.reach);
+            (estimate.parameter.name, report)
+        });
+        let undetermined = statistics.undetermined.iter().map(|direction| {
+            let parts = direction.parts.iter();
+            parts.map(|(at, part)| (names[*at], *part)).collect()
+        });
+        let elsewhere = found.elsewhere.iter();
+        Self {
+            table,
+            found,
+            held: held_out,
+            interrupted: is_interrupted(found, held_out),
+            data: DataReport {
+                file: table.file.clone(),
+                shots: table.shots.len(),
+                values: table.residuals(),
+                launch_conditions: table.is_launched,
+                remarks: table.remarks.clone(),
+            },
+            estimates: estimates.collect(),
+            covariance: Matrix::new(names.clone(), |a, b| statistics.covariance[a][b]),
+            correlation: Matrix::new(names.clone(), |a, b| statistics.correlation(a, b)),
+            undetermined: undetermined.collect(),
+            chi_square: statistics.chi_square.into(),
+            degrees_of_freedom: statistics.degrees_of_freedom,
+            probability: statistics.probability.into(),
+            uncertainty_scale: statistics.scale.into(),
+            iterations: found.fit.iterations,
+            evaluations: found.fit.evaluations,
+            refused: RefusedReport {
+                count: found.fit.refused,
+                last: found.fit.why_refused.clone(),
+            },
+            starts: StartsReport {
+                made: found.starts.0,
+                same: found.starts.1,
+                elsewhere: elsewhere
+                    .map(|(status, count)| (status.name(), *count))
+                    .collect(),
+            },
+            residuals: found.remainders.iter().map(RemainderReport::new).collect(),
+            held_out: held_out
+                .iter()
+                .map(|(fit, held)| HeldOutReport::new(fit, held))
+                .collect(),
+            setup: settings(&found.setup),
+            file: None,
+            folder: None,
+        }
     }
 
-    /// How it ended: as the fit did, or interrupted where a fit for the held-out error was.
+    /// The fit, or one for the held-out error, was interrupted.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    /// The status of the fit; interrupted where a fit for the held-out error was.
     pub fn status(&self) -> Status {
         if self.is_interrupted() {
             Status::Interrupted
@@ -43,18 +227,15 @@ impl CalibrationReport<'_> {
         }
     }
 
-    /// The same in a sentence.
+    /// The status in a sentence.
     pub fn message(&self) -> String {
         let fit = &self.found.fit;
-        let (stopped, all) = self
-            .held_out
-            .iter()
-            .fold((0, 0), |(stopped, all), (_, held)| {
-                (
-                    stopped + held.count(Status::Interrupted),
-                    all + held.ended.len(),
-                )
-            });
+        let (stopped, all) = self.held.iter().fold((0, 0), |(stopped, all), (_, held)| {
+            (
+                stopped + held.count(Status::Interrupted),
+                all + held.ended.len(),
+            )
+        });
         let of_all = counted_of(stopped as u64, all as u64, ["fit", "fits"]);
         match stopped {
             0 => fit.message.clone(),
@@ -69,396 +250,143 @@ impl CalibrationReport<'_> {
         }
     }
 
-    /// Whether it has an answer: the fit has converged, and nothing was interrupted.
+    /// The fit has converged, and nothing was interrupted.
     pub fn is_found(&self) -> bool {
         self.found.fit.status == Status::Converged && !self.is_interrupted()
     }
-}
 
-/// The number of a value in a unit, to the second digit of its standard error.
-fn to_its_error(quantity: Quantity, unit: &str, value: f64, standard_error: Option<f64>) -> String {
-    let size = quantity.size_of(unit).unwrap_or(1.0);
-    let number = value / size;
-    let decimals = standard_error
-        .filter(|error| *error > 0.0)
-        .map(|error| 1.0 - (error / size).log10().floor());
-    match decimals {
-        Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
-        // a number far from 1: the same digits, with a power of ten
-        Some(decimals) if value != 0.0 => {
-            let digits = number.abs().log10().floor() + decimals + 1.0;
-            significant(number, digits.clamp(4.0, 17.0) as usize)
-        }
-        _ => significant(number, 7),
-    }
-}
-
-/// The estimate as a person reads it, with its 95 % interval: to the second digit of its standard
-/// error.
-fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
-    let Estimate {
-        parameter,
-        value,
-        standard_error,
-        is_at_bound,
-        is_determined,
-    } = estimate;
-    let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
-    let size = quantity.size_of(unit).unwrap_or(1.0);
-    let show = |value: f64| with_unit(&to_its_error(quantity, unit, value, *standard_error), unit);
-    let (error, interval) = match standard_error {
-        Some(error) => (
-            significant(error / size, 2),
-            format!(
-                "{} .. {}",
-                show(value - reach * error),
-                show(value + reach * error)
-            ),
-        ),
-        None if !is_determined => ("–".into(), "not determined by the data".into()),
-        None if *is_at_bound => ("–".into(), "on the bound of its range".into()),
-        None => ("–".into(), "not known: no value is left over".into()),
-    };
-    vec![parameter.name.into(), show(*value), error, interval]
-}
-
-/// The calibration as a document, in the units of a system.
-pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> Document {
-    let CalibrationReport {
-        table,
-        found,
-        held_out,
-    } = report;
-    let (fit, statistics) = (&found.fit, &found.statistics);
-    // where the file is, is nobody's business but the reader's own
-    let file = Path::new(&table.file)
-        .file_name()
-        .map_or(table.file.as_str().into(), |name| name.to_string_lossy());
-    let mut document = Document::new(&format!("Calibration to {file}"));
-    document.paragraph(format!(
-        "{}: {} ({}, {})",
-        report.status(),
-        report.message(),
-        counted(fit.iterations, "iteration"),
-        counted(fit.evaluations, "evaluation")
-    ));
-    let kind = if table.is_launched {
-        "launch conditions, flown without an impact"
-    } else {
-        "club deliveries"
-    };
-    document.paragraph(format!(
-        "{}, {}; the rows are {kind}.",
-        counted(table.shots.len() as u64, "shot"),
-        counted(table.residuals() as u64, "measured value")
-    ));
-    for remark in &table.remarks {
-        document.paragraph(remark.in_units(system));
-    }
-    if found.starts.0 > 1 {
-        let of = match found.stopped {
-            0 => counted(found.starts.0 as u64, "start"),
-            stopped => format!(
-                "the {} that came to their end",
-                counted((found.starts.0 - stopped) as u64, "start")
-            ),
-        };
-        let mut told = format!("{} of {of} ended at this sum", found.starts.1);
-        for (status, count) in &found.elsewhere {
-            told += &match status {
-                Status::Undefined => {
-                    format!("; {count} could not begin, for not every row flies there")
+    /// The fitted setup as a setup file in TOML, to the last digit, the fitted parameters with their
+    /// standard errors. `data` is the file of the shots.
+    ///
+    /// # Errors
+    /// As [`setup_toml`].
+    pub fn toml(&self, preset: &Preset, data: &str) -> Result<String> {
+        let found = self.found;
+        let about = [
+            format!("{}, fitted to {data}", preset.name),
+            format!("{}: {}", found.fit.status, found.fit.message),
+        ];
+        let remarks = found.estimates.iter().map(|estimate| {
+            let Estimate {
+                parameter,
+                value,
+                standard_error,
+                ..
+            } = *estimate;
+            let (quantity, unit) = (parameter.quantity, parameter.unit);
+            let value = match standard_error {
+                Some(error) => {
+                    let number = |value: f64| to_its_error(quantity, unit, value, standard_error);
+                    let show =
+                        |value: f64| format!("{} {unit}", number(value)).trim_end().to_owned();
+                    format!("{} ± {}", show(value), show(error))
                 }
-                _ => format!("; {count} ended at a larger sum ({status})"),
+                None => format!("{} without a standard error", as_declared(parameter, value)),
             };
-        }
-        document.paragraph(told + ".");
-        if found.elsewhere.iter().any(|(status, _)| {
-            !matches!(
-                status,
-                Status::Converged | Status::Undetermined | Status::Outweighed | Status::Misfit
-            )
-        }) {
-            document.paragraph(
-                "Starts are spread over the ranges of the parameters: with narrower ones more of \
-                 them come to a minimum.",
-            );
-        }
-    }
-    if let (1.., Some(why)) = (fit.refused, &fit.why_refused) {
-        let refused = counted(fit.refused, "trial point");
-        document.paragraph(format!(
-            "Refused: {refused}. The reason for the last: {why}"
-        ));
-    }
-    document.heading("Estimates");
-    if fit.status == Status::Interrupted {
-        document.paragraph(match found.is_minimum {
-            true => {
-                "The fit was interrupted: these values are a minimum, and the searches that \
-                     were stopped may have led to a lower one."
-            }
-            false => "The fit was interrupted: these values are where it stood, not a minimum.",
+            (parameter, format!("fitted to {data}: {value}"))
         });
+        setup_toml(&found.setup, preset, &about, &remarks.collect::<Vec<_>>())
     }
-    document.table(
-        &["parameter", "estimate", "standard error", "95 % interval"],
-        found
-            .estimates
-            .iter()
-            .map(|estimate| estimated(estimate, statistics.reach, system)),
-    );
-    document.paragraph(left_over(report));
-    for undetermined in &statistics.undetermined {
-        document.paragraph(format!(
-            "The data do not determine {}.",
-            said(found, undetermined)
-        ));
-    }
-    correlations(&mut document, found);
-    document.heading("Residuals");
-    for figure in plots::figures(table, found) {
-        document.figure(figure);
-    }
-    let head = ["row", "measured", "computed − measured", "in σ", "what"];
-    document.table(
-        &head,
-        found
-            .remainders
-            .iter()
-            .map(|remainder| row(remainder, system)),
-    );
-    if !held_out.is_empty() {
-        document.heading("Held-out error");
-        let head = ["folds", "rms in σ", "rms by outcome", "law and fit"];
-        document.table(
-            &head,
-            held_out
-                .iter()
-                .map(|(name, held)| held_row(name, held, system)),
-        );
-    }
-    document
 }
 
-/// What is left over, and how the standard errors follow from it.
-fn left_over(report: &CalibrationReport<'_>) -> String {
-    let (statistics, stated) = (&report.found.statistics, report.table.uncertainties);
-    let (chi, dof) = (
-        significant(statistics.chi_square, 5),
-        statistics.degrees_of_freedom,
-    );
-    let freedom = match dof {
-        0 => "no degree of freedom left, for there are as many parameters as values, or more"
-            .to_owned(),
-        _ => counted(dof as u64, "degree") + " of freedom",
-    };
-    let errors = match (statistics.scale, stated) {
-        (Some(scale), _) if statistics.is_scaled => format!(
-            "Standard errors are scaled by √(χ²/{dof}) = {}, since not every uncertainty is stated",
-            significant(scale, 4)
-        ),
-        (Some(_), Uncertainties::Stated) => {
-            "Standard errors follow from the stated uncertainties".into()
-        }
-        (Some(_), _) => {
-            "Standard errors follow from the instruments' uncertainties and are not scaled, since \
-             the residuals give no \
-                         scale"
-                .into()
-        }
-        (None, _) => {
-            "No uncertainty is stated and no degree of freedom is left to estimate one: there are \
-             no standard errors"
-                .into()
-        }
-    };
-    let exact = if statistics.is_exact {
-        "; the data are met to rounding"
-    } else {
-        ""
-    };
-    let probability = statistics.probability.map_or(String::new(), |p| {
-        format!(
-            " The probability of a sum as large as this is {}.",
-            significant(p, 3)
-        )
-    });
-    format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
+/// The fit, or one for the held-out error, was interrupted.
+fn is_interrupted(found: &Calibration, held_out: &[(String, HeldOut)]) -> bool {
+    found.fit.status == Status::Interrupted
+        || held_out.iter().any(|(_, held)| held.is_interrupted())
 }
 
-/// A direction in the parameters' own units, one of them changed by 1 of its unit.
-fn said(found: &Calibration, undetermined: &Undetermined) -> String {
-    let parameter = |at: usize| found.estimates[at].parameter;
-    let size = |at: usize| {
-        parameter(at)
-            .quantity
-            .size_of(parameter(at).unit)
-            .unwrap_or(1.0)
-    };
-    let [(first, part), others @ ..] = &undetermined.parts[..] else {
-        return "any parameter".into();
-    };
-    if others.is_empty() && undetermined.standard_error.is_none() {
-        return format!(
-            "{}: no measured value depends on it",
-            parameter(*first).name
-        );
-    }
-    let unit = part / size(*first);
-    let one = |(at, part): &(usize, f64)| {
-        let change = significant(part / size(*at) / unit, 3);
-        let sign = if change.starts_with(['-', '−']) {
-            ""
-        } else {
-            "+"
+impl EstimateReport {
+    fn new(estimate: &Estimate, reach: f64) -> Self {
+        let interval = |error: f64| {
+            [
+                estimate.value - reach * error,
+                estimate.value + reach * error,
+            ]
         };
-        format!(
-            "{} by {sign}{change} {}",
-            parameter(*at).name,
-            parameter(*at).unit
-        )
-        .trim_end()
-        .to_owned()
-    };
-    let all: Vec<String> = undetermined.parts.iter().map(one).collect();
-    match undetermined.standard_error {
-        None => format!(
-            "a change of {}: no measured value depends on it",
-            all.join(" with ")
-        ),
-        Some(error) => format!(
-            "a change of {}: one standard error is {} times as much, more than the range of a \
-             parameter",
-            all.join(" with "),
-            significant((error * unit).abs(), 2)
-        ),
-    }
-}
-
-fn correlations(document: &mut Document, found: &Calibration) {
-    let n = found.estimates.len();
-    if n < 2 {
-        return;
-    }
-    document.heading("Correlations");
-    let head: Vec<String> = (0..n)
-        .map(|i| format!("{}", i + 1))
-        .chain(["parameter".into()])
-        .collect();
-    let head: Vec<&str> = head.iter().map(String::as_str).collect();
-    let cell = |a: usize, b: usize| match found.statistics.correlation(a, b) {
-        _ if b > a => String::new(),
-        Some(r) => fixed(r, 2),
-        None => "–".into(),
-    };
-    let rows = (0..n).map(|a| {
-        let name = format!("{} {}", a + 1, found.estimates[a].parameter.name);
-        (0..n).map(|b| cell(a, b)).chain([name]).collect()
-    });
-    document.table(&head, rows);
-}
-
-fn row(remainder: &Remainder, system: System) -> Vec<String> {
-    let Remainder {
-        row,
-        outcome,
-        stationary,
-        measured,
-        difference,
-        residual,
-    } = remainder;
-    let (what, measured, difference) = match stationary {
-        Some(parameter) => {
-            let difference = short(*difference, parameter.quantity, system.unit(parameter.unit));
-            (
-                format!("optimum in {}", parameter.name),
-                String::new(),
-                difference,
-            )
+        Self {
+            value: estimate.value.into(),
+            standard_uncertainty: estimate.standard_error.into(),
+            interval_95: estimate.standard_error.map(interval),
+            at_bound: estimate.is_at_bound,
+            determined: estimate.is_determined,
         }
-        None => (
-            outcome.name().into(),
-            measured.map_or(String::new(), |value| {
-                shown::outcome(*outcome, value, system)
-            }),
-            short(*difference, outcome.quantity(), system.unit(outcome.unit())),
-        ),
-    };
-    vec![
-        row.to_string(),
-        measured,
-        difference,
-        fixed(*residual, 2),
-        what,
-    ]
+    }
 }
 
-/// A difference, with its sign.
-fn short(difference: f64, quantity: Quantity, unit: &str) -> String {
-    signed(difference, quantity.read_off_difference(difference, unit))
+impl RemainderReport {
+    fn new(remainder: &Remainder) -> Self {
+        Self {
+            row: remainder.row,
+            of: remainder.outcome.name(),
+            parameter: remainder.stationary.map(|parameter| parameter.name),
+            measured: remainder.measured.into(),
+            difference: remainder.difference.into(),
+            residual: remainder.residual.into(),
+        }
+    }
 }
 
-/// Root mean squares of the held-out differences, outcome by outcome.
-pub(super) fn by_outcome(held: &HeldOut) -> Vec<(String, f64, &'static str, Quantity)> {
-    let mut all: Vec<(String, f64, &'static str, Quantity, usize)> = vec![];
-    for remainder in &held.remainders {
-        let (name, quantity, unit) = match remainder.stationary {
-            Some(parameter) => (
-                format!("optimum in {}", parameter.name),
-                parameter.quantity,
-                parameter.unit,
-            ),
-            None => (
-                remainder.outcome.name().to_owned(),
-                remainder.outcome.quantity(),
-                remainder.outcome.unit(),
-            ),
-        };
-        let square = remainder.difference.powi(2);
-        match all.iter_mut().find(|(other, ..)| *other == name) {
-            Some((_, sum, _, _, count)) => {
-                *sum += square;
-                *count += 1;
+impl HeldOutReport {
+    fn new(fit: &str, held: &HeldOut) -> Self {
+        let mut statuses: Vec<Status> = vec![];
+        for status in &held.ended {
+            if !statuses.contains(status) {
+                statuses.push(*status);
             }
-            None => all.push((name, square, unit, quantity, 1)),
+        }
+        let fits = statuses.iter();
+        Self {
+            fit: fit.to_owned(),
+            folds: held.folds,
+            fits: fits
+                .map(|status| (status.name(), held.count(*status)))
+                .collect(),
+            rms_standardized: held.mean_square().map(f64::sqrt).into(),
+            rms: by_outcome(held)
+                .into_iter()
+                .map(|one| (one.name, one.rms))
+                .collect(),
         }
     }
-    all.into_iter()
-        .map(|(name, sum, unit, quantity, count)| {
-            (name, (sum / count as f64).sqrt(), unit, quantity)
-        })
-        .collect()
 }
 
-fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
-    let one = |(name, rms, unit, quantity): (String, f64, &'static str, Quantity)| {
-        format!(
-            "{name} {}",
-            quantity.read_off_difference(rms, system.unit(unit))
-        )
-    };
-    let outcomes: Vec<_> = by_outcome(held).into_iter().map(one).collect();
-    let folds = if held.folds == 0 {
-        "not fitted".into()
-    } else {
-        held.folds.to_string()
-    };
-    let rms = held
-        .mean_square()
-        .map_or("–".into(), |mean| format!("{:.3}", mean.sqrt()));
-    let interrupted = held.count(Status::Interrupted);
-    let others = held.ended.len() - interrupted - held.count(Status::Converged);
-    let mut what = match (interrupted, held.ended.len()) {
-        (0, _) => name.to_owned(),
-        (stopped, all) if stopped == all => format!("{name}: interrupted, nothing was fitted"),
-        (stopped, all) => format!("{name}: interrupted, {stopped} of {all} fits left out"),
-    };
-    if others > 0 {
-        what += &format!(
-            "; not converged: {}",
-            counted_of(others as u64, held.ended.len() as u64, ["fit", "fits"])
-        );
+impl Report for CalibrationReport<'_> {
+    const COMMAND: &'static str = "calibrate";
+
+    /// The status and the message are the fit's, unless a fit for the held-out error was
+    /// interrupted.
+    fn ending(&self) -> Ending {
+        Ending {
+            status: self.status().name(),
+            message: Some(self.message()),
+        }
     }
-    vec![folds, rms, outcomes.join(", "), what]
+
+    /// The end of the fit, the estimates with their uncertainties, the residuals and the held-out
+    /// errors.
+    fn document(&self, system: System) -> Document {
+        let Self {
+            table, found, held, ..
+        } = *self;
+        let mut document = Document::new(&text::title(table));
+        document.paragraph(format!(
+            "{}: {} ({}, {})",
+            self.status(),
+            self.message(),
+            counted(found.fit.iterations, "iteration"),
+            counted(found.fit.evaluations, "evaluation")
+        ));
+        text::data(&mut document, table, system);
+        text::starts(&mut document, found);
+        text::refusals(&mut document, found);
+        text::estimates(&mut document, table, found, system);
+        text::correlations(&mut document, found);
+        document.heading("Residuals");
+        for figure in plots::figures(table, found) {
+            document.figure(figure);
+        }
+        text::residuals(&mut document, found, system);
+        text::held_out(&mut document, held, system);
+        document
+    }
 }

@@ -11,8 +11,8 @@ struct Point {
     sigma: f64,
 }
 
-/// What was measured over what is computed, and what is left over: two plots for each outcome that
-/// was measured more than once.
+/// Measured over computed values, and residuals: two plots for each outcome that was measured more
+/// than once.
 pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
     for remainder in found
@@ -107,7 +107,7 @@ fn agreement(of: Outcome, points: &[Point]) -> Figure {
     figure
 }
 
-/// What is left over.
+/// The residuals of an outcome.
 fn residuals(of: Outcome, points: &[Point]) -> Figure {
     let x = Measure::outcome(of);
     let y = Measure {

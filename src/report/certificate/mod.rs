@@ -1,16 +1,20 @@
 //! A certificate of derivatives, as text and as JSON.
 
-mod json;
+mod report;
 mod text;
 
-pub use json::{CertificateReport, CertificateRow};
-pub use text::certificate_text;
+pub use report::{
+    AgreementReport, CertificateReport, CertificateRow, CheckReport, ContinuityCheck,
+    ConvergenceCheck, Curve, LandingCheck, LoopCheck, MissingOutcome, NegativeControl,
+    PlantedError, StepErrorReport, UnmadeCheck,
+};
 pub(super) use text::settled;
 
 use crate::derivative::check::Verdict;
 use crate::study::certificate::Certificate;
 use crate::units::counted;
 
+/// `pass` or `fail`.
 fn verdict_of(passed: bool) -> &'static str {
     if passed {
         Verdict::Pass.name()
@@ -19,7 +23,7 @@ fn verdict_of(passed: bool) -> &'static str {
     }
 }
 
-/// How far a certificate came that was interrupted.
+/// The progress of an interrupted certificate.
 fn stopped(certificate: &Certificate) -> Option<String> {
     let [done, all] = certificate.stopped?;
     Some(format!(

@@ -1,117 +1,112 @@
 use super::{stopped, verdict_of};
 use crate::derivative::check::Verdict;
 use crate::drive::Outcome;
-use crate::report::lines::{broken, by_reason, item, paragraph};
+use crate::report::document::Table;
+use crate::report::lines::by_reason;
 use crate::report::shown;
-use crate::report::table::table;
 use crate::reproduce::LoopRow;
-use crate::study::certificate::{Certificate, Convergence, Row, StepError};
+use crate::study::certificate::{Certificate, Continuity, Convergence, Planted, Row, StepError};
 use crate::units::{System, counted, counted_of, fixed, significant};
 
-/// A certificate as text: a verdict for each derivative, the worst first, then the other checks,
-/// and the while-loop for comparison.
-pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: System) -> String {
-    let mut text = rows_text(&certificate.rows) + "\n";
-    for row in certificate
-        .rows
+/// The lines below the derivatives: corners, failures, then each of the other checks.
+pub(super) fn lines(certificate: &Certificate, loops: &[LoopRow], system: System) -> Vec<String> {
+    let rows = &certificate.rows;
+    let corners = rows.iter().filter(|row| row.verdict() == Verdict::Corner);
+    let mut lines: Vec<String> = corners.map(corner).collect();
+    for row in rows {
+        lines.extend(disagreement(row));
+        lines.extend(failure_of_second(row));
+    }
+    lines.extend(agreement(rows));
+    lines.extend(landing(certificate));
+    lines.extend(
+        certificate
+            .continuity
+            .iter()
+            .map(|found| continuity(found, system)),
+    );
+    lines.extend(certificate.convergence.iter().map(convergence));
+    lines.extend(certificate.planted.iter().map(planted));
+    lines.extend(step_error(&certificate.step));
+    let not_examined = certificate
+        .not_examined
         .iter()
-        .filter(|row| row.verdict() == Verdict::Corner)
-    {
-        text += &corner_text(row);
-    }
-    for row in &certificate.rows {
-        text += &disagreement_text(row);
-        text += &second_text(row);
-    }
-    text += &agreement_text(&certificate.rows);
-    text += &landing_text(certificate);
-    for found in &certificate.continuity {
-        let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
-        text += &format!(
-            "  {}: at {} = {}, where the number of steps changes from {} to {}, {}, its gradient \
-             and its Hessian jump by {} (allowed: {})\n",
-            verdict_of(found.passed()),
-            found.parameter.name,
-            found
-                .parameter
-                .quantity
-                .show(found.at, system.unit(found.parameter.unit)),
-            found.steps[0],
-            found.steps[1],
-            found.of.name(),
-            show(found.jumps),
-            show(found.bars),
-        );
-    }
-    for found in &certificate.convergence {
-        text += &convergence_text(found);
-    }
-    for planted in &certificate.planted {
-        let (name, caught, rows) = (planted.plant.name(), planted.caught, planted.rows);
-        let of_rows = counted_of(caught as u64, rows as u64, ["row", "rows"]);
-        text += &match rows {
-            0 => format!(
-                "  not checked: the planted error \"{name}\": there is no row that passed and that \
-                 it changes\n"
-            ),
-            _ => {
-                let by_num_dual = counted_of(
-                    planted.caught_by_num_dual as u64,
-                    rows as u64,
-                    ["row", "rows"],
-                );
-                let verdict = verdict_of(planted.is_caught());
-                format!(
-                    "  {verdict}: the planted error \"{name}\" is found in {of_rows} by \
-                     differences, in {by_num_dual} by num-dual\n"
-                )
-            }
-        };
-    }
-    text += &step_text(&certificate.step);
-    for line in by_reason(
-        certificate
-            .not_examined
+        .map(|it| (it.check.as_str(), it.reason.to_owned()));
+    let not_examined = by_reason(not_examined);
+    lines.extend(
+        not_examined
             .iter()
-            .map(|it| (it.check.as_str(), it.reason.to_owned())),
-    ) {
-        text += &format!("  not checked: {line}\n");
-    }
-    text += &loops_text(loops);
-    for line in by_reason(
-        certificate
-            .missing
-            .iter()
-            .map(|(of, why)| (of.name(), why.in_units(system))),
-    ) {
-        text += &format!("  left out: {line}\n");
-    }
-    let count = |verdict| {
-        certificate
-            .rows
-            .iter()
-            .filter(|row| row.verdict() == verdict)
-            .count()
-    };
+            .map(|line| format!("not checked: {line}")),
+    );
+    lines.extend(while_loop(loops));
+    let missing = certificate
+        .missing
+        .iter()
+        .map(|(of, why)| (of.name(), why.in_units(system)));
+    let missing = by_reason(missing);
+    lines.extend(missing.iter().map(|line| format!("left out: {line}")));
+    lines
+}
+
+/// The verdict on the certificate.
+pub(super) fn ending(certificate: &Certificate) -> String {
+    let rows = &certificate.rows;
+    let count = |verdict| rows.iter().filter(|row| row.verdict() == verdict).count();
     let counts = [Verdict::Fail, Verdict::Corner, Verdict::Pass]
         .map(|verdict| format!("{} {}", count(verdict), verdict.name()));
     let counts = counts.join(", ");
-    let ending = match (stopped(certificate), certificate.passed()) {
+    match (stopped(certificate), certificate.passed()) {
         (Some(stopped), _) => format!("interrupted: {stopped}: {counts}"),
         (None, true) => format!("passed: {counts}"),
-        (None, false) if certificate.rows.is_empty() => {
-            "FAILED: there is no derivative to verify".into()
-        }
+        (None, false) if rows.is_empty() => "FAILED: there is no derivative to verify".into(),
         (None, false) => format!(
             "FAILED: {}; derivatives: {counts}",
             certificate.failures().join("; ")
         ),
+    }
+}
+
+/// The jumps of an outcome where the number of steps changes.
+fn continuity(found: &Continuity, system: System) -> String {
+    let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
+    let unit = system.unit(found.parameter.unit);
+    format!(
+        "{}: at {} = {}, where the number of steps changes from {} to {}, {}, its gradient and its \
+         Hessian jump by {} (allowed: {})",
+        verdict_of(found.passed()),
+        found.parameter.name,
+        found.parameter.quantity.show(found.at, unit),
+        found.steps[0],
+        found.steps[1],
+        found.of.name(),
+        show(found.jumps),
+        show(found.bars),
+    )
+}
+
+/// The detection of a planted error.
+fn planted(planted: &Planted) -> String {
+    let name = planted.plant.name();
+    if planted.rows == 0 {
+        return format!(
+            "not checked: the planted error \"{name}\": there is no row that passed and that it \
+             changes"
+        );
+    }
+    let of_rows = |caught: usize| {
+        let rows = planted.rows as u64;
+        counted_of(caught as u64, rows, ["row", "rows"])
     };
-    format!("{}\n{}", broken(&text), paragraph(&ending))
+    format!(
+        "{}: the planted error \"{name}\" is found in {} by differences, in {} by num-dual",
+        verdict_of(planted.is_caught()),
+        of_rows(planted.caught),
+        of_rows(planted.caught_by_num_dual)
+    )
 }
 
 /// The slopes to the sides of a corner.
-fn corner_text(row: &Row) -> String {
+fn corner(row: &Row) -> String {
     let sides = row
         .first
         .sides
@@ -133,58 +128,53 @@ fn corner_text(row: &Row) -> String {
             )
         }
     };
-    format!("  {of} has a corner in {parameter}: {slopes}\n")
+    format!("{of} has a corner in {parameter}: {slopes}")
 }
 
-/// What a second derivative fails by where the first passes, which is what the table shows.
-fn second_text(row: &Row) -> String {
-    let Some(second) = row
+/// A second derivative that fails where the first passes. The table shows only the first.
+fn failure_of_second(row: &Row) -> Option<String> {
+    let second = row
         .second
         .as_ref()
-        .filter(|it| it.failed() && row.first.verdict == Verdict::Pass)
-    else {
-        return String::new();
-    };
-    format!(
-        "  fail: the second derivative of {} by {} is {} (SI); its difference from the numerical \
-         derivative is {:.0e} (allowed: {:.0e}). The first passes.\n",
+        .filter(|it| it.failed() && row.first.verdict == Verdict::Pass)?;
+    Some(format!(
+        "fail: the second derivative of {} by {} is {} (SI); its difference from the numerical \
+         derivative is {:.0e} (allowed: {:.0e}). The first passes.",
         row.of.name(),
         row.parameter.name,
         significant(second.exact, 8),
         second.error,
         second.bar,
-    )
+    ))
 }
 
 /// A first derivative that differs from num-dual's.
-fn disagreement_text(row: &Row) -> String {
+fn disagreement(row: &Row) -> Option<String> {
     let found = &row.num_dual;
     if found.holds() {
-        return String::new();
+        return None;
     }
-    format!(
-        "  fail: d {}/d {} is {} over the jets and {} over num-dual (SI); the difference is {:.0e} \
-         (allowed: {:.0e})\n",
+    Some(format!(
+        "fail: d {}/d {} is {} over the jets and {} over num-dual (SI); the difference is {:.0e} \
+         (allowed: {:.0e})",
         row.of.name(),
         row.parameter.name,
         significant(row.first.exact, 16),
         significant(found.num_dual, 16),
         found.difference,
         found.tolerance,
-    )
+    ))
 }
 
-/// The first derivatives over the jets beside those over num-dual: the one that differs most of
-/// what it may.
-fn agreement_text(rows: &[Row]) -> String {
+/// The agreement of the first derivatives over the jets with those over num-dual, and the largest
+/// difference relative to its tolerance.
+fn agreement(rows: &[Row]) -> Option<String> {
     let part = |row: &&Row| row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE);
-    let Some(worst) = rows.iter().max_by(|a, b| part(a).total_cmp(&part(b))) else {
-        return String::new();
-    };
+    let worst = rows.iter().max_by(|a, b| part(a).total_cmp(&part(b)))?;
     let agree = rows.iter().filter(|row| row.num_dual.holds()).count();
-    format!(
-        "  {}: {} of {} first derivatives agree with those over num_dual::Dual64; the largest \
-         difference, of d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
+    Some(format!(
+        "{}: {} of {} first derivatives agree with those over num_dual::Dual64; the largest \
+         difference, of d {}/d {}, is {:.0e} (allowed: {:.0e})",
         verdict_of(agree == rows.len()),
         agree,
         rows.len(),
@@ -192,10 +182,11 @@ fn agreement_text(rows: &[Row]) -> String {
         worst.parameter.name,
         worst.num_dual.difference,
         worst.num_dual.tolerance,
-    )
+    ))
 }
 
-fn rows_text(rows: &[Row]) -> String {
+/// Each derivative with its verdict.
+pub(super) fn rows_table(rows: &[Row]) -> Table {
     let head = [
         "outcome",
         "by",
@@ -238,10 +229,7 @@ fn rows_text(rows: &[Row]) -> String {
             slopes.join(" "),
         ]
     });
-    let words = "errors are the differences from numerical derivatives, and under num-dual from \
-                 the derivative over num_dual::Dual64, relative to the exact derivative; absolute \
-                 where it is 0";
-    table(&head, &[3, 4, 5, 6], rows) + "\n" + &item(words)
+    Table::new(head, rows).right(3..=6)
 }
 
 /// The exact derivative of a row as texts show it.
@@ -254,9 +242,10 @@ pub(in crate::report) fn settled(row: &Row) -> f64 {
     )
 }
 
-fn landing_text(certificate: &Certificate) -> String {
+/// The agreement of derivatives at the landing with differences at a fixed time.
+fn landing(certificate: &Certificate) -> Option<String> {
     let landing = &certificate.landing;
-    let Some(worst) = landing
+    let worst = landing
         .iter()
         .filter(|row| row.check.verdict != Verdict::Corner)
         .max_by(|a, b| {
@@ -267,10 +256,7 @@ fn landing_text(certificate: &Certificate) -> String {
                 )
             });
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-        })
-    else {
-        return String::new();
-    };
+        })?;
     let count = |verdict| {
         landing
             .iter()
@@ -281,10 +267,10 @@ fn landing_text(certificate: &Certificate) -> String {
         0 => String::new(),
         corners => format!(", and {corners} have a corner"),
     };
-    format!(
-        "  {}: {} of {} derivatives at the landing agree with differences at a fixed time, moved \
+    Some(format!(
+        "{}: {} of {} derivatives at the landing agree with differences at a fixed time, moved \
          to the ground{corners}; the largest error, of \
-         d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
+         d {}/d {}, is {:.0e} (allowed: {:.0e})",
         verdict_of(count(Verdict::Fail) == 0),
         count(Verdict::Pass),
         landing.len(),
@@ -292,11 +278,12 @@ fn landing_text(certificate: &Certificate) -> String {
         worst.parameter.name,
         worst.check.error,
         worst.check.bar,
-    )
+    ))
 }
 
-fn loops_text(loops: &[LoopRow]) -> String {
-    let off = |row: &&LoopRow| {
+/// The derivatives of the while-loop, for comparison.
+fn while_loop(loops: &[LoopRow]) -> Option<String> {
+    let relative_error = |row: &&LoopRow| {
         row.small_difference().map_or(0.0, |it| {
             (it - row.check.exact).abs() / row.check.exact.abs()
         })
@@ -304,21 +291,19 @@ fn loops_text(loops: &[LoopRow]) -> String {
     let carry = (Outcome::Carry.quantity(), Outcome::Carry.unit());
     let is_rounding =
         |row: &LoopRow| shown::settled(row.check.exact, 0.0, carry, &[row.parameter]) == 0.0;
-    let telling = loops
+    let comparable = loops
         .iter()
         .filter(|row| !is_rounding(row) && row.small_difference().is_some());
-    let Some(worst) = telling.max_by(|a, b| off(a).total_cmp(&off(b))) else {
-        return String::new();
-    };
+    let worst = comparable.max_by(|a, b| relative_error(a).total_cmp(&relative_error(b)))?;
     let passed = loops
         .iter()
         .filter(|row| row.check.verdict == Verdict::Pass)
         .count();
-    format!(
-        "  for comparison, a while-loop that stops at the first step below the ground (the MAE 494 \
+    Some(format!(
+        "for comparison, a while-loop that stops at the first step below the ground (the MAE 494 \
          report's): of the differences of its carry by \
          {}, {passed} would pass, and of {} the sign is wrong; the largest error is by {}: {} at a \
-         step of 1e-8 instead of {} (SI)\n",
+         step of 1e-8 instead of {} (SI)",
         counted(loops.len() as u64, "parameter"),
         loops.iter().filter(|row| row.has_wrong_sign()).count(),
         worst.parameter.name,
@@ -326,10 +311,11 @@ fn loops_text(loops: &[LoopRow]) -> String {
             .small_difference()
             .map_or("–".into(), |it| significant(it, 4)),
         significant(worst.check.exact, 4),
-    )
+    ))
 }
 
-fn convergence_text(found: &Convergence) -> String {
+/// The order of convergence of an outcome with the time step.
+fn convergence(found: &Convergence) -> String {
     let order = |which: usize| match found.orders[which] {
         None => "not measurable (only rounding errors)".into(),
         Some(order)
@@ -340,8 +326,8 @@ fn convergence_text(found: &Convergence) -> String {
         Some(order) => format!("{order:.2}"),
     };
     format!(
-        "  {}: {} converges with the step to order {}, its gradient to order {} (expected: {} and \
-         {}{})\n",
+        "{}: {} converges with the step to order {}, its gradient to order {} (expected: {} and \
+         {}{})",
         verdict_of(found.passed()),
         found.of.name(),
         order(0),
@@ -354,14 +340,11 @@ fn convergence_text(found: &Convergence) -> String {
     )
 }
 
-/// The error of the time step, in one line: the outcome whose value is farthest off, and the
-/// derivative that is.
-fn step_text(errors: &[StepError]) -> String {
-    let Some(value) = errors.iter().max_by(|a, b| a.value.total_cmp(&b.value)) else {
-        return String::new();
-    };
+/// The error of the time step: the outcome and the derivative with the largest.
+fn step_error(errors: &[StepError]) -> Option<String> {
+    let value = errors.iter().max_by(|a, b| a.value.total_cmp(&b.value))?;
     let mut text = format!(
-        "  compared with a flight in time steps of {} ms instead of {} ms, {} differs by {:.0e} \
+        "compared with a flight in time steps of {} ms instead of {} ms, {} differs by {:.0e} \
          (relative)",
         1e3 * value.steps[1],
         1e3 * value.steps[0],
@@ -379,5 +362,5 @@ fn step_text(errors: &[StepError]) -> String {
              parameter); all others differ by less, and no verdict depends on it"
         );
     }
-    text + "\n"
+    Some(text)
 }

@@ -71,8 +71,20 @@ impl Parts<'_> {
                 }
                 html! { p { (words(metric, us)) } }
             }
+            [(Block::List(metric), Block::List(us)), ..] => {
+                html! {
+                    ul { @for (metric, us) in metric.iter().zip(us) { li { (words(&metric.text, &us.text)) } } }
+                }
+            }
             [(Block::Table(metric), Block::Table(us)), ..] => {
-                scrolled(&self.label(), table(metric, us))
+                if !us.caption.is_empty() {
+                    self.about = us.caption.trim_end_matches([':', '.']).into();
+                }
+                html! {
+                    @if !us.caption.is_empty() { p { (words(&metric.caption, &us.caption)) } }
+                    (scrolled(&self.label(), table(metric, us)))
+                    @for (metric, us) in metric.notes().zip(us.notes()) { p { (words(metric, us)) } }
+                }
             }
             figures => {
                 let (now, later) = self.pairs.split_at(figures.len().min(self.pairs.len()));

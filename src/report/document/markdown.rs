@@ -1,14 +1,15 @@
-use super::{Block, Document, Table};
+use super::{Block, Document, Level, Line, Table};
 use crate::report::frame::svg_name;
 use crate::units::System;
 
 impl Document {
-    /// As Markdown (CommonMark with the tables of GitHub); the figures are files beside it,
-    /// `NAME-us.svg` or `NAME-metric.svg`.
+    /// The document as Markdown (CommonMark with the tables of GitHub); the figures are files
+    /// beside it, `NAME-us.svg` or `NAME-metric.svg`.
     pub fn markdown(&self, system: System) -> String {
         let blocks = self.blocks.iter().map(|block| match block {
             Block::Heading(text) => format!("## {}\n", escaped(text)),
             Block::Paragraph(text) => format!("{}\n", escaped(text)),
+            Block::List(lines) => lines.iter().map(line).collect(),
             Block::Table(found) => table(found),
             Block::Figure(figure) => {
                 let picture = format!(
@@ -23,30 +24,41 @@ impl Document {
                 }
             }
         });
-        let title = format!("# {}\n", escaped(&self.title));
-        std::iter::once(title)
+        let title = (!self.title.is_empty()).then(|| format!("# {}\n", escaped(&self.title)));
+        title
+            .into_iter()
             .chain(blocks)
             .collect::<Vec<_>>()
             .join("\n")
     }
 }
 
-fn table(
-    Table {
-        head,
-        rows,
-        is_right,
-    }: &Table,
-) -> String {
+fn line(line: &Line) -> String {
+    let indent = if line.level == Level::Note { "  " } else { "" };
+    format!("{indent}- {}\n", escaped(&line.text))
+}
+
+fn table(found: &Table) -> String {
     let line = |cells: &[String]| {
         let cells: Vec<_> = cells.iter().map(|cell| escaped(cell)).collect();
         format!("| {} |\n", cells.join(" | "))
     };
-    let rule = is_right
+    let rule = found
+        .is_right
         .iter()
         .map(|is_right| if *is_right { "---:|" } else { "---|" });
     let rule = format!("|{}\n", rule.collect::<String>());
-    line(head) + &rule + &rows.iter().map(|row| line(row)).collect::<String>()
+    let notes: String = found
+        .notes()
+        .map(|text| format!("\n{}\n", escaped(text)))
+        .collect();
+    let caption = if found.caption.is_empty() {
+        String::new()
+    } else {
+        format!("{}\n\n", escaped(&found.caption))
+    };
+    let rows = found.rows.iter().map(|row| line(row));
+    caption + &line(&found.head) + &rule + &rows.collect::<String>() + &notes
 }
 
 /// A text whose signs mean nothing to Markdown.

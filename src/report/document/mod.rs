@@ -1,5 +1,4 @@
-//! A report of several parts, written once: shown as text on a terminal, as Markdown, or as a page
-//! of HTML.
+//! The document of a report, written once: plain text for a terminal, Markdown, or a page of HTML.
 
 mod html;
 mod markdown;
@@ -10,9 +9,10 @@ pub use html::document_files;
 use super::frame::is_of_numbers;
 use super::plot::Figure;
 
-/// Headings, paragraphs, tables and figures, in order.
+/// Headings, paragraphs, lists, tables and figures, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Document {
+    /// The title; may be empty.
     title: String,
     blocks: Vec<Block>,
 }
@@ -21,16 +21,130 @@ pub struct Document {
 enum Block {
     Heading(String),
     Paragraph(String),
+    List(Vec<Line>),
     Table(Table),
     Figure(Box<Figure>),
 }
 
+/// A line of a list.
 #[derive(Clone, Debug)]
-struct Table {
+pub struct Line {
+    level: Level,
+    text: String,
+}
+
+/// The indent of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Level {
+    /// At the margin.
+    Flush,
+    /// An item of a list.
+    Item,
+    /// Details of the item above.
+    Note,
+}
+
+impl Line {
+    /// A line at the margin.
+    pub fn flush(text: impl Into<String>) -> Self {
+        Self::new(Level::Flush, text)
+    }
+
+    /// An item of a list.
+    pub fn item(text: impl Into<String>) -> Self {
+        Self::new(Level::Item, text)
+    }
+
+    /// Details of the item above.
+    pub fn note(text: impl Into<String>) -> Self {
+        Self::new(Level::Note, text)
+    }
+
+    fn new(level: Level, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { level, text }
+    }
+}
+
+/// A table with remarks below it.
+#[derive(Clone, Debug)]
+pub(super) struct Table {
     head: Vec<String>,
     rows: Vec<Vec<String>>,
-    /// Whether each column is aligned right.
+    /// Columns aligned right.
     is_right: Vec<bool>,
+    /// A line directly above the table; none where it is empty.
+    caption: String,
+    /// Details below each row; none where it is empty.
+    row_notes: Vec<String>,
+    /// Lines directly below the table.
+    remarks: Vec<Line>,
+}
+
+impl Table {
+    /// A table whose columns of numbers are aligned right, and their heads.
+    pub fn new<H: Into<String>>(
+        head: impl IntoIterator<Item = H>,
+        rows: impl IntoIterator<Item = Vec<String>>,
+    ) -> Self {
+        let head: Vec<String> = head.into_iter().map(Into::into).collect();
+        let rows: Vec<Vec<String>> = rows.into_iter().collect();
+        let is_right = (0..head.len())
+            .map(|column| {
+                let cells = rows.iter().filter_map(|row| row.get(column));
+                is_of_numbers(cells.map(String::as_str))
+            })
+            .collect();
+        Self {
+            head,
+            rows,
+            is_right,
+            caption: String::new(),
+            row_notes: vec![],
+            remarks: vec![],
+        }
+    }
+
+    /// Aligns these columns right, and no others.
+    #[must_use]
+    pub fn right(mut self, columns: impl IntoIterator<Item = usize>) -> Self {
+        self.is_right.fill(false);
+        for column in columns {
+            self.is_right[column] = true;
+        }
+        self
+    }
+
+    /// Adds a line directly above the table.
+    #[must_use]
+    pub fn with_caption(self, caption: &str) -> Self {
+        Self {
+            caption: caption.into(),
+            ..self
+        }
+    }
+
+    /// Adds details below each row.
+    #[must_use]
+    pub fn with_row_notes(self, row_notes: Vec<String>) -> Self {
+        Self { row_notes, ..self }
+    }
+
+    /// Adds a remark directly below the table.
+    pub fn remark(&mut self, text: impl Into<String>) {
+        self.line(Line::item(text));
+    }
+
+    /// Adds a line directly below the table.
+    pub fn line(&mut self, line: Line) {
+        self.remarks.push(line);
+    }
+
+    /// All lines of the table that are no cells, without the caption.
+    fn notes(&self) -> impl Iterator<Item = &str> {
+        let remarks = self.remarks.iter().map(|line| line.text.as_str());
+        self.row_notes.iter().map(String::as_str).chain(remarks)
+    }
 }
 
 impl Block {
@@ -40,45 +154,53 @@ impl Block {
 }
 
 impl Document {
-    /// A document of this title.
-    pub(super) fn new(title: &str) -> Self {
+    /// A document with this title.
+    pub fn new(title: &str) -> Self {
         Self {
             title: title.into(),
             blocks: vec![],
         }
     }
 
-    /// Begins a part.
-    pub(super) fn heading(&mut self, text: &str) {
+    /// Begins a section.
+    pub fn heading(&mut self, text: &str) {
         self.blocks.push(Block::Heading(text.into()));
     }
 
-    pub(super) fn paragraph(&mut self, text: impl Into<String>) {
+    /// Adds a paragraph.
+    pub fn paragraph(&mut self, text: impl Into<String>) {
         self.blocks.push(Block::Paragraph(text.into()));
     }
 
-    /// A table; its columns of numbers are aligned right, and their heads.
-    pub(super) fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
-        let head: Vec<String> = head.iter().map(|&name| name.to_owned()).collect();
-        let rows: Vec<Vec<String>> = rows.into_iter().collect();
-        let cells = |column: usize| {
-            rows.iter()
-                .filter_map(move |row| row.get(column))
-                .map(String::as_str)
-        };
-        let is_right = (0..head.len())
-            .map(|column| is_of_numbers(cells(column)))
-            .collect();
-        self.blocks.push(Block::Table(Table {
-            head,
-            rows,
-            is_right,
-        }));
+    /// Adds lines directly below each other; nothing where there are none.
+    pub fn list(&mut self, lines: impl IntoIterator<Item = Line>) {
+        let lines: Vec<Line> = lines.into_iter().collect();
+        if !lines.is_empty() {
+            self.blocks.push(Block::List(lines));
+        }
     }
 
-    /// A figure; on a terminal it is left out.
+    /// Adds a table whose columns of numbers are aligned right.
+    pub(super) fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
+        self.add(Table::new(head.iter().copied(), rows));
+    }
+
+    /// Adds a table.
+    pub(super) fn add(&mut self, table: Table) {
+        self.blocks.push(Block::Table(table));
+    }
+
+    /// Adds a figure; a terminal leaves it out.
     pub(super) fn figure(&mut self, figure: Figure) {
         self.blocks.push(Block::Figure(Box::new(figure)));
+    }
+
+    /// Adds the blocks of another document; its title becomes a heading.
+    pub fn append(&mut self, other: Self) {
+        if !other.title.is_empty() {
+            self.blocks.push(Block::Heading(other.title));
+        }
+        self.blocks.extend(other.blocks);
     }
 
     /// The figures, in order.

@@ -9,7 +9,7 @@ pub enum At {
     Optimum,
 }
 
-/// What is written in titles: "as set up", "at the optimum".
+/// The words of titles: "as set up", "at the optimum".
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

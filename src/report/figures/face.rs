@@ -13,8 +13,8 @@ const RINGS: [f64; 3] = [1.0, 5.0, 10.0];
 /// The longest arrow, m on the face.
 const LONGEST_ARROW: f64 = 0.013;
 
-/// Where a place on a face is seen from the front: the toe of a club for the right hand is on the
-/// left.
+/// The coordinates of a place on the face as seen from the front: the toe of a right-handed club is
+/// on the left.
 pub(super) fn seen(face: &Face, [toe, high]: [f64; 2]) -> [f64; 2] {
     match face.golfer {
         Golfer::Right => [-toe, high],
@@ -22,7 +22,7 @@ pub(super) fn seen(face: &Face, [toe, high]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// What runs across the face as it is seen.
+/// The horizontal axis of a face as seen from the front.
 pub(super) fn across(face: &Face) -> Axis {
     let [left, right] = match face.golfer {
         Golfer::Right => ["toe", "heel"],
@@ -35,7 +35,7 @@ pub(super) fn across(face: &Face) -> Axis {
     ))
 }
 
-/// What runs up the face.
+/// The vertical axis of a face.
 pub(super) fn above(face: &Face) -> Axis {
     Axis::linear(Measure::new(
         format!("above {}", origin(face)),
@@ -53,7 +53,7 @@ fn origin(face: &Face) -> &'static str {
     }
 }
 
-/// From where tilts and slopes are told.
+/// The origin of tilts and slopes.
 pub(super) fn reference(face: &Face) -> &'static str {
     if face.sweet_spot.is_some() {
         "the sweet spot"
@@ -74,8 +74,8 @@ pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
         .chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
 }
 
-/// How far the spin axis tilts further than from the sweet spot, in proportion to the largest tilt;
-/// right of the target line is on the left of one who looks at the face.
+/// Arrows of the spin axis' tilt relative to a strike on the sweet spot, scaled by the largest
+/// tilt. Seen from the front, right of the target line is on the left.
 pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
     let arrow = |(at, tilt): &([f64; 2], f64)| {
         let [x, y] = seen(face, *at);

@@ -5,6 +5,7 @@ use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
 use crate::study::Landing;
+use crate::study::uncertainty::LandingEllipse;
 use crate::units::{Quantity, System, significant, with_unit};
 
 /// The shape of the picture, height over width.
@@ -14,114 +15,28 @@ const SHAPE: [f64; 2] = [0.8, 1.25];
 const AROUND: u32 = 120;
 
 /// The landings of drives from above at true scale, target at the top: each with the ellipses that
-/// hold half and 95 % of the landings when what the golfer controls varies, and where the ball
+/// contain half and 95 % of the landings if the golfer's inputs vary, and the place where the ball
 /// comes to rest.
 pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
-    let length = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
-    let mut layers = vec![];
-    let mut notes = vec![];
-    for (i, landing) in landings.iter().enumerate() {
-        let (hue, is_dashed) = style(&landing.name, i);
-        let [lateral, carry] = landing.at;
-        let carry = shown::outcome(Outcome::Carry, carry, system);
-        // the legend names a drive once, by its largest ellipse, or by its landing
-        let name = format!("{}: carry {carry}", landing.name);
-        let part = |of: String| format!("{name} ({of})");
-        for (k, ellipse) in landing.ellipses.iter().rev().enumerate() {
-            let [long, short] = ellipse.half_axes;
-            let point = |step: u32| {
-                let (sin, cos) =
-                    (std::f64::consts::TAU * f64::from(step) / f64::from(AROUND)).sin_cos();
-                [0, 1].map(|axis| ellipse.centre[axis] + cos * long[axis] + sin * short[axis])
-            };
-            let name = if k == 0 {
-                name.clone()
-            } else {
-                part(format!("{:.0} %", 100.0 * ellipse.share))
-            };
-            layers.push(Layer::Line {
-                name,
-                hue,
-                is_dashed,
-                points: (0..=AROUND).map(point).collect(),
-            });
-        }
-        if landing.ellipses.is_empty() {
-            layers.push(Layer::Dots {
-                name: name.clone(),
-                hue,
-                points: vec![landing.at],
-            });
-        }
-        let mut told = format!(
-            "{}: carry {carry}, {}",
-            capital(&landing.name),
-            beside_target(lateral, system)
-        );
-        if let Some(rest) = landing.rest {
-            // the legend names the first one
-            let name = if i == 0 {
-                "run".into()
-            } else {
-                format!("run ({})", landing.name)
-            };
-            layers.push(Layer::Line {
-                name,
-                hue,
-                is_dashed: false,
-                points: vec![landing.at, rest],
-            });
-            layers.push(Layer::Dots {
-                name: part("at rest".into()),
-                hue,
-                points: vec![rest],
-            });
-            told += &format!(
-                ", total {}",
-                shown::outcome(Outcome::Total, rest[1], system)
-            );
-        }
-        layers.push(Layer::Mark {
-            name: String::new(),
-            hue,
-            at: landing.at,
-        });
-        notes.push(told + ".");
-    }
-    let points = || {
-        layers.iter().flat_map(|layer| match layer {
-            Layer::Line { points, .. } | Layer::Dots { points, .. } => points.clone(),
-            Layer::Mark { at, .. } => vec![*at],
-            _ => vec![],
-        })
-    };
-    let widest = points().map(|[x, _]| x.abs()).fold(0.0, f64::max);
-    // a point alone has room around it too
-    let around = |[low, high]: [f64; 2]| {
-        if high - low > 1.0 {
-            [low, high]
-        } else {
-            [low - 5.0, high + 5.0]
-        }
-    };
-    let y = with_margin(around(extent(points().map(|[_, y]| y))), 0.08, 0.08);
-    let x = with_margin(around([-widest, widest]), 0.1, 0.1);
-    let figure = Figure::new(
-        "fairway",
-        "Landings from above",
-        length("right of the target line (left: −)"),
-        length("downrange"),
-    );
-    let mut figure = to_scale(figure, [x, y], SHAPE, [Grows::Evenly; 2]);
-    let [low, high] = figure.y.reach.unwrap_or(y);
-    let target = Layer::Line {
+    let layers: Vec<Layer> = landings
+        .iter()
+        .enumerate()
+        .flat_map(|(i, landing)| layers_of(landing, i, system))
+        .collect();
+    let mut figure = empty(&layers);
+    let [low, high] = figure.y.reach.unwrap_or_default();
+    figure.layers.push(Layer::Line {
         name: "target line".into(),
         hue: Hue::Faint,
         is_dashed: true,
         points: vec![[0.0, low], [0.0, high]],
-    };
-    figure.layers.push(target);
+    });
     figure.layers.extend(layers);
+
+    let mut notes: Vec<String> = landings
+        .iter()
+        .map(|landing| note_of(landing, system))
+        .collect();
     notes.extend(spread(landings, system));
     notes.extend(
         landings
@@ -136,7 +51,115 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// How far from the target line: "3.2 yd right of the target line", "on the target line".
+/// A figure at true scale without layers, whose axes contain these layers.
+fn empty(layers: &[Layer]) -> Figure {
+    let points = || {
+        layers.iter().flat_map(|layer| match layer {
+            Layer::Line { points, .. } | Layer::Dots { points, .. } => points.clone(),
+            Layer::Mark { at, .. } => vec![*at],
+            _ => vec![],
+        })
+    };
+    let widest = points().map(|[x, _]| x.abs()).fold(0.0, f64::max);
+    // a single point has room around it too
+    let around = |[low, high]: [f64; 2]| {
+        if high - low > 1.0 {
+            [low, high]
+        } else {
+            [low - 5.0, high + 5.0]
+        }
+    };
+    let y = with_margin(around(extent(points().map(|[_, y]| y))), 0.08, 0.08);
+    let x = with_margin(around([-widest, widest]), 0.1, 0.1);
+    let length = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
+    let figure = Figure::new(
+        "fairway",
+        "Landings from above",
+        length("right of the target line (left: −)"),
+        length("downrange"),
+    );
+    to_scale(figure, [x, y], SHAPE, [Grows::Evenly; 2])
+}
+
+/// The ellipses, the run and the marks of a drive. The legend names a drive once, at its largest
+/// ellipse, or at its landing.
+fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
+    let (hue, is_dashed) = style(&landing.name, i);
+    let carry = shown::outcome(Outcome::Carry, landing.at[1], system);
+    let name = format!("{}: carry {carry}", landing.name);
+    let part = |of: &str| format!("{name} ({of})");
+    let mut layers = vec![];
+    for (k, ellipse) in landing.ellipses.iter().rev().enumerate() {
+        layers.push(Layer::Line {
+            name: if k == 0 {
+                name.clone()
+            } else {
+                part(&format!("{:.0} %", 100.0 * ellipse.share))
+            },
+            hue,
+            is_dashed,
+            points: outline(ellipse),
+        });
+    }
+    if landing.ellipses.is_empty() {
+        layers.push(Layer::Dots {
+            name: name.clone(),
+            hue,
+            points: vec![landing.at],
+        });
+    }
+    if let Some(rest) = landing.rest {
+        // the legend names the first run
+        layers.push(Layer::Line {
+            name: if i == 0 {
+                "run".into()
+            } else {
+                format!("run ({})", landing.name)
+            },
+            hue,
+            is_dashed: false,
+            points: vec![landing.at, rest],
+        });
+        layers.push(Layer::Dots {
+            name: part("at rest"),
+            hue,
+            points: vec![rest],
+        });
+    }
+    layers.push(Layer::Mark {
+        name: String::new(),
+        hue,
+        at: landing.at,
+    });
+    layers
+}
+
+/// Points around an ellipse.
+fn outline(ellipse: &LandingEllipse) -> Vec<[f64; 2]> {
+    let [long, short] = ellipse.half_axes;
+    let point = |step: u32| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(AROUND)).sin_cos();
+        [0, 1].map(|axis| ellipse.centre[axis] + cos * long[axis] + sin * short[axis])
+    };
+    (0..=AROUND).map(point).collect()
+}
+
+/// The landing of a drive in words.
+fn note_of(landing: &Landing, system: System) -> String {
+    let [lateral, carry] = landing.at;
+    let total = landing.rest.map_or(String::new(), |rest| {
+        let total = shown::outcome(Outcome::Total, rest[1], system);
+        format!(", total {total}")
+    });
+    format!(
+        "{}: carry {}, {}{total}.",
+        capital(&landing.name),
+        shown::outcome(Outcome::Carry, carry, system),
+        beside_target(lateral, system)
+    )
+}
+
+/// The side of the target line: "3.2 yd right of the target line", "on the target line".
 fn beside_target(lateral: f64, system: System) -> String {
     let shown = shown::outcome(Outcome::Lateral, lateral, system);
     let beside = [(" R", "right"), (" L", "left")]
@@ -147,7 +170,7 @@ fn beside_target(lateral: f64, system: System) -> String {
     })
 }
 
-/// What the ellipses say.
+/// The note about the ellipses.
 fn spread(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);

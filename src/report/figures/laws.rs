@@ -5,7 +5,7 @@ use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::units::significant;
 use std::f64::consts::PI;
 
-/// What laws of drag and lift are drawn over; the other is held.
+/// The horizontal axis of a plot of laws; the other variable is constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Over {
     /// Over the spin ratio, at this Reynolds number.
@@ -23,19 +23,18 @@ pub enum Coefficient {
     Lift,
 }
 
-/// Spin ratios and Reynolds numbers from a driver's launch to its landing, and about as much beside
-/// them.
+/// Ranges of spin ratio and Reynolds number, about twice those of a drive from launch to landing.
 const SPIN_RATIOS: [f64; 2] = [0.0, 0.4];
 const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 
 /// Steps of a curve.
 const STEPS: usize = 240;
 
-/// Measured points are drawn whose Reynolds number or spin ratio is that of the picture within this
-/// part of it.
+/// Measured points are drawn if their Reynolds number or spin ratio is within this part of the
+/// constant one.
 const NEAR: f64 = 0.1;
 
-/// A measured point; what a source does not tell apart is missing.
+/// A measured point. A quantity that the source averages over is missing.
 struct Measured {
     spin_ratio: Option<f64>,
     reynolds: Option<f64>,
@@ -43,119 +42,32 @@ struct Measured {
     values: [Option<f64>; 2],
 }
 
-/// Laws of drag and lift as curves: solid within what each was fitted to, dashed beyond and where
-/// that is not known, with measured points. Speeds and spins are those of the ball and the air of a
-/// setup.
+/// Laws of drag and lift as curves: solid within the range that each was fitted to, dashed beyond it
+/// and where the range is not known, with measured points. Speeds and spins are those of the ball
+/// and the air of a setup.
 pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coefficient) -> Figure {
-    let air = AirState::of(&setup.air);
-    let radius = setup.ball.radius;
-    let per_speed = air.density * 2.0 * radius / air.viscosity;
-    let stream = |at: f64| {
-        let (spin_ratio, reynolds) = match over {
-            Over::SpinRatio(reynolds) => (at, reynolds),
-            Over::Reynolds(spin_ratio) => (spin_ratio, at),
-        };
-        let speed = reynolds / per_speed;
-        Stream::new(spin_ratio * speed / radius, speed, radius, per_speed)
-    };
-    let ([low, high], label, at) = match over {
-        Over::SpinRatio(reynolds) => (
-            SPIN_RATIOS,
-            "spin ratio",
-            format!("a Reynolds number of {}", significant(reynolds, 4)),
-        ),
-        Over::Reynolds(spin_ratio) => (
-            REYNOLDS,
-            "Reynolds number",
-            format!("a spin ratio of {}", significant(spin_ratio, 4)),
-        ),
-    };
-    let (symbol, words, which) = match of {
-        Coefficient::Drag => ("C_D", "Drag", 0),
-        Coefficient::Lift => ("C_L", "Lift", 1),
-    };
-    let name = format!(
-        "laws-{}-{}",
-        words.to_lowercase(),
-        label.replace(' ', "-").to_lowercase()
-    );
-    let title = format!("{words} coefficient over the {label}, at {at}");
-    let mut figure = Figure::new(
-        name,
-        title,
-        Axis::linear(Measure::plain(label)),
-        Axis::linear(Measure::plain(symbol)),
-    );
-    let (mut marks, mut has_points) = (vec![], false);
+    let plot = LawPlot::new(setup, over, of);
+    let mut figure = plot.empty();
+    let mut marks = vec![];
+    let mut has_points = false;
     for (i, law) in laws.iter().enumerate() {
-        let fitted = law.fitted();
-        let is_known = fitted.ranges().iter().any(|(.., range)| range.is_some());
-        let curve = (0..=STEPS).map(|k| {
-            let at = low + (high - low) * k as f64 / STEPS as f64;
-            let stream = stream(at);
-            let Coefficients { drag, lift } = law.coefficients(stream);
-            let is_in = is_known
-                && fitted.holds([
-                    stream.spin_ratio(),
-                    stream.spin,
-                    stream.reynolds(),
-                    stream.speed,
-                ]);
-            ([at, [drag, lift][which]], is_in)
-        });
-        let curve: Vec<([f64; 2], bool)> = curve.collect();
-        let (first, last) = (stream(low), stream(high));
-        let reached = [
-            [first.spin_ratio(), last.spin_ratio()],
-            [first.spin, last.spin],
-            [first.reynolds(), last.reynolds()],
-            [first.speed, last.speed],
-        ];
-        let (within, beyond) = (pieces(&curve, true), pieces(&curve, false));
-        let curve = if within.is_empty() { &beyond } else { &within };
-        // at another place of each curve, so that the words do not stand in each other's way
-        let drawn: Vec<_> = curve.iter().filter(|at| at[1].is_finite()).collect();
-        let at = drawn.get(drawn.len() * (2 * i + 1) / (2 * laws.len()));
+        let curve = Curve::new(&plot, law);
+        // the place differs from curve to curve, so that the words do not overlap
+        let at = curve.at(2 * i + 1, 2 * laws.len());
         marks.extend(at.map(|at| Layer::Mark {
             name: law.name().into(),
             hue: Hue::Series(i),
-            at: **at,
+            at,
         }));
-        // a law that is dashed alone has its own name
-        let suffix = if within.is_empty() {
-            String::new()
-        } else {
-            format!(" ({})", fitted.beyond(fitted.left(reached)))
-        };
-        let layers = [
-            Layer::line(law.name(), i, within),
-            Layer::dashed(format!("{}{suffix}", law.name()), i, beyond),
-        ];
-        figure.layers.extend(
-            layers
-                .into_iter()
-                .filter(|layer| !matches!(layer, Layer::Line { points, .. } if points.is_empty())),
-        );
-        let points: Vec<[f64; 2]> = measured(law, &fitted, per_speed, radius)
-            .into_iter()
-            .filter_map(|point| {
-                let (x, other, held) = match over {
-                    Over::SpinRatio(held) => (point.spin_ratio?, point.reynolds, held),
-                    Over::Reynolds(held) => (point.reynolds?, point.spin_ratio, held),
-                };
-                let is_near = other.is_none_or(|other| (other - held).abs() <= NEAR * held);
-                let value = point.values[which]?;
-                (is_near && (low..=high).contains(&x)).then_some([x, value])
-            })
-            .collect();
+        figure.layers.extend(curve.layers(&plot, law, i));
+        let points = plot.measured_points(law);
         if !points.is_empty() {
             has_points = true;
-            figure
-                .layers
-                .push(Layer::dots(format!("{} (measured)", law.name()), i, points));
+            let name = format!("{} (measured)", law.name());
+            figure.layers.push(Layer::dots(name, i, points));
         }
     }
-    // where colours begin again, names stand beside the curves too
+    // curves that share a colour are named on the curve too
     if laws.len() > Hue::SERIES {
         figure.layers.extend(marks);
     }
@@ -164,8 +76,9 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
             .to_owned();
     if has_points {
         note += &format!(
-            " Points are measured values, within {:.0} % of {at}.",
-            100.0 * NEAR
+            " Points are measured values, within {:.0} % of {}.",
+            100.0 * NEAR,
+            over.constant()
         );
     }
     note += " Speeds and spins, for laws that depend on them, are those of the setup's ball in its \
@@ -173,8 +86,181 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
     figure.noted(note)
 }
 
-/// The parts of a curve that lie within the law's range or beyond it, with a break between two of
-/// them. Where the range ends they meet.
+impl Over {
+    /// The name of the variable.
+    fn label(self) -> &'static str {
+        match self {
+            Self::SpinRatio(_) => "spin ratio",
+            Self::Reynolds(_) => "Reynolds number",
+        }
+    }
+
+    /// The constant variable with its value.
+    fn constant(self) -> String {
+        match self {
+            Self::SpinRatio(reynolds) => {
+                format!("a Reynolds number of {}", significant(reynolds, 4))
+            }
+            Self::Reynolds(spin_ratio) => format!("a spin ratio of {}", significant(spin_ratio, 4)),
+        }
+    }
+}
+
+/// The axes of a plot of laws, with the ball and the air.
+struct LawPlot {
+    over: Over,
+    of: Coefficient,
+    /// Radius of the ball, m.
+    radius: f64,
+    /// Reynolds number per speed, s/m.
+    per_speed: f64,
+    /// Range of the horizontal axis.
+    range: [f64; 2],
+}
+
+impl LawPlot {
+    fn new(setup: &Setup<f64>, over: Over, of: Coefficient) -> Self {
+        let air = AirState::of(&setup.air);
+        let radius = setup.ball.radius;
+        Self {
+            over,
+            of,
+            radius,
+            per_speed: air.density * 2.0 * radius / air.viscosity,
+            range: match over {
+                Over::SpinRatio(_) => SPIN_RATIOS,
+                Over::Reynolds(_) => REYNOLDS,
+            },
+        }
+    }
+
+    /// A figure without layers.
+    fn empty(&self) -> Figure {
+        let (symbol, words) = match self.of {
+            Coefficient::Drag => ("C_D", "Drag"),
+            Coefficient::Lift => ("C_L", "Lift"),
+        };
+        let label = self.over.label();
+        let name = format!(
+            "laws-{}-{}",
+            words.to_lowercase(),
+            label.replace(' ', "-").to_lowercase()
+        );
+        let constant = self.over.constant();
+        Figure::new(
+            name,
+            format!("{words} coefficient over the {label}, at {constant}"),
+            Axis::linear(Measure::plain(label)),
+            Axis::linear(Measure::plain(symbol)),
+        )
+    }
+
+    /// The stream at a place of the horizontal axis.
+    fn stream(&self, at: f64) -> Stream<f64> {
+        let (spin_ratio, reynolds) = match self.over {
+            Over::SpinRatio(reynolds) => (at, reynolds),
+            Over::Reynolds(spin_ratio) => (spin_ratio, at),
+        };
+        let speed = reynolds / self.per_speed;
+        let spin = spin_ratio * speed / self.radius;
+        Stream::new(spin, speed, self.radius, self.per_speed)
+    }
+
+    /// Measured points near the constant variable that the law was made from.
+    fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
+        let [low, high] = self.range;
+        let which = self.of as usize;
+        measured(law, &law.fitted(), self.per_speed, self.radius)
+            .into_iter()
+            .filter_map(|point| {
+                let (x, other, constant) = match self.over {
+                    Over::SpinRatio(constant) => (point.spin_ratio?, point.reynolds, constant),
+                    Over::Reynolds(constant) => (point.reynolds?, point.spin_ratio, constant),
+                };
+                let is_near = other.is_none_or(|other| (other - constant).abs() <= NEAR * constant);
+                let value = point.values[which]?;
+                (is_near && (low..=high).contains(&x)).then_some([x, value])
+            })
+            .collect()
+    }
+}
+
+/// A coefficient of a law.
+struct Curve {
+    /// Within the range that the law was fitted to.
+    within: Vec<[f64; 2]>,
+    /// Beyond it, or where it is not known.
+    beyond: Vec<[f64; 2]>,
+}
+
+impl Curve {
+    fn new(plot: &LawPlot, law: &Law<f64>) -> Self {
+        let [low, high] = plot.range;
+        let fitted = law.fitted();
+        let is_known = fitted.ranges().iter().any(|(.., range)| range.is_some());
+        let points: Vec<([f64; 2], bool)> = (0..=STEPS)
+            .map(|k| {
+                let at = low + (high - low) * k as f64 / STEPS as f64;
+                let stream = plot.stream(at);
+                let Coefficients { drag, lift } = law.coefficients(stream);
+                let is_within = is_known
+                    && fitted.holds([
+                        stream.spin_ratio(),
+                        stream.spin,
+                        stream.reynolds(),
+                        stream.speed,
+                    ]);
+                ([at, [drag, lift][plot.of as usize]], is_within)
+            })
+            .collect();
+        Self {
+            within: pieces(&points, true),
+            beyond: pieces(&points, false),
+        }
+    }
+
+    /// The point after `part` of `parts` of the curve: within the fitted range if there is one.
+    fn at(&self, part: usize, parts: usize) -> Option<[f64; 2]> {
+        let points = if self.within.is_empty() {
+            &self.beyond
+        } else {
+            &self.within
+        };
+        let drawn: Vec<_> = points.iter().filter(|at| at[1].is_finite()).collect();
+        drawn.get(drawn.len() * part / parts).map(|at| **at)
+    }
+
+    /// The solid and the dashed line, as far as there are any.
+    fn layers(self, plot: &LawPlot, law: &Law<f64>, i: usize) -> Vec<Layer> {
+        let fitted = law.fitted();
+        let [first, last] = plot.range.map(|at| plot.stream(at));
+        let range = [
+            [first.spin_ratio(), last.spin_ratio()],
+            [first.spin, last.spin],
+            [first.reynolds(), last.reynolds()],
+            [first.speed, last.speed],
+        ];
+        // a law without a solid line has its own name
+        let suffix = if self.within.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", fitted.beyond(fitted.left(range)))
+        };
+        let name = law.name();
+        let mut layers = vec![];
+        if !self.within.is_empty() {
+            layers.push(Layer::line(name, i, self.within));
+        }
+        if !self.beyond.is_empty() {
+            let name = format!("{name}{suffix}");
+            layers.push(Layer::dashed(name, i, self.beyond));
+        }
+        layers
+    }
+}
+
+/// The parts of a curve within the law's range or beyond it, with a break between two parts. The
+/// two kinds meet at the ends of the range.
 fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> = vec![];
     for (k, (at, is_in)) in curve.iter().enumerate() {
@@ -197,7 +283,7 @@ fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     points
 }
 
-/// The points that a law was made from, where they are known.
+/// The published points that a law was made from.
 fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec<Measured> {
     let of_speed = |speed: f64, spin: f64, values: [f64; 2]| Measured {
         spin_ratio: Some(spin * radius / speed),
@@ -274,7 +360,7 @@ fn rows(table: &str) -> impl Iterator<Item = [f64; 4]> + '_ {
     cells(table).filter_map(|[a, b, c, d]| Some([a?, b?, c?, d?]))
 }
 
-/// The same with empty cells.
+/// Rows of a table whose cells may be empty.
 fn cells(table: &str) -> impl Iterator<Item = [Option<f64>; 4]> + '_ {
     table.lines().skip(1).map(|line| {
         let mut cells = line.split(',').map(|cell| cell.trim().parse::<f64>().ok());

@@ -8,7 +8,7 @@ use crate::units::System;
 /// The longest arrow, as a part of the map's width.
 const LONGEST_ARROW: f64 = 0.1;
 
-/// What is shown on a map beside its outcome.
+/// Additions to a map of an outcome.
 #[derive(Clone, Copy, Debug)]
 pub struct OnMap<'a> {
     /// The drive as set up.
@@ -17,7 +17,7 @@ pub struct OnMap<'a> {
     pub limits: &'a [(Constraint, Map)],
     /// The optimum, if one was found.
     pub best: Option<&'a Optimum>,
-    /// What is nearly as good and meets every bound and constraint.
+    /// The region that is nearly as good and meets every bound and constraint.
     pub region: Option<&'a Region>,
 }
 
@@ -116,8 +116,8 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// Where the map is taken: the speed, and what the search varied beside its axes, which is held at
-/// the optimum.
+/// The constant parameters of a map: the speed, and varied parameters that are no axes, at the
+/// optimum.
 fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: System) -> String {
     let is_axis = |name: &str| axes.iter().any(|vary| vary.parameter.name == name);
     let speed = if setup.launch.is_given() {

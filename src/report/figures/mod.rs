@@ -28,5 +28,5 @@ pub use map::{OnMap, map_figure};
 pub use pareto::pareto_figure;
 pub use strikes::strikes_figure;
 pub use tornado::{Causes, tornado_figure};
-pub use trajectory::{Flown, View, trajectory_figure};
+pub use trajectory::{View, trajectory_figure};
 pub use vcurve::vcurve_figure;

@@ -6,7 +6,7 @@ use crate::study::Goal;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
-/// How far the line of the slope reaches from the knee, as a part of the front's width.
+/// Length of the tangent at the knee, as a part of the front's width.
 const REACH: f64 = 0.2;
 
 /// The best compromises between two goals: the first goal over the second, with the ends, the knee

@@ -10,9 +10,9 @@ use crate::units::{Quantity, System};
 /// Every so many of the nodes of a face are drawn: values change little from one to the next.
 const THINNED: usize = 5;
 
-/// What comes of strikes all over the face: carry, lateral, ball speed and spin axis, from the
-/// front at true scale. Designs stand beside each other with the same levels and colours; each has
-/// its name. `None` without a design.
+/// Outcomes of strikes all over the face: carry, lateral, ball speed and spin axis, from the front
+/// at true scale. The views of all designs have the same levels and colours; each has its name.
+/// `None` without a design.
 pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figure> {
     let largest = designs
         .iter()
@@ -80,7 +80,7 @@ fn view(face: &Face, of: Outcome, field: Field) -> Figure {
     figure
 }
 
-/// The values over the face as it is seen from the front.
+/// The values over the face, seen from the front.
 fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
     let whole = field(&face.plane, of, Measure::outcome(outcome));
     let is_turned = seen(face, [1.0, 0.0])[0] < 0.0;

@@ -14,20 +14,20 @@ const MOST: usize = 15;
 /// Which uncertainties a tornado is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Causes {
-    /// What the golfer controls: delivery, strike and club, or the launch where it is given.
+    /// Parameters that the golfer controls: delivery, strike and club, or the launch where it is
+    /// given.
     Control,
-    /// What the model does not know: its coefficients, the ball, the air, the wind and the ground.
+    /// Uncertain inputs of the model: its coefficients, the ball, the air, the wind and the ground.
     Model,
     /// Both.
     All,
 }
 
 impl Causes {
-    /// Those that a report shows, each in a picture of its own: the scale of one would hide the
-    /// other.
+    /// The causes of a report, a picture each: the scale of one would hide the other.
     pub const APART: [Self; 2] = [Self::Control, Self::Model];
 
-    /// Whether a parameter is one of them.
+    /// A parameter is one of these causes.
     pub fn has(self, parameter: &Parameter) -> bool {
         let group = parameter.name.split('.').next().unwrap_or_default();
         let is_controlled = ["swing", "club", "strike", "launch"].contains(&group);
@@ -61,7 +61,7 @@ struct Ends {
     first_order: f64,
     lower: f64,
     higher: f64,
-    /// Whether both ends were flown; a straight bar stands for one that could not be.
+    /// Both ends were flown; a straight bar replaces one that could not be.
     is_flown: bool,
 }
 
@@ -83,9 +83,9 @@ impl Ends {
     }
 }
 
-/// What standard uncertainties of parameters do to an outcome, as bars, the largest on top: flown
-/// at p − σ and p + σ, one parameter at a time. The uncertainties and the note are in the units of
-/// `system`. `None` where none of these causes has an uncertainty with an effect.
+/// The effects of standard uncertainties on an outcome, as bars, the largest on top: flown at p − σ
+/// and p + σ, one parameter at a time. The uncertainties and the note are in the units of `system`.
+/// `None` where none of these causes has an uncertainty with an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
     let mut ranked: Vec<Ends> = effects

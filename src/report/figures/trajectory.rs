@@ -1,11 +1,11 @@
 use super::scale::{Grows, extent, to_scale, with_margin};
 use super::style::style;
-use crate::drive::{Drive, Outcome};
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::flight::{Trajectory, trajectory};
-use crate::parameters::Setup;
+use crate::number::Vector;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
+use crate::study::NamedDrive;
 use crate::units::{Quantity, System, significant};
 
 /// From where a trajectory is seen.
@@ -18,113 +18,128 @@ pub enum View {
     Top,
 }
 
-/// A drive with its path and a name.
-#[derive(Clone, Debug)]
-pub struct Flown {
-    /// What it is called: "as set up", "optimum".
-    pub name: String,
-    /// The drive.
-    pub drive: Drive<f64>,
-    /// Its path.
-    pub path: Trajectory,
-}
-
-impl Flown {
-    /// What the drive at an optimum is called.
-    pub const OPTIMUM: &str = "optimum";
-
-    /// Flies a setup and keeps the path.
-    ///
-    /// # Errors
-    /// As [`Drive::new`].
-    pub fn new(name: impl Into<String>, setup: &Setup<f64>) -> Result<Self> {
-        let drive = Drive::new(setup)?;
-        let path = trajectory(setup, &drive.launch)?;
-        Ok(Self {
-            name: name.into(),
-            drive,
-            path,
-        })
-    }
-}
-
-/// A path that stays so near to the target line has nothing to see from above, m: a tenth of a
+/// A path within this distance of the target line is straight as seen from above, m: a tenth of a
 /// yard.
 const STRAIGHT: f64 = 0.09144;
 
-/// How well a total is known at best, m: ten yards.
+/// Uncertainty of a total at best, m: ten yards.
 const TOTAL_WITHIN: f64 = 9.144;
 
-/// What the view from above shows at least to each side, m.
+/// Least width of the view from above to each side, m.
 const CORRIDOR: f64 = 10.0;
 
 /// The shape of the view to scale, and of the stretched one, height over width.
 const SHAPE: [f64; 2] = [0.3, 0.9];
 const STRETCHED: f64 = 0.42;
 
-/// Where the view to scale shows the height at least so much smaller than the stretched one, that
-/// one is drawn too.
+/// Least ratio of the stretched height to the one at true scale for which a stretched view is drawn
+/// too.
 const CLEARLY: f64 = 1.6;
 
-/// Paths of drives, from the side or from above: at true scale, and below it stretched where
-/// heights (or distances to the side) are small. Apex and carry stand at their points, in the units
-/// of `system`.
+/// Paths of drives, from the side or from above: at true scale, and below it stretched if heights
+/// (or distances to the side) are small. Marks show apex and carry in the units of `system`.
 ///
 /// # Errors
 /// [`Error::Plot`] where nothing flies, and for a view from above of drives that are straight.
-pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<Figure> {
-    let name = match view {
-        View::Side => "trajectory-side",
-        View::Top => "trajectory-top",
-    };
-    let refuse = |reason: &str| {
-        Err(Error::Plot {
-            name: name.into(),
-            reason: reason.into(),
-        })
-    };
-    let seen = |at: crate::number::Vector<f64>| match view {
-        View::Side => [at.z, at.x],
-        View::Top => [at.z, at.y],
-    };
-    let paths: Vec<Vec<[f64; 2]>> = flown
-        .iter()
-        .map(|one| {
-            one.path
-                .points
-                .iter()
-                .map(|point| seen(point.position))
-                .collect()
-        })
-        .collect();
-    // bounces and run go on from the landing
-    let runs = flown.iter().zip(&paths).map(|(one, path)| {
-        let from = one.path.points.last().map(|landing| landing.position);
-        let run = one
-            .path
-            .run
-            .iter()
-            .filter_map(|way| Some(seen(from? + *way)));
-        let landing = path.last().copied().into_iter();
-        if one.path.run.is_empty() {
-            vec![]
-        } else {
-            landing.chain(run).collect()
-        }
-    });
-    let runs: Vec<Vec<[f64; 2]>> = runs.collect();
+pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Result<Figure> {
+    let paths: Vec<Vec<[f64; 2]>> = flown.iter().map(|one| path(one, view)).collect();
+    let runs: Vec<Vec<[f64; 2]>> = flown.iter().map(|one| run(one, view)).collect();
     let all = || paths.iter().chain(&runs).flatten();
     let (x, y) = (extent(all().map(|at| at[0])), extent(all().map(|at| at[1])));
     if all().count() < 2 {
-        return refuse("no drive flies, so that there is no path to draw");
+        return view.refuse("no drive flies, so that there is no path to draw");
     }
     if view == View::Top && y[0].abs().max(y[1].abs()) < STRAIGHT {
         let within = Quantity::LENGTH.read_off_difference(STRAIGHT, system.unit("yd"));
-        return refuse(&format!(
+        return view.refuse(&format!(
             "seen from above these drives are straight: they stay within {within} of the target \
              line, so that there is nothing to draw"
         ));
     }
+    let x = with_margin(extent(x.into_iter().chain([0.0])), 0.0, 0.05);
+    let seen_up = match view {
+        View::Side => y,
+        View::Top => extent(y.into_iter().chain([-CORRIDOR, CORRIDOR])),
+    };
+    let mut figure = empty(view, [x, seen_up]);
+    let lines = [path_lines(flown, &paths), run_lines(flown, &runs)].concat();
+    let range = figure.x.reach.unwrap_or(x);
+    match view {
+        View::Side => add_ground(&mut figure, &paths, range),
+        View::Top => add_target_line(&mut figure, range),
+    }
+    let below = if view == View::Side { 0.0 } else { 0.08 };
+    let stretched = stretched(&figure, &lines, with_margin(seen_up, below, 0.08), view);
+    figure.layers.extend(lines);
+    for (i, one) in flown.iter().enumerate() {
+        figure.layers.extend(marks(one, i, view, system));
+    }
+    figure.note = view.note().into();
+    figure.note += &note_of_totals(flown, &runs, system);
+    if let Some(panel) = stretched {
+        figure.note += &format!(" Below: {}.", panel.title.to_lowercase());
+        figure.panels.push(panel);
+    }
+    Ok(figure)
+}
+
+impl View {
+    /// The name of the figure.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Side => "trajectory-side",
+            Self::Top => "trajectory-top",
+        }
+    }
+
+    /// The coordinates of a position, to the right and up.
+    fn seen(self, at: Vector<f64>) -> [f64; 2] {
+        match self {
+            Self::Side => [at.z, at.x],
+            Self::Top => [at.z, at.y],
+        }
+    }
+
+    /// The note about the scale.
+    fn note(self) -> &'static str {
+        match self {
+            Self::Side => "True scale: heights are drawn as large as distances.",
+            Self::Top => {
+                "Seen from above with the target to the right. True scale: distances to the side \
+                 are drawn as large as those downrange."
+            }
+        }
+    }
+
+    fn refuse(self, reason: &str) -> Result<Figure> {
+        Err(Error::Plot {
+            name: self.name().into(),
+            reason: reason.into(),
+        })
+    }
+}
+
+/// The path of a flight.
+fn path(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
+    let points = one.path.points.iter();
+    points.map(|point| view.seen(point.position)).collect()
+}
+
+/// Bounces and run, from the landing on; empty without a run.
+fn run(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
+    let Some(landing) = one.path.points.last() else {
+        return vec![];
+    };
+    if one.path.run.is_empty() {
+        return vec![];
+    }
+    let from = landing.position;
+    let run = one.path.run.iter().map(|way| view.seen(from + *way));
+    std::iter::once(view.seen(from)).chain(run).collect()
+}
+
+/// A figure at true scale without layers: its axes contain these ranges.
+fn empty(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
     let length = |label: &str| Measure::new(label, Quantity::LENGTH, "yd");
     let downrange = Axis::linear(length("downrange"));
     let (title, up) = match view {
@@ -134,148 +149,116 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
             Axis::left_right(length("right of the target line")),
         ),
     };
-    let grows = if view == View::Side {
-        Grows::Up
-    } else {
-        Grows::Evenly
-    };
-    let (seen_up, down) = if view == View::Side {
-        (y, 0.0)
-    } else {
-        (extent(y.into_iter().chain([-CORRIDOR, CORRIDOR])), 1.0)
-    };
     // room for the words at the apex and the landing
-    let y = if view == View::Side {
-        with_margin(y, 0.0, 0.3)
-    } else {
-        with_margin(seen_up, 0.1, 0.1)
+    let (y, grows) = match view {
+        View::Side => (with_margin(y, 0.0, 0.3), Grows::Up),
+        View::Top => (with_margin(y, 0.1, 0.1), Grows::Evenly),
     };
-    let x = with_margin(extent(x.into_iter().chain([0.0])), 0.0, 0.05);
-    let mut figure = to_scale(
-        Figure::new(name, title, downrange, up),
-        [x, y],
-        SHAPE,
-        [Grows::Up, grows],
-    );
-    let mut lines = vec![];
-    for (i, (Flown { name, .. }, points)) in flown.iter().zip(&paths).enumerate() {
-        let (hue, is_dashed) = style(name, i);
-        lines.push(Layer::Line {
-            name: name.clone(),
+    let figure = Figure::new(view.name(), title, downrange, up);
+    to_scale(figure, [x, y], SHAPE, [Grows::Up, grows])
+}
+
+/// A line for the path of each drive.
+fn path_lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>]) -> Vec<Layer> {
+    let line = |(i, (one, points)): (usize, (&NamedDrive, &Vec<[f64; 2]>))| {
+        let (hue, is_dashed) = style(&one.name, i);
+        Layer::Line {
+            name: one.name.clone(),
             hue,
             is_dashed,
             points: points.clone(),
-        });
-    }
-    for (i, (Flown { name, .. }, points)) in flown
-        .iter()
-        .zip(&runs)
-        .enumerate()
-        .filter(|(_, (_, run))| !run.is_empty())
-    {
-        let (hue, is_dashed) = style(name, i);
-        let name = if name.is_empty() {
+        }
+    };
+    flown.iter().zip(paths).enumerate().map(line).collect()
+}
+
+/// A line for the run of each drive that has one.
+fn run_lines(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
+    let line = |(i, (one, points)): (usize, (&NamedDrive, &Vec<[f64; 2]>))| {
+        let (hue, is_dashed) = style(&one.name, i);
+        let name = if one.name.is_empty() {
             "run".into()
         } else {
-            format!("run ({name})")
+            format!("run ({})", one.name)
         };
-        lines.push(Layer::Line {
+        Layer::Line {
             name,
             hue,
             is_dashed,
             points: points.clone(),
-        });
-    }
-    let [left, right] = figure.x.reach.unwrap_or(x);
-    match view {
-        View::Side => {
-            // the ground is where the paths end
-            let ground = extent(paths.iter().filter_map(|path| Some(path.last()?[1])))[0];
-            let below = ground - 0.03 * (right - left);
-            figure.y.reach = figure.y.reach.map(|[_, high]| [below, high]);
-            figure.aspect = figure
-                .y
-                .reach
-                .map_or(figure.aspect, |[low, high]| (high - low) / (right - left));
-            let rings = vec![vec![
-                [left, below],
-                [right, below],
-                [right, ground],
-                [left, ground],
-            ]];
-            figure.layers.push(Layer::Region {
-                name: String::new(),
-                hue: Hue::Faint,
-                is_hatched: true,
-                rings,
-            });
-            let points = vec![[left, ground], [right, ground]];
-            figure.layers.push(Layer::Line {
-                name: "ground".into(),
-                hue: Hue::Faint,
-                is_dashed: false,
-                points,
-            });
-        }
-        View::Top => {
-            let points = vec![[left, 0.0], [right, 0.0]];
-            let name = "target line".into();
-            figure.layers.push(Layer::Line {
-                name,
-                hue: Hue::Faint,
-                is_dashed: true,
-                points,
-            });
-        }
-    }
-    let stretched = stretched(
-        &figure,
-        &lines,
-        with_margin(seen_up, 0.08 * down, 0.08),
-        view,
-    );
-    figure.layers.extend(lines);
-    for (i, one) in flown.iter().enumerate() {
-        figure.layers.extend(marks(one, i, view, system));
-    }
-    let note = match view {
-        View::Side => "True scale: heights are drawn as large as distances.",
-        View::Top => {
-            "Seen from above with the target to the right. True scale: distances to the side are \
-             drawn as large as those downrange."
         }
     };
-    figure.note = note.into();
-    // not at the points: they lie beside those of the carry, whose words would be in the way
-    let totals = flown
-        .iter()
-        .zip(&runs)
-        .filter(|(_, run)| !run.is_empty())
-        .filter_map(|(one, _)| {
-            let total = shown::outcome(Outcome::Total, Outcome::Total.value(&one.drive)?, system);
-            Some(if one.name.is_empty() {
-                total
-            } else {
-                format!("{total} ({})", one.name)
-            })
-        });
-    let totals = totals.collect::<Vec<_>>().join(" and ");
-    if !totals.is_empty() {
-        let within = Quantity::LENGTH.read_off_difference(TOTAL_WITHIN, system.unit("yd"));
-        figure.note += &format!(
-            " Behind the carry the ball bounces and runs to its total, {totals}, which is known \
-             within {within} at best."
-        );
+    let runs = flown.iter().zip(runs).enumerate();
+    runs.filter(|(_, (_, run))| !run.is_empty())
+        .map(line)
+        .collect()
+}
+
+/// Adds the ground to a view from the side: it is at the end of the lowest path.
+fn add_ground(figure: &mut Figure, paths: &[Vec<[f64; 2]>], [left, right]: [f64; 2]) {
+    let ground = extent(paths.iter().filter_map(|path| Some(path.last()?[1])))[0];
+    let below = ground - 0.03 * (right - left);
+    figure.y.reach = figure.y.reach.map(|[_, high]| [below, high]);
+    if let Some([low, high]) = figure.y.reach {
+        figure.aspect = (high - low) / (right - left);
     }
-    if let Some(panel) = stretched {
-        figure.note += &format!(" Below: {}.", panel.title.to_lowercase());
-        figure.panels.push(panel);
+    figure.layers.push(Layer::Region {
+        name: String::new(),
+        hue: Hue::Faint,
+        is_hatched: true,
+        rings: vec![vec![
+            [left, below],
+            [right, below],
+            [right, ground],
+            [left, ground],
+        ]],
+    });
+    figure.layers.push(Layer::Line {
+        name: "ground".into(),
+        hue: Hue::Faint,
+        is_dashed: false,
+        points: vec![[left, ground], [right, ground]],
+    });
+}
+
+/// Adds the target line to a view from above.
+fn add_target_line(figure: &mut Figure, [left, right]: [f64; 2]) {
+    figure.layers.push(Layer::Line {
+        name: "target line".into(),
+        hue: Hue::Faint,
+        is_dashed: true,
+        points: vec![[left, 0.0], [right, 0.0]],
+    });
+}
+
+/// The sentence about the totals; empty without a run. They have no marks, whose words would overlap
+/// those of the carry.
+fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) -> String {
+    let total = |(one, run): (&NamedDrive, &Vec<[f64; 2]>)| {
+        if run.is_empty() {
+            return None;
+        }
+        let total = shown::outcome(Outcome::Total, Outcome::Total.value(&one.drive)?, system);
+        Some(if one.name.is_empty() {
+            total
+        } else {
+            format!("{total} ({})", one.name)
+        })
+    };
+    let totals: Vec<String> = flown.iter().zip(runs).filter_map(total).collect();
+    if totals.is_empty() {
+        return String::new();
     }
-    Ok(figure)
+    let within = Quantity::LENGTH.read_off_difference(TOTAL_WITHIN, system.unit("yd"));
+    format!(
+        " Behind the carry the ball bounces and runs to its total, {}, which is known within \
+         {within} at best.",
+        totals.join(" and ")
+    )
 }
 
 /// The marks of a drive, with their values.
-fn marks(flown: &Flown, i: usize, view: View, system: System) -> Vec<Layer> {
+fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer> {
     let (hue, _) = style(&flown.name, i);
     let value = |of: Outcome| of.value(&flown.drive);
     let told = |of: Outcome, word: &str| {
@@ -321,7 +304,8 @@ fn marks(flown: &Flown, i: usize, view: View, system: System) -> Vec<Layer> {
     marks
 }
 
-/// The same paths with what is small drawn large; `None` where that would not be clearly larger.
+/// The paths with the smaller coordinate stretched; `None` if the stretch would be too small to
+/// help.
 fn stretched(figure: &Figure, lines: &[Layer], y: [f64; 2], view: View) -> Option<Figure> {
     let [left, right] = figure.x.reach?;
     let [low, high] = y;

@@ -15,13 +15,13 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// A page.
 pub(super) struct Frame<'a> {
-    /// What the window is called.
+    /// The title of the window.
     pub title: &'a str,
-    /// What is above the switch of units: the heading.
+    /// The heading, above the switch of units.
     pub header: Markup,
-    /// What the page is about.
+    /// The content.
     pub main: Markup,
-    /// What is below.
+    /// The footer.
     pub footer: Option<Markup>,
     /// The units that it opens with.
     pub system: System,

@@ -8,8 +8,8 @@ pub(in crate::report) fn scrolled(label: &str, table: Markup) -> Markup {
     html! { section.wide tabindex="0" aria-label=(label) { (table) } }
 }
 
-/// Whether most of the cells of a column are numbers; with a unit of up to three letters, as "rpm"
-/// is. Empty cells and dashes are neither.
+/// Most cells of a column are numbers; a unit of up to three letters ("rpm") may follow. Empty
+/// cells and dashes do not count.
 pub(in crate::report) fn is_of_numbers<'a>(cells: impl Iterator<Item = &'a str>) -> bool {
     let cells: Vec<&str> = cells.filter(|cell| !["", "–"].contains(cell)).collect();
     let numbers = cells.iter().filter(|cell| is_number(cell)).count();

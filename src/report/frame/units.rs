@@ -3,14 +3,14 @@
 use crate::units::{System, typeset};
 use maud::{Markup, html};
 
-/// Whether a part of a page differs between the units.
+/// A part of a page differs between the units.
 pub(super) fn has_both(part: &Markup) -> bool {
     [r#"<span class="us""#, r#" us">"#]
         .iter()
         .any(|class| part.0.contains(class))
 }
 
-/// What is written in each system, as pages print it; once, where both are the same.
+/// A text in each system of units; once, if both are equal.
 pub(in crate::report) fn both(write: impl Fn(System) -> String) -> Markup {
     let [us, metric] = [System::Us, System::Metric].map(|system| typeset(&write(system)));
     html! {

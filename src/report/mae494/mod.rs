@@ -1,42 +1,608 @@
 //! The MAE 494 report, reproduced, as a document and as JSON.
 
-mod angle;
-mod json;
 mod noise;
 mod physics;
 mod searches;
 mod tables;
 
-pub use json::mae494_reply;
-
 use super::document::Document;
-use super::published::Published;
-use crate::reproduce::Mae494;
+use super::json::{ByName, Number};
+use super::optimum::Multipliers;
+use super::published::{DeliveryPoint, LoftCarry, Published};
+use super::reply::Report;
+use crate::reproduce::{
+    Average, Delivery, Energy, Launched, Mae494, Noise, Parametric, Peak, Regression, Row,
+    Searches, Subsystems,
+};
 use crate::units::System;
+use serde::Serialize;
 
-/// The report, reproduced, as a document: computed numbers in the units of `system`, printed ones
-/// as the report prints them, with those units beside.
-pub fn mae494_document(found: &Mae494, system: System) -> Document {
-    let shown = Published {
-        paper: Mae494::UNITS,
-        system,
-    };
-    let mut document = Document::new("The MAE 494 report, reproduced");
-    document.paragraph(
-        "A student report of the course MAE 494, \"Optimization of a Golf Driver\", repeated \
-         Winfield & Tan (1994). Here its constants are used in \
-         Winfield & Tan's equations (the preset mae494), and each printed number is compared with \
-         what that model gives. All numbers \
-         except the printed ones are computed by this command.",
-    );
-    tables::optimum(&mut document, found, shown);
-    tables::tables(&mut document, found, shown);
-    tables::average(&mut document, found, shown);
-    tables::regression(&mut document, found, shown);
-    physics::energy(&mut document, found, shown);
-    physics::subsystems(&mut document, found, shown);
-    physics::parametric(&mut document, found, shown);
-    noise::noise(&mut document, &found.noise, shown);
-    searches::searches(&mut document, found, shown);
-    document
+/// The report, reproduced, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct Mae494Report<'a> {
+    #[serde(skip)]
+    found: &'a Mae494,
+    /// `mae494`.
+    pub study: &'static str,
+    /// The optimum with the slip that the report's table has.
+    pub slipped_optimum: DeliveryPoint,
+    /// The optimum of the report's model.
+    pub optimum: OptimumRow,
+    /// The optimum at each attack angle of Table 1.
+    pub table1: Vec<TableRow>,
+    /// The optimum at each loft of Table 2.
+    pub table2: Vec<TableRow>,
+    /// The loft that is best on average.
+    pub average: AverageReport,
+    /// The optimum of the fitted polynomial.
+    pub regression: RegressionReport,
+    /// The energy of club and ball.
+    pub energy: EnergyReport,
+    /// Impact and flight apart.
+    pub subsystems: SubsystemsReport,
+    /// The sensitivity of the optimum to the constants.
+    pub parametric: ParametricReport,
+    /// The noise of the while-loop.
+    pub noise: NoiseReport,
+    /// The numbers that the report prints.
+    pub printed: PrintedReport,
+}
+
+/// An optimum with the multipliers of its bounds.
+#[derive(Clone, Debug, Serialize)]
+pub struct OptimumRow {
+    /// The optimum.
+    #[serde(flatten)]
+    pub at: DeliveryPoint,
+    /// The multipliers of the bounds, by parameter.
+    pub multipliers: ByName<Multipliers>,
+    /// The active bounds, `lower` or `upper`, and constraints, `null`.
+    pub active: ByName<Option<&'static str>>,
+}
+
+/// A row of a table: the exact optimum, and the carry of the printed one.
+#[derive(Clone, Debug, Serialize)]
+pub struct TableRow {
+    /// The exact optimum.
+    #[serde(flatten)]
+    pub optimum: OptimumRow,
+    /// The carry at the printed optimum.
+    pub carry_at_printed: Number,
+    /// The carry that the printed optimum loses.
+    pub cost: Number,
+}
+
+/// The loft that is best on average over the attack angles.
+#[derive(Clone, Debug, Serialize)]
+pub struct AverageReport {
+    /// The best loft and its average carry.
+    #[serde(flatten)]
+    pub best: LoftCarry,
+    /// The average carry of each loft.
+    pub rows: Vec<LoftCarry>,
+}
+
+/// The maximum of the fitted polynomial, with the polynomial of each fit.
+#[derive(Clone, Debug, Serialize)]
+pub struct RegressionReport {
+    /// With the slipped row of the table.
+    pub slipped: PeakReport,
+    /// The fit of the report.
+    pub as_fitted: PeakReport,
+    /// By ordinary least squares.
+    pub ordinary: PeakReport,
+}
+
+/// The maximum of a polynomial.
+#[derive(Clone, Debug, Serialize)]
+pub struct PeakReport {
+    /// The loft.
+    #[serde(rename = "club.loft")]
+    pub loft: f64,
+    /// The distance.
+    pub distance: f64,
+}
+
+/// A launch with its carry.
+#[derive(Clone, Debug, Serialize)]
+pub struct LaunchedReport {
+    /// The ball speed.
+    pub ball_speed: f64,
+    /// The launch angle.
+    pub launch_angle: f64,
+    /// The backspin.
+    pub backspin: f64,
+    /// The carry.
+    pub carry: f64,
+}
+
+/// The energy of club and ball.
+#[derive(Clone, Debug, Serialize)]
+pub struct EnergyReport {
+    /// The largest ball speed of any delivery.
+    pub fastest_ball_speed: f64,
+    /// The launch of the longest carry.
+    pub farthest: LaunchedReport,
+    /// The derivative of carry by ball speed.
+    pub carry_per_ball_speed: f64,
+    /// The launch needed for the report's carry.
+    pub needed: LaunchedReport,
+    /// The energy of the club.
+    pub club_energy: f64,
+    /// The energy of the ball.
+    pub ball_energy: f64,
+    /// The energy of the ball that the report's carry needs.
+    pub ball_energy_needed: f64,
+}
+
+/// Impact and flight apart.
+#[derive(Clone, Debug, Serialize)]
+pub struct SubsystemsReport {
+    /// The launch of the optimum.
+    pub whole: LaunchedReport,
+    /// The optimum of the flight.
+    pub flight: LaunchedReport,
+    /// The optimum of the impact.
+    pub impact: DeliveryPoint,
+    /// The derivative of carry by each launch condition.
+    pub carry_by: ByName<Number>,
+    /// The derivative of carry by loft through each launch condition.
+    pub carry_by_loft_through: ByName<Number>,
+    /// The derivative of carry by attack angle through each launch condition.
+    pub carry_by_attack_angle_through: ByName<Number>,
+}
+
+/// The sensitivity of the optimum to the constants.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParametricReport {
+    /// Each constant.
+    pub sensitivity: Vec<ConstantReport>,
+    /// The optimum after a change of a constant.
+    pub changes: Vec<ChangeReport>,
+}
+
+/// The sensitivity of the optimum to a constant.
+#[derive(Clone, Debug, Serialize)]
+pub struct ConstantReport {
+    /// The constant.
+    pub parameter: &'static str,
+    /// Its value.
+    pub at: f64,
+    /// The derivative of the carry.
+    pub value: f64,
+    /// The derivative of the optimum.
+    pub optimum: ByName<f64>,
+}
+
+/// The optimum after a change of a constant.
+#[derive(Clone, Debug, Serialize)]
+pub struct ChangeReport {
+    /// The constant.
+    pub parameter: &'static str,
+    /// Its change.
+    pub change: f64,
+    /// The optimum by derivatives.
+    pub predicted: ChangedOptimum,
+    /// The optimum of a new search.
+    pub resolved: ChangedOptimum,
+}
+
+/// An optimum after a change.
+#[derive(Clone, Debug, Serialize)]
+pub struct ChangedOptimum {
+    /// The carry.
+    pub value: Number,
+    /// The loft.
+    pub optimum: ByName<f64>,
+}
+
+/// The noise of the while-loop's landing.
+#[derive(Clone, Debug, Serialize)]
+pub struct NoiseReport {
+    /// The attack angle.
+    #[serde(rename = "swing.attack_angle")]
+    pub attack_angle: f64,
+    /// The time step, s.
+    pub step: f64,
+    /// The step of the differences.
+    pub difference: f64,
+    /// The teeth of carry over loft.
+    pub teeth: TeethReport,
+    /// The derivative of carry by loft at each loft.
+    pub slopes: Vec<SlopesReport>,
+    /// Number of lofts where the sign of the difference is wrong.
+    pub wrong_signs: usize,
+    /// The largest error at shorter time steps.
+    pub shorter_steps: Vec<ShorterStep>,
+    /// The largest error at longer differences.
+    pub longer_differences: Vec<LongerDifference>,
+    /// Carry over a small range of loft.
+    pub zoom: Vec<LandingReport>,
+    /// Searches with each landing and method.
+    pub searches: Vec<SearchesReport>,
+}
+
+/// The teeth of carry over loft.
+#[derive(Clone, Debug, Serialize)]
+pub struct TeethReport {
+    /// Their number.
+    pub count: usize,
+    /// Their width.
+    pub width: f64,
+    /// Their height.
+    pub height: f64,
+}
+
+/// The derivative of carry by loft, by each method.
+#[derive(Clone, Debug, Serialize)]
+pub struct SlopesReport {
+    /// The loft.
+    #[serde(rename = "club.loft")]
+    pub loft: f64,
+    /// Exact.
+    pub exact: f64,
+    /// With the time of landing held constant.
+    pub at_fixed_time: f64,
+    /// The difference of the loop.
+    #[serde(rename = "loop")]
+    pub overshot: f64,
+    /// The difference of the loop with an interpolated landing.
+    pub interpolated: f64,
+    /// The sign of the loop's difference is wrong.
+    pub sign_is_wrong: bool,
+}
+
+/// The loop's difference at a shorter time step.
+#[derive(Clone, Debug, Serialize)]
+pub struct ShorterStep {
+    /// The time step, s.
+    pub step: f64,
+    /// The difference of the loop.
+    #[serde(rename = "loop")]
+    pub overshot: f64,
+}
+
+/// The differences at a longer step of the parameter.
+#[derive(Clone, Debug, Serialize)]
+pub struct LongerDifference {
+    /// The step of the parameter.
+    pub difference: f64,
+    /// The difference of the loop.
+    #[serde(rename = "loop")]
+    pub overshot: f64,
+    /// With an interpolated landing.
+    pub interpolated: f64,
+    /// With the smooth landing.
+    pub smooth: f64,
+}
+
+/// The carry of a loft, by each landing.
+#[derive(Clone, Debug, Serialize)]
+pub struct LandingReport {
+    /// The loft.
+    #[serde(rename = "club.loft")]
+    pub loft: f64,
+    /// The carry of the loop.
+    #[serde(rename = "loop")]
+    pub overshot: f64,
+    /// With an interpolated landing.
+    pub interpolated: f64,
+    /// With the smooth landing.
+    pub smooth: f64,
+}
+
+/// Searches with a landing and a method.
+#[derive(Clone, Debug, Serialize)]
+pub struct SearchesReport {
+    /// The landing.
+    pub landing: &'static str,
+    /// The method.
+    pub method: &'static str,
+    /// The end of the search from each start.
+    pub ends: Vec<EndReport>,
+}
+
+/// The end of a search.
+#[derive(Clone, Debug, Serialize)]
+pub struct EndReport {
+    /// The start.
+    pub start: DeliveryPoint,
+    /// The end.
+    pub end: DeliveryPoint,
+    /// Number of flights.
+    pub flights: u64,
+    /// The message of the method.
+    pub message: String,
+}
+
+/// The numbers that the report prints.
+#[derive(Clone, Debug, Serialize)]
+pub struct PrintedReport {
+    /// The last row of Table 1.
+    pub slipped_optimum: Option<DeliveryPoint>,
+    /// The optimum.
+    pub optimum: DeliveryPoint,
+    /// Table 1.
+    pub table1: Vec<DeliveryPoint>,
+    /// Table 2.
+    pub table2: Vec<DeliveryPoint>,
+    /// The loft that is best on average.
+    pub average: ByName<f64>,
+}
+
+impl<'a> Mae494Report<'a> {
+    /// The report of this reproduction.
+    pub fn new(found: &'a Mae494) -> Self {
+        let rows = |rows: &[Row]| rows.iter().map(TableRow::new).collect();
+        let printed = |rows: &[Row]| rows.iter().map(|row| row.printed.into()).collect();
+        let slipped = found.table1.last();
+        Self {
+            found,
+            study: "mae494",
+            slipped_optimum: found.slipped.into(),
+            optimum: OptimumRow::new(&found.optimum),
+            table1: rows(&found.table1),
+            table2: rows(&found.table2),
+            average: AverageReport::new(&found.average),
+            regression: RegressionReport::new(&found.regression),
+            energy: EnergyReport::new(&found.energy),
+            subsystems: SubsystemsReport::new(&found.subsystems),
+            parametric: ParametricReport::new(&found.parametric),
+            noise: NoiseReport::new(&found.noise, &found.searches),
+            printed: PrintedReport {
+                slipped_optimum: slipped.map(|row| row.printed.into()),
+                optimum: found.optimum.printed.into(),
+                table1: printed(&found.table1),
+                table2: printed(&found.table2),
+                average: [("club.loft", found.average.printed)].into_iter().collect(),
+            },
+        }
+    }
+}
+
+impl Report for Mae494Report<'_> {
+    const COMMAND: &'static str = "reproduce";
+
+    /// Computed numbers in the units of `system`, printed ones as the report prints them, with those
+    /// units beside.
+    fn document(&self, system: System) -> Document {
+        let found = self.found;
+        let shown = Published {
+            paper: Mae494::UNITS,
+            system,
+        };
+        let mut document = Document::new("The MAE 494 report, reproduced");
+        document.paragraph(
+            "A student report of the course MAE 494, \"Optimization of a Golf Driver\", repeated \
+             Winfield & Tan (1994). Here its constants are used in \
+             Winfield & Tan's equations (the preset mae494), and each printed number is compared with \
+             what that model gives. All numbers \
+             except the printed ones are computed by this command.",
+        );
+        tables::optimum(&mut document, found, shown);
+        tables::tables(&mut document, found, shown);
+        tables::average(&mut document, found, shown);
+        tables::regression(&mut document, found, shown);
+        physics::energy(&mut document, found, shown);
+        physics::subsystems(&mut document, found, shown);
+        physics::parametric(&mut document, found, shown);
+        noise::noise(&mut document, &found.noise, shown);
+        searches::searches(&mut document, found, shown);
+        document
+    }
+}
+
+impl From<Delivery> for DeliveryPoint {
+    fn from(delivery: Delivery) -> Self {
+        Self {
+            loft: delivery.loft.into(),
+            attack_angle: delivery.attack_angle.into(),
+            carry: delivery.carry.into(),
+        }
+    }
+}
+
+impl From<Launched> for LaunchedReport {
+    fn from(launched: Launched) -> Self {
+        Self {
+            ball_speed: launched.speed,
+            launch_angle: launched.angle,
+            backspin: launched.spin,
+            carry: launched.carry,
+        }
+    }
+}
+
+impl From<Peak> for PeakReport {
+    fn from(peak: Peak) -> Self {
+        Self {
+            loft: peak.loft,
+            distance: peak.distance,
+        }
+    }
+}
+
+impl OptimumRow {
+    fn new(row: &Row) -> Self {
+        let solution = &row.best.solution;
+        let vary = row.best.search.vary.iter().enumerate();
+        let multipliers = vary.map(|(i, vary)| {
+            let multipliers = Multipliers {
+                lower: solution.lower_multipliers[i],
+                upper: solution.upper_multipliers[i],
+            };
+            (vary.parameter.name, multipliers)
+        });
+        let active = row.active.iter();
+        Self {
+            at: row.exact().into(),
+            multipliers: multipliers.collect(),
+            active: active
+                .map(|active| (active.name.clone(), active.end))
+                .collect(),
+        }
+    }
+}
+
+impl TableRow {
+    fn new(row: &Row) -> Self {
+        Self {
+            optimum: OptimumRow::new(row),
+            carry_at_printed: row.at_printed.into(),
+            cost: row.cost().into(),
+        }
+    }
+}
+
+impl AverageReport {
+    fn new(average: &Average) -> Self {
+        let row = |(loft, carry): (f64, f64)| LoftCarry { loft, carry };
+        Self {
+            best: row(average.best),
+            rows: average.rows.iter().copied().map(row).collect(),
+        }
+    }
+}
+
+impl RegressionReport {
+    fn new(regression: &Regression) -> Self {
+        Self {
+            slipped: regression.slipped.into(),
+            as_fitted: regression.as_fitted.into(),
+            ordinary: regression.ordinary.into(),
+        }
+    }
+}
+
+impl EnergyReport {
+    fn new(energy: &Energy) -> Self {
+        Self {
+            fastest_ball_speed: energy.fastest,
+            farthest: energy.farthest.into(),
+            carry_per_ball_speed: energy.price_of_speed,
+            needed: energy.needed.into(),
+            club_energy: energy.club,
+            ball_energy: energy.ball,
+            ball_energy_needed: energy.ball_needed,
+        }
+    }
+}
+
+impl SubsystemsReport {
+    fn new(subsystems: &Subsystems) -> Self {
+        let by_quantity = |parts: [f64; 3]| {
+            let names = ["ball_speed", "launch_angle", "backspin"];
+            names.into_iter().zip(parts).collect()
+        };
+        Self {
+            whole: subsystems.whole.into(),
+            flight: subsystems.flight.into(),
+            impact: subsystems.impact.into(),
+            carry_by: by_quantity(subsystems.slopes),
+            carry_by_loft_through: by_quantity(subsystems.by_loft),
+            carry_by_attack_angle_through: by_quantity(subsystems.by_attack_angle),
+        }
+    }
+}
+
+impl ParametricReport {
+    fn new(study: &Parametric) -> Self {
+        let sensitivity = study.sensitivities.iter().map(|constant| {
+            let sensitivity = &constant.sensitivity;
+            let names = ["club.loft", "swing.attack_angle"];
+            ConstantReport {
+                parameter: sensitivity.parameter.name,
+                at: constant.value,
+                value: sensitivity.value,
+                optimum: names
+                    .into_iter()
+                    .zip([sensitivity.optimum[0], sensitivity.optimum[1]])
+                    .collect(),
+            }
+        });
+        let loft = |loft: f64| [("club.loft", loft)].into_iter().collect();
+        let changes = study.changes.iter().map(|changed| ChangeReport {
+            parameter: changed.change.parameter.name,
+            change: changed.change.delta,
+            predicted: ChangedOptimum {
+                value: changed.second_order.into(),
+                optimum: loft(changed.predicted[0]),
+            },
+            resolved: ChangedOptimum {
+                value: changed.resolved.value().into(),
+                optimum: loft(changed.resolved.solution.x[0]),
+            },
+        });
+        Self {
+            sensitivity: sensitivity.collect(),
+            changes: changes.collect(),
+        }
+    }
+}
+
+impl NoiseReport {
+    fn new(noise: &Noise, searches: &[Searches]) -> Self {
+        let slopes = noise.slopes.iter().map(|at| SlopesReport {
+            loft: at.loft,
+            exact: at.exact,
+            at_fixed_time: at.at_fixed_time,
+            overshot: at.overshot,
+            interpolated: at.interpolated,
+            sign_is_wrong: at.overshot * at.exact < 0.0,
+        });
+        let shorter_steps = noise
+            .shorter_steps
+            .iter()
+            .map(|&(step, overshot)| ShorterStep { step, overshot });
+        let longer_differences = noise
+            .longer_differences
+            .iter()
+            .map(|&(difference, slopes)| {
+                let [overshot, interpolated, smooth] = slopes;
+                LongerDifference {
+                    difference,
+                    overshot,
+                    interpolated,
+                    smooth,
+                }
+            });
+        let zoom = noise.zoom.iter().map(|at| LandingReport {
+            loft: at.loft,
+            overshot: at.overshot,
+            interpolated: at.interpolated,
+            smooth: at.smooth,
+        });
+        Self {
+            attack_angle: 0.0,
+            step: noise.step,
+            difference: noise.difference,
+            teeth: TeethReport {
+                count: noise.teeth.count,
+                width: noise.teeth.width,
+                height: noise.teeth.height,
+            },
+            slopes: slopes.collect(),
+            wrong_signs: noise.wrong_signs(),
+            shorter_steps: shorter_steps.collect(),
+            longer_differences: longer_differences.collect(),
+            zoom: zoom.collect(),
+            searches: searches.iter().map(SearchesReport::new).collect(),
+        }
+    }
+}
+
+impl SearchesReport {
+    fn new(searches: &Searches) -> Self {
+        let ends = searches.ends.iter().map(|end| EndReport {
+            start: end.start.into(),
+            end: end.at.into(),
+            flights: end.flights,
+            message: end.message.clone(),
+        });
+        Self {
+            landing: searches.landing.name(),
+            method: searches.method.name(),
+            ends: ends.collect(),
+        }
+    }
 }

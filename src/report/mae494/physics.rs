@@ -1,6 +1,6 @@
 //! The report's claims, checked with its own model.
 
-use super::angle::degrees;
+use super::tables::degrees;
 use crate::report::document::Document;
 use crate::report::published::Published;
 use crate::report::shown::{ratio, stated};

@@ -1,11 +1,10 @@
 //! What the report prints of optima, beside the exact ones.
 
-use super::angle::degrees;
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::Published;
 use crate::reproduce::{Mae494, Row};
-use crate::units::Quantity;
+use crate::units::{Quantity, fixed};
 
 pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: Published) {
     let Row { printed, best, .. } = &found.optimum;
@@ -114,7 +113,7 @@ fn best_lofts(rows: &[Row]) -> Figure {
     ))
 }
 
-/// How far the printed optimum carries.
+/// The carry at the printed optimum.
 fn carried(row: &Row, shown: Published) -> String {
     row.at_printed
         .map_or("does not fly".into(), |carry| shown.length(carry))
@@ -181,4 +180,9 @@ pub(super) fn regression(document: &mut Document, found: &Mae494, shown: Publish
         degrees(found.slipped.loft),
         shown.length(found.slipped.carry),
     ));
+}
+
+/// An angle in degrees, to four decimals as the report prints it.
+pub(super) fn degrees(radians: f64) -> String {
+    format!("{}°", fixed(radians.to_degrees(), 4))
 }

@@ -36,7 +36,7 @@ pub(super) fn answer(findings: &Findings<'_>) -> Markup {
     }
 }
 
-/// What comes out, in a line: "Carry 286.8 → 301.2 yd: +14.3 yd".
+/// The result in a line: "Carry 286.8 → 301.2 yd: +14.3 yd".
 fn headline(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Markup {
     let of = findings.of;
     let name = capital(&shown::words(of.name()));
@@ -101,7 +101,7 @@ fn tiles(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Mark
     }
 }
 
-/// What changes from the drive as set up to the best one, and what holds it.
+/// The changes from the drive as set up to the best one, and the active bounds and constraints.
 fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
     let search = &best.search;
     let varied = search.vary.iter().enumerate().map(|(i, vary)| {
@@ -138,7 +138,7 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
     varied.chain(limits).collect()
 }
 
-/// What is said of a parameter on its bound: "your limit: each further degree adds 2.11 yd".
+/// The note of a parameter at its bound: "your limit: each further degree adds 2.11 yd".
 fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     let (of, parameter) = (best.search.outcome(), best.search.vary[i].parameter);
     let (lower, upper) = (
@@ -177,7 +177,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     Some(format!("your limit: {each} {does} {amount}"))
 }
 
-/// What the ± is of.
+/// The sources of the uncertainty ±.
 fn what_is_known(findings: &Findings<'_>) -> Markup {
     let of = findings
         .effects_of(findings.of)

@@ -13,7 +13,7 @@ use maud::{Markup, html};
 /// Most changes that the title names; of more it names one less, and counts the others.
 const NAMED: usize = 3;
 
-/// What the page is called: the setup, or the launch that is given, and the first changes.
+/// The title of the page: the setup, or the launch that is given, and the first changes.
 pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
     // a file is what it is called
     if findings.is_of_a_file() {
@@ -50,7 +50,7 @@ fn launch(findings: &Findings<'_>) -> Vec<&'static str> {
         .collect()
 }
 
-/// What is below the title. The words of a preset are about the drive as the preset has it.
+/// The line below the title. A preset's description is about the drive of the preset.
 pub(super) fn subtitle(findings: &Findings<'_>) -> Result<String> {
     let preset = findings.preset.name;
     let changes = changed(findings, System::default())?.len() as u64;
@@ -66,8 +66,8 @@ pub(super) fn subtitle(findings: &Findings<'_>) -> Result<String> {
     })
 }
 
-/// What differs from the preset, without the launch, which stands in a line of its own, and the
-/// club that then strikes nothing.
+/// The differences from the preset, without the launch, which has a line of its own, and without
+/// the club if it strikes nothing.
 fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
     let is_launched = findings.stated.launch.is_given();
     let is_told = |change: &Change| {
@@ -82,8 +82,8 @@ fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
         .collect())
 }
 
-/// The question: who strikes with what into which wind, what is varied and what is held, and what
-/// differs from the preset.
+/// The question: golfer, club and wind, varied and constant parameters, and the differences from
+/// the preset.
 pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
     const GOLFER: [&str; 4] = [
         "swing.speed",

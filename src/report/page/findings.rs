@@ -1,20 +1,19 @@
 use crate::drive::Outcome;
 use crate::flight::Flight;
 use crate::parameters::{Preset, Setup};
-use crate::report::figures::Flown;
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 use crate::study::{
-    Chart, Constraint, Effects, Face, Flatness, Landing, Launches, Map, Optimum, Region,
+    Chart, Constraint, Effects, Face, Flatness, Landing, Launches, Map, NamedDrive, Optimum, Region,
 };
 use crate::units::{Message, System};
 
 /// The setup file of a report: the best drive, or the drive as set up where there is no best one.
 pub const SETUP_FILE: &str = "setup.toml";
 
-/// What a report tells of. What is not there is left out of the page, and `remarks` says why.
+/// The contents of a page. Missing parts are omitted, and `remarks` says why.
 pub struct Findings<'a> {
-    /// What the setup is called.
+    /// The name of the setup.
     pub name: &'a str,
     /// The setup as it was stated.
     pub stated: &'a Setup<f64>,
@@ -25,8 +24,8 @@ pub struct Findings<'a> {
     /// The preset that it started from.
     pub preset: &'static Preset,
     /// The drive as set up, and at the optimum.
-    pub flown: &'a [Flown],
-    /// Where those of them land that fly.
+    pub flown: &'a [NamedDrive],
+    /// The landings of the drives that fly.
     pub landings: &'a [Landing],
     /// The carry over the launch, with their launches.
     pub launches: Option<&'a Launches>,
@@ -34,11 +33,11 @@ pub struct Findings<'a> {
     pub face: Option<&'a Face>,
     /// That of the optimum.
     pub best_face: Option<&'a Face>,
-    /// What the search found, whether it is an optimum or not.
+    /// The end of the search, optimum or not.
     pub found: Option<&'a Optimum>,
     /// The optimum.
     pub best: Option<&'a Optimum>,
-    /// Why there is none.
+    /// Why there is no optimum.
     pub why_none: Option<&'a Message>,
     /// How flat it is.
     pub flatness: Option<&'a Flatness>,
@@ -50,13 +49,13 @@ pub struct Findings<'a> {
     pub region: Option<&'a Region>,
     /// The optimum along a parameter.
     pub chart: Option<&'a Chart>,
-    /// What stated uncertainties of parameters do to outcomes.
+    /// The effects of stated uncertainties on outcomes.
     pub effects: &'a [Effects],
-    /// The same of the outcome that the report is about, at the optimum.
+    /// The effects on the outcome of the report, at the optimum.
     pub at_best: Option<&'a Effects>,
     /// Differences beside exact derivatives.
     pub rows: &'a [Row],
-    /// The same of the MAE 494 report's while-loop.
+    /// Differences of the MAE 494 report's while-loop.
     pub loops: &'a [LoopRow],
     /// The units that the page is shown in at first.
     pub system: System,
@@ -69,7 +68,7 @@ pub struct Findings<'a> {
 }
 
 impl Findings<'_> {
-    /// What stated uncertainties do to an outcome of the drive as set up.
+    /// The effects of stated uncertainties on an outcome of the drive as set up.
     pub(super) fn effects_of(&self, of: Outcome) -> Option<&Effects> {
         self.effects.iter().find(|effects| effects.of == of)
     }
@@ -82,7 +81,7 @@ impl Findings<'_> {
         }
     }
 
-    /// Whether the setup is a file, and not a preset with what was changed in it.
+    /// The setup is a file, and not a preset with changes.
     pub(super) fn is_of_a_file(&self) -> bool {
         self.name != self.preset.name
     }

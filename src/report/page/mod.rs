@@ -10,15 +10,15 @@ mod sections;
 pub use findings::{Findings, SETUP_FILE};
 
 use super::figures::{
-    At, Causes, Flown, OnMap, View, capital, chart_figures, face_figure, fairway_figure,
-    launches_figure, map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    At, Causes, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure,
+    map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
 use super::optimum::best_toml;
 use super::plot::{Figure, Look, figure_svg};
 use super::{setup_toml, shown};
 use crate::error::{Error, Result};
-use crate::study::{Chart, Effects, Map};
+use crate::study::{Chart, Effects, Map, NamedDrive};
 use crate::units::{Message, System};
 use maud::{Markup, html};
 
@@ -27,7 +27,7 @@ use maud::{Markup, html};
 pub struct Document {
     /// Its name.
     pub name: String,
-    /// What is in it.
+    /// The content.
     pub text: String,
 }
 
@@ -157,9 +157,9 @@ fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
         .collect()
 }
 
-/// The paths of what flies, from both sides, and why a view is left out.
-fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<[String; 2]>) {
-    let flying: Vec<Flown> = flown
+/// The paths of drives that fly, from both sides, and why a view is missing.
+fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
+    let flying: Vec<NamedDrive> = flown
         .iter()
         .filter(|one| one.path.points.len() > 1)
         .cloned()
@@ -187,7 +187,7 @@ struct Plots {
     /// Why a view of it is not there.
     left_out: Vec<[String; 2]>,
     strike: Vec<Pair>,
-    /// What comes of strikes all over the face.
+    /// Outcomes of strikes all over the face.
     strikes: Vec<Pair>,
     map: Vec<Pair>,
     chart: Vec<Pair>,

@@ -7,7 +7,7 @@ use crate::report::shown;
 use crate::units::{System, significant, with_unit};
 use maud::Markup;
 
-/// The value of an outcome; a dash where there is none.
+/// The value of an outcome, or a dash.
 pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
     both(|system| shown::outcome_or_dash(of, found, system))
 }

@@ -6,18 +6,18 @@ use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{GOLFER, METHOD, Parameter, SPEED_OF};
 use crate::report::certificate::settled;
-use crate::report::figures::{Flown, capital};
+use crate::report::figures::capital;
 use crate::report::frame::{both, scrolled};
 use crate::report::limits::ended_at;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
-use crate::report::presets::sources;
+use crate::report::presets::{SourcedValue, sources};
 use crate::report::shown;
 use crate::study::certificate::Row;
-use crate::study::{Effects, Flatness, Limit, Optimum};
+use crate::study::{Effects, Flatness, Limit, NamedDrive, Optimum};
 use crate::units::{System, counted, significant, typeset};
 use maud::{Markup, html};
 
-/// What a launch monitor shows, of the drive as set up.
+/// The numbers of a launch monitor, for the drive as set up.
 pub(super) fn panel(findings: &Findings<'_>) -> Markup {
     const SHOWN: [Outcome; 10] = [
         Outcome::BallSpeed,
@@ -52,7 +52,7 @@ pub(super) fn panel(findings: &Findings<'_>) -> Markup {
     }
 }
 
-/// What a tile calls a parameter: "club speed", as launch monitors do.
+/// The name of a parameter on a tile: "club speed", as on launch monitors.
 fn tile_name(name: &str) -> String {
     let last = name.rsplit('.').next().unwrap_or(name);
     if name == "swing.speed" {
@@ -63,7 +63,7 @@ fn tile_name(name: &str) -> String {
 }
 
 /// Every outcome of each drive.
-pub(super) fn outcomes(flown: &[Flown]) -> Markup {
+pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
     html! {
         (scrolled("Launch and flight", html! { table {
             thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "what \
@@ -81,7 +81,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
     }
 }
 
-/// Where the optimum is, which bounds it lies on, and what moving them would bring.
+/// The optimum, its active bounds, and their multipliers.
 pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let (search, solution) = (&best.search, &best.solution);
     let of = search.outcome();
@@ -116,7 +116,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     }
 }
 
-/// What ends a window, where it is not the loss.
+/// The reason for the end of a window, if it is not the loss.
 fn limit(best: &Optimum, limit: Limit) -> Markup {
     html! {
         @match limit {
@@ -200,75 +200,78 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 /// Every number of the setup, with its source.
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
-    let is_of_strike = |name: &str| {
-        [GOLFER, SPEED_OF].contains(&name)
-            || findings
-                .setup
-                .parameter(name)
-                .is_ok_and(Parameter::is_of_strike)
-    };
-    let is_used = |name: &str| !(is_launched && is_of_strike(name));
-    let (flown, stated) = (findings.setup, findings.stated);
-    let is_chosen = |name: &str| match name {
-        METHOD => flown.method != stated.method,
-        "flight.step" => flown.flight.step != stated.flight.step,
-        _ => false,
-    };
-    let given = stated.given_launch_conditions();
-    // the spin of a launch stands in one of two forms
-    let is_total = |name: &str| ["launch.spin", "launch.spin_axis"].contains(&name);
-    let is_in_parts = |name: &str| ["launch.backspin", "launch.sidespin"].contains(&name);
-    let spin = given
-        .iter()
-        .find(|row| is_in_parts(row.name) || row.name == "launch.spin");
-    let is_of_other_form = |name: &str, spin: &str| {
-        if is_total(spin) {
-            is_in_parts(name)
-        } else {
-            is_total(name)
-        }
-    };
-    let source_of = |name: &str, source: String| match spin {
-        _ if is_chosen(name) => "chosen for the accuracy of the flight".to_owned(),
-        Some(spin) if is_of_other_form(name, spin.name) => {
-            format!("not needed: {} is given", shown::words(spin.name))
-        }
-        _ => source,
-    };
-    let [us, metric] =
-        [System::Us, System::Metric].map(|system| sources(flown, findings.preset, Some(system)));
-    // the same rows, in the units of each system
-    let rows = us?
-        .into_iter()
-        .zip(metric?)
-        .filter(|((name, ..), _)| is_used(name));
-    let rows = rows.map(|((name, us, source), (_, metric, other))| {
-        (
-            (name, us, source_of(name, source)),
-            (name, metric, source_of(name, other)),
-        )
-    });
+    let [us, metric] = [System::Us, System::Metric]
+        .map(|system| sources(findings.setup, findings.preset, Some(system)));
+    let rows = us?.into_iter().zip(metric?);
+    let rows = rows.filter(|(us, _)| !(is_launched && is_of_strike(findings, us.name)));
     let either = |us: &str, metric: &str| {
         both(|system| if system == System::Us { us } else { metric }.into())
     };
     Ok(html! {
         p.faint {
-            "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "."
+            "All numbers of the setup and their sources; it is based on the preset "
+            (findings.preset.name) "."
             @if is_launched { " Those of swing, club, strike and impact are left out: no club \
                                strikes the ball." }
         }
         (scrolled("The setup", html! { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
-                @for ((name, us, source), (_, metric, source_in_metric)) in rows {
-                    tr { td { (name) } td.number { (either(&us, &metric)) } td.words.source { (either(&source, &source_in_metric)) } }
+                @for (us, metric) in rows {
+                    tr {
+                        td { (us.name) }
+                        td.number { (either(&us.value, &metric.value)) }
+                        td.words.source {
+                            (either(&source_of(findings, &us), &source_of(findings, &metric)))
+                        }
+                    }
                 }
             }
         } }))
     })
 }
 
-/// How the search ended, and what made the page.
+/// The name is that of a parameter or choice of swing, club, strike or impact.
+fn is_of_strike(findings: &Findings<'_>, name: &str) -> bool {
+    let parameter = findings.setup.parameter(name);
+    [GOLFER, SPEED_OF].contains(&name) || parameter.is_ok_and(Parameter::is_of_strike)
+}
+
+/// The source of a value; a remark for a method or step that was chosen, and for a form of the spin
+/// that is not given.
+fn source_of(findings: &Findings<'_>, row: &SourcedValue) -> String {
+    let (flown, stated) = (findings.setup, findings.stated);
+    let is_chosen = match row.name {
+        METHOD => flown.method != stated.method,
+        "flight.step" => flown.flight.step != stated.flight.step,
+        _ => false,
+    };
+    if is_chosen {
+        return "chosen for the accuracy of the flight".into();
+    }
+    // a launch states its spin in one of two forms
+    let is_total = |name: &str| ["launch.spin", "launch.spin_axis"].contains(&name);
+    let is_in_parts = |name: &str| ["launch.backspin", "launch.sidespin"].contains(&name);
+    let given = stated.given_launch_conditions();
+    let spin = given
+        .iter()
+        .find(|given| is_in_parts(given.name) || given.name == "launch.spin");
+    let is_of_other_form = |spin: &str| {
+        if is_total(spin) {
+            is_in_parts(row.name)
+        } else {
+            is_total(row.name)
+        }
+    };
+    match spin {
+        Some(spin) if is_of_other_form(spin.name) => {
+            format!("not needed: {} is given", shown::words(spin.name))
+        }
+        _ => row.source.to_string(),
+    }
+}
+
+/// The end of the search, and the command of the page.
 pub(super) fn footer(findings: &Findings<'_>) -> Markup {
     html! {
         @if let Some(found) = findings.found {

@@ -22,7 +22,7 @@ const CLUB: [(&str, Outcome); 4] = [
     ("Face Angle", Outcome::LaunchAngle),
 ];
 
-/// What was measured of the flight.
+/// Measured outcomes of the flight.
 const MEASURED: [(&str, Outcome); 6] = [
     ("Carry", Outcome::CarryDistance),
     ("Carry Side", Outcome::Lateral),
@@ -32,7 +32,7 @@ const MEASURED: [(&str, Outcome); 6] = [
     ("Carry Flat - Ball Speed", Outcome::LandingSpeed),
 ];
 
-/// What the export says of how the spin came about, and of the conditions of its values.
+/// Statements of the export about the origin of the spin and the conditions of its values.
 const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
 
 /// The line of heads.
@@ -54,8 +54,8 @@ pub(super) fn head(added: &Added) -> Vec<u8> {
     (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
 }
 
-/// The launch of a shot, SI: of one that is flown with its spin and axis, else what is stated. What
-/// is assumed is left out: read again, it would be a measured 0.
+/// The launch of a shot, SI: with the spin and axis of the flight, or the stated values of a shot
+/// that is not flown. Assumed values are omitted: read again, they would be measured zeros.
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {
@@ -76,7 +76,7 @@ pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     }
 }
 
-/// Whether the launch direction is assumed to be 0, and whether the spin axis is.
+/// The launch direction is assumed to be 0; the spin axis is.
 pub(super) fn assumed(shot: &Shot) -> [bool; 2] {
     let lacks = |of| shot.value(of).is_none();
     [

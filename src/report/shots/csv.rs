@@ -49,7 +49,7 @@ impl Added {
             .collect()
     }
 
-    /// Appends a number in a unit; nothing where there is none.
+    /// Appends a number in a unit, if there is one.
     pub fn push(&self, bytes: &mut Vec<u8>, value: Option<f64>, unit: &'static str, of: Outcome) {
         let Some(value) = value else { return };
         self.push_number(
@@ -112,13 +112,13 @@ impl Copied {
         }
     }
 
-    /// The same for a section with another head.
+    /// The columns of a section with another head.
     pub fn of_section(&self, export: &Arc<Export>) -> Self {
         Self::new(export, &self.added.of, self.added.system)
     }
 
-    /// What an earlier flight has not added of the cells of a line, one for each column; a row of
-    /// units may be shorter.
+    /// The cells of a line that an earlier run has not added, one for each column; a row of units
+    /// may be shorter.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
         let (columns, added) = (self.export.heads().len(), self.export.added());
         let cells = (0..columns).map(|at| cells.get(at).map_or("", AsRef::as_ref));

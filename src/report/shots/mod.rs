@@ -13,7 +13,7 @@ mod summary;
 pub use open_connect::open_connect_answer;
 #[cfg(feature = "parquet")]
 pub use parquet::ShotParquet;
-pub use summary::{ShotsReport, shots_text};
+pub use summary::{BandReport, OutcomeResiduals, RefusedRows, ShotsReport, SumsReport};
 
 use crate::drive::Outcome;
 use crate::shots::{Flown, Layout, Shots};

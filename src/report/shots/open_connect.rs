@@ -3,116 +3,201 @@
 use super::columns::{assumed, in_unit, launch};
 use crate::batch::Status;
 use crate::drive::Outcome;
+use crate::report::json::ByName;
 use crate::shots::{ASSUMED, Flown, Shot};
-use serde_json::{Map, Value, json};
+use serde::Serialize;
 
-/// A number of a message: of its unit.
-fn number(value: Option<f64>, of: Outcome, unit: &str) -> Option<Value> {
-    Some(in_unit(value?, of.quantity(), unit).into())
+/// A shot in the protocol's words and units.
+#[derive(Serialize)]
+struct Message<'a> {
+    #[serde(rename = "DeviceID")]
+    device_id: &'static str,
+    #[serde(rename = "Units")]
+    units: &'static str,
+    #[serde(rename = "ShotNumber")]
+    shot_number: u64,
+    #[serde(rename = "APIversion")]
+    api_version: &'static str,
+    #[serde(rename = "BallData")]
+    ball: BallData,
+    #[serde(rename = "ClubData")]
+    club: ClubData,
+    #[serde(rename = "ShotDataOptions")]
+    options: Options,
+    #[serde(rename = "Flight")]
+    flight: Flight<'a>,
 }
 
-/// The members that have a value.
-fn object(members: impl IntoIterator<Item = (&'static str, Option<Value>)>) -> Value {
-    members
-        .into_iter()
-        .filter_map(|(key, value)| Some((key.to_owned(), value?)))
-        .collect::<Map<_, _>>()
-        .into()
+/// The launch: speed in mph, angles in degrees, spins in rpm, carry in yards. Missing values are
+/// omitted.
+#[derive(Serialize)]
+struct BallData {
+    #[serde(rename = "Speed", skip_serializing_if = "Option::is_none")]
+    speed: Option<f64>,
+    #[serde(rename = "SpinAxis", skip_serializing_if = "Option::is_none")]
+    spin_axis: Option<f64>,
+    #[serde(rename = "TotalSpin", skip_serializing_if = "Option::is_none")]
+    total_spin: Option<f64>,
+    #[serde(rename = "BackSpin", skip_serializing_if = "Option::is_none")]
+    backspin: Option<f64>,
+    #[serde(rename = "SideSpin", skip_serializing_if = "Option::is_none")]
+    sidespin: Option<f64>,
+    #[serde(rename = "HLA", skip_serializing_if = "Option::is_none")]
+    direction: Option<f64>,
+    #[serde(rename = "VLA", skip_serializing_if = "Option::is_none")]
+    angle: Option<f64>,
+    #[serde(rename = "CarryDistance", skip_serializing_if = "Option::is_none")]
+    carry: Option<f64>,
 }
 
-fn ball(shot: &Shot) -> Value {
-    let [speed, angle, direction, spin, axis] = launch(shot);
-    let of_launch = |at: usize| shot.launch().map(|launch| launch[at]);
-    // a simulator needs what is assumed too; `Origins` says that it is
-    let (direction, axis) = (
-        direction.or(of_launch(2)),
-        axis.or(shot.launch().map(|_| 0.0)),
-    );
-    object([
-        ("Speed", number(speed, Outcome::BallSpeed, "mph")),
-        ("SpinAxis", number(axis, Outcome::SpinAxis, "deg")),
-        ("TotalSpin", number(spin, Outcome::Spin, "rpm")),
-        ("BackSpin", number(of_launch(3), Outcome::Backspin, "rpm")),
-        ("SideSpin", number(of_launch(4), Outcome::Sidespin, "rpm")),
-        ("HLA", number(direction, Outcome::LaunchDirection, "deg")),
-        ("VLA", number(angle, Outcome::LaunchAngle, "deg")),
-        (
-            "CarryDistance",
-            number(
-                shot.value(Outcome::CarryDistance).map(|value| value.value),
-                Outcome::CarryDistance,
-                "yd",
-            ),
-        ),
-    ])
+/// The club: speed in mph, angles in degrees. Missing values are omitted.
+#[derive(Serialize)]
+struct ClubData {
+    #[serde(rename = "Speed", skip_serializing_if = "Option::is_none")]
+    speed: Option<f64>,
+    #[serde(rename = "AngleOfAttack", skip_serializing_if = "Option::is_none")]
+    attack_angle: Option<f64>,
+    #[serde(rename = "FaceToTarget", skip_serializing_if = "Option::is_none")]
+    face_angle: Option<f64>,
+    #[serde(rename = "Path", skip_serializing_if = "Option::is_none")]
+    path: Option<f64>,
 }
 
-fn club(shot: &Shot) -> Value {
-    let angle = |value| number(value, Outcome::LaunchAngle, "deg");
-    object([
-        ("Speed", number(shot.club.speed, Outcome::BallSpeed, "mph")),
-        ("AngleOfAttack", angle(shot.club.attack_angle)),
-        ("FaceToTarget", angle(shot.club.face_angle)),
-        ("Path", angle(shot.club.path)),
-    ])
+/// The parts that a message has.
+#[derive(Serialize)]
+#[serde(rename_all = "PascalCase")]
+struct Options {
+    contains_ball_data: bool,
+    contains_club_data: bool,
+    is_heart_beat: bool,
 }
 
-/// What is predicted of a row, SI, with how its flight ended; for the line of a file also where the
-/// row is.
-fn flight(flown: &Flown, row: usize) -> Value {
-    let mut flight = Map::new();
-    flight.insert("Status".into(), flown.flight(row).into());
-    flight.insert("Reason".into(), flown.reason(row).into());
-    flight.insert("Notes".into(), flown.shots()[row].notes.clone().into());
-    let shot = &flown.shots()[row];
-    let stated = shot
-        .values
-        .iter()
-        .filter_map(|value| Some((value.of, value.origin?.name())));
-    let assumed = [Outcome::LaunchDirection, Outcome::SpinAxis]
-        .into_iter()
-        .zip(assumed(shot));
-    let assumed = assumed
-        .filter(|(_, is)| *is && shot.launch().is_some())
-        .map(|(of, _)| (of, ASSUMED));
-    let origins: Map<String, Value> = stated
-        .chain(assumed)
-        .map(|(of, origin)| (of.name().into(), origin.into()))
-        .collect();
-    if !origins.is_empty() {
-        flight.insert("Origins".into(), origins.into());
+/// The predictions of a row, SI, with the status of its flight.
+#[derive(Serialize)]
+#[serde(rename_all = "PascalCase")]
+struct Flight<'a> {
+    status: &'a str,
+    reason: Option<&'a str>,
+    notes: &'a [String],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    origins: Option<ByName<&'static str>>,
+    #[serde(flatten)]
+    predicted: ByName<Option<f64>>,
+}
+
+/// The answer to a message.
+#[derive(Serialize)]
+#[serde(rename_all = "PascalCase")]
+struct Answer<'a> {
+    code: u16,
+    message: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    flight: Option<Flight<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    player: Option<Player>,
+}
+
+/// The player of a simulator.
+#[derive(Serialize)]
+#[serde(rename_all = "PascalCase")]
+struct Player {
+    handed: &'static str,
+    club: &'static str,
+}
+
+impl BallData {
+    fn new(shot: &Shot) -> Self {
+        let [speed, angle, direction, spin, axis] = launch(shot);
+        let of_launch = |at: usize| shot.launch().map(|launch| launch[at]);
+        // a simulator needs assumed values too; `Origins` marks them
+        let direction = direction.or(of_launch(2));
+        let axis = axis.or(shot.launch().map(|_| 0.0));
+        let carry = shot.value(Outcome::CarryDistance).map(|value| value.value);
+        Self {
+            speed: number(speed, Outcome::BallSpeed, "mph"),
+            spin_axis: number(axis, Outcome::SpinAxis, "deg"),
+            total_spin: number(spin, Outcome::Spin, "rpm"),
+            backspin: number(of_launch(3), Outcome::Backspin, "rpm"),
+            sidespin: number(of_launch(4), Outcome::Sidespin, "rpm"),
+            direction: number(direction, Outcome::LaunchDirection, "deg"),
+            angle: number(angle, Outcome::LaunchAngle, "deg"),
+            carry: number(carry, Outcome::CarryDistance, "yd"),
+        }
     }
-    for (at, of) in flown.outcomes().iter().enumerate() {
-        flight.insert(of.name().into(), flown.predicted(row, at).into());
-    }
-    flight.into()
 }
 
-/// Appends the message of a row. What cannot be flown says that it has no ball data, so that no
-/// simulator plays it.
+impl ClubData {
+    fn new(shot: &Shot) -> Self {
+        let angle = |value| number(value, Outcome::LaunchAngle, "deg");
+        Self {
+            speed: number(shot.club.speed, Outcome::BallSpeed, "mph"),
+            attack_angle: angle(shot.club.attack_angle),
+            face_angle: angle(shot.club.face_angle),
+            path: angle(shot.club.path),
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        let values = [self.speed, self.attack_angle, self.face_angle, self.path];
+        values.iter().all(Option::is_none)
+    }
+}
+
+impl<'a> Flight<'a> {
+    fn new(flown: &'a Flown, row: usize) -> Self {
+        let shot = &flown.shots()[row];
+        let stated = shot
+            .values
+            .iter()
+            .filter_map(|value| Some((value.of.name(), value.origin?.name())));
+        let assumed = [Outcome::LaunchDirection, Outcome::SpinAxis]
+            .into_iter()
+            .zip(assumed(shot))
+            .filter(|(_, is)| *is && shot.launch().is_some())
+            .map(|(of, _)| (of.name(), ASSUMED));
+        let origins: ByName<&'static str> = stated.chain(assumed).collect();
+        let outcomes = flown.outcomes().iter().enumerate();
+        Self {
+            status: flown.flight(row),
+            reason: flown.reason(row),
+            notes: &shot.notes,
+            origins: Some(origins).filter(|origins| !origins.0.is_empty()),
+            predicted: outcomes
+                .map(|(at, of)| (of.name(), flown.predicted(row, at)))
+                .collect(),
+        }
+    }
+}
+
+/// A number in a unit of the protocol.
+fn number(value: Option<f64>, of: Outcome, unit: &str) -> Option<f64> {
+    Some(in_unit(value?, of.quantity(), unit))
+}
+
+/// Appends the message of a row. A row that cannot be flown says that it has no ball data, so that
+/// no simulator plays it.
 pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let shot = &flown.shots()[row];
-    let club = club(shot);
-    let has_club = club.as_object().is_some_and(|club| !club.is_empty());
-    let message = json!({
-        "DeviceID": "longdrive",
-        "Units": "Yards",
-        "ShotNumber": shot.line,
-        "APIversion": "1",
-        "BallData": ball(shot),
-        "ClubData": club,
-        "ShotDataOptions": {
-            "ContainsBallData": shot.launch().is_some(),
-            "ContainsClubData": has_club,
-            "IsHeartBeat": false,
+    let club = ClubData::new(shot);
+    let message = Message {
+        device_id: "longdrive",
+        units: "Yards",
+        shot_number: shot.line,
+        api_version: "1",
+        ball: BallData::new(shot),
+        options: Options {
+            contains_ball_data: shot.launch().is_some(),
+            contains_club_data: !club.is_empty(),
+            is_heart_beat: false,
         },
-        "Flight": flight(flown, row),
-    });
+        club,
+        flight: Flight::new(flown, row),
+    };
     // writing to memory does not fail
     let _ = serde_json::to_writer(bytes, &message);
 }
 
-/// The answer to a message: 200 for a shot, with what is predicted of its flight in SI; 201 for a
+/// The answer to a message: 200 for a shot, with the predictions of its flight in SI; 201 for a
 /// message that is no shot, with the player; 501 for one that cannot be read, with the reason. It
 /// ends with a line break.
 pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
@@ -121,19 +206,32 @@ pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
         .first()
         .and_then(Shot::refusal)
         .is_some_and(|refusal| refusal.is_no_shot());
-    let answer = match flown.status(0) {
-        Some(Status::Landed) => {
-            json!({"Code": 200, "Message": "Shot received successfully", "Flight": flight(flown, 0)})
-        }
-        Some(_) => {
-            json!({"Code": 200, "Message": "Shot received; the ball does not land", "Flight": flight(flown, 0)})
-        }
-        None if is_no_shot => {
-            json!({"Code": 201, "Message": "GSPro Player Information", "Player": {"Handed": "RH", "Club": "DR"}})
-        }
-        None => json!({"Code": 501, "Message": flown.reason(0)}),
+    let shot = |message| Answer {
+        code: 200,
+        message: Some(message),
+        flight: Some(Flight::new(flown, 0)),
+        player: None,
     };
-    let mut bytes = answer.to_string().into_bytes();
+    let answer = match flown.status(0) {
+        Some(Status::Landed) => shot("Shot received successfully"),
+        Some(_) => shot("Shot received; the ball does not land"),
+        None if is_no_shot => Answer {
+            code: 201,
+            message: Some("GSPro Player Information"),
+            flight: None,
+            player: Some(Player {
+                handed: "RH",
+                club: "DR",
+            }),
+        },
+        None => Answer {
+            code: 501,
+            message: flown.reason(0),
+            flight: None,
+            player: None,
+        },
+    };
+    let mut bytes = serde_json::to_vec(&answer).unwrap_or_default();
     bytes.push(b'\n');
     bytes
 }

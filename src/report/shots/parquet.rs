@@ -21,7 +21,7 @@ const LAUNCH: [&str; 5] = [
     "spin_axis",
 ];
 
-/// What was measured of the flight.
+/// Measured outcomes of the flight.
 const MEASURED: [Outcome; 8] = [
     Outcome::CarryDistance,
     Outcome::Lateral,
@@ -33,7 +33,7 @@ const MEASURED: [Outcome; 8] = [
     Outcome::LateralTotal,
 ];
 
-/// What a column has.
+/// The source of a column.
 #[derive(Clone, Copy)]
 enum Of {
     Line,

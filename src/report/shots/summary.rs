@@ -1,72 +1,92 @@
-//! What was found of flown shots.
+//! A summary of flown shots.
 
 use crate::drive::Outcome;
-use crate::report::lines::{item, paragraph};
-use crate::report::table::table;
+use crate::report::document::{Document, Line, Table};
+use crate::report::reply::{Ending, Report};
 use crate::shots::{Band, FLOOR, Sums, Tally};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
-/// What was found of flown shots, as JSON.
+/// A summary of flown shots, SI and radians.
 #[derive(Clone, Debug, Serialize)]
-pub struct ShotsReport {
-    /// The file that the rows were written to; `None` where they were not.
+pub struct ShotsReport<'a> {
+    #[serde(skip)]
+    tally: &'a Tally,
+    /// The end of the command.
+    #[serde(skip)]
+    pub ending: Ending,
+    /// The file that the rows were written to; `null` where they were not.
     pub file: Option<String>,
-    /// Whose export the shots are, where its heads tell.
+    /// The maker of the export, if its heads name one.
     pub source: Option<&'static str>,
     /// All rows.
     pub rows: u64,
     /// Rows whose ball landed.
     pub flown: u64,
     /// The other rows, by the kind of reason.
-    pub refused: Vec<RefusedReport>,
-    /// Rows with something assumed or not compared.
+    pub refused: Vec<RefusedRows>,
+    /// Rows with values that are assumed or not compared.
     pub noted: u64,
     /// Rows whose spin is estimated or modelled, as the export says.
     pub spin_not_measured: u64,
     /// Rows whose values are normalized, as the export says.
     pub normalized: u64,
     /// Predicted − measured, of each outcome.
-    pub residuals: Vec<ResidualReport>,
-    /// What the reader should know of the columns.
+    pub residuals: Vec<OutcomeResiduals>,
+    /// Remarks about the columns.
     pub remarks: Vec<Message>,
 }
 
 /// Rows that were refused for one kind of reason.
 #[derive(Clone, Debug, Serialize)]
-pub struct RefusedReport {
-    kind: &'static str,
-    rows: u64,
-    first_line: u64,
-    first_reason: String,
+pub struct RefusedRows {
+    /// The kind of reason.
+    pub kind: &'static str,
+    /// Number of rows.
+    pub rows: u64,
+    /// The line of the first.
+    pub first_line: u64,
+    /// Its reason.
+    pub first_reason: String,
 }
 
 /// The residuals of an outcome, SI.
 #[derive(Clone, Debug, Serialize)]
-pub struct ResidualReport {
-    of: &'static str,
+pub struct OutcomeResiduals {
+    /// The outcome.
+    pub of: &'static str,
+    /// All rows.
     #[serde(flatten)]
-    all: SumsReport,
-    /// What two instruments differ by on the same drives (standard deviation).
-    instruments: Option<f64>,
-    bands: Vec<BandReport>,
+    pub all: SumsReport,
+    /// The standard deviation of two instruments' differences on the same drives.
+    pub instruments: Option<f64>,
+    /// Rows by ball speed.
+    pub bands: Vec<BandReport>,
 }
 
+/// Predicted − measured of some rows.
 #[derive(Clone, Debug, Serialize)]
-struct SumsReport {
-    rows: u64,
-    bias: Option<f64>,
-    mean_absolute: Option<f64>,
-    deviation: Option<f64>,
+pub struct SumsReport {
+    /// Number of rows.
+    pub rows: u64,
+    /// The mean.
+    pub bias: Option<f64>,
+    /// The mean size.
+    pub mean_absolute: Option<f64>,
+    /// The standard deviation.
+    pub deviation: Option<f64>,
 }
 
+/// The rows of a band of ball speeds.
 #[derive(Clone, Debug, Serialize)]
-struct BandReport {
-    /// Ball speed, m/s.
-    from: Option<f64>,
-    to: Option<f64>,
+pub struct BandReport {
+    /// The lowest ball speed, m/s; `null` in the first band.
+    pub from: Option<f64>,
+    /// The highest ball speed, m/s; `null` in the last band.
+    pub to: Option<f64>,
+    /// The residuals.
     #[serde(flatten)]
-    sums: SumsReport,
+    pub sums: SumsReport,
 }
 
 impl SumsReport {
@@ -82,30 +102,30 @@ impl SumsReport {
     }
 }
 
-/// What two instruments differ by on the same drives, SI.
-fn floor(of: Outcome) -> Option<f64> {
+/// The standard deviation of two instruments' differences on the same drives, SI.
+fn instrument_deviation(of: Outcome) -> Option<f64> {
     let (_, deviation, unit) = FLOOR.iter().find(|(outcome, ..)| *outcome == of)?;
     Some(deviation * of.quantity().size_of(unit)?)
 }
 
-impl ShotsReport {
+impl<'a> ShotsReport<'a> {
     /// The report of a tally.
     pub fn new(
-        tally: &Tally,
+        tally: &'a Tally,
         source: Option<&'static str>,
         file: Option<String>,
         remarks: &[Message],
     ) -> Self {
-        let refused = tally.refused.iter().map(|(kind, refused)| RefusedReport {
+        let refused = tally.refused.iter().map(|(kind, refused)| RefusedRows {
             kind,
             rows: refused.count,
             first_line: refused.line,
             first_reason: refused.reason.clone(),
         });
-        let residual = |(at, of): (usize, &Outcome)| ResidualReport {
+        let residual = |(at, of): (usize, &Outcome)| OutcomeResiduals {
             of: of.name(),
             all: SumsReport::new(&tally.all[at]),
-            instruments: floor(*of),
+            instruments: instrument_deviation(*of),
             bands: tally
                 .bands
                 .iter()
@@ -118,6 +138,8 @@ impl ShotsReport {
                 .collect(),
         };
         Self {
+            tally,
+            ending: Ending::DONE,
             file,
             source,
             rows: tally.rows,
@@ -129,6 +151,18 @@ impl ShotsReport {
             residuals: tally.of.iter().enumerate().map(residual).collect(),
             remarks: remarks.to_vec(),
         }
+    }
+}
+
+impl Report for ShotsReport<'_> {
+    const COMMAND: &'static str = "fly";
+
+    fn ending(&self) -> Ending {
+        self.ending.clone()
+    }
+
+    fn document(&self, system: System) -> Document {
+        document(self.tally, self.source, system)
     }
 }
 
@@ -151,24 +185,62 @@ fn speeds(band: &Band, system: System) -> String {
     }
 }
 
-/// What was found, as text.
-pub fn shots_text(tally: &Tally, source: Option<&'static str>, system: System) -> String {
+/// The outcomes of the rows: counts, and the residuals of each outcome by ball speed.
+fn document(tally: &Tally, source: Option<&'static str>, system: System) -> Document {
+    let mut lines = counts(tally, source);
+    let mut rows = vec![];
+    for (at, of) in tally.of.iter().enumerate() {
+        if tally.all[at].count > 0 {
+            rows.extend(residual_rows(tally, at, *of, system));
+        }
+    }
+    let mut document = Document::default();
+    if rows.is_empty() {
+        lines.push(Line::flush(
+            "no row has a measured value of these outcomes to compare with",
+        ));
+        document.list(lines);
+        return document;
+    }
+    document.list(lines);
+    let head = [
+        "outcome",
+        "ball speed",
+        "rows",
+        "bias",
+        "MAE",
+        "sd",
+        "sd of instruments",
+    ];
+    let mut table = Table::new(head, rows)
+        .right(2..=6)
+        .with_caption("predicted − measured:");
+    table.line(Line::flush(
+        "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
+         & Langdown 2026); their spins differ by 513 rpm",
+    ));
+    document.add(table);
+    document
+}
+
+/// Numbers of rows, by the end of the drive and by remark.
+fn counts(tally: &Tally, source: Option<&'static str>) -> Vec<Line> {
     let from = source.map_or(String::new(), |source| format!(" ({source})"));
     let refused: u64 = tally.refused.values().map(|refused| refused.count).sum();
-    let mut text = paragraph(&format!(
+    let mut lines = vec![Line::flush(format!(
         "{}{from}: {} flown, {refused} not flown",
         counted(tally.rows, "row"),
         tally.flown
-    ));
+    ))];
     for (kind, refused) in &tally.refused {
-        text += &item(&format!(
+        lines.push(Line::item(format!(
             "{kind}: {}, the first in line {}: {}",
             counted(refused.count, "row"),
             refused.line,
             refused.reason
-        ));
+        )));
     }
-    for (count, what) in [
+    let remarks = [
         (
             tally.noted,
             "with values that are assumed or not compared (see their notes)",
@@ -181,61 +253,39 @@ pub fn shots_text(tally: &Tally, source: Option<&'static str>, system: System) -
             tally.normalized,
             "whose values are normalized to other conditions, as the export says",
         ),
-    ] {
-        if count > 0 {
-            text += &item(&format!("{} {what}", counted(count, "row")));
-        }
-    }
-    let mut rows = vec![];
-    for (at, of) in tally.of.iter().enumerate() {
-        let unit = system.unit(of.unit());
-        let size = of.quantity().size_of(unit).unwrap_or(1.0);
-        let decimals = if unit == "s" { 2 } else { 1 };
-        let shown = |value: Option<f64>| {
-            value.map_or("–".into(), |value| format!("{:.decimals$}", value / size))
-        };
-        let line = |which: String, sums: &Sums, instruments: Option<f64>| {
-            let bias = sums.bias().map_or("–".into(), |bias| {
-                signed(bias, fixed(bias / size, decimals))
-            });
-            let [mean, deviation, instruments] =
-                [sums.mean_absolute(), sums.deviation(), instruments].map(shown);
-            vec![
-                format!("{} [{}]", of.name(), printed(unit)),
-                which,
-                sums.count.to_string(),
-                bias,
-                mean,
-                deviation,
-                instruments,
-            ]
-        };
-        if tally.all[at].count == 0 {
-            continue;
-        }
-        let bands = tally.bands.iter().filter(|band| band.sums[at].count > 0);
-        rows.extend(bands.map(|band| line(speeds(band, system), &band.sums[at], None)));
-        rows.push(line("all".into(), &tally.all[at], floor(*of)));
-    }
-    if rows.is_empty() {
-        return text + &paragraph("no row has a measured value of these outcomes to compare with");
-    }
-    text += "\n";
-    text += &paragraph("predicted − measured:");
-    let head = [
-        "outcome",
-        "ball speed",
-        "rows",
-        "bias",
-        "MAE",
-        "sd",
-        "sd of instruments",
     ];
-    text += &table(&head, &[2, 3, 4, 5, 6], rows);
-    text += &paragraph(
-        "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
-         & Langdown 2026); their spins differ \
-         by 513 rpm",
-    );
-    text
+    for (count, remark) in remarks {
+        if count > 0 {
+            lines.push(Line::item(format!("{} {remark}", counted(count, "row"))));
+        }
+    }
+    lines
+}
+
+/// The residuals of an outcome: a row for each band of ball speeds, and one for all.
+fn residual_rows(tally: &Tally, at: usize, of: Outcome, system: System) -> Vec<Vec<String>> {
+    let unit = system.unit(of.unit());
+    let size = of.quantity().size_of(unit).unwrap_or(1.0);
+    let decimals = if unit == "s" { 2 } else { 1 };
+    let shown = |value: Option<f64>| {
+        value.map_or("–".into(), |value| format!("{:.decimals$}", value / size))
+    };
+    let row = |which: String, sums: &Sums, instruments: Option<f64>| {
+        let bias = sums.bias().map_or("–".into(), |bias| {
+            signed(bias, fixed(bias / size, decimals))
+        });
+        vec![
+            format!("{} [{}]", of.name(), printed(unit)),
+            which,
+            sums.count.to_string(),
+            bias,
+            shown(sums.mean_absolute()),
+            shown(sums.deviation()),
+            shown(instruments),
+        ]
+    };
+    let bands = tally.bands.iter().filter(|band| band.sums[at].count > 0);
+    let bands = bands.map(|band| row(speeds(band, system), &band.sums[at], None));
+    let all = row("all".into(), &tally.all[at], instrument_deviation(of));
+    bands.chain([all]).collect()
 }

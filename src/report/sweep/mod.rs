@@ -13,14 +13,14 @@ pub use csv::SweepCsv;
 pub use json_lines::SweepJsonLines;
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
-pub use summary::summary_text;
+pub use summary::summary_document;
 
 use crate::batch::{Batch, Block};
 
 /// The name of the column that says how a drive ended.
 const STATUS: &str = "status";
 
-/// How many columns a batch has: parameters, outcomes, derivatives.
+/// Numbers of columns of a batch: parameters, outcomes, derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Columns([usize; 3]);
 

@@ -46,8 +46,8 @@ impl SweepParquet {
         })
     }
 
-    /// How many blocks of [`CHUNK`] rows make a row group: fewer for wide tables, so that a group
-    /// has room in memory and little is computed again after a kill.
+    /// Number of blocks of [`CHUNK`] rows in a row group: fewer for wide tables. A group must fit
+    /// in memory, and little must be computed again after a kill.
     pub fn blocks_of_group(&self) -> usize {
         let width = 9 * (self.parameters + self.results) + 1;
         (MOST_BYTES / width).clamp(LEAST_ROWS, MOST_ROWS) / CHUNK
@@ -109,7 +109,7 @@ impl SweepParquet {
         self.foot_with(groups, &[])
     }
 
-    /// The same with further notes in the file, by their keys.
+    /// The footer with further notes in the file, by their keys.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold them.

@@ -1,22 +1,23 @@
 use crate::drive::Outcome;
 use crate::parameters::Setup;
+use crate::report::document::{Document, Line, Table};
 use crate::report::shown;
-use crate::report::table::table;
 use crate::statistics::{Coordinate, Histogram, Infinite, Ranking, Summary};
 use crate::units::{System, counted, significant};
 
-/// What the rows of a sweep are like in all, as tables: how they ended, the moments of each column,
-/// histograms and best rows. Outcomes are in the units of a system, derivatives in SI.
-pub fn summary_text(summary: &Summary, system: System) -> String {
+/// A summary of a sweep's rows: numbers by status, the moments of each column, histograms and best
+/// rows. Outcomes are in the units of a system, derivatives in SI.
+pub fn summary_document(summary: &Summary, system: System) -> Document {
     let counts = summary.statuses.iter().filter(|(_, count)| **count > 0);
     let counts: Vec<_> = counts
         .map(|(status, count)| format!("{count} {status}"))
         .collect();
-    let mut parts = vec![format!(
-        "{}: {}\n",
+    let mut document = Document::default();
+    document.list([Line::flush(format!(
+        "{}: {}",
         counted(summary.rows(), "drive"),
         counts.join(", ")
-    )];
+    ))]);
     let moments = summary.moments.iter().map(|(column, moments)| {
         let numbers = [
             moments.mean(),
@@ -32,31 +33,22 @@ pub fn summary_text(summary: &Summary, system: System) -> String {
             .chain(shown)
             .collect()
     });
-    parts.push(table(
-        &[
-            "column",
-            "rows",
-            "mean",
-            "standard deviation",
-            "least",
-            "greatest",
-        ],
-        &[1, 2, 3, 4, 5],
-        moments,
-    ));
-    parts.extend(
-        summary
-            .histograms
-            .iter()
-            .map(|histogram| histogram_text(histogram, system)),
-    );
-    parts.extend(
-        summary
-            .best
-            .iter()
-            .map(|ranking| ranking_text(ranking, system)),
-    );
-    parts.join("\n")
+    let head = [
+        "column",
+        "rows",
+        "mean",
+        "standard deviation",
+        "least",
+        "greatest",
+    ];
+    document.add(Table::new(head, moments).right(1..=5));
+    for of in &summary.histograms {
+        document.add(histogram(of, system));
+    }
+    for of in &summary.best {
+        document.add(ranking(of, system));
+    }
+    document
 }
 
 /// A value of a column: derivatives are in SI.
@@ -67,7 +59,8 @@ fn quantity(column: &str, value: f64, system: System) -> String {
     }
 }
 
-fn histogram_text(histogram: &Histogram, system: System) -> String {
+/// The numbers of rows in the bins of a histogram.
+fn histogram(histogram: &Histogram, system: System) -> Table {
     let Histogram {
         of,
         below,
@@ -82,14 +75,12 @@ fn histogram_text(histogram: &Histogram, system: System) -> String {
     let bins = counts.iter().enumerate().filter(|(_, count)| **count > 0);
     let bins =
         bins.map(|(i, count)| vec![format!("{} to {}", edge(i), edge(i + 1)), count.to_string()]);
-    table(
-        &[of, "rows"],
-        &[1],
-        below.into_iter().chain(bins).chain(above),
-    )
+    let rows = below.into_iter().chain(bins).chain(above);
+    Table::new([of.as_str(), "rows"], rows).right([1])
 }
 
-fn ranking_text(ranking: &Ranking, system: System) -> String {
+/// The best rows of a column, with their points.
+fn ranking(ranking: &Ranking, system: System) -> Table {
     let setup = Setup::default();
     let coordinate = |name: &str, value: &Option<Coordinate>| {
         let value = match value {
@@ -116,9 +107,6 @@ fn ranking_text(ranking: &Ranking, system: System) -> String {
         ]
     });
     let which = if ranking.highest { "highest" } else { "lowest" };
-    table(
-        &[&format!("{which} {}", ranking.of), "row", "point"],
-        &[0, 1],
-        rows,
-    )
+    let title = format!("{which} {}", ranking.of);
+    Table::new([title.as_str(), "row", "point"], rows).right([0, 1])
 }

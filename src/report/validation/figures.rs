@@ -4,10 +4,11 @@ use crate::drive::Outcome;
 use crate::parameters::Law;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::shots::FLOOR;
-use crate::study::validation::{Case, Compared, LawScores, SetScores, Way};
+use crate::study::validation::{Case, Compared, LawScores, Score, SetScores, Way};
 use crate::units::Quantity;
 
-use super::best::{ALTERNATIVE, best};
+/// The independent law that the default one is compared with.
+pub(super) const ALTERNATIVE: &str = "ferguson";
 
 /// Speeds that residuals are drawn over.
 #[derive(Clone, Copy)]
@@ -44,7 +45,7 @@ const BAND: &str = "The band is what two launch monitors differ by on a single d
 const OPTIMUM: &str =
     "Computed at the loft of the longest carry, less the spin that TrackMan's chart has there.";
 
-/// Carry as predicted and as measured, and what is left of carry, apex, descent and spin.
+/// Carry as predicted and as measured, and the residuals of carry, apex, descent and spin.
 pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured()).collect();
     let optima: Vec<&SetScores> = found.iter().filter(|set| set.set.name == OPTIMA).collect();
@@ -116,7 +117,7 @@ fn carry(sets: &[&SetScores]) -> Figure {
     figure.noted(BAND)
 }
 
-/// What is left of a quantity over a speed, a series for each law.
+/// The residuals of a quantity over a speed, a series for each law.
 fn residuals(
     sets: &[&SetScores],
     laws: &[&'static str],
@@ -181,7 +182,7 @@ fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
     found.unwrap_or([0.0; 2])
 }
 
-/// What instruments differ by in this quantity, SI.
+/// The standard deviation between instruments of this quantity, SI.
 fn floor(of: Compared) -> Option<f64> {
     let outcome = match of {
         Compared::Carry => Outcome::CarryDistance,
@@ -195,9 +196,18 @@ fn floor(of: Compared) -> Option<f64> {
 }
 
 impl crate::study::validation::Set {
-    /// Whether its drives were measured and are flown from their launch: not output of models, and
-    /// neither gains nor optima.
+    /// Its drives were measured and are flown from their launch: they are not output of models,
+    /// gains or optima.
     fn is_measured(&self) -> bool {
         self.way == Way::Launch && !["chart-launches", "simulations"].contains(&self.name)
     }
+}
+
+/// The smallest mean absolute error of the first quantity of a set, and the law that has it.
+pub(super) fn best(set: &SetScores) -> Option<(f64, &'static str)> {
+    let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
+    set.laws
+        .iter()
+        .filter_map(|law| Some((of(law)?, law.law)))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
 }

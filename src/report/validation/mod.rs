@@ -1,176 +1,231 @@
-//! Every law beside published drives, as a document, as JSON and as CSV.
+//! Every law of drag and lift on published drives, as a document, as JSON and as CSV.
 
-mod best;
-mod csv;
 mod figures;
-mod json;
-
-pub use csv::validation_csv;
-pub use json::validation_reply;
+mod text;
 
 use super::document::Document;
-use crate::parameters::Law;
-use crate::study::validation::{Compared, LawScores, SWEPT, Score, SetScores};
-use crate::units::{System, counted, fixed, signed};
-use best::{ALTERNATIVE, best};
+use super::json::{ByName, Number};
+use super::reply::Report;
+use crate::error::{Error, Result};
+use crate::study::validation::{Case, Compared, LawScores, Residual, Score, SetScores};
+use crate::units::System;
+use serde::Serialize;
 
-/// Every law on every set as a document.
-pub fn validation_document(found: &[SetScores], system: System) -> Document {
-    let mut document = Document::new("Laws of drag and lift beside published drives");
-    let length = system.unit("yd");
-    document.paragraph(format!(
-        "For each law the bias, which is the mean of computed less published, and MAE, the mean of \
-         its size; lengths in {length}, angles in °, spin \
-         in rpm. Where the air is not stated, drives fly at 25 °C at sea level in calm; the \
-         columns \"15 °C\" and \"35 °C\" are the bias of the first \
-         quantity at these temperatures. \"averaged\" is the bias of carry where the mean of \
-         drives that scatter stands in place of the drive of the \
-         average launch: standard deviations of 5.5 mph, 2° of launch angle, 400 rpm and 9° of \
-         spin axis, in wind of 4 m/s from any direction, by exact second derivatives; how much \
-         drives of an average scatter is assumed. No law is fitted to these numbers here. The sets \
-         of TrackMan's charts, the curves and the simulations are output of models, and no set of \
-         the {} has \
-         measured launch, air and landing together: laws that agree within 3 % of carry cannot be \
-         told apart by these numbers.",
-        found.len()
-    ));
-    summary(&mut document, found, system);
-    document.heading("In pictures");
-    for figure in figures::figures(found) {
-        document.figure(figure);
-    }
-    for set in found {
-        one(&mut document, set, system);
-    }
-    document
+/// Every law on every set of published drives, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct ValidationReport<'a> {
+    #[serde(skip)]
+    found: &'a [SetScores],
+    /// The sets.
+    pub sets: Vec<SetReport>,
 }
 
-/// The mean absolute error of the first quantity of every set: that of the best law, of the default
-/// one, and of the alternative.
-fn summary(document: &mut Document, found: &[SetScores], system: System) {
-    let default = Law::default().name();
-    document.heading("Which law is the default");
-    let rows = found.iter().map(|set| {
-        let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
-        let best = best(set);
-        let named = |name: &str| {
-            set.laws
+/// Every law on a set of published drives.
+#[derive(Clone, Debug, Serialize)]
+pub struct SetReport {
+    /// Its name.
+    pub name: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// Its contents.
+    pub about: &'static str,
+    /// The air of the drives.
+    pub air: &'static str,
+    /// Quantities that the source does not state.
+    pub misses: &'static str,
+    /// The drives.
+    pub cases: Vec<CaseReport>,
+    /// The laws.
+    pub laws: Vec<LawScoresReport>,
+}
+
+/// A published drive.
+#[derive(Clone, Debug, Serialize)]
+pub struct CaseReport {
+    /// Its name.
+    pub name: String,
+    /// The publication.
+    pub source: String,
+    /// The published quantities.
+    pub published: ByName<Number>,
+}
+
+/// The errors of a law on a set.
+#[derive(Clone, Debug, Serialize)]
+pub struct LawScoresReport {
+    /// The law.
+    pub law: &'static str,
+    /// The errors of each quantity.
+    pub scores: ByName<ScoreReport>,
+    /// The bias of the first quantity in colder and warmer air; `null` where the air is stated.
+    pub bias_in_other_air: Option<BiasInOtherAir>,
+    /// The bias of carry if the mean of drives that scatter replaces the drive of the average
+    /// launch.
+    pub bias_averaged: Number,
+}
+
+/// The bias of a quantity in other air than the model assumes.
+#[derive(Clone, Debug, Serialize)]
+pub struct BiasInOtherAir {
+    /// At 15 °C.
+    #[serde(rename = "at_15_degC")]
+    pub at_15_deg_c: Number,
+    /// At 35 °C.
+    #[serde(rename = "at_35_degC")]
+    pub at_35_deg_c: Number,
+}
+
+/// The errors of a quantity.
+#[derive(Clone, Debug, Serialize)]
+pub struct ScoreReport {
+    /// Number of drives that state it and fly.
+    pub count: usize,
+    /// The mean of computed less published.
+    pub bias: Number,
+    /// The mean size of the difference.
+    pub mean_absolute_error: Number,
+    /// Each drive.
+    pub residuals: Vec<ResidualReport>,
+}
+
+/// The error of a quantity of a drive.
+#[derive(Clone, Debug, Serialize)]
+pub struct ResidualReport {
+    /// The place of the drive in `cases`.
+    pub case: usize,
+    /// The computed value.
+    pub predicted: f64,
+    /// The published value.
+    pub published: f64,
+    /// The difference of the two.
+    pub difference: f64,
+}
+
+impl<'a> ValidationReport<'a> {
+    /// The report of these errors.
+    pub fn new(found: &'a [SetScores]) -> Self {
+        Self {
+            found,
+            sets: found.iter().map(SetReport::new).collect(),
+        }
+    }
+
+    /// The errors as CSV: a row for each quantity of each drive, in SI.
+    ///
+    /// # Errors
+    /// [`Error::Output`].
+    pub fn csv(&self) -> Result<String> {
+        let failed = |error: csv::Error| Error::Output(error.into());
+        let mut writer = csv::Writer::from_writer(vec![]);
+        let head = [
+            "set",
+            "case",
+            "law",
+            "quantity",
+            "unit",
+            "computed",
+            "published",
+            "difference",
+            "source",
+        ];
+        writer.write_record(head).map_err(failed)?;
+        for set in self.found {
+            for law in &set.laws {
+                for score in &law.scores {
+                    for one in &score.residuals {
+                        let case = &set.cases[one.case];
+                        let numbers = [one.predicted, one.published, one.difference()]
+                            .map(|number| number.to_string());
+                        let words = [
+                            set.set.name,
+                            &case.name,
+                            law.law,
+                            score.of.name(),
+                            score.of.unit().0.si,
+                        ];
+                        let row = words
+                            .into_iter()
+                            .chain(numbers.iter().map(String::as_str))
+                            .chain([case.source.as_str()]);
+                        writer.write_record(row).map_err(failed)?;
+                    }
+                }
+            }
+        }
+        let bytes = writer
+            .into_inner()
+            .map_err(|error| Error::Output(error.into_error()))?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+}
+
+impl Report for ValidationReport<'_> {
+    const COMMAND: &'static str = "validate";
+
+    fn document(&self, system: System) -> Document {
+        text::document(self.found, system)
+    }
+}
+
+impl SetReport {
+    fn new(scores: &SetScores) -> Self {
+        let set = scores.set;
+        Self {
+            name: set.name,
+            title: set.title,
+            about: set.about,
+            air: set.air,
+            misses: set.misses,
+            cases: scores.cases.iter().map(CaseReport::new).collect(),
+            laws: scores.laws.iter().map(LawScoresReport::new).collect(),
+        }
+    }
+}
+
+impl CaseReport {
+    fn new(case: &Case) -> Self {
+        let published = Compared::ALL
+            .iter()
+            .filter_map(|of| Some((of.name(), case.published(*of)?)));
+        Self {
+            name: case.name.clone(),
+            source: case.source.clone(),
+            published: published.collect(),
+        }
+    }
+}
+
+impl LawScoresReport {
+    fn new(scores: &LawScores) -> Self {
+        Self {
+            law: scores.law,
+            scores: scores
+                .scores
                 .iter()
-                .find(|law| law.law == name)
-                .and_then(of)
-                .map_or("–".into(), |mean| shown(first(set), mean, system))
-        };
-        vec![
-            set.cases.len().to_string(),
-            named(default),
-            named(ALTERNATIVE),
-            best.map_or("–".into(), |(mean, _)| shown(first(set), mean, system)),
-            best.map_or("–".into(), |(_, law)| law.to_owned()),
-            format!("{}, {}", set.set.name, first(set).words()),
-        ]
-    });
-    document.table(
-        &["drives", default, ALTERNATIVE, "best", "which is", "MAE of"],
-        rows,
-    );
-    document.paragraph(format!(
-        "No law is the best on every set, and the default is not the one with the smallest error \
-         of carry on averages of tours: naruo-mizota and bearman-harvey are. But the averages are \
-         those \
-         of drives that scatter, which carry less than the drive of the average launch. A law that \
-         is right drive by drive must be some 5 yd above them, as {default} and {ALTERNATIVE} are \
-         (column \"averaged\" below); a law that meets them is too short drive by drive. The \
-         default is {default} because it was made from what a launch monitor predicts of single \
-         drives, and because \
-         its descent is right over all clubs within 2.6°, where laws of the same error of carry \
-         land irons 3 to 6° too flat. {ALTERNATIVE} is the independent alternative, fitted to \
-         radar flights of one ball: its apex is nearer \
-         on drivers, its descent is not. The difference of the two is a measure of the model's \
-         error."
-    ));
-}
-
-/// A set: what it is, and a table with a row for each law.
-fn one(document: &mut Document, set: &SetScores, system: System) {
-    let about = set.set;
-    document.heading(&format!("{} ({})", about.title, about.name));
-    document.paragraph(format!(
-        "{} {}. Air: {}. {}",
-        about.about,
-        counted(set.cases.len() as u64, "drive"),
-        about.air,
-        about.misses
-    ));
-    let compared: Vec<Compared> = set.laws.first().map_or(vec![], |law| {
-        law.scores.iter().map(|score| score.of).collect()
-    });
-    let mut head: Vec<&str> = compared.iter().flat_map(|of| [of.words(), "MAE"]).collect();
-    let is_swept = set.laws.iter().any(|law| law.swept.is_some());
-    let [cold, warm] = SWEPT.map(|temperature| format!("{} °C", fixed(temperature - 273.15, 0)));
-    let is_averaged = set.laws.iter().any(|law| law.averaged.is_some());
-    if is_averaged {
-        head.push("averaged");
+                .map(|score| (score.of.name(), ScoreReport::new(score)))
+                .collect(),
+            bias_in_other_air: scores.swept.map(|[cold, warm]| BiasInOtherAir {
+                at_15_deg_c: cold.into(),
+                at_35_deg_c: warm.into(),
+            }),
+            bias_averaged: scores.averaged.into(),
+        }
     }
-    if is_swept {
-        head.extend([cold.as_str(), &warm]);
-    }
-    head.push("law");
-    let rows = set.laws.iter().map(|law| {
-        let mut cells = vec![];
-        for score in &law.scores {
-            cells.push(
-                score
-                    .bias()
-                    .map_or("–".into(), |bias| difference(score.of, bias, system)),
-            );
-            cells.push(
-                score
-                    .mean_absolute()
-                    .map_or("–".into(), |mean| shown(score.of, mean, system)),
-            );
-        }
-        if is_averaged {
-            cells.push(
-                law.averaged
-                    .map_or("–".into(), |bias| difference(first(set), bias, system)),
-            );
-        }
-        for bias in law.swept.into_iter().flatten() {
-            cells.push(bias.map_or("–".into(), |bias| difference(first(set), bias, system)));
-        }
-        let computed = law.scores.first().map_or(0, |score| score.residuals.len());
-        let of = first_published(set);
-        let part = if computed < of {
-            format!(" ({computed} of {of} drives)")
-        } else {
-            String::new()
+}
+
+impl ScoreReport {
+    fn new(score: &Score) -> Self {
+        let residual = |one: &Residual| ResidualReport {
+            case: one.case,
+            predicted: one.predicted,
+            published: one.published,
+            difference: one.difference(),
         };
-        cells.push(format!("{}{part}", law.law));
-        cells
-    });
-    document.table(&head, rows);
-}
-
-/// The quantity that a set is about.
-fn first(set: &SetScores) -> Compared {
-    set.set.way.compared()[0]
-}
-
-/// The cases that state it.
-fn first_published(set: &SetScores) -> usize {
-    set.cases
-        .iter()
-        .filter(|case| case.published(first(set)).is_some())
-        .count()
-}
-
-/// A number without its unit, to the digits that the data have.
-fn shown(of: Compared, value: f64, system: System) -> String {
-    let (quantity, unit) = of.unit();
-    let size = quantity.size_of(system.unit(unit)).unwrap_or(f64::NAN);
-    fixed(value / size, if of == Compared::Spin { 0 } else { 1 })
-}
-
-fn difference(of: Compared, value: f64, system: System) -> String {
-    signed(value, shown(of, value, system))
+        Self {
+            count: score.residuals.len(),
+            bias: score.bias().into(),
+            mean_absolute_error: score.mean_absolute().into(),
+            residuals: score.residuals.iter().map(residual).collect(),
+        }
+    }
 }

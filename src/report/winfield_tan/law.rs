@@ -1,4 +1,4 @@
-//! The law that the paper's tables are fitted by.
+//! The law that was fitted to the paper's tables.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::report::document::Document;
@@ -8,8 +8,7 @@ use crate::report::shown::stated;
 use crate::reproduce::WinfieldTan;
 use crate::units::{Quantity, System, significant};
 
-/// Speeds that the law is shown at, m/s and mph, the same to 3 %: what the paper's flights pass
-/// through.
+/// Speeds that the law is shown at, m/s and mph, equal within 3 %: those of the paper's flights.
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
 const MILES_PER_HOUR: [f64; 4] = [70.0, 90.0, 110.0, 145.0];
 
@@ -19,16 +18,76 @@ const FLOWN: [f64; 2] = [25.0, 68.0];
 /// Spin ratios that the law is shown at.
 const SPIN_RATIOS: [f64; 6] = [0.03, 0.06, 0.10, 0.15, 0.20, 0.30];
 
-/// The uncertainty that a printed distance is given in the calibration, m: 0.05 yd.
+/// The uncertainty of a printed distance in the calibration, m: 0.05 yd.
 const WEIGHT: f64 = 0.04572;
 
 /// The most spin of the paper's flights, rad/s: loft 17.14° at 110 mph.
 const MOST_SPIN: f64 = 450.0;
 
+/// Adds the law to a document: its formula and coefficients, its values, and plots.
 pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published) {
-    let fit = &found.fitted.law;
-    let left = (fit.statistics.chi_square / fit.statistics.degrees_of_freedom as f64).sqrt();
     document.heading("The law");
+    fit(document, found, shown);
+    let speeds = Speeds::new(shown.system);
+    let [slowest, fastest] = FLOWN.map(|speed| significant(speed / speeds.size, 2));
+    document.paragraph(format!(
+        "It is valid for the speeds and spins of the paper's flights, {slowest} < v < {fastest} \
+         {}, 0.02 < s < 0.35 and spins up to {MOST_SPIN} rad/s, where it is shown; outside, it is \
+         smooth, positive and rises with spin, but is not supported by data.",
+        speeds.unit
+    ));
+    values(document, found, &speeds);
+    for (name, title, is_drag) in [
+        ("drag", "Drag coefficient", true),
+        ("lift", "Lift coefficient", false),
+    ] {
+        let mut figure = Figure::new(
+            format!("law-{name}"),
+            format!("{title} of the recovered law"),
+            Axis::linear(Measure::plain("spin ratio")),
+            Axis::linear(Measure::plain(title)),
+        );
+        for (i, number) in speeds.numbers.into_iter().enumerate() {
+            let speed = number * speeds.size;
+            let spin_ratios = (1..=35).map(|k| f64::from(k) * 0.01);
+            let points = spin_ratios.filter(|s| is_flown(found, *s, speed)).map(|s| {
+                let (drag, lift) = coefficients(found, s, speed);
+                [s, if is_drag { drag } else { lift }]
+            });
+            let name = format!("{number} {}", speeds.unit);
+            figure = figure.with(Layer::line(name, i, points.collect()));
+        }
+        document.figure(figure);
+    }
+}
+
+/// The speeds that the law is shown at.
+struct Speeds {
+    /// In their unit.
+    numbers: [f64; 4],
+    unit: &'static str,
+    /// The size of the unit, m/s.
+    size: f64,
+}
+
+impl Speeds {
+    fn new(system: System) -> Self {
+        let unit = system.unit("m/s");
+        Self {
+            numbers: match system {
+                System::Metric => METRES_PER_SECOND,
+                System::Us => MILES_PER_HOUR,
+            },
+            unit,
+            size: Quantity::SPEED.size_of(unit).unwrap_or(f64::NAN),
+        }
+    }
+}
+
+/// Adds the formula to a document, with its coefficients in the preset and fitted again.
+fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
+    let fit = &found.fitted.law;
+    let scale = (fit.statistics.chi_square / fit.statistics.degrees_of_freedom as f64).sqrt();
     document.paragraph(format!(
         "With x = s √(v/50 m/s) and u = (v − 50 m/s)/20 m/s, C_D = (cd0 + cd1 x + cd2 x² + cd3 \
          x³)(1 + cd_v1 u + cd_v2 u²) and C_L = \
@@ -36,7 +95,7 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published
          calibrated to {} printed numbers with \
          the spin decay held at {} /s. The weights ({}, 0.02°) are finer than the law can follow: \
          the residuals are \
-         {left:.1} times as large, and the standard errors here are scaled by that factor.",
+         {scale:.1} times as large, and the standard errors here are scaled by that factor.",
         fit.estimates.len(),
         fit.remainders.len(),
         significant(found.setup.aero.spin_decay, 3),
@@ -51,7 +110,7 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published
         let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
         let error = estimate
             .standard_error
-            .map(|error| given(error * left / size, unit));
+            .map(|error| given(error * scale / size, unit));
         vec![
             show(found.setup.value(parameter)),
             show(Some(estimate.value)),
@@ -59,83 +118,46 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published
             parameter.name.into(),
         ]
     });
-    document.table(
-        &[
-            "in the preset",
-            "fitted again",
-            "standard error",
-            "coefficient",
-        ],
-        rows,
-    );
-    let unit = shown.system.unit("m/s");
-    let size = Quantity::SPEED.size_of(unit).unwrap_or(f64::NAN);
-    let [slowest, fastest] = FLOWN.map(|speed| significant(speed / size, 2));
-    document.paragraph(format!(
-        "It is valid for the speeds and spins of the paper's flights, {slowest} < v < {fastest} \
-         {unit}, 0.02 < s < 0.35 and spins up to {MOST_SPIN} rad/s, where \
-         it is shown; outside, it is smooth, positive and rises with spin, but is not supported by \
-         data.",
-    ));
-    let speeds = match shown.system {
-        System::Metric => METRES_PER_SECOND,
-        System::Us => MILES_PER_HOUR,
-    };
-    let head = |of: &str| {
-        speeds.map(|v| {
-            if v == speeds[0] {
-                format!("{of} at {v} {unit}")
+    let head = [
+        "in the preset",
+        "fitted again",
+        "standard error",
+        "coefficient",
+    ];
+    document.table(&head, rows);
+}
+
+/// Adds drag and lift to a document, by spin ratio and speed.
+fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
+    let heads = |of: &str| {
+        speeds.numbers.map(|number| {
+            if number == speeds.numbers[0] {
+                format!("{of} at {number} {}", speeds.unit)
             } else {
-                format!("{v}")
+                format!("{number}")
             }
         })
     };
     let heads: Vec<String> = ["s".to_owned()]
         .into_iter()
-        .chain(head("C_D"))
-        .chain(head("C_L"))
+        .chain(heads("C_D"))
+        .chain(heads("C_L"))
         .collect();
-    document.table(
-        &heads.iter().map(String::as_str).collect::<Vec<_>>(),
-        SPIN_RATIOS.map(|s| {
-            let at = speeds
-                .map(|v| is_flown(found, s, v * size).then(|| coefficients(found, s, v * size)));
-            let cell =
-                |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.3}"));
-            let drag = at.iter().map(|c| cell(c.map(|(drag, _)| drag)));
-            let lift = at.iter().map(|c| cell(c.map(|(_, lift)| lift)));
-            std::iter::once(format!("{s:.2}"))
-                .chain(drag)
-                .chain(lift)
-                .collect()
-        }),
-    );
-    for (name, title, is_drag) in [
-        ("drag", "Drag coefficient", true),
-        ("lift", "Lift coefficient", false),
-    ] {
-        let axes = (
-            Axis::linear(Measure::plain("spin ratio")),
-            Axis::linear(Measure::plain(title)),
-        );
-        let mut figure = Figure::new(
-            format!("law-{name}"),
-            format!("{title} of the recovered law"),
-            axes.0,
-            axes.1,
-        );
-        for (i, speed) in speeds.into_iter().enumerate() {
-            let flown = (1..=35)
-                .map(|k| f64::from(k) * 0.01)
-                .filter(|s| is_flown(found, *s, speed * size));
-            let points = flown.map(|s| {
-                let (drag, lift) = coefficients(found, s, speed * size);
-                [s, if is_drag { drag } else { lift }]
-            });
-            figure = figure.with(Layer::line(format!("{speed} {unit}"), i, points.collect()));
-        }
-        document.figure(figure);
-    }
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let rows = SPIN_RATIOS.map(|s| {
+        let at = speeds.numbers.map(|number| {
+            let speed = number * speeds.size;
+            is_flown(found, s, speed).then(|| coefficients(found, s, speed))
+        });
+        let cell = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.3}"));
+        let drag = at.iter().map(|c| cell(c.map(|(drag, _)| drag)));
+        let lift = at.iter().map(|c| cell(c.map(|(_, lift)| lift)));
+        std::iter::once(format!("{s:.2}"))
+            .chain(drag)
+            .chain(lift)
+            .collect()
+    });
+    document.table(&heads, rows);
 }
 
 /// A number to two digits, with its unit.
@@ -145,7 +167,7 @@ fn given(number: f64, unit: &str) -> String {
         .to_owned()
 }
 
-/// Whether a ball of the paper has as much spin.
+/// A ball of the paper has as much spin.
 fn is_flown(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> bool {
     spin_ratio * speed / found.setup.ball.radius <= MOST_SPIN
 }

@@ -1,39 +1,156 @@
 //! Winfield & Tan (1994), reproduced, as a document and as JSON.
 
-mod json;
 mod law;
-mod numbers;
 mod tables;
 
-pub use json::winfield_tan_reply;
-
 use super::document::Document;
-use super::published::Published;
-use crate::reproduce::WinfieldTan;
+use super::published::{DeliveryPoint, LoftCarry, Published};
+use super::reply::Report;
+use crate::reproduce::{Best, Point, SingleShot, WinfieldTan};
 use crate::units::System;
+use serde::Serialize;
 
-/// The paper, reproduced, as a document: computed numbers in the units of `system`, printed ones as
-/// the paper prints them, with those units beside.
-pub fn winfield_tan_document(found: &WinfieldTan, system: System) -> Document {
-    let shown = Published {
-        paper: WinfieldTan::UNITS,
-        system,
-    };
-    let mut document = Document::new("Winfield & Tan (1994), reproduced");
-    document.paragraph(
-        "\"Optimization of clubhead loft and swing elevation angles for maximum distance of a golf \
-         drive\" finds the loft and the \
-         attack angle of the longest drive. Here every drive of which the paper prints a number is \
-         computed with the preset winfield-tan. The paper does \
-         not print its curves of drag and lift: the law of the preset is calibrated to its tables, \
-         so distances agree by design, and the test is \
-         how closely one smooth law can meet all of them. The impact has no fitted parameter.",
-    );
-    tables::shot(&mut document, found, shown);
-    tables::optimum(&mut document, found, shown);
-    tables::tables(&mut document, found, shown);
-    tables::average(&mut document, found, shown);
-    law::law(&mut document, found, shown);
-    law::decay(&mut document, found);
-    document
+/// The paper, reproduced, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct WinfieldTanReport<'a> {
+    #[serde(skip)]
+    found: &'a WinfieldTan,
+    /// The computed numbers.
+    #[serde(flatten)]
+    pub computed: PaperNumbers,
+    /// The numbers that the paper prints.
+    pub printed: PaperNumbers,
+    /// The decay of the spin that was fitted to the paper's.
+    #[serde(rename = "aero.spin_decay")]
+    pub spin_decay: FittedNumber,
+    /// `winfield-tan`.
+    pub study: &'static str,
+}
+
+/// The numbers of the paper, computed or printed.
+#[derive(Clone, Debug, Serialize)]
+pub struct PaperNumbers {
+    /// The single shot.
+    pub shot: ShotNumbers,
+    /// The optimum.
+    pub optimum: DeliveryPoint,
+    /// Table 1.
+    pub table1: Vec<DeliveryPoint>,
+    /// Table 2.
+    pub table2: Vec<DeliveryPoint>,
+    /// The loft that is best on average.
+    pub average: LoftCarry,
+}
+
+/// The numbers of a shot.
+#[derive(Clone, Debug, Serialize)]
+pub struct ShotNumbers {
+    /// The carry.
+    pub carry: f64,
+    /// The time of flight.
+    pub flight_time: f64,
+    /// The height of the apex.
+    pub apex_height: f64,
+    /// The time of the apex.
+    pub apex_time: f64,
+}
+
+/// A fitted number.
+#[derive(Clone, Debug, Serialize)]
+pub struct FittedNumber {
+    /// The estimate.
+    pub value: f64,
+    /// Its standard uncertainty.
+    pub standard_uncertainty: f64,
+}
+
+impl<'a> WinfieldTanReport<'a> {
+    /// The report of this reproduction.
+    pub fn new(found: &'a WinfieldTan) -> Self {
+        let (value, standard_uncertainty) = found.fitted.decay;
+        Self {
+            found,
+            computed: PaperNumbers::new(
+                found,
+                |best| best.computed,
+                &found.shot.computed,
+                found.average.best,
+            ),
+            printed: PaperNumbers::new(
+                found,
+                |best| best.printed,
+                &found.shot.printed,
+                found.average.printed,
+            ),
+            spin_decay: FittedNumber {
+                value,
+                standard_uncertainty,
+            },
+            study: "winfield-tan",
+        }
+    }
+}
+
+impl PaperNumbers {
+    fn new(
+        found: &WinfieldTan,
+        of: fn(&Best) -> Point,
+        shot: &SingleShot,
+        (loft, carry): (f64, f64),
+    ) -> Self {
+        let row = |best: &Best| of(best).into();
+        Self {
+            shot: ShotNumbers {
+                carry: shot.carry,
+                flight_time: shot.flight_time,
+                apex_height: shot.apex_height,
+                apex_time: shot.apex_time,
+            },
+            optimum: of(&found.optimum).into(),
+            table1: found.table1.iter().map(row).collect(),
+            table2: found.table2.iter().map(row).collect(),
+            average: LoftCarry { loft, carry },
+        }
+    }
+}
+
+impl From<Point> for DeliveryPoint {
+    fn from(point: Point) -> Self {
+        Self {
+            loft: point.loft.into(),
+            attack_angle: point.attack_angle.into(),
+            carry: point.carry.into(),
+        }
+    }
+}
+
+impl Report for WinfieldTanReport<'_> {
+    const COMMAND: &'static str = "reproduce";
+
+    /// Computed numbers in the units of `system`, printed ones as the paper prints them, with those
+    /// units beside.
+    fn document(&self, system: System) -> Document {
+        let found = self.found;
+        let shown = Published {
+            paper: WinfieldTan::UNITS,
+            system,
+        };
+        let mut document = Document::new("Winfield & Tan (1994), reproduced");
+        document.paragraph(
+            "\"Optimization of clubhead loft and swing elevation angles for maximum distance of a golf \
+             drive\" finds the loft and the \
+             attack angle of the longest drive. Here every drive of which the paper prints a number is \
+             computed with the preset winfield-tan. The paper does \
+             not print its curves of drag and lift: the law of the preset is calibrated to its tables, \
+             so distances agree by design, and the test is \
+             how closely one smooth law can meet all of them. The impact has no fitted parameter.",
+        );
+        tables::shot(&mut document, found, shown);
+        tables::optimum(&mut document, found, shown);
+        tables::tables(&mut document, found, shown);
+        tables::average(&mut document, found, shown);
+        law::law(&mut document, found, shown);
+        law::decay(&mut document, found);
+        document
+    }
 }

@@ -1,6 +1,5 @@
 //! What the paper prints, beside what comes out.
 
-use super::numbers::{degrees, spread};
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::published::Published;
@@ -312,4 +311,19 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
         ))
         .with(best),
     );
+}
+
+/// An angle in degrees, to two decimals as the paper prints it.
+fn degrees(radians: f64) -> String {
+    format!("{}°", fixed(radians.to_degrees(), 2))
+}
+
+/// Root mean square and the largest size of some numbers.
+fn spread(numbers: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
+    let n = numbers.clone().count() as f64;
+    let square: f64 = numbers.clone().map(|number| number * number).sum();
+    (
+        (square / n).sqrt(),
+        numbers.map(f64::abs).fold(0.0, f64::max),
+    )
 }

@@ -1,14 +1,12 @@
-//! The swings behind measured shots as files that `optimize --swings` reads: a table of them, or
-//! their distribution.
+//! The swings behind measured shots as files of swings: a table of them, or their distribution.
 
-use super::shown;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
+use crate::report::shown;
 use crate::study::delivery::{Delivery, Population, Recovered, Returned};
 use crate::units::{Message, System, counted, significant};
-use serde_json::{Value, json};
 
-/// Below this part a shot does not tell a parameter.
+/// A shot that removes less than this part of a parameter's variance does not identify it.
 const HALF: f64 = 0.5;
 
 /// The most probable swing behind each shot whose delivery was found, as CSV in SI: a column for
@@ -43,8 +41,8 @@ pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The distribution of the swings behind shots as a file of swings in TOML, with what of each
-/// parameter the shots tell.
+/// The distribution of the swings behind shots as a file of swings in TOML. Remarks say how much of
+/// each parameter the shots identify.
 pub fn recovered_toml(population: &Population, from: &str, system: System) -> String {
     let shots = population.shots;
     let mut text = format!(
@@ -95,8 +93,8 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// What is to be known of a distribution: what is kept of the spread assumed, and which launches it
-/// does not give back.
+/// Warnings about a distribution: a spread smaller than the assumed one, and launches that it does
+/// not reproduce.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
     if population.kept < 1.0 {
@@ -148,34 +146,4 @@ fn amount(parameter: &Parameter, value: f64, digits: usize) -> String {
     format!("{} {}", significant(value / size, digits), parameter.unit)
         .trim_end()
         .to_owned()
-}
-
-/// The same in JSON, SI.
-pub(super) fn population_json(population: &Population) -> Value {
-    let spread = |spread: &Recovered| {
-        json!({
-            "parameter": spread.parameter.name,
-            "mean": spread.mean,
-            "deviation": spread.deviation,
-            "told": spread.told,
-            "mean_standard_uncertainty": spread.mean_error,
-            "deviation_standard_uncertainty": spread.deviation_error,
-        })
-    };
-    let moments = |[mean, deviation]: [f64; 2]| json!({ "mean": mean, "deviation": deviation });
-    let returned = |returned: &Returned| {
-        let Returned {
-            of,
-            measured,
-            recovered,
-        } = *returned;
-        json!({ "of": of.name(), "measured": moments(measured), "recovered": moments(recovered) })
-    };
-    json!({
-        "shots": population.shots,
-        "kept": population.kept,
-        "launches": population.returned.iter().map(returned).collect::<Vec<_>>(),
-        "spread": population.spreads.iter().map(spread).collect::<Vec<_>>(),
-        "correlations": population.correlations,
-    })
 }

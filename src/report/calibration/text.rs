@@ -1,0 +1,419 @@
+use crate::optimize::least_squares::Status;
+use crate::report::document::Document;
+use crate::report::shown;
+use crate::study::calibrate::{
+    Calibration, Estimate, HeldOut, Remainder, ShotTable, Statistics, Uncertainties, Undetermined,
+};
+use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant, with_unit};
+use std::path::Path;
+
+/// The title, with the name of the file. The path is omitted for privacy.
+pub(super) fn title(table: &ShotTable) -> String {
+    let file = Path::new(&table.file)
+        .file_name()
+        .map_or(table.file.as_str().into(), |name| name.to_string_lossy());
+    format!("Calibration to {file}")
+}
+
+/// Adds the data to a document.
+pub(super) fn data(document: &mut Document, table: &ShotTable, system: System) {
+    let kind = if table.is_launched {
+        "launch conditions, flown without an impact"
+    } else {
+        "club deliveries"
+    };
+    document.paragraph(format!(
+        "{}, {}; the rows are {kind}.",
+        counted(table.shots.len() as u64, "shot"),
+        counted(table.residuals() as u64, "measured value")
+    ));
+    for remark in &table.remarks {
+        document.paragraph(remark.in_units(system));
+    }
+}
+
+/// Adds the ends of the searches to a document, if there are several.
+pub(super) fn starts(document: &mut Document, found: &Calibration) {
+    let (made, same) = found.starts;
+    if made <= 1 {
+        return;
+    }
+    let of = match found.stopped {
+        0 => counted(made as u64, "start"),
+        stopped => format!(
+            "the {} that came to their end",
+            counted((made - stopped) as u64, "start")
+        ),
+    };
+    let mut text = format!("{same} of {of} ended at this sum");
+    for (status, count) in &found.elsewhere {
+        text += &match status {
+            Status::Undefined => {
+                format!("; {count} could not begin, for not every row flies there")
+            }
+            _ => format!("; {count} ended at a larger sum ({status})"),
+        };
+    }
+    document.paragraph(text + ".");
+    let has_end = |status: &Status| {
+        matches!(
+            status,
+            Status::Converged | Status::Undetermined | Status::Outweighed | Status::Misfit
+        )
+    };
+    if found.elsewhere.iter().any(|(status, _)| !has_end(status)) {
+        document.paragraph(
+            "Starts are spread over the ranges of the parameters: with narrower ones more of them \
+             come to a minimum.",
+        );
+    }
+}
+
+/// Adds the refused trial points to a document.
+pub(super) fn refusals(document: &mut Document, found: &Calibration) {
+    if let (1.., Some(why)) = (found.fit.refused, &found.fit.why_refused) {
+        let refused = counted(found.fit.refused, "trial point");
+        document.paragraph(format!(
+            "Refused: {refused}. The reason for the last: {why}"
+        ));
+    }
+}
+
+/// Adds the estimates to a document, with χ² and the directions that the data do not determine.
+pub(super) fn estimates(
+    document: &mut Document,
+    table: &ShotTable,
+    found: &Calibration,
+    system: System,
+) {
+    let statistics = &found.statistics;
+    document.heading("Estimates");
+    if found.fit.status == Status::Interrupted {
+        document.paragraph(if found.is_minimum {
+            "The fit was interrupted: these values are a minimum, and the searches that were \
+             stopped may have led to a lower one."
+        } else {
+            "The fit was interrupted: these values are where it stood, not a minimum."
+        });
+    }
+    document.table(
+        &["parameter", "estimate", "standard error", "95 % interval"],
+        found
+            .estimates
+            .iter()
+            .map(|estimate| estimated(estimate, statistics.reach, system)),
+    );
+    document.paragraph(chi_square(statistics, table.uncertainties));
+    for undetermined in &statistics.undetermined {
+        document.paragraph(format!(
+            "The data do not determine {}.",
+            direction(found, undetermined)
+        ));
+    }
+}
+
+/// Adds each residual to a document.
+pub(super) fn residuals(document: &mut Document, found: &Calibration, system: System) {
+    let head = ["row", "measured", "computed − measured", "in σ", "what"];
+    let rows = found
+        .remainders
+        .iter()
+        .map(|remainder| row(remainder, system));
+    document.table(&head, rows);
+}
+
+/// Adds the held-out errors to a document, if there are any.
+pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], system: System) {
+    if held_out.is_empty() {
+        return;
+    }
+    document.heading("Held-out error");
+    let head = ["folds", "rms in σ", "rms by outcome", "law and fit"];
+    let rows = held_out
+        .iter()
+        .map(|(name, held)| held_row(name, held, system));
+    document.table(&head, rows);
+}
+
+/// The number of a value in a unit, to the second digit of its standard error.
+pub(super) fn to_its_error(
+    quantity: Quantity,
+    unit: &str,
+    value: f64,
+    standard_error: Option<f64>,
+) -> String {
+    let size = quantity.size_of(unit).unwrap_or(1.0);
+    let number = value / size;
+    let decimals = standard_error
+        .filter(|error| *error > 0.0)
+        .map(|error| 1.0 - (error / size).log10().floor());
+    match decimals {
+        Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
+        // a number far from 1: the same digits, with a power of ten
+        Some(decimals) if value != 0.0 => {
+            let digits = number.abs().log10().floor() + decimals + 1.0;
+            significant(number, digits.clamp(4.0, 17.0) as usize)
+        }
+        _ => significant(number, 7),
+    }
+}
+
+/// The cells of an estimate, with its 95 % interval, to the second digit of its standard error.
+fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
+    let Estimate {
+        parameter,
+        value,
+        standard_error,
+        is_at_bound,
+        is_determined,
+    } = estimate;
+    let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
+    let size = quantity.size_of(unit).unwrap_or(1.0);
+    let show = |value: f64| with_unit(&to_its_error(quantity, unit, value, *standard_error), unit);
+    let (error, interval) = match standard_error {
+        Some(error) => (
+            significant(error / size, 2),
+            format!(
+                "{} .. {}",
+                show(value - reach * error),
+                show(value + reach * error)
+            ),
+        ),
+        None if !is_determined => ("–".into(), "not determined by the data".into()),
+        None if *is_at_bound => ("–".into(), "on the bound of its range".into()),
+        None => ("–".into(), "not known: no value is left over".into()),
+    };
+    vec![parameter.name.into(), show(*value), error, interval]
+}
+
+/// χ², and how the standard errors follow from it.
+fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
+    let chi = significant(statistics.chi_square, 5);
+    let dof = statistics.degrees_of_freedom;
+    let freedom = match dof {
+        0 => "no degree of freedom left, for there are as many parameters as values, or more"
+            .to_owned(),
+        _ => counted(dof as u64, "degree") + " of freedom",
+    };
+    let errors = match (statistics.scale, stated) {
+        (Some(scale), _) if statistics.is_scaled => format!(
+            "Standard errors are scaled by √(χ²/{dof}) = {}, since not every uncertainty is stated",
+            significant(scale, 4)
+        ),
+        (Some(_), Uncertainties::Stated) => {
+            "Standard errors follow from the stated uncertainties".into()
+        }
+        (Some(_), _) => {
+            "Standard errors follow from the instruments' uncertainties and are not scaled, since \
+             the residuals give no \
+                         scale"
+                .into()
+        }
+        (None, _) => {
+            "No uncertainty is stated and no degree of freedom is left to estimate one: there are \
+             no standard errors"
+                .into()
+        }
+    };
+    let exact = if statistics.is_exact {
+        "; the data are met to rounding"
+    } else {
+        ""
+    };
+    let probability = statistics.probability.map_or(String::new(), |p| {
+        format!(
+            " The probability of a sum as large as this is {}.",
+            significant(p, 3)
+        )
+    });
+    format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
+}
+
+/// A direction in the parameters' own units, one of them changed by 1 of its unit.
+fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
+    let parameter = |at: usize| found.estimates[at].parameter;
+    let size = |at: usize| {
+        parameter(at)
+            .quantity
+            .size_of(parameter(at).unit)
+            .unwrap_or(1.0)
+    };
+    let [(first, part), others @ ..] = &undetermined.parts[..] else {
+        return "any parameter".into();
+    };
+    if others.is_empty() && undetermined.standard_error.is_none() {
+        return format!(
+            "{}: no measured value depends on it",
+            parameter(*first).name
+        );
+    }
+    let unit = part / size(*first);
+    let one = |(at, part): &(usize, f64)| {
+        let change = significant(part / size(*at) / unit, 3);
+        let sign = if change.starts_with(['-', '−']) {
+            ""
+        } else {
+            "+"
+        };
+        format!(
+            "{} by {sign}{change} {}",
+            parameter(*at).name,
+            parameter(*at).unit
+        )
+        .trim_end()
+        .to_owned()
+    };
+    let all: Vec<String> = undetermined.parts.iter().map(one).collect();
+    match undetermined.standard_error {
+        None => format!(
+            "a change of {}: no measured value depends on it",
+            all.join(" with ")
+        ),
+        Some(error) => format!(
+            "a change of {}: one standard error is {} times as much, more than the range of a \
+             parameter",
+            all.join(" with "),
+            significant((error * unit).abs(), 2)
+        ),
+    }
+}
+
+/// Adds the correlations of the estimates to a document, if there are several.
+pub(super) fn correlations(document: &mut Document, found: &Calibration) {
+    let n = found.estimates.len();
+    if n < 2 {
+        return;
+    }
+    document.heading("Correlations");
+    let head: Vec<String> = (0..n)
+        .map(|i| format!("{}", i + 1))
+        .chain(["parameter".into()])
+        .collect();
+    let head: Vec<&str> = head.iter().map(String::as_str).collect();
+    let cell = |a: usize, b: usize| match found.statistics.correlation(a, b) {
+        _ if b > a => String::new(),
+        Some(r) => fixed(r, 2),
+        None => "–".into(),
+    };
+    let rows = (0..n).map(|a| {
+        let name = format!("{} {}", a + 1, found.estimates[a].parameter.name);
+        (0..n).map(|b| cell(a, b)).chain([name]).collect()
+    });
+    document.table(&head, rows);
+}
+
+/// The cells of a residual.
+fn row(remainder: &Remainder, system: System) -> Vec<String> {
+    let Remainder {
+        row,
+        outcome,
+        stationary,
+        measured,
+        difference,
+        residual,
+    } = remainder;
+    let (what, measured, difference) = match stationary {
+        Some(parameter) => {
+            let difference = short(*difference, parameter.quantity, system.unit(parameter.unit));
+            (
+                format!("optimum in {}", parameter.name),
+                String::new(),
+                difference,
+            )
+        }
+        None => (
+            outcome.name().into(),
+            measured.map_or(String::new(), |value| {
+                shown::outcome(*outcome, value, system)
+            }),
+            short(*difference, outcome.quantity(), system.unit(outcome.unit())),
+        ),
+    };
+    vec![
+        row.to_string(),
+        measured,
+        difference,
+        fixed(*residual, 2),
+        what,
+    ]
+}
+
+/// A difference, with its sign.
+fn short(difference: f64, quantity: Quantity, unit: &str) -> String {
+    signed(difference, quantity.read_off_difference(difference, unit))
+}
+
+/// Root mean square of the held-out differences of an outcome.
+pub(super) struct OutcomeError {
+    pub name: String,
+    pub rms: f64,
+    unit: &'static str,
+    quantity: Quantity,
+}
+
+/// The root mean square of each outcome, or of each parameter in which a row is an optimum.
+pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
+    // until the end `rms` is the sum of squares
+    let mut all: Vec<(OutcomeError, usize)> = vec![];
+    for remainder in &held.remainders {
+        let of = remainder.outcome;
+        let (name, quantity, unit) = match remainder.stationary {
+            Some(parameter) => (
+                format!("optimum in {}", parameter.name),
+                parameter.quantity,
+                parameter.unit,
+            ),
+            None => (of.name().to_owned(), of.quantity(), of.unit()),
+        };
+        let square = remainder.difference.powi(2);
+        if let Some((other, count)) = all.iter_mut().find(|(other, _)| other.name == name) {
+            other.rms += square;
+            *count += 1;
+        } else {
+            let error = OutcomeError {
+                name,
+                rms: square,
+                unit,
+                quantity,
+            };
+            all.push((error, 1));
+        }
+    }
+    let mean = |(error, count): (OutcomeError, usize)| OutcomeError {
+        rms: (error.rms / count as f64).sqrt(),
+        ..error
+    };
+    all.into_iter().map(mean).collect()
+}
+
+/// The cells of a held-out error.
+fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
+    let one = |error: OutcomeError| {
+        let unit = system.unit(error.unit);
+        let rms = error.quantity.read_off_difference(error.rms, unit);
+        format!("{} {rms}", error.name)
+    };
+    let outcomes: Vec<_> = by_outcome(held).into_iter().map(one).collect();
+    let folds = if held.folds == 0 {
+        "not fitted".into()
+    } else {
+        held.folds.to_string()
+    };
+    let rms = held
+        .mean_square()
+        .map_or("–".into(), |mean| format!("{:.3}", mean.sqrt()));
+    let interrupted = held.count(Status::Interrupted);
+    let others = held.ended.len() - interrupted - held.count(Status::Converged);
+    let mut what = match (interrupted, held.ended.len()) {
+        (0, _) => name.to_owned(),
+        (stopped, all) if stopped == all => format!("{name}: interrupted, nothing was fitted"),
+        (stopped, all) => format!("{name}: interrupted, {stopped} of {all} fits left out"),
+    };
+    if others > 0 {
+        what += &format!(
+            "; not converged: {}",
+            counted_of(others as u64, held.ended.len() as u64, ["fit", "fits"])
+        );
+    }
+    vec![folds, rms, outcomes.join(", "), what]
+}

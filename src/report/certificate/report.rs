@@ -1,0 +1,463 @@
+use super::text::{ending, lines, rows_table};
+use super::{stopped, verdict_of};
+use crate::derivative::check::{Check, Point};
+use crate::report::document::{Document, Line};
+use crate::report::json::Number;
+use crate::report::lines::by_reason;
+use crate::report::reply::{Ending, Report};
+use crate::reproduce::LoopRow;
+use crate::study::certificate::{
+    Agreement, AtLanding, Certificate, Continuity, Convergence, Planted, Row, StepError,
+};
+use crate::units::{Message, System};
+use serde::Serialize;
+
+/// A certificate of derivatives, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct CertificateReport<'a> {
+    #[serde(skip)]
+    certificate: &'a Certificate,
+    #[serde(skip)]
+    loops: &'a [LoopRow],
+    /// Nothing failed, and every planted error was caught.
+    pub passed: bool,
+    /// Each outcome by each parameter, the worst first.
+    pub rows: Vec<CertificateRow>,
+    /// The detection of planted errors.
+    pub negative_control: NegativeControl,
+    /// Derivatives at the landing, compared with differences at a fixed time.
+    pub landing: Vec<LandingCheck>,
+    /// The outcomes where the number of steps changes.
+    pub continuity: Vec<ContinuityCheck>,
+    /// The convergence of the outcomes with the time step.
+    pub convergence: Vec<ConvergenceCheck>,
+    /// The error of the time step in the outcomes and their derivatives: measured, and not judged.
+    pub step_errors: Vec<StepErrorReport>,
+    /// Checks that were not made, with the reason.
+    pub not_examined: Vec<UnmadeCheck>,
+    /// Differences of the MAE 494 report's while-loop, by each parameter that carry was certified
+    /// by.
+    pub while_loop: Vec<LoopCheck>,
+    /// Outcomes without derivatives at this drive, with the reason.
+    pub missing: Vec<MissingOutcome>,
+}
+
+/// A derivative compared with differences.
+#[derive(Clone, Debug, Serialize)]
+pub struct CertificateRow {
+    /// The outcome.
+    pub of: &'static str,
+    /// The parameter.
+    pub parameter: &'static str,
+    /// `pass`, `fail` or `corner`.
+    pub verdict: &'static str,
+    /// The exact derivative.
+    pub exact: Number,
+    /// The best numerical derivative.
+    pub best_difference: Number,
+    /// The difference of the two.
+    pub error: Number,
+    /// The largest difference allowed.
+    pub tolerance: Number,
+    /// The derivative over `num_dual::Dual64`.
+    pub num_dual: AgreementReport,
+    /// The slopes below and above a corner; `null` for a side that is out of the parameter's range.
+    pub sides: Option<[Option<f64>; 2]>,
+    /// The step at which a plain central difference comes nearest.
+    pub best_step: Number,
+    /// Its error.
+    pub best_step_error: Number,
+    /// The slopes of the remainders of Taylor's polynomials of degree 0, 1, 2; `null` where the
+    /// remainder is little but rounding.
+    pub taylor_slopes: [Number; 3],
+    /// The second derivative by the parameter.
+    pub second: Option<CheckReport>,
+    /// The V-curve: steps of plain central differences, and their errors.
+    pub curve: Curve,
+}
+
+/// A derivative compared with its numerical value.
+#[derive(Clone, Debug, Serialize)]
+pub struct CheckReport {
+    /// `pass`, `fail` or `corner`.
+    pub verdict: &'static str,
+    /// The exact derivative.
+    pub exact: Number,
+    /// The best numerical derivative.
+    pub best_difference: Number,
+    /// The difference of the two.
+    pub error: Number,
+    /// The largest difference allowed.
+    pub tolerance: Number,
+    /// The slopes below and above a corner.
+    pub sides: Option<[Option<f64>; 2]>,
+}
+
+/// A derivative compared with the one over `num_dual::Dual64`.
+#[derive(Clone, Debug, Serialize)]
+pub struct AgreementReport {
+    /// `pass` or `fail`.
+    pub verdict: &'static str,
+    /// The derivative over `num_dual::Dual64`.
+    pub derivative: Number,
+    /// Its difference from the exact derivative.
+    pub difference: Number,
+    /// The largest difference allowed.
+    pub tolerance: Number,
+}
+
+/// The errors of central differences by their steps.
+#[derive(Clone, Debug, Serialize)]
+pub struct Curve {
+    /// The steps.
+    pub steps: Vec<f64>,
+    /// The error at each.
+    pub errors: Vec<f64>,
+}
+
+/// The detection of planted errors.
+#[derive(Clone, Debug, Serialize)]
+pub struct NegativeControl {
+    /// All of them were caught.
+    pub caught: bool,
+    /// Each error.
+    pub planted: Vec<PlantedError>,
+}
+
+/// An error planted in the derivatives.
+#[derive(Clone, Debug, Serialize)]
+pub struct PlantedError {
+    /// Its name.
+    pub error: &'static str,
+    /// Number of rows that it changes.
+    pub rows: usize,
+    /// Number of rows in which differences detect it.
+    pub caught: usize,
+    /// Number of rows in which num-dual detects it.
+    pub caught_by_num_dual: usize,
+}
+
+/// A derivative at the landing compared with differences at a fixed time.
+#[derive(Clone, Debug, Serialize)]
+pub struct LandingCheck {
+    /// The comparison.
+    #[serde(flatten)]
+    pub check: CheckReport,
+    /// The outcome.
+    pub of: &'static str,
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The part of the derivative that the time of landing contributes.
+    pub landing_term: Number,
+}
+
+/// An outcome where the number of steps changes.
+#[derive(Clone, Debug, Serialize)]
+pub struct ContinuityCheck {
+    /// The outcome.
+    pub of: &'static str,
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The value of the parameter at the change.
+    pub at: f64,
+    /// The number of steps below and above.
+    pub steps: [usize; 2],
+    /// The jumps of value, gradient and Hessian.
+    pub jumps: [f64; 3],
+    /// The largest jumps allowed.
+    pub tolerances: [f64; 3],
+    /// `pass` or `fail`.
+    pub verdict: &'static str,
+}
+
+/// The convergence of an outcome with the time step.
+#[derive(Clone, Debug, Serialize)]
+pub struct ConvergenceCheck {
+    /// The outcome.
+    pub of: &'static str,
+    /// The steps, s.
+    pub steps: Vec<f64>,
+    /// The relative error of the value at each.
+    pub value_errors: Vec<f64>,
+    /// The relative error of the gradient at each.
+    pub gradient_errors: Vec<f64>,
+    /// The orders measured, of value and gradient; `null` where the errors are rounding.
+    pub orders: [Option<f64>; 2],
+    /// The orders expected.
+    pub expected: [u32; 2],
+    /// The number of continuous derivatives of the law, if they limit the order.
+    pub limited_by_law: Option<u32>,
+    /// `pass` or `fail`.
+    pub verdict: &'static str,
+}
+
+/// The error of the time step in an outcome.
+#[derive(Clone, Debug, Serialize)]
+pub struct StepErrorReport {
+    /// The outcome.
+    pub of: &'static str,
+    /// The steps compared, s.
+    pub steps: [f64; 2],
+    /// The relative error of the value.
+    pub value_error: Number,
+    /// The parameter whose derivative has the largest error.
+    pub parameter: Option<&'static str>,
+    /// The relative error of that derivative.
+    pub derivative_error: Number,
+    /// That error relative to the outcome, per size of the parameter.
+    pub derivative_error_of_outcome: Number,
+}
+
+/// A check that was not made.
+#[derive(Clone, Debug, Serialize)]
+pub struct UnmadeCheck {
+    /// The check.
+    pub check: String,
+    /// The reason.
+    pub message: &'static str,
+}
+
+/// A difference of the while-loop's carry.
+#[derive(Clone, Debug, Serialize)]
+pub struct LoopCheck {
+    /// The comparison with the exact derivative.
+    #[serde(flatten)]
+    pub check: CheckReport,
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The difference at a step of 1e-8.
+    pub difference: Number,
+    /// Its sign is not that of the derivative.
+    pub sign_is_wrong: bool,
+    /// The errors of all steps.
+    pub curve: Curve,
+}
+
+/// An outcome without derivatives.
+#[derive(Clone, Debug, Serialize)]
+pub struct MissingOutcome {
+    /// The outcome.
+    pub of: &'static str,
+    /// The reason.
+    pub message: Message,
+}
+
+impl<'a> CertificateReport<'a> {
+    /// The report of a certificate, with the while-loop for comparison.
+    pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
+        let not_examined = certificate.not_examined.iter().map(|it| UnmadeCheck {
+            check: it.check.clone(),
+            message: it.reason,
+        });
+        let missing = certificate.missing.iter().map(|(of, why)| MissingOutcome {
+            of: of.name(),
+            message: why.clone(),
+        });
+        Self {
+            certificate,
+            loops,
+            passed: certificate.passed(),
+            rows: certificate.rows.iter().map(CertificateRow::new).collect(),
+            negative_control: NegativeControl {
+                caught: certificate.caught(),
+                planted: certificate.planted.iter().map(PlantedError::new).collect(),
+            },
+            landing: certificate.landing.iter().map(LandingCheck::new).collect(),
+            continuity: certificate
+                .continuity
+                .iter()
+                .map(ContinuityCheck::new)
+                .collect(),
+            convergence: certificate
+                .convergence
+                .iter()
+                .map(ConvergenceCheck::new)
+                .collect(),
+            step_errors: certificate.step.iter().map(StepErrorReport::new).collect(),
+            not_examined: not_examined.collect(),
+            while_loop: loops.iter().map(LoopCheck::new).collect(),
+            missing: missing.collect(),
+        }
+    }
+}
+
+impl Report for CertificateReport<'_> {
+    const COMMAND: &'static str = "verify";
+
+    /// The status is `passed`, `failed` or `interrupted`.
+    fn ending(&self) -> Ending {
+        let certificate = self.certificate;
+        let missing = by_reason(
+            certificate
+                .missing
+                .iter()
+                .map(|(of, why)| (of.name(), why.to_string())),
+        );
+        let missing = missing.iter().map(|line| format!("left out: {line}"));
+        let failures = certificate.failures();
+        let failures = (!failures.is_empty()).then(|| format!("failed: {}", failures.join("; ")));
+        let message = stopped(certificate)
+            .into_iter()
+            .chain(failures)
+            .chain(missing)
+            .collect::<Vec<_>>()
+            .join("; ");
+        Ending {
+            status: match (certificate.stopped, certificate.passed()) {
+                (Some(_), _) => "interrupted",
+                (None, true) => "passed",
+                (None, false) => "failed",
+            },
+            message: (!message.is_empty()).then_some(message),
+        }
+    }
+
+    /// A verdict for each derivative, the worst first, then the other checks, and the while-loop for
+    /// comparison.
+    fn document(&self, system: System) -> Document {
+        let mut document = Document::default();
+        document.add(rows_table(&self.certificate.rows));
+        document.list([Line::item(
+            "errors are the differences from numerical derivatives, and under num-dual from the \
+             derivative over num_dual::Dual64, relative to the exact derivative; absolute where it \
+             is 0",
+        )]);
+        let lines = lines(self.certificate, self.loops, system);
+        document.list(lines.into_iter().map(Line::item));
+        document.paragraph(ending(self.certificate));
+        document
+    }
+}
+
+impl CertificateRow {
+    fn new(row: &Row) -> Self {
+        let check = &row.first;
+        let best = check.best_step();
+        Self {
+            of: row.of.name(),
+            parameter: row.parameter.name,
+            verdict: row.verdict().name(),
+            exact: check.exact.into(),
+            best_difference: check.best.map(|best| best.value).into(),
+            error: check.error.into(),
+            tolerance: check.bar.into(),
+            num_dual: AgreementReport::new(&row.num_dual),
+            sides: check.sides,
+            best_step: best.map(|best| best.step).into(),
+            best_step_error: best.map(|best| best.error).into(),
+            taylor_slopes: row.slopes.map(Number::from),
+            second: row.second.as_ref().map(CheckReport::new),
+            curve: Curve::new(&check.curve),
+        }
+    }
+}
+
+impl CheckReport {
+    fn new(check: &Check) -> Self {
+        Self {
+            verdict: check.verdict.name(),
+            exact: check.exact.into(),
+            best_difference: check.best.map(|best| best.value).into(),
+            error: check.error.into(),
+            tolerance: check.bar.into(),
+            sides: check.sides,
+        }
+    }
+}
+
+impl AgreementReport {
+    fn new(agreement: &Agreement) -> Self {
+        Self {
+            verdict: verdict_of(agreement.holds()),
+            derivative: agreement.num_dual.into(),
+            difference: agreement.difference.into(),
+            tolerance: agreement.tolerance.into(),
+        }
+    }
+}
+
+impl Curve {
+    fn new(points: &[Point]) -> Self {
+        Self {
+            steps: points.iter().map(|point| point.step).collect(),
+            errors: points.iter().map(|point| point.error).collect(),
+        }
+    }
+}
+
+impl PlantedError {
+    fn new(planted: &Planted) -> Self {
+        Self {
+            error: planted.plant.name(),
+            rows: planted.rows,
+            caught: planted.caught,
+            caught_by_num_dual: planted.caught_by_num_dual,
+        }
+    }
+}
+
+impl LandingCheck {
+    fn new(row: &AtLanding) -> Self {
+        Self {
+            check: CheckReport::new(&row.check),
+            of: row.of.name(),
+            parameter: row.parameter.name,
+            landing_term: row.landing_term.into(),
+        }
+    }
+}
+
+impl ContinuityCheck {
+    fn new(found: &Continuity) -> Self {
+        Self {
+            of: found.of.name(),
+            parameter: found.parameter.name,
+            at: found.at,
+            steps: found.steps,
+            jumps: found.jumps,
+            tolerances: found.bars,
+            verdict: verdict_of(found.passed()),
+        }
+    }
+}
+
+impl ConvergenceCheck {
+    fn new(found: &Convergence) -> Self {
+        let errors = |which: usize| found.errors.iter().map(|(_, pair)| pair[which]).collect();
+        Self {
+            of: found.of.name(),
+            steps: found.errors.iter().map(|(step, _)| *step).collect(),
+            value_errors: errors(0),
+            gradient_errors: errors(1),
+            orders: found.orders,
+            expected: found.expected,
+            limited_by_law: found.limited_by_law,
+            verdict: verdict_of(found.passed()),
+        }
+    }
+}
+
+impl StepErrorReport {
+    fn new(found: &StepError) -> Self {
+        Self {
+            of: found.of.name(),
+            steps: found.steps,
+            value_error: found.value.into(),
+            parameter: found.derivative.map(|(parameter, _)| parameter.name),
+            derivative_error: found.derivative.map(|(_, error)| error).into(),
+            derivative_error_of_outcome: found.of_outcome.into(),
+        }
+    }
+}
+
+impl LoopCheck {
+    fn new(row: &LoopRow) -> Self {
+        Self {
+            check: CheckReport::new(&row.check),
+            parameter: row.parameter.name,
+            difference: row.small_difference().into(),
+            sign_is_wrong: row.has_wrong_sign(),
+            curve: Curve::new(&row.check.curve),
+        }
+    }
+}

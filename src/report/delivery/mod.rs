@@ -1,0 +1,440 @@
+//! The deliveries that explain measured launches, as text, JSON and files.
+
+mod recovered;
+mod text;
+
+pub use recovered::{population_warnings, recovered_csv, recovered_toml};
+
+use super::document::Document;
+use super::json::ByName;
+use super::reply::{Ending, Report, share};
+use super::setup_file::setup_toml;
+use super::shown;
+use crate::error::Result;
+use crate::parameters::{Preset, Setup};
+use crate::study::delivery::{
+    Delivery, Explained, Known, Population, Recovered, Returned, Spread, Unknown, Untold,
+};
+use crate::units::{Message, System, counted, counted_of};
+use serde::Serialize;
+use text::{amount, of_one, of_table, verdict};
+
+/// The deliveries that explain measured launches, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct DeliveryReport<'a> {
+    #[serde(skip)]
+    deliveries: &'a [Delivery],
+    #[serde(skip)]
+    recovered: Option<&'a Population>,
+    #[serde(skip)]
+    options: DeliveryOptions,
+    /// The delivery of each shot; one entry for a single shot.
+    pub rows: Vec<DeliveryRow>,
+    /// Mean and standard deviation of each parameter over the shots.
+    pub spread: Vec<SpreadReport>,
+    /// The swings behind the shots, without the errors of the launch monitor.
+    pub population: Option<PopulationReport>,
+}
+
+/// The origin of the launches.
+#[derive(Clone, Copy, Debug)]
+pub struct DeliveryOptions {
+    /// They are rows of a table; otherwise there is one launch.
+    pub is_table: bool,
+    /// Number of rows that an interruption left out.
+    pub left_out: usize,
+}
+
+/// The delivery of a shot.
+#[derive(Clone, Debug, Serialize)]
+pub struct DeliveryRow {
+    /// The row of the table.
+    pub row: usize,
+    /// The end of the fit: `converged`, `unexplained`, or another status.
+    pub status: &'static str,
+    /// The status in a sentence.
+    pub message: String,
+    /// The parameters of the delivery.
+    pub known: Vec<KnownReport>,
+    /// The launch, measured and computed.
+    pub explained: Vec<ExplainedReport>,
+    /// Changes of the delivery that the launch does not determine.
+    #[serde(rename = "untold")]
+    pub unidentified: Vec<UnidentifiedReport>,
+}
+
+/// A parameter of a delivery.
+#[derive(Clone, Debug, Serialize)]
+pub struct KnownReport {
+    /// The parameter.
+    pub parameter: &'static str,
+    /// Its most probable value.
+    pub value: f64,
+    /// Its standard uncertainty after the shot; `null` at a bound.
+    pub standard_uncertainty: Option<f64>,
+    /// The part of the variance before that the shot removes.
+    #[serde(rename = "told")]
+    pub identified: Option<f64>,
+    /// The value before the shot.
+    pub before: f64,
+    /// The standard uncertainty before the shot.
+    pub standard_uncertainty_before: f64,
+    /// The source of that uncertainty; `null` where it was given.
+    pub source: Option<&'static str>,
+    /// The range of the search.
+    pub range: SearchRange,
+}
+
+/// The range of a search.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct SearchRange {
+    /// Lower end, SI.
+    pub low: f64,
+    /// Upper end, SI.
+    pub high: f64,
+}
+
+/// An outcome of a launch, measured and computed.
+#[derive(Clone, Debug, Serialize)]
+pub struct ExplainedReport {
+    /// The outcome.
+    pub of: &'static str,
+    /// The measured value.
+    pub measured: f64,
+    /// Its standard uncertainty.
+    pub standard_uncertainty: f64,
+    /// The value of the most probable delivery.
+    pub computed: f64,
+    /// The difference of the two, in standard uncertainties.
+    pub residual: f64,
+}
+
+/// A change of the delivery that the launch does not determine.
+#[derive(Clone, Debug, Serialize)]
+pub struct UnidentifiedReport {
+    /// The part of the variance before that the shot removes.
+    #[serde(rename = "told")]
+    pub identified: f64,
+    /// The change of each parameter.
+    pub changes: ByName<f64>,
+}
+
+/// Mean and standard deviation of a parameter.
+#[derive(Clone, Debug, Serialize)]
+pub struct SpreadReport {
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation; `null` for a single shot.
+    pub deviation: Option<f64>,
+}
+
+/// The swings behind the shots of a table.
+#[derive(Clone, Debug, Serialize)]
+pub struct PopulationReport {
+    /// Number of shots.
+    pub shots: usize,
+    /// The part of the assumed deviation by which unidentified changes are spread.
+    pub kept: f64,
+    /// The launches, measured and computed from the distribution.
+    pub launches: Vec<LaunchMoments>,
+    /// The distribution of each parameter.
+    pub spread: Vec<RecoveredReport>,
+    /// The correlations of the parameters.
+    pub correlations: Vec<Vec<f64>>,
+}
+
+/// An outcome over the shots, measured and computed from the distribution.
+#[derive(Clone, Debug, Serialize)]
+pub struct LaunchMoments {
+    /// The outcome.
+    pub of: &'static str,
+    /// Mean and deviation of the measured launches.
+    pub measured: MeanAndDeviation,
+    /// Mean and deviation of launches from the distribution.
+    pub recovered: MeanAndDeviation,
+}
+
+/// A mean with a standard deviation.
+#[derive(Clone, Debug, Serialize)]
+pub struct MeanAndDeviation {
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation.
+    pub deviation: f64,
+}
+
+/// The distribution of a parameter of the swings.
+#[derive(Clone, Debug, Serialize)]
+pub struct RecoveredReport {
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation.
+    pub deviation: f64,
+    /// The part of the variance before that a shot removes.
+    #[serde(rename = "told")]
+    pub identified: f64,
+    /// The standard uncertainty of the mean.
+    pub mean_standard_uncertainty: f64,
+    /// The standard uncertainty of the deviation.
+    pub deviation_standard_uncertainty: f64,
+}
+
+impl<'a> DeliveryReport<'a> {
+    /// The report of these deliveries and of the swings behind them.
+    pub fn new(
+        deliveries: &'a [Delivery],
+        recovered: Option<&'a Population>,
+        options: DeliveryOptions,
+    ) -> Self {
+        let spread = Spread::of(deliveries)
+            .into_iter()
+            .map(|spread| SpreadReport {
+                parameter: spread.parameter.name,
+                mean: spread.mean,
+                deviation: spread.deviation,
+            });
+        Self {
+            deliveries,
+            recovered,
+            options,
+            rows: deliveries.iter().map(DeliveryRow::new).collect(),
+            spread: spread.collect(),
+            population: recovered.map(PopulationReport::new),
+        }
+    }
+}
+
+impl Report for DeliveryReport<'_> {
+    const COMMAND: &'static str = "delivery";
+
+    fn ending(&self) -> Ending {
+        let (all, left_out) = (self.deliveries, self.options.left_out);
+        if left_out > 0 {
+            let rows = counted(left_out as u64, "row");
+            return Ending {
+                status: "interrupted",
+                message: Some(format!("interrupted before {rows} were looked at")),
+            };
+        }
+        let found = all.iter().filter_map(Delivery::explained).count();
+        Ending {
+            status: share(found, all.len()),
+            message: all.iter().find_map(|delivery| match &delivery.found {
+                Ok(delivered) => verdict(delivered).1,
+                Err(error) => Some(error.to_string()),
+            }),
+        }
+    }
+
+    /// The delivery of a single shot, or those of a table with their mean and spread.
+    fn document(&self, system: System) -> Document {
+        match self.deliveries {
+            [Delivery { found: Ok(one), .. }, ..] if !self.options.is_table => of_one(one, system),
+            all => of_table(all, self.recovered, system),
+        }
+    }
+}
+
+impl DeliveryRow {
+    fn new(delivery: &Delivery) -> Self {
+        let row = delivery.row;
+        match &delivery.found {
+            Ok(delivered) => {
+                let (status, message) = verdict(delivered);
+                Self {
+                    row,
+                    status,
+                    message: message.unwrap_or_else(|| delivered.message.clone()),
+                    known: delivered.known.iter().map(KnownReport::new).collect(),
+                    explained: delivered
+                        .explained
+                        .iter()
+                        .map(ExplainedReport::new)
+                        .collect(),
+                    unidentified: delivered
+                        .untold
+                        .iter()
+                        .map(UnidentifiedReport::new)
+                        .collect(),
+                }
+            }
+            Err(error) => Self {
+                row,
+                status: error.status(),
+                message: error.to_string(),
+                known: vec![],
+                explained: vec![],
+                unidentified: vec![],
+            },
+        }
+    }
+}
+
+impl KnownReport {
+    fn new(known: &Known) -> Self {
+        let unknown = &known.unknown;
+        Self {
+            parameter: unknown.parameter.name,
+            value: known.value,
+            standard_uncertainty: known.sigma,
+            identified: known.told,
+            before: unknown.before,
+            standard_uncertainty_before: unknown.sigma,
+            source: unknown.source,
+            range: SearchRange {
+                low: unknown.low,
+                high: unknown.high,
+            },
+        }
+    }
+}
+
+impl ExplainedReport {
+    fn new(explained: &Explained) -> Self {
+        Self {
+            of: explained.measured.outcome.name(),
+            measured: explained.measured.value,
+            standard_uncertainty: explained.measured.sigma,
+            computed: explained.computed,
+            residual: explained.residual(),
+        }
+    }
+}
+
+impl UnidentifiedReport {
+    fn new(untold: &Untold) -> Self {
+        let changes = untold.changes.iter();
+        Self {
+            identified: untold.told,
+            changes: changes
+                .map(|(parameter, change)| (parameter.name, *change))
+                .collect(),
+        }
+    }
+}
+
+impl PopulationReport {
+    fn new(population: &Population) -> Self {
+        let launch = |returned: &Returned| LaunchMoments {
+            of: returned.of.name(),
+            measured: returned.measured.into(),
+            recovered: returned.recovered.into(),
+        };
+        let spread = |spread: &Recovered| RecoveredReport {
+            parameter: spread.parameter.name,
+            mean: spread.mean,
+            deviation: spread.deviation,
+            identified: spread.told,
+            mean_standard_uncertainty: spread.mean_error,
+            deviation_standard_uncertainty: spread.deviation_error,
+        };
+        Self {
+            shots: population.shots,
+            kept: population.kept,
+            launches: population.returned.iter().map(launch).collect(),
+            spread: population.spreads.iter().map(spread).collect(),
+            correlations: population.correlations.clone(),
+        }
+    }
+}
+
+impl From<[f64; 2]> for MeanAndDeviation {
+    fn from([mean, deviation]: [f64; 2]) -> Self {
+        Self { mean, deviation }
+    }
+}
+
+/// Warnings about parameters at an end of their search range: there the range determines the value,
+/// and not the launch.
+pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
+    let found: Vec<_> = all
+        .iter()
+        .filter_map(|delivery| delivery.found.as_ref().ok())
+        .collect();
+    let unknowns = found
+        .first()
+        .map_or(&[][..], |delivered| &delivered.known)
+        .iter()
+        .map(|known| known.unknown);
+    let ends = unknowns.flat_map(|unknown| [(unknown, false), (unknown, true)]);
+    ends.filter_map(|(unknown, is_upper)| {
+        let parameter = unknown.parameter;
+        let known = found.iter().flat_map(|delivered| &delivered.known);
+        let at_end = known.filter(|known| {
+            let Unknown { low, high, .. } = known.unknown;
+            known.unknown.parameter == parameter
+                && known.sigma.is_none()
+                && (known.value - low > high - known.value) == is_upper
+        });
+        let mut values: Vec<f64> = at_end.map(|known| known.value).collect();
+        values.sort_by(f64::total_cmp);
+        let (first, last) = (values.first()?, values.last()?);
+        let ends = [*first, *last].map(|end| shown::parameter(parameter, end, system));
+        let ends = if ends[0] == ends[1] {
+            ends[0].clone()
+        } else {
+            ends.join(" to ")
+        };
+        Some(Message::from(format!(
+            "{} of {} lies at the {} end of the range that it is sought in, {ends}: the range \
+             decides it there, and not the launch; `set` {} to a \
+             value nearer to the golfer's, or give it a larger `sigma`",
+            parameter.name,
+            counted_of(
+                values.len() as u64,
+                found.len() as u64,
+                ["launch", "launches"]
+            ),
+            if is_upper { "upper" } else { "lower" },
+            parameter.name,
+        )))
+    })
+    .collect()
+}
+
+/// A setup file with the most probable delivery of a shot, or the mean of several.
+///
+/// # Errors
+/// As [`setup_toml`].
+pub fn delivery_toml(
+    setup: &Setup<f64>,
+    all: &[Delivery],
+    preset: &Preset,
+    from: &str,
+) -> Result<String> {
+    let spread = Spread::of(all);
+    let mut golfer = *setup;
+    let mut remarks = vec![];
+    let shots = counted(
+        all.iter().filter_map(Delivery::explained).count() as u64,
+        "shot",
+    );
+    for Spread {
+        parameter,
+        mean,
+        deviation,
+    } in spread
+    {
+        golfer.set_value(parameter, Some(mean))?;
+        let scatter = deviation.map_or(String::new(), |deviation| {
+            format!(
+                ", with a standard deviation of {}",
+                amount(parameter, deviation, System::Us)
+            )
+        });
+        remarks.push((
+            parameter,
+            format!("recovered from {shots} of {from}{scatter}"),
+        ));
+    }
+    setup_toml(
+        &golfer,
+        preset,
+        &[format!("{}, with the delivery of {from}", preset.name)],
+        &remarks,
+    )
+}

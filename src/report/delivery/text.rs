@@ -1,0 +1,239 @@
+use crate::optimize::least_squares::Status;
+use crate::parameters::Parameter;
+use crate::report::document::{Document, Line, Table};
+use crate::report::shown;
+use crate::study::delivery::{Delivered, Delivery, Known, Population, Recovered, Spread, Untold};
+use crate::units::{System, counted, fixed};
+
+/// The delivery of one shot.
+pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
+    let mut document = Document::default();
+    let known = delivered.known.iter().map(|known| known_row(known, system));
+    let head = [
+        "most probable delivery",
+        "value",
+        "± after the shot",
+        "± before",
+        "told",
+    ];
+    document.add(Table::new(head, known).right([1, 2, 3, 4]));
+    let explained = delivered.explained.iter().map(|explained| {
+        let of = explained.measured.outcome;
+        vec![
+            of.name().into(),
+            shown::outcome(of, explained.measured.value, system),
+            shown::spread(of, explained.measured.sigma, system),
+            shown::outcome(of, explained.computed, system),
+            fixed(explained.residual(), 2),
+        ]
+    });
+    let head = ["launch", "measured", "±", "computed", "difference in ±"];
+    document.add(Table::new(head, explained).right([1, 2, 3, 4]));
+    if !delivered.untold.is_empty() {
+        let title = Line::flush(
+            "The launch does not tell these changes; each leaves it nearly as it is, and what was \
+             known before decides:",
+        );
+        let changes = delivered
+            .untold
+            .iter()
+            .map(|untold| Line::item(unidentified(untold, system)));
+        document.list([title].into_iter().chain(changes));
+    }
+    if let (status, Some(message)) = verdict(delivered) {
+        document.paragraph(format!("{status}: {message}"));
+    }
+    document
+}
+
+/// The cells of a parameter of a delivery.
+fn known_row(known: &Known, system: System) -> Vec<String> {
+    let Known {
+        unknown,
+        value,
+        sigma,
+        told,
+    } = known;
+    let parameter = unknown.parameter;
+    vec![
+        parameter.name.into(),
+        shown::parameter(parameter, *value, system),
+        sigma.map_or("at its bound".into(), |sigma| {
+            amount(parameter, sigma, system)
+        }),
+        amount(parameter, unknown.sigma, system),
+        told.map_or(shown::NONE.into(), |told| format!("{:.0} %", 100.0 * told)),
+    ]
+}
+
+/// An uncertainty or a change of a parameter.
+pub(super) fn amount(parameter: &Parameter, value: f64, system: System) -> String {
+    parameter
+        .quantity
+        .read_off_difference(value, system.unit(parameter.unit))
+}
+
+/// A change that the launch does not determine, with the part of its variance that it removes.
+fn unidentified(untold: &Untold, system: System) -> String {
+    let one = |(parameter, change): &(&'static Parameter, f64)| {
+        let sign = if *change < 0.0 { "-" } else { "+" };
+        format!(
+            "{} {sign}{}",
+            parameter.name,
+            amount(parameter, change.abs(), system)
+        )
+    };
+    let changes: Vec<_> = untold.changes.iter().map(one).collect();
+    format!("{} ({:.0} % told)", changes.join(", "), 100.0 * untold.told)
+}
+
+/// The deliveries of the shots of a table, their mean and spread, and the swings behind them.
+pub(super) fn of_table(
+    all: &[Delivery],
+    population: Option<&Population>,
+    system: System,
+) -> Document {
+    let spread = Spread::of(all);
+    let mut document = Document::default();
+    if !spread.is_empty() {
+        document.add(shots(all, &spread, system));
+    }
+    let failures = failures(all, system);
+    if !failures.is_empty() {
+        let title = Line::flush(format!(
+            "no delivery was found for {}, left out of the means below:",
+            counted(failures.len() as u64, "row")
+        ));
+        document.list([title].into_iter().chain(failures));
+    }
+    if spread.is_empty() {
+        return document;
+    }
+    let rows = spread.iter().map(|spread| {
+        let deviation = spread.deviation;
+        vec![
+            spread.parameter.name.into(),
+            shown::parameter(spread.parameter, spread.mean, system),
+            deviation.map_or(shown::NONE.into(), |deviation| {
+                amount(spread.parameter, deviation, system)
+            }),
+            median_identified(all, spread.parameter),
+        ]
+    });
+    let head = ["over all shots", "mean", "standard deviation", "told"];
+    document.add(Table::new(head, rows).right([1, 2, 3]));
+    if let Some(population) = population {
+        document.add(swings(population, system));
+    }
+    document
+}
+
+/// The delivery of each shot of a table.
+fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
+    let names = spread.iter().map(|spread| spread.parameter.name);
+    let head: Vec<&str> = std::iter::once("row")
+        .chain(names)
+        .chain(["worst difference in ±"])
+        .collect();
+    let columns = head.len();
+    let rows = all.iter().filter_map(|delivery| {
+        let delivered = delivery.found.as_ref().ok()?;
+        let values = delivered
+            .known
+            .iter()
+            .map(|known| shown::parameter(known.unknown.parameter, known.value, system));
+        let worst = delivered
+            .explained
+            .iter()
+            .map(|explained| explained.residual().abs())
+            .fold(0.0, f64::max);
+        Some(
+            std::iter::once(delivery.row.to_string())
+                .chain(values)
+                .chain([fixed(worst, 2)])
+                .collect(),
+        )
+    });
+    Table::new(head, rows).right(1..columns)
+}
+
+/// Each row whose delivery was not found, with the reason.
+fn failures(all: &[Delivery], system: System) -> Vec<Line> {
+    let why = |delivery: &Delivery| match &delivery.found {
+        Ok(delivered) => verdict(delivered).1,
+        Err(error) => Some(error.in_units(system)),
+    };
+    let line = |delivery: &Delivery| {
+        let why = why(delivery)?;
+        Some(Line::item(format!("row {}: {why}", delivery.row)))
+    };
+    all.iter().filter_map(line).collect()
+}
+
+/// The swings behind the shots, without the errors of the launch monitor.
+fn swings(population: &Population, system: System) -> Table {
+    let rows = population.spreads.iter().map(|spread| {
+        let Recovered {
+            parameter,
+            mean,
+            deviation,
+            told,
+            mean_error,
+            deviation_error,
+        } = *spread;
+        let error = |error: f64| format!("± {}", amount(parameter, error, system));
+        vec![
+            parameter.name.into(),
+            shown::parameter(parameter, mean, system),
+            error(mean_error),
+            amount(parameter, deviation, system),
+            error(deviation_error),
+            format!("{:.0} %", 100.0 * told),
+        ]
+    });
+    let head = [
+        "the swings behind them",
+        "mean",
+        "",
+        "standard deviation",
+        "",
+        "told",
+    ];
+    Table::new(head, rows).right(1..=5)
+}
+
+/// The part of a parameter's variance before that a shot removes: the median of all shots.
+fn median_identified(all: &[Delivery], parameter: &Parameter) -> String {
+    let known = all
+        .iter()
+        .filter_map(Delivery::explained)
+        .flat_map(|delivered| &delivered.known);
+    let mut told: Vec<f64> = known
+        .filter(|known| known.unknown.parameter == parameter)
+        .filter_map(|known| known.told)
+        .collect();
+    told.sort_by(f64::total_cmp);
+    told.get(told.len() / 2)
+        .map_or(shown::NONE.into(), |told| format!("{:.0} %", 100.0 * told))
+}
+
+/// The status of the search for a delivery, and a sentence if it found none.
+pub(super) fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
+    if delivered.status != Status::Converged {
+        return (delivered.status.name(), Some(delivered.message.clone()));
+    }
+    let Some(worst) = delivered.unexplained() else {
+        return (delivered.status.name(), None);
+    };
+    let of = worst.measured.outcome;
+    let message = format!(
+        "no delivery within the ranges explains this launch: {} was measured as {} and is {} at \
+         the nearest, {} standard uncertainties \
+         away; check the value, the club (`set`) and the ranges (`vary`)",
+        of.name(),
+        of.show(worst.measured.value),
+        of.show(worst.computed),
+        fixed(worst.residual().abs(), 1)
+    );
+    ("unexplained", Some(message))
+}

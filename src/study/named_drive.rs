@@ -1,0 +1,34 @@
+use crate::drive::Drive;
+use crate::error::Result;
+use crate::flight::{Trajectory, trajectory};
+use crate::parameters::Setup;
+
+/// A drive with its path and a name.
+#[derive(Clone, Debug)]
+pub struct NamedDrive {
+    /// The name: "as set up", "optimum".
+    pub name: String,
+    /// The drive.
+    pub drive: Drive<f64>,
+    /// Its path.
+    pub path: Trajectory,
+}
+
+impl NamedDrive {
+    /// The name of the drive at an optimum.
+    pub const OPTIMUM: &str = "optimum";
+
+    /// Flies a setup and keeps the path.
+    ///
+    /// # Errors
+    /// As [`Drive::new`].
+    pub fn new(name: impl Into<String>, setup: &Setup<f64>) -> Result<Self> {
+        let drive = Drive::new(setup)?;
+        let path = trajectory(setup, &drive.launch)?;
+        Ok(Self {
+            name: name.into(),
+            drive,
+            path,
+        })
+    }
+}
