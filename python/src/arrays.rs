@@ -17,9 +17,8 @@ const GATHERED: usize = 65_536;
 /// Rows that are looked at before Python is let in.
 const LOOKED_AT: usize = 1 << 20;
 
-/// Looks NumPy's functions up while nobody waits for work: the first use of an array does so, and a
-/// Ctrl-C within that would be a panic. Where there is no NumPy, it is told by whoever needs an
-/// array.
+/// Imports NumPy's functions at the start: the first use of an array does so, and a Ctrl-C within
+/// that would panic. Without NumPy, the first use of an array raises the error.
 pub fn prepared(py: Python<'_>) {
     if py.import("numpy").is_ok() {
         let array = PyArray1::<f64>::zeros(py, [0], false);
@@ -107,12 +106,12 @@ impl Arrays {
         })
     }
 
-    /// How many rows there are.
+    /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows
     }
 
-    /// What deserves a word about them: degrees that were given for radians.
+    /// The warnings about points: degrees in the place of radians.
     pub fn in_degrees(&self) -> Vec<String> {
         self.in_degrees.clone()
     }
@@ -223,8 +222,8 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
     }
 }
 
-/// Whole numbers and floats as an array of 64-bit floats, whatever its shape; `refuse` tells what
-/// is wrong with anything else, and `missing` what stands for no value.
+/// Whole numbers and floats as an array of 64-bit floats of any shape; `refuse` makes the error for
+/// other values, `missing` the number for a missing value.
 pub fn floats<'py>(
     given: &Bound<'py, PyAny>,
     missing: &str,

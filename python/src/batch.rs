@@ -23,7 +23,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// those of `longdrive::batch::Status`.
 const UNDEFINED: i8 = Status::ALL.len() as i8;
 
-/// What a batch has found, column after column.
+/// The results of a batch, column after column.
 struct Results {
     /// Rows there is room for, and rows that are done.
     room: usize,
@@ -36,7 +36,7 @@ struct Results {
     tally: Tally,
 }
 
-/// What a chunk has found.
+/// The results of a chunk.
 struct Piece {
     columns: Vec<f64>,
     status: Vec<i8>,
@@ -141,7 +141,7 @@ impl Results {
     }
 }
 
-/// What is shared between the thread of Python and those that compute.
+/// The state shared by the thread of Python and the computing threads.
 struct Shared {
     results: Mutex<Option<Results>>,
     done: AtomicU64,
@@ -153,11 +153,10 @@ impl Shared {
     }
 }
 
-/// What Python gets: status, columns (points, outcomes, derivatives; a row of the array each),
-/// Hessians, the names of outcomes, of what they are differentiated by, and of the points'
-/// parameters, the units of the columns, warnings, how many rows are done and how many points there
-/// are, and the exception that ended it early. Behind the rows that are done there is room for the
-/// others.
+/// The results for Python: status, columns (points, outcomes, derivatives; a row of the array
+/// each), Hessians, the names of outcomes, derivatives' parameters and points' parameters, the
+/// units of the columns, warnings, the rows done and the number of points, and the exception that
+/// ended the batch early. After the rows done, the arrays have space for the others.
 type Found<'py> = (
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray2<f64>>,
@@ -327,8 +326,8 @@ pub fn batch<'py>(
     })
 }
 
-/// What deserves a word where no drive has what was asked for: how they ended, and why the first
-/// did.
+/// The warning of a batch without any requested outcome: the statuses, and the reason of the first
+/// drive.
 fn none(
     setup: &Setup<f64>,
     parameters: &[&'static Parameter],
@@ -382,7 +381,7 @@ fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Var
     given.iter().map(range).collect()
 }
 
-/// The parameters of a derivative: those of the points where it is asked for by all of them.
+/// The parameters of the derivatives; "points" for those of the points.
 fn by_names(
     setup: &PySetup,
     arrays: &Arrays,

@@ -7,12 +7,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Why a call from Python has no answer.
+/// The error of a call from Python.
 #[derive(Debug)]
 pub enum Failure {
-    /// What longdrive says of the question.
+    /// An error of longdrive.
     Longdrive(Box<longdrive::Error>),
-    /// What is wrong with an argument before longdrive sees it.
+    /// An argument that longdrive cannot get.
     Input(String),
     /// A key that a mapping has not.
     Key(String),
@@ -22,7 +22,7 @@ pub enum Failure {
     Panic(String),
 }
 
-/// What a call from Python comes to.
+/// The result of a call from Python.
 pub type Answer<T> = Result<T, Failure>;
 
 impl From<longdrive::Error> for Failure {
@@ -82,7 +82,7 @@ fn half_a_character(error: PyErr) -> PyErr {
     })
 }
 
-/// What is told of a text that is no Unicode.
+/// The error of a text with a lone surrogate.
 const HALF: &str = "has half a character (a lone surrogate); give the text without it";
 
 /// A text of Python; `what` names what it is given for.
@@ -97,10 +97,9 @@ pub fn answer<T>(work: impl FnOnce() -> Answer<T>) -> PyResult<T> {
     Ok(unpanicked(work)??)
 }
 
-/// What some work comes to, its panic as a failure.
+/// Runs work; its panic becomes a failure.
 pub fn unpanicked<T>(work: impl FnOnce() -> T) -> Answer<T> {
-    // nothing that Python still sees is left half done: results are made whole before they are
-    // handed on
+    // unwind safe: results reach Python only when they are complete
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
         let text = panic
             .downcast_ref::<String>()

@@ -1,4 +1,4 @@
-//! The studies: every command of the program, asked in its words and answered in its JSON.
+//! The studies: every command of the program, from a command line to an answer in JSON.
 
 use crate::boundary::{Answer, answer};
 use crate::json::to_python;
@@ -35,8 +35,7 @@ struct Now {
     answer: String,
     said: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
-    /// Whether there was work that could stop: what follows it only makes an answer of what was
-    /// found.
+    /// True after interruptible work: the rest of the command makes the answer only.
     has_found: bool,
     /// The bar that was shown last.
     bar: Option<ProgressBar>,
@@ -45,9 +44,9 @@ struct Now {
 /// The files of a command; locked while one is written.
 #[derive(Default)]
 struct Files {
-    /// Those that are whole.
+    /// The complete files.
     written: Vec<String>,
-    /// Whether nobody waits for them any more.
+    /// True if the call has returned already.
     is_left: bool,
 }
 
@@ -60,7 +59,7 @@ impl Caller {
         self.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Tells how far work with a bar had come, and what stands beside it: the best value so far.
+    /// Says the position of the progress bar, with the best value so far.
     fn tell_of_bar(&self) {
         let mut now = self.now();
         let Some(bar) = now
@@ -109,7 +108,7 @@ impl Host for Caller {
         let kind = match kind {
             Kind::Note => "note",
             Kind::Warning => "warning",
-            // what arguments lack stands in the answer too, without colours
+            // the answer has errors in arguments too, without colours
             Kind::Usage | Kind::Help => return,
             Kind::Error => "error",
         };
@@ -161,15 +160,14 @@ impl Hold for Writing<'_> {
     }
 }
 
-/// What a command comes to: its exit status, None where it was left before its end; its answer, or
-/// the files that it had written then; and the exception that told it to end.
+/// The result of a command: its exit status, `None` if it was abandoned; its answer, or the files
+/// that it had written; and the exception that interrupted it.
 type Asked<'py> = (Option<u8>, Bound<'py, PyAny>, Option<PyErr>);
 
-/// Runs a command and waits for its answer: exit status, answer (parsed where it is JSON, else a
-/// text), and the exception that told it to end before it was done, where there was one. After
-/// Ctrl-C work that can stop has two seconds to answer with what it has so far, or until Ctrl-C is
-/// pressed again; other work is left: in place of an answer is then a list of the files that it has
-/// written, and it writes no more.
+/// Runs a command and waits for its answer: exit status, answer (parsed JSON, else a text), and the
+/// exception that interrupted it, if any. After Ctrl-C, interruptible work has two seconds, or
+/// until the next Ctrl-C, to answer with its result so far. Other work is abandoned: it writes no
+/// more, and in place of an answer is a list of the files that it has written.
 ///
 /// Args: words: the command line, without the name of the program. setup: the text of the setup
 /// file that is named ``-``. say: called from the calling thread with what is said beside the
@@ -251,7 +249,7 @@ fn shown(caller: &Caller, progress: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
     Ok(())
 }
 
-/// JSON as objects of Python, and any other text as it is; None where there is none.
+/// JSON as objects of Python, other texts unchanged; None for an empty text.
 fn parsed<'py>(py: Python<'py>, text: &str) -> Answer<Bound<'py, PyAny>> {
     if text.is_empty() {
         return Ok(py.None().into_bound(py));

@@ -8,12 +8,12 @@ use longdrive::units::{Quantity, counted_of};
 pub struct Degrees {
     range: Option<(f64, f64)>,
     count: u64,
-    /// Whether one of them lies outside of it in degrees too.
+    /// True if a value is outside of the range in degrees too.
     is_beyond: bool,
 }
 
 impl Degrees {
-    /// Looks at a value outside of the range of its parameter; NaN stands for none.
+    /// Examines a value outside of the range of its parameter; NaN is a missing value.
     pub fn look(&mut self, parameter: &Parameter, value: f64) {
         if parameter.quantity != Quantity::ANGLE || value.is_nan() {
             return;
@@ -24,8 +24,7 @@ impl Degrees {
         self.is_beyond |= !parameter.range.contains(value.to_radians());
     }
 
-    /// What deserves a word where values of a parameter, of so many, lie outside of its range, and
-    /// in degrees within it.
+    /// The warning about values outside of a parameter's range that are within it in degrees.
     pub fn told(&self, parameter: &Parameter, all: u64) -> Option<String> {
         let (low, high) = self.range.filter(|_| !self.is_beyond)?;
         let name = parameter.name;

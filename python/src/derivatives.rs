@@ -26,7 +26,7 @@ pub fn matrix<'py>(
     Ok(values.into_pyarray(py))
 }
 
-/// What is differentiated, and by what.
+/// Outcomes and the parameters of their derivatives.
 struct Asked {
     taylors: Vec<Taylor>,
     wrt: Vec<&'static Parameter>,

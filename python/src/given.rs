@@ -26,7 +26,7 @@ pub struct Given<'py> {
 }
 
 impl Given<'_> {
-    /// Whether it is the text that unsets a parameter.
+    /// Returns true for the text that unsets a parameter.
     pub fn is_unset(&self) -> bool {
         self.value
             .cast::<PyString>()
@@ -77,7 +77,7 @@ impl Given<'_> {
         }
     }
 
-    /// What is wrong with None where a value is needed.
+    /// The error of None for a parameter that needs a value.
     fn lacks_value(&self, setup: &Setup<f64>) -> Failure {
         let name = &self.name;
         let wanted = match setup.parameter(name) {
@@ -128,8 +128,8 @@ pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
     Ok(all)
 }
 
-/// Whether None may stand for a parameter: where it is one that may be unset, or no known name,
-/// which is told later.
+/// Returns true if None may be given: for an optional parameter, and for an unknown name, which is
+/// an error later.
 fn may_be_unset(setup: &Setup<f64>, name: &str) -> bool {
     match setup.parameter(name) {
         Ok(row) => row.kind == Kind::Optional,
@@ -186,7 +186,7 @@ fn flatten<'py>(
     Ok(())
 }
 
-/// Whether there are parameters in a group of this name, in a setup of any law.
+/// Returns true for a group of parameters, of any law.
 fn is_group(name: &str) -> bool {
     let begins = |row: &str| {
         row.strip_prefix(name)
@@ -215,7 +215,7 @@ pub fn apply(setup: &mut Setup<f64>, given: &[Given<'_>]) -> Answer<()> {
     let mut of_law = *setup;
     let is_choice = |given: &&Given<'_>| matches!(given.name.as_str(), LAW | TABLE);
     for choice in given.iter().filter(is_choice) {
-        // what is wrong with it is told below
+        // errors in it are reported below
         let _ = of_law.set(&choice.name, &choice.text(setup)?.0);
     }
     let texts = given

@@ -11,8 +11,7 @@ pub struct Hessians {
     points: Vec<&'static Parameter>,
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
-    /// Where the points have values of nothing else than what is differentiated by: the question,
-    /// checked once.
+    /// The evaluator, checked once, if the points give only parameters of the derivatives.
     once: Option<Evaluator>,
 }
 

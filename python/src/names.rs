@@ -105,7 +105,7 @@ pub fn asked<'py>(
     })
 }
 
-/// What is told of a key that a mapping of Python has not: the nearest of those that it has.
+/// The error of an unknown key, with the nearest known one.
 #[pyfunction]
 pub fn unknown_key(
     what: &str,

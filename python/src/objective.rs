@@ -28,7 +28,7 @@ struct Point {
     found: Option<Taylor>,
 }
 
-/// What is asked of a point.
+/// The function to evaluate.
 enum Function {
     /// An outcome of one drive, by an evaluator for each order of derivatives.
     Drive(Box<[Evaluator; 3]>),
@@ -37,8 +37,8 @@ enum Function {
 }
 
 impl Function {
-    /// What it is at a point; many swings are flown on threads of their own, while Python looks for
-    /// Ctrl-C and lets others run.
+    /// The value at a point. Many swings use threads of their own, while the thread of Python
+    /// checks for Ctrl-C and lets other threads run.
     fn at(
         &self,
         py: Python<'_>,
@@ -81,12 +81,12 @@ struct Over {
 }
 
 impl Over {
-    /// Whether any swings are given.
+    /// Returns true if swings are given.
     fn is_given(&self) -> bool {
         self.swings.is_some() || !self.distribution.is_empty()
     }
 
-    /// The swings that stand for all.
+    /// The scenarios of the swings.
     fn taken(&self, setup: &longdrive::Setup<f64>) -> Answer<Scenarios> {
         let swings = match &self.swings {
             Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
@@ -173,14 +173,14 @@ pub struct PyObjective {
     /// The sense as it was given, and the factor that turns a greatest value into a least one.
     sense: Option<String>,
     sign: f64,
-    /// Whether a point without an answer is NaN.
+    /// True if a point without an answer is NaN, not an error.
     gives_nan: bool,
     last: Mutex<Option<Point>>,
 }
 
 const ORDERS: [Order; 3] = [Order::Value, Order::First, Order::Second];
 
-/// The least and the greatest number in a range: an end that does not belong to it is left out.
+/// The smallest and largest number in a range; an open end is excluded.
 fn ends(range: Range) -> (f64, f64) {
     let low = if range.low_included || range.low.is_infinite() {
         range.low
@@ -196,9 +196,9 @@ fn ends(range: Range) -> (f64, f64) {
 }
 
 impl PyObjective {
-    /// What it is at a point, to an order. Optimizers ask for value, gradient and Hessian of a
-    /// point one after the other: what was asked for at the point before is computed together at
-    /// this one, and kept until the next.
+    /// The derivatives at a point, to an order. Optimizers request value, gradient and Hessian of a
+    /// point one after the other: the orders requested at the last point are computed together and
+    /// cached.
     fn at(&self, x: &Bound<'_, PyAny>, order: Order) -> Answer<Option<Taylor>> {
         let (py, x) = (x.py(), self.point(x)?);
         let mut to = order;
@@ -244,7 +244,7 @@ impl PyObjective {
         self.last.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What was found, or none where that is NaN.
+    /// The result; `None` for a point without an answer, if that is NaN.
     fn lone(&self, found: longdrive::Result<Option<Taylor>>) -> Answer<Option<Taylor>> {
         match found {
             Ok(found) => Ok(found),
@@ -491,7 +491,7 @@ impl PyObjective {
         vector(py, own.collect())
     }
 
-    /// What each parameter may physically be, a pair (low, high) each, SI: not what a golfer or
+    /// The physical range of each parameter, a pair (low, high), SI: wider than what a golfer or
     /// club maker can do.
     #[getter]
     fn bounds(&self) -> Vec<(f64, f64)> {

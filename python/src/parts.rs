@@ -6,8 +6,7 @@ use crate::json::to_python;
 use longdrive::parts::{Manifest, merge};
 use pyo3::prelude::*;
 
-/// What the rows of some parts are like in all, from their manifest rows as the text of a JSON
-/// array.
+/// The statistics of several parts together, from their manifest rows as the text of a JSON array.
 #[pyfunction]
 pub fn merge_parts<'py>(py: Python<'py>, manifests: &str) -> PyResult<Bound<'py, PyAny>> {
     answer(|| {

@@ -48,7 +48,7 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
         .ok_or_else(|| std::io::Error::other("no threads"))
 }
 
-/// What is in `OWN` is never freed.
+/// `OWN` is never freed.
 #[expect(
     unsafe_code,
     reason = "a pointer that Box::into_raw made, to what is never freed and only read"
@@ -58,7 +58,7 @@ fn shared(own: *const Own) -> Option<&'static Own> {
     unsafe { own.as_ref() }
 }
 
-/// What became of work that Python may end.
+/// The result of work that Python may interrupt.
 pub enum Ended<R> {
     /// It is done; where Python told it to end, with the exception that did.
     Done(R, Option<PyErr>),
@@ -82,8 +82,8 @@ pub fn run<R: Send + 'static>(
     }
 }
 
-/// The same for work that has an answer where it is told to end: `patience` tells the work to, and
-/// says how long it may take. A second Ctrl-C ends the waiting at once.
+/// As `run`, for work with an answer after an interruption: `patience` interrupts it and returns
+/// how long it may take. A second Ctrl-C ends the waiting at once.
 pub fn run_to_answer<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,

@@ -45,7 +45,7 @@ pub struct PySetup {
     pub setup: longdrive::Setup<f64>,
     /// The preset that it started from.
     pub preset: &'static Preset,
-    /// Whether it was said how to integrate: by flight.method or flight.step.
+    /// True if flight.method or flight.step was stated.
     pub gives_step: bool,
 }
 
@@ -74,7 +74,7 @@ impl Hash for PySetup {
 }
 
 impl PySetup {
-    /// A preset as it is.
+    /// A preset, unchanged.
     pub fn of_preset(name: &str) -> Answer<Self> {
         let setup = longdrive::Setup::preset(name).map_err(|error| not_a_preset(name, error))?;
         let preset = Preset::named(name)
@@ -87,8 +87,8 @@ impl PySetup {
         })
     }
 
-    /// What Python may give in place of a setup: one, the name of a preset, a dict, or None for the
-    /// preset `tour-average`.
+    /// A setup from Python: a setup, the name of a preset, a dict, or None for the preset
+    /// `tour-average`.
     pub fn of(given: &Bound<'_, PyAny>) -> Answer<Self> {
         if let Ok(setup) = given.cast::<Self>() {
             return Ok(*setup.get());
@@ -105,7 +105,7 @@ impl PySetup {
         Self::of_preset(preset.as_deref().unwrap_or(OF_FILES))?.with(&given)
     }
 
-    /// The same, where nothing may be given either.
+    /// A setup from Python, or None.
     pub fn of_any(given: Option<&Bound<'_, PyAny>>) -> Answer<Self> {
         given.map_or_else(|| Self::of_preset(USUAL), Self::of)
     }
@@ -119,7 +119,7 @@ impl PySetup {
         })
     }
 
-    /// The same with other values of some parameters.
+    /// Changes the values of some parameters.
     fn with(mut self, given: &[given::Given<'_>]) -> Answer<Self> {
         given::apply(&mut self.setup, given)?;
         self.gives_step |= given.iter().any(|given| is_of_step(&given.name));
@@ -131,7 +131,7 @@ impl PySetup {
                     .parameter(row.name)
                     .is_ok_and(|_| base.value(row) != self.setup.value(row))
         };
-        // nor is one given that "none" takes back
+        // a parameter unset by "none" is not given
         let is_back = |row: &Parameter| {
             given
                 .iter()
@@ -191,7 +191,8 @@ impl PySetup {
         })
     }
 
-    /// The names of its choices and parameters: what a dict of it holds.
+    /// The names of the choices and parameters that make the setup, without those that follow from
+    /// others.
     fn names(&self) -> Vec<&'static str> {
         let used = self
             .setup
@@ -206,8 +207,7 @@ impl PySetup {
             .collect()
     }
 
-    /// What tells the user's own table of drag and lift from others: setup files name the file
-    /// alone.
+    /// The content of the user's own table of drag and lift: setup files have its name only.
     fn table(&self) -> Option<String> {
         self.setup.law.table().map(|table| format!("{table:?}"))
     }
@@ -217,16 +217,16 @@ impl PySetup {
     }
 }
 
-/// What a pickled setup is made of: its text, whether it says how to integrate, and what its table
-/// contained.
+/// The state of a pickled setup: its text, whether the step was stated, and the content of its
+/// table.
 type State = (String, bool, Option<String>);
 
-/// What is told of an argument of a wrong kind.
+/// The error of an argument of a wrong type.
 fn not_of_the_kind(name: &str, given: &Bound<'_, PyAny>, expected: &str) -> Failure {
     Failure::Input(format!("{name} is {}; expected {expected}", kind_of(given)))
 }
 
-/// What is told of the name of no preset: that of a file is read by another function.
+/// The error of an unknown preset; for the name of a file, with the function that reads it.
 fn not_a_preset(name: &str, error: longdrive::Error) -> Failure {
     if name.ends_with(".toml") || Path::new(name).is_file() {
         return Failure::Input(format!(
@@ -265,7 +265,7 @@ impl PySetup {
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
             if let Ok(name) = path.cast::<PyString>() {
-                // surrogates that stand for bytes are those of names of files
+                // only names of files may have surrogates for bytes
                 path.py()
                     .import("os")?
                     .getattr("fsencode")?
@@ -367,7 +367,7 @@ impl PySetup {
         })
     }
 
-    /// Whether it has a value under a name.
+    /// Returns true if the name has a value.
     fn __contains__(&self, name: &Bound<'_, PyAny>) -> bool {
         let Ok(name) = name.cast::<PyString>() else {
             return false;
@@ -377,8 +377,8 @@ impl PySetup {
             || self.setup.parameter(&name).is_ok()
     }
 
-    /// The names of its choices and parameters: those that make the setup. What follows from others
-    /// of them is left out.
+    /// The names of the choices and parameters that make the setup, without those that follow from
+    /// others.
     fn keys(&self) -> Vec<&'static str> {
         self.names()
     }
@@ -398,9 +398,8 @@ impl PySetup {
         self.preset.name
     }
 
-    /// The setup as the program is asked about it: the name of its preset, where it is that, or
-    /// else the text of a setup file; and whether that is a text. Method and step stand in it where
-    /// someone has said how to integrate.
+    /// The setup for a command: the name of its preset or the text of a setup file, and true for a
+    /// text. The text has method and step if they were stated.
     fn _asked(&self) -> PyResult<(String, bool)> {
         answer(|| {
             let is_chosen_anew = self.gives_step
@@ -440,8 +439,7 @@ impl PySetup {
         })
     }
 
-    /// What a user should know about the setup, although it is flown as it stands: a list of
-    /// sentences.
+    /// The warnings about the setup, a list of sentences.
     fn warnings(&self) -> PyResult<Vec<String>> {
         answer(|| {
             let mut told: Vec<_> = self

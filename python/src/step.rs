@@ -9,22 +9,22 @@ use longdrive::{Error, Outcome};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// The tolerance where none is asked for, m.
+/// The default tolerance, m.
 const MICROMETRE: f64 = 1e-6;
 
-/// What is asked of the integration.
+/// The choice of method and step.
 #[derive(Clone, Copy)]
 pub enum Asked {
     /// Lengths within so many m of their exact values.
     Within(f64),
     /// Within a micrometre, unless the setup says how to integrate or no step is that exact.
     Usual,
-    /// As the setup has it.
+    /// Those of the setup.
     Own,
 }
 
 impl Asked {
-    /// What the arguments `tolerance` and `own_step` ask for.
+    /// The choice of the arguments `tolerance` and `own_step`.
     pub fn of(tolerance: Option<&Bound<'_, PyAny>>, own_step: bool) -> Answer<Self> {
         let Some(given) = tolerance else {
             return Ok(if own_step { Self::Own } else { Self::Usual });
@@ -48,7 +48,7 @@ impl Asked {
         given.extract().map(Self::Within).map_err(refuse)
     }
 
-    /// Whether the step is known without flying drives.
+    /// Returns true if the step is known without computing drives.
     pub fn is_known(self, setup: &PySetup) -> bool {
         matches!(self, Self::Own) || (matches!(self, Self::Usual) && setup.gives_step)
     }

@@ -1,8 +1,9 @@
 use crate::command::args::Calibrate;
-use crate::command::files::Rule;
+use crate::command::files::{Destination, Folder, Rule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
-use crate::command::output::{Answer, system, tell, warn};
+use crate::command::output::{Answer, Warnings, system, tell};
 use crate::command::reproduce::{DOCUMENT, write};
+use crate::command::request::Request;
 use crate::command::running::running;
 use crate::optimize::least_squares::{Follow, Loss, Status};
 use crate::parameters::{Law, Vary};
@@ -19,37 +20,74 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 pub fn run(args: &Calibrate) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.setup()?;
-    let rule = Rule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
-    let folder = args
-        .plot
-        .as_ref()
-        .map(|folder| rule.folder(folder, &DOCUMENT))
-        .transpose()?;
-    let rule = rule.and_not(args.plot.as_deref());
-    let output = args
-        .output
-        .as_ref()
-        .map(|file| rule.setup_file(file))
-        .transpose()?;
-    if setup.launch.is_given() {
-        let source = format!(
-            "calibrate reads the launch of each ball from columns of the table; leave this out, \
-             and add the columns to {} if it has none: \
-             ball_speed, launch_angle, and backspin or spin, with their units, as in \"ball_speed \
-             [mph]\"",
-            args.data.display()
-        );
-        return Err(Error::Unreadable {
-            name: request.launch_from(),
-            source: source.into(),
-        });
+    let outputs = Outputs::new(args, &request)?;
+    refuse_launch(args, &request, &setup)?;
+    let mut warnings = Warnings::default();
+    warnings.add(setup.warnings());
+    let table = read_shots(args, &request, &setup)?;
+    warnings.add(table.warnings.clone());
+    let mut plan = Plan::read(&setup, &args.fit)?;
+    plan.starts = args.starts as usize;
+    plan.options.max_iterations = args.max_iterations;
+    if args.huber {
+        plan.options.loss = Loss::HUBER;
     }
-    let mut warnings = setup.warnings();
-    warn(&warnings);
-    let file = args.data.display().to_string();
-    let mut table = ShotTable::open(&setup, &args.data)?;
-    warn(&table.warnings);
-    warnings.extend(table.warnings.clone());
+    let setup = request.for_many(setup, &ranges(&table, &plan.fit))?;
+    let validation = CrossValidation::new(args, &setup, &table, &plan)?;
+    warnings.add(table.one_drive(&setup, &plan.fit));
+    let follow = Follow {
+        iteration: Some(Arc::new(show_iteration(args.starts > 1))),
+        interrupt: interrupt::stops(BEST_SO_FAR),
+    };
+    let found = calibrate(&setup, &table, &plan, &follow)?;
+    warnings.add(beyond(&found.setup, &table.shots, &follow.interrupt));
+    warnings.add(found.warnings(&table));
+    let quiet = Follow {
+        iteration: None,
+        ..follow
+    };
+    let held_out = match &validation {
+        Some(validation) => validation.run(&setup, &table, &plan, &quiet)?,
+        None => vec![],
+    };
+    let mut report = CalibrationReport::new(&table, &found, &held_out);
+    if !report.is_found() {
+        warnings.add([Message::from(format!(
+            "the fit ended as '{}': {}",
+            report.status(),
+            report.message()
+        ))]);
+    }
+    let is_setup_written = outputs.write_setup(args, &request, &found, &report, &mut warnings)?;
+    outputs.write_document(&report)?;
+    let named = |path: &PathBuf| path.display().to_string();
+    report.file = args.output.as_ref().filter(|_| is_setup_written).map(named);
+    report.folder = args.plot.as_ref().map(named);
+    let answer = Answer::report(&report, warnings.into_vec(), request.is_json());
+    Ok(answer.found(report.is_found()))
+}
+
+/// Refuses a setup with a launch: each row of the table has its own.
+fn refuse_launch(args: &Calibrate, request: &Request, setup: &Setup<f64>) -> Result<()> {
+    if !setup.launch.is_given() {
+        return Ok(());
+    }
+    let source = format!(
+        "calibrate reads the launch of each ball from columns of the table; leave this out, and \
+         add the columns to {} if it has none: ball_speed, launch_angle, and backspin or spin, \
+         with their units, as in \"ball_speed [mph]\"",
+        args.data.display()
+    );
+    Err(Error::Unreadable {
+        name: request.launch_from(),
+        source: source.into(),
+    })
+}
+
+/// Reads the measured shots, and refuses settings that they replace.
+fn read_shots(args: &Calibrate, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
+    let file = args.data.display();
+    let mut table = ShotTable::open(setup, &args.data)?;
     if request.gives_air() {
         table.in_given_air();
     }
@@ -65,128 +103,139 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         &given,
         &format!("every row of {file} has a value of its own"),
     )?;
-    request.refuse_replaced(&setup, &given)?;
-    let mut plan = Plan::read(&setup, &args.fit)?;
-    let setup = request.for_many(setup, &ranges(&table, &plan.fit))?;
-    plan.starts = args.starts as usize;
-    plan.options.max_iterations = args.max_iterations;
-    if args.huber {
-        plan.options.loss = Loss::HUBER;
-    }
-    let folds = if args.folds > 0 {
-        args.folds as usize
-    } else {
-        5.min(table.shots.len())
-    };
-    let compared = args
-        .compare
-        .iter()
-        .map(|law| Compared::new(&setup, law, &plan))
-        .collect::<Result<Vec<_>>>()?;
-    let is_cross_validated = args.folds > 0 || !args.compare.is_empty();
-    if is_cross_validated {
-        check_folds(&table, &plan, folds)?;
-    }
-    for Compared { law, plan, .. } in &compared {
-        check_folds(&table, plan, folds).map_err(|error| Error::Unreadable {
-            name: format!("`compare {law}`"),
-            source: error.into(),
-        })?;
-    }
-    let one_drive: Vec<_> = table.one_drive(&setup, &plan.fit).into_iter().collect();
-    warn(&one_drive);
-    warnings.extend(one_drive);
-    let follow = Follow {
-        iteration: Some(Arc::new(shown(args.starts > 1))),
-        interrupt: interrupt::stops(BEST_SO_FAR),
-    };
-    let found = calibrate(&setup, &table, &plan, &follow)?;
-    let shots = beyond(&found.setup, &table.shots, &follow.interrupt);
-    let shots = [shots, found.warnings(&table)].concat();
-    warn(&shots);
-    warnings.extend(shots);
+    request.refuse_replaced(setup, &given)?;
+    Ok(table)
+}
 
-    let quiet = Follow {
-        iteration: None,
-        ..follow
-    };
-    let mut held = vec![];
-    if is_cross_validated {
-        if !quiet.is_interrupted() {
+/// The files to write.
+struct Outputs {
+    folder: Option<Folder>,
+    setup: Option<Destination>,
+}
+
+impl Outputs {
+    fn new(args: &Calibrate, request: &Request) -> Result<Self> {
+        let rule = Rule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
+        let folder = args
+            .plot
+            .as_ref()
+            .map(|folder| rule.folder(folder, &DOCUMENT))
+            .transpose()?;
+        let rule = rule.and_not(args.plot.as_deref());
+        let setup = args
+            .output
+            .as_ref()
+            .map(|file| rule.setup_file(file))
+            .transpose()?;
+        Ok(Self { folder, setup })
+    }
+
+    /// Writes the fitted setup; returns whether there is such a file.
+    fn write_setup(
+        &self,
+        args: &Calibrate,
+        request: &Request,
+        found: &Calibration,
+        report: &CalibrationReport<'_>,
+        warnings: &mut Warnings,
+    ) -> Result<bool> {
+        let Some(output) = &self.setup else {
+            return Ok(false);
+        };
+        let file = output.path().display();
+        if !is_fitted(found) {
+            warnings.add([Message::from(format!(
+                "{file} is not written: the fit ended before it came to a minimum"
+            ))]);
+            return Ok(false);
+        }
+        let data = args.data.display().to_string();
+        let toml = report.toml(request.source().preset(), &data)?;
+        output.write(request.with_stated_step(toml)?.as_bytes())?;
+        tell(&format!("wrote the fitted setup into {file}"));
+        Ok(true)
+    }
+
+    fn write_document(&self, report: &CalibrationReport<'_>) -> Result<()> {
+        let Some(folder) = &self.folder else {
+            return Ok(());
+        };
+        let documents = System::ALL.map(|system| report.document(system));
+        write(folder, &documents, system())
+    }
+}
+
+/// The fits without a part of the rows, of this law and of those to compare with.
+struct CrossValidation<'a> {
+    folds: usize,
+    compared: Vec<Compared<'a>>,
+}
+
+impl<'a> CrossValidation<'a> {
+    /// The cross-validation of `--folds` or `--compare`; `None` without them.
+    fn new(
+        args: &'a Calibrate,
+        setup: &Setup<f64>,
+        table: &ShotTable,
+        plan: &Plan,
+    ) -> Result<Option<Self>> {
+        if args.folds == 0 && args.compare.is_empty() {
+            return Ok(None);
+        }
+        let folds = if args.folds > 0 {
+            args.folds as usize
+        } else {
+            5.min(table.shots.len())
+        };
+        let compared = args
+            .compare
+            .iter()
+            .map(|law| Compared::new(setup, law, plan))
+            .collect::<Result<Vec<_>>>()?;
+        check_folds(table, plan, folds)?;
+        for Compared { law, plan, .. } in &compared {
+            check_folds(table, plan, folds).map_err(|error| Error::Unreadable {
+                name: format!("`compare {law}`"),
+                source: error.into(),
+            })?;
+        }
+        Ok(Some(Self { folds, compared }))
+    }
+
+    /// The errors of prediction, each with the name of its law.
+    fn run(
+        &self,
+        setup: &Setup<f64>,
+        table: &ShotTable,
+        plan: &Plan,
+        follow: &Follow,
+    ) -> Result<Vec<(String, HeldOut)>> {
+        let folds = self.folds;
+        if !follow.is_interrupted() {
             tell(&format!(
                 "cross-validation: fitting {folds} times, each time without a part of the rows"
             ));
         }
-        let name = format!("{}, fitted as above", setup.law.name());
-        held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
-        if !args.compare.iter().any(|law| law == setup.law.name()) {
-            let unfitted = HeldOut::as_it_stands(&setup, &table, &quiet)?;
-            held.push((format!("{}, {AS_SET_UP}", setup.law.name()), unfitted));
+        let own_law = setup.law.name();
+        let fitted = held_out(setup, table, plan, folds, follow)?;
+        let mut all = vec![(format!("{own_law}, fitted as above"), fitted)];
+        if self.compared.iter().all(|other| other.law != own_law) {
+            let unfitted = HeldOut::as_it_stands(setup, table, follow)?;
+            all.push((format!("{own_law}, {AS_SET_UP}"), unfitted));
         }
-        for Compared {
-            law,
-            as_it_stands,
-            setup,
-            plan,
-        } in &compared
-        {
-            held.push((
-                format!("{law}, {as_it_stands}"),
-                HeldOut::as_it_stands(setup, &table, &quiet)?,
-            ));
-            held.push((
-                format!("{law}, all coefficients fitted"),
-                held_out(setup, &table, plan, folds, &quiet)?,
-            ));
+        for other in &self.compared {
+            let law = other.law;
+            let unfitted = HeldOut::as_it_stands(&other.setup, table, follow)?;
+            all.push((format!("{law}, {}", other.as_it_stands), unfitted));
+            let fitted = held_out(&other.setup, table, &other.plan, folds, follow)?;
+            all.push((format!("{law}, all coefficients fitted"), fitted));
         }
+        Ok(all)
     }
-    let mut report = CalibrationReport::new(&table, &found, &held);
-    if !report.is_found() {
-        let without_minimum = [Message::from(format!(
-            "the fit ended as '{}': {}",
-            report.status(),
-            report.message()
-        ))];
-        warn(&without_minimum);
-        warnings.extend(without_minimum);
-    }
-    let output = output.filter(|output| {
-        let is_fitted = is_fitted(&found);
-        if !is_fitted {
-            let why = "the fit ended before it came to a minimum";
-            let unwritten = [Message::from(format!(
-                "{} is not written: {why}",
-                output.path().display()
-            ))];
-            warn(&unwritten);
-            warnings.extend(unwritten);
-        }
-        is_fitted
-    });
-    if let Some(output) = &output {
-        let toml = report.toml(request.source().preset(), &file)?;
-        output.write(request.with_stated_step(toml)?.as_bytes())?;
-        tell(&format!(
-            "wrote the fitted setup into {}",
-            output.path().display()
-        ));
-    }
-    if let Some(folder) = &folder {
-        write(
-            folder,
-            &System::ALL.map(|system| report.document(system)),
-            system(),
-        )?;
-    }
-    let named = |path: &PathBuf| path.display().to_string();
-    report.file = args.output.as_ref().filter(|_| output.is_some()).map(named);
-    report.folder = args.plot.as_ref().map(named);
-    let answer = Answer::report(&report, warnings, request.is_json());
-    Ok(answer.found(report.is_found()))
 }
 
-/// Whether the values are those of a fit: one that was stopped on its way has those that it had
-/// come to.
+/// Returns true if the values are those of a fit: an interrupted fit has those of its last
+/// iteration.
 fn is_fitted(found: &Calibration) -> bool {
     found.is_minimum
         || !matches!(
@@ -195,9 +244,9 @@ fn is_fitted(found: &Calibration) -> bool {
         )
 }
 
-/// Shows each iteration, and where there are several searches the number of the search: each begins
+/// Shows each iteration, with the number of the search where there are several: each search begins
 /// with iteration 0.
-fn shown(is_numbered: bool) -> impl Fn(u64, f64) {
+fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
     let (running, begun) = (running(), AtomicU64::new(0));
     move |iteration, sum| {
         let begins = u64::from(iteration == 0);
@@ -213,10 +262,10 @@ fn shown(is_numbered: bool) -> impl Fn(u64, f64) {
     }
 }
 
-/// What a law is called whose parameters are not fitted.
+/// The label of a law whose parameters are not fitted.
 const AS_SET_UP: &str = "as the setup has it";
 
-/// Another law on the same rows: as it is published, and with all its coefficients fitted.
+/// Another law on the same rows: as published, and with all its coefficients fitted.
 struct Compared<'a> {
     law: &'a str,
     as_it_stands: &'static str,

@@ -1,6 +1,6 @@
 use crate::command::args::ChartArgs;
 use crate::command::interrupt::{self, BEST_SO_FAR};
-use crate::command::output::{Answer, spinner, system, tell, tell_error, warn};
+use crate::command::output::{Answer, Warnings, spinner, system, tell, tell_error};
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
@@ -8,7 +8,8 @@ use crate::{Error, Result, Setup};
 use indicatif::ProgressBar;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
@@ -24,67 +25,27 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
-    let mut warnings = setup.warnings();
-    warn(&warnings);
+    let mut warnings = Warnings::default();
+    warnings.add(setup.warnings());
     let stop = interrupt::stops(BEST_SO_FAR);
     request.note_starts(&setup, &search.vary);
-    let of = search.outcome();
-    let spinner = spinner("following the optimum");
-    let beginning = {
-        let (spinner, last) = (spinner.clone(), RefCell::new(String::new()));
-        move |at| {
-            let place = parameter_text(along.parameter, at, system());
-            // where the chart ends is searched for in ever smaller steps, which read alike
-            if last.replace(place.clone()) != place {
-                spinner.suspend(|| {
-                    tell(&format!(
-                        "searching for an optimum at {} {place}",
-                        along.parameter.name
-                    ))
-                });
-            }
-        }
-    };
     if !at.is_sorted_by(|a, b| a < b) {
         tell("the values of `at` are taken in rising order, each once");
     }
-    let observer = ChartObserver {
-        interrupt: stop.clone(),
-        beginning: Some(Rc::new(beginning)),
-        iteration: Some(Rc::new(progress(&search, &spinner))),
-    };
-    let chart = chart_at(&setup, &search, along, &at, &observer, &mut |point| {
-        if at.is_empty() || at.contains(&point.at) {
-            let value = point
-                .best
-                .value()
-                .map_or("–".into(), |value| outcome_text(of, value, system()));
-            let place = parameter_text(along.parameter, point.at, system());
-            spinner.suspend(|| {
-                tell(&format!(
-                    "{} {place}: {} {value}",
-                    along.parameter.name,
-                    of.name()
-                ))
-            });
-        }
-        true
-    });
-    spinner.finish_and_clear();
+    let chart = follow(&setup, &search, along, &at, &stop);
     interrupt::ends();
     let chart = match chart {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
-            let interrupted = stop.load(Ordering::Relaxed);
             let none = Chart {
                 along,
                 points: vec![],
                 begun: None,
                 ended: Some(error.message()),
-                interrupted,
+                interrupted: stop.load(Ordering::Relaxed),
             };
             let answer = if request.is_json() {
-                Answer::report(&ChartReport::new(&none, &search), warnings, true)
+                Answer::report(&ChartReport::new(&none, &search), warnings.into_vec(), true)
             } else {
                 Answer::text(String::new())
             };
@@ -92,9 +53,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         }
         chart => chart?,
     };
-    let beyond = chart.warnings();
-    warn(&beyond);
-    warnings.extend(beyond);
+    warnings.add(chart.warnings());
     let report = ChartReport::new(&chart, &search);
     let answer = if args.csv && !request.is_json() {
         for note in chart.begun.iter().chain(&chart.ended) {
@@ -102,13 +61,56 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         }
         Answer::text(report.csv()?)
     } else {
-        Answer::report(&report, warnings, request.is_json())
+        Answer::report(&report, warnings.into_vec(), request.is_json())
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }
 
-/// Tells of an iteration where nothing was told for a second: most searches of a chart are done
-/// before.
+/// Follows the optimum along the parameter, with a line for each place that was asked for.
+fn follow(
+    setup: &Setup<f64>,
+    search: &Search,
+    along: Vary,
+    at: &[f64],
+    stop: &Arc<AtomicBool>,
+) -> Result<Chart> {
+    let spinner = spinner("following the optimum");
+    let place_text = move |at| {
+        let place = parameter_text(along.parameter, at, system());
+        format!("{} {place}", along.parameter.name)
+    };
+    let beginning = {
+        let (spinner, last) = (spinner.clone(), RefCell::new(String::new()));
+        move |at| {
+            let place = place_text(at);
+            // the steps towards the end of a chart get so small that their texts are equal
+            if last.replace(place.clone()) != place {
+                spinner.suspend(|| tell(&format!("searching for an optimum at {place}")));
+            }
+        }
+    };
+    let observer = ChartObserver {
+        interrupt: stop.clone(),
+        beginning: Some(Rc::new(beginning)),
+        iteration: Some(Rc::new(progress(search, &spinner))),
+    };
+    let of = search.outcome();
+    let chart = chart_at(setup, search, along, at, &observer, &mut |point| {
+        if at.is_empty() || at.contains(&point.at) {
+            let value = point
+                .best
+                .value()
+                .map_or("–".into(), |value| outcome_text(of, value, system()));
+            let place = place_text(point.at);
+            spinner.suspend(|| tell(&format!("{place}: {} {value}", of.name())));
+        }
+        true
+    });
+    spinner.finish_and_clear();
+    chart
+}
+
+/// Shows an iteration after a second without a line: most searches of a chart take less.
 fn progress(search: &Search, spinner: &ProgressBar) -> impl Fn(&Iteration) + use<> {
     const SILENCE: Duration = Duration::from_secs(1);
     let (search, spinner, told) = (search.clone(), spinner.clone(), Cell::new(Instant::now()));

@@ -32,7 +32,7 @@ const STATUS: [(&str, Style); 15] = [
 /// Prints an answer to standard output.
 pub fn print(text: &str) -> io::Result<()> {
     let mut out = anstream::stdout().lock();
-    // what is not painted goes out as it is, byte for byte
+    // text without colours is written unchanged, byte for byte
     if AutoStream::choice(&io::stdout()) == ColorChoice::Never {
         let mut out = out.into_inner();
         return out.write_all(text.as_bytes()).and_then(|()| out.flush());

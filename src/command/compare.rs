@@ -32,7 +32,7 @@ pub fn run(args: &Compare) -> Result<Answer> {
     Ok(answer.found(is_complete))
 }
 
-/// What the reader should know about each of the two drives.
+/// The warnings of each drive, with its name.
 pub fn warnings(comparison: &Comparison) -> Vec<Message> {
     let of = |(name, side): (&str, usize)| {
         let warnings =
@@ -113,7 +113,7 @@ impl Pair {
         Ok(comparison)
     }
 
-    /// What each drive is, as it was asked for: "modern-driver, club.loft=11deg".
+    /// Each drive in the words of the command line: "modern-driver, club.loft=11deg".
     pub fn titles(&self) -> [String; 2] {
         let a = &self.setup_args.setup;
         let b = self.other.as_ref().unwrap_or(a);

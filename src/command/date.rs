@@ -3,7 +3,7 @@
 use crate::{Error, Result};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Names the time, in seconds since 1970, that stands for now:
+/// The variable of a reproducible build's time, seconds since 1970:
 /// <https://reproducible-builds.org/specs/source-date-epoch>.
 const EPOCH: &str = "SOURCE_DATE_EPOCH";
 

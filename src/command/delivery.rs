@@ -252,7 +252,7 @@ impl Outputs {
     }
 }
 
-/// Whether swings are to be written as a table; else they are written as distributions.
+/// Returns true for a table of swings (.csv), false for distributions (.toml).
 fn is_table(file: &Path) -> Result<bool> {
     let ending = file
         .extension()
@@ -274,7 +274,7 @@ fn is_table(file: &Path) -> Result<bool> {
 }
 
 impl SwingsFile {
-    /// Writes the swings behind the shots, or returns why not.
+    /// Writes the swings behind the shots, or returns the reason.
     fn write(
         &self,
         found: &Found,
@@ -334,7 +334,7 @@ fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
     command_line(&arguments.collect::<Vec<_>>())
 }
 
-/// What is taken for the uncertainty of each parameter before the shot, where none was given.
+/// Notes the default uncertainty of each parameter before the shot.
 fn note_assumed(unknowns: &[Unknown]) {
     for unknown in unknowns {
         if let Some(source) = unknown.source {
@@ -351,7 +351,7 @@ fn note_assumed(unknowns: &[Unknown]) {
     }
 }
 
-/// How well the columns of the club are known, where these are sought.
+/// Notes the uncertainty of the club's columns that are unknowns too.
 fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     for unknown in unknowns {
         let name = unknown.parameter.name;

@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 /// Commands about the program itself.
 const OF_THE_PROGRAM: [&str; 3] = ["completions", "man", "help"];
 
-/// Every command with its options, as JSON: what a program in another language makes its functions
-/// of.
+/// Every command with its options, as JSON, from which a program in another language can generate
+/// functions.
 ///
 /// ```
 /// let commands = longdrive::command::described();

@@ -11,7 +11,7 @@ use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Goal, Search, Sense};
 use crate::{Error, Result};
 
-/// What is sought where nothing is asked for.
+/// The default goal.
 const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
 
 pub fn run(args: &DesignArgs) -> Result<Answer> {

@@ -11,7 +11,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// What the outputs of one command must keep clear of.
+/// Files that the outputs of a command must not replace.
 #[derive(Clone, Debug, Default)]
 pub struct Rule {
     inputs: Vec<PathBuf>,
@@ -30,7 +30,7 @@ impl Rule {
         }
     }
 
-    /// The same rule, with another output of the command to keep clear of.
+    /// Adds another output of the command to the files not to replace.
     #[must_use]
     pub fn and_not(mut self, output: Option<&Path>) -> Self {
         self.inputs.extend(output.and_then(located));
@@ -71,7 +71,7 @@ impl Rule {
         }
     }
 
-    /// Where a file is to be, without a look at whether its folder can be written to.
+    /// Checks a destination without the permissions of its folder.
     ///
     /// # Errors
     /// As [`file`](Self::file).
@@ -121,7 +121,7 @@ impl Rule {
     }
 
     fn refuse_input(&self, path: &Path, at: &Path) -> Result<()> {
-        // a folder stands for all that will be in it
+        // a folder in the inputs means all files in it
         if self
             .inputs
             .iter()
@@ -135,9 +135,8 @@ impl Rule {
         Ok(())
     }
 
-    /// A folder to write several files into, some of whose names are known already. Where it does
-    /// not exist it is made with the files, but not the folder that it is in: a misspelt path is
-    /// told, as for a file.
+    /// A folder for several files, some of whose names are known. If it does not exist, it is made
+    /// with the files, but its parent is not: a misspelt path is an error, as for a file.
     ///
     /// # Errors
     /// [`Error::Results`] for a file, a folder that cannot be made or written to, and a file in it
@@ -189,13 +188,13 @@ fn ending_of_a_file(path: &Path) -> Option<String> {
 /// A file that may be written.
 #[derive(Clone, Debug)]
 pub struct Destination {
-    /// As it was named, for messages.
+    /// The name as typed, for messages.
     shown: PathBuf,
     /// The file itself, where the name was a link.
     at: PathBuf,
-    /// Whether it is a file or yet to be one, and not a device or a pipe.
+    /// True for a file, new or existing; false for a device or a pipe.
     is_file: bool,
-    /// Whether a file that is there when this one is whole may be replaced.
+    /// True if a file that appeared meanwhile may be replaced.
     may_replace: bool,
 }
 
@@ -205,7 +204,7 @@ impl Destination {
         &self.at
     }
 
-    /// Whether it keeps what is written to it; a device or a pipe does not.
+    /// Returns true for a file; a device or a pipe keeps nothing.
     pub fn is_file(&self) -> bool {
         self.is_file
     }
@@ -348,7 +347,7 @@ impl Folder {
     }
 }
 
-/// What is written into files that need names.
+/// Refuses "-": several files, and a file put in place when whole, need names.
 fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
     match path == Path::new("-") {
         true => Err(refused(
@@ -359,7 +358,7 @@ fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
     }
 }
 
-/// What is to be made must be in a folder that exists.
+/// Refuses a path whose folder does not exist.
 fn in_a_folder(path: &Path) -> Result<()> {
     let folder = folder_of(path);
     match folder.is_dir() {
@@ -374,7 +373,7 @@ fn in_a_folder(path: &Path) -> Result<()> {
     }
 }
 
-/// Where a file is or will be, through links.
+/// The canonical path of a file that exists or will be made.
 fn located(path: &Path) -> Option<PathBuf> {
     fs::canonicalize(path).ok().or_else(|| {
         Some(

@@ -1,27 +1,27 @@
-use super::wording::Mention;
+use super::mention::Mention;
 use indicatif::ProgressBar;
 use std::io;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// What a command says beside its answer.
+/// Kinds of messages beside the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A remark or progress; none with `--quiet`.
     Note,
-    /// A warning about the question or the answer.
+    /// A warning about the request or the answer.
     Warning,
     /// Why there is no answer.
     Error,
-    /// What the arguments lack, as the reader of arguments says it, with its colours.
+    /// An error in the arguments, from the argument parser, with colours.
     Usage,
     /// The help that was asked for, or the version, with its colours.
     Help,
 }
 
-/// Whom a command is run for: a terminal, or a program that has loaded the library. A command calls
-/// it from the thread that runs it, and with progress from others.
+/// The caller of a command: a terminal, or a program that has loaded the library. A command calls
+/// it from its own thread; progress also comes from other threads.
 pub trait Host: Send + Sync {
     /// Takes the answer.
     ///
@@ -29,7 +29,7 @@ pub trait Host: Send + Sync {
     /// Where it cannot be written.
     fn print(&self, text: &str) -> io::Result<()>;
 
-    /// Takes what is said beside the answer.
+    /// Takes a message beside the answer.
     fn say(&self, kind: Kind, text: &str);
 
     /// The words for an argument or a command in a message: those of the command line.
@@ -43,20 +43,19 @@ pub trait Host: Send + Sync {
     /// The setup that is named `-`.
     ///
     /// # Errors
-    /// Where there is none to be read.
+    /// If nothing can be read.
     fn input(&self) -> io::Result<String> {
         Err(io::Error::other("no text was given"))
     }
 
-    /// Work begins that ends, with what is done so far, once `stop` is true; `stopping` says what
-    /// it does then.
+    /// Announces work that can be interrupted: it returns its result so far once `stop` is true.
+    /// `stopping` is the message then.
     fn can_stop(&self, _stopping: &'static str, _stop: &Arc<AtomicBool>) {}
 
-    /// What follows cannot be stopped half-way.
+    /// The following work cannot be interrupted.
     fn cannot_stop(&self) {}
 
-    /// Files that belong together are written while this is held: whoever can end the process waits
-    /// until then.
+    /// Locks the end of the process while files that belong together are written.
     fn hold(&self) -> Box<dyn Hold + '_> {
         Box::new(())
     }
@@ -68,7 +67,7 @@ pub trait Host: Send + Sync {
     }
 }
 
-/// What is held while files are written.
+/// The lock while files are written.
 pub trait Hold {
     /// Tells that these files are whole.
     fn written(&mut self, _files: &[&Path]) {}

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// What a search does when it is stopped.
+/// The message of an interrupted search.
 pub const BEST_SO_FAR: &str = "stopping with the best result so far";
 
 /// Becomes true when the work that follows is to stop with what is done so far.
@@ -15,7 +15,7 @@ pub fn stops(stopping: &'static str) -> Arc<AtomicBool> {
     stop
 }
 
-/// What follows cannot stop half-way.
+/// The following work cannot be interrupted.
 pub fn ends() {
     running().host.cannot_stop();
 }

@@ -7,8 +7,7 @@ use clap::{Command, CommandFactory};
 
 pub fn run(args: &Man) -> Result<Answer> {
     let mut program = Args::command().disable_help_subcommand(true);
-    // names of subcommands are complete, and options of every command stand in each, once it is
-    // built
+    // `build` completes the names of subcommands and adds the options of every command
     program.build();
     let Some(folder) = &args.output else {
         return Ok(Answer::text(page(found(&program, &args.command)?)?));

@@ -1,8 +1,6 @@
 //! The commands of the program, asked in the words of its command line.
 //!
-//! Each command reads its question, asks the library, and answers as text or as one JSON object.
-//! The program runs them for a terminal ([`main`]); a program in another language runs them for
-//! itself ([`run`]), as a [`Host`] of its own, and has the same options, messages and answers.
+//! Each command reads its request, calls the library, and answers as text or as one JSON object.
 //!
 //! ```
 //! use longdrive::command::{Host, Kind, run};
@@ -45,6 +43,7 @@ mod host;
 mod interrupt;
 mod laws;
 mod man;
+mod mention;
 mod names;
 mod optimize;
 mod optimum_sensitivity;
@@ -73,7 +72,7 @@ mod wording;
 
 pub use described::described;
 pub use host::{Hold, Host, Kind};
-pub use wording::{Argument, Mention, mark_options, with_mentions};
+pub use mention::{Argument, Mention, mark_options, with_mentions};
 
 use crate::{Error, Result};
 use args::{Args, Command};
@@ -85,19 +84,18 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use terminal::Terminal;
 
-/// The program: the command that its arguments ask for, in a terminal.
+/// The program: runs the command line of the process in a terminal.
 pub fn main() -> ExitCode {
     ExitCode::from(run_in_terminal(std::env::args_os().collect()))
 }
 
-/// The same with arguments given, the name of the program first; the exit status.
+/// Runs the program for these arguments, its name first; returns the exit status.
 pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
     run(words, Arc::new(Terminal::default()))
 }
 
-/// Runs the command that these words ask for, the name of the program first, for a host. The exit
-/// status: 0 done, 1 the question has no answer, 2 bad input; the message is said to the host, and
-/// with `--json` stands in the answer.
+/// Runs a command line, the name of the program first, for a host. Exit status: 0 done, 1 no
+/// answer, 2 bad input. The host gets the message; with `--json` the answer has it too.
 pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     let args = match Args::try_parse_from(&words) {
         Ok(args) => args,
@@ -114,7 +112,7 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     running::within(host, Some(args.shown.clone()), &words, || {
         match answer(&args.command).and_then(Answer::print) {
             Ok(status) => status,
-            // a reader that has gone away, as `head` does, is no failure of ours
+            // a broken pipe, as of `head`, is no error
             Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
             Err(error) => output::complain(&wording::with_argument(error), name, is_json),
         }

@@ -28,7 +28,7 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
     Ok(of)
 }
 
-/// Says how well a run is known, where one is asked for.
+/// Notes the uncertainty of a run, for outcomes of it.
 pub fn tell_of_the_run(of: &[Outcome]) {
     if of.iter().any(|of| of.needs_run()) {
         tell(&known_within().in_units(system()));
@@ -37,7 +37,7 @@ pub fn tell_of_the_run(of: &[Outcome]) {
 
 /// The parameters named, to differentiate by; "all" for every one that has a number here.
 ///
-/// Of all, those that only the run depends on are left out where no outcome is of it.
+/// "all" leaves out the parameters that affect only the run, unless an outcome is of the run.
 pub fn variables(
     setup: &Setup<f64>,
     names: &[String],
@@ -75,8 +75,7 @@ pub fn variables(
     Ok(once(rows))
 }
 
-/// What derivatives are taken by where nothing is named: loft and attack angle, or the launch
-/// conditions where these are given.
+/// The default parameters of derivatives: loft and attack angle, or the given launch conditions.
 pub fn usual(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
     if setup.launch.is_given() {
         return Ok(setup.given_launch_conditions());

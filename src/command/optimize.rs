@@ -43,7 +43,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
 }
 
 impl Optimize {
-    /// Where the setup at the optimum goes, if it may be written there.
+    /// The file of the setup at the optimum, if it may be written.
     pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
         let inputs = request.inputs().chain(self.work.checkpoint.clone());
         let rule = Rule::new(inputs, self.overwrite);

@@ -5,7 +5,7 @@ use crate::command::search::write;
 use crate::parameters::Parameter;
 use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_text};
 use crate::study::{
-    Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied,
+    Change, Changed, Flatness, Optimum, Search, Sensitivity, change, flatness, refuse_varied,
     sensitivities, short_drive, usual_loss,
 };
 use crate::{Error, Outcome, Result, Setup};
@@ -29,28 +29,10 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         });
     }
     let request = setup_args.request()?;
-    let setup = request.setup_with_starts(&search.vary)?;
-    let search = search.search(&setup)?;
-    let asked = setup;
-    let setup = request.for_many(asked, &search.vary)?;
-    let wrt = variables(&setup, &args.wrt, &search.outcomes())?;
-    let changes = args
-        .change
-        .iter()
-        .map(|text| Change::read(&setup, text))
-        .collect::<Result<Vec<_>>>()?;
-    let is_named =
-        |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);
-    let named = wrt.iter().copied().filter(|parameter| is_named(parameter));
-    for parameter in named.chain(changes.iter().map(|change| change.parameter)) {
-        refuse_varied(&search, parameter)?;
-    }
-    let loss = args
-        .loss
-        .as_deref()
-        .map(|text| loss(search.outcome(), text))
-        .transpose()?;
-
+    let own = request.setup_with_starts(&search.vary)?;
+    let search = search.search(&own)?;
+    let setup = request.for_many(own, &search.vary)?;
+    let asked = Asked::new(args, &setup, &search)?;
     let output = args.optimize.destination(&request)?;
     let optima = work.run(&setup, &search)?;
     let best = &optima.best;
@@ -72,63 +54,100 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         };
         return Ok(answer.found(false));
     }
-    // each search chooses its own step, as "optimize" there does
+    // each changed search chooses its own step, as "optimize" of that setup does
     let integrated = |mut changed: Setup<f64>| {
-        (changed.method, changed.flight.step) = (asked.method, asked.flight.step);
+        (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)
     };
-    let changed = |stated: &Change| change(best, *stated, &integrated);
-    let found = analysed(best, &wrt, &|| changes.iter().map(changed).collect(), loss);
-    let (sensitivities, flatness, changes) = match found {
+    let (is_found, text, mut reply) = match analyse(best, &asked, &integrated) {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
-            let answer = if request.is_json() {
-                let mut reply = SensitivityReport::none(&optima, Some(&error), warnings);
-                reply.body.optimum.file = written;
-                Answer::json(&reply)
-            } else {
-                Answer::text(optimum_text(best, OverSwings::default(), system()))
-            };
-            return Ok(answer.found(false));
+            let reply = SensitivityReport::none(&optima, Some(&error), warnings);
+            (false, String::new(), reply)
         }
-        found => found?,
-    };
-    // where nothing that was asked for exists, there is no answer
-    let is_answered = sensitivities.is_empty()
-        || sensitivities
-            .iter()
-            .any(|(_, sensitivity)| sensitivity.is_ok());
-    let analysis = Analysis {
-        best,
-        sensitivities: &sensitivities,
-        flatness: &flatness,
-        changes: &changes,
+        found => {
+            let found = found?;
+            let analysis = found.analysis(best);
+            let reply = SensitivityReport::reply(&optima, &analysis, warnings);
+            (
+                found.is_answered(),
+                "\n".to_owned() + &analysis.document(system()).text(),
+                reply,
+            )
+        }
     };
     let answer = if request.is_json() {
-        let mut reply = SensitivityReport::reply(&optima, &analysis, warnings);
         reply.body.optimum.file = written;
         Answer::json(&reply)
     } else {
-        let text = optimum_text(best, OverSwings::default(), system());
-        Answer::text(text + "\n" + &analysis.document(system()).text())
+        Answer::text(optimum_text(best, OverSwings::default(), system()) + &text)
     };
-    Ok(answer.found(is_answered))
+    Ok(answer.found(is_found))
+}
+
+/// The requested derivatives and changes.
+struct Asked {
+    wrt: Vec<&'static Parameter>,
+    changes: Vec<Change>,
+    /// The loss of `--loss`, in the unit of the outcome, SI.
+    loss: Option<f64>,
+}
+
+impl Asked {
+    fn new(args: &OptimumSensitivity, setup: &Setup<f64>, search: &Search) -> Result<Self> {
+        let wrt = variables(setup, &args.wrt, &search.outcomes())?;
+        let changes = args
+            .change
+            .iter()
+            .map(|text| Change::read(setup, text))
+            .collect::<Result<Vec<_>>>()?;
+        let is_named =
+            |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);
+        let named = wrt.iter().copied().filter(|parameter| is_named(parameter));
+        for parameter in named.chain(changes.iter().map(|change| change.parameter)) {
+            refuse_varied(search, parameter)?;
+        }
+        let loss = args
+            .loss
+            .as_deref()
+            .map(|text| loss(search.outcome(), text))
+            .transpose()?;
+        Ok(Self { wrt, changes, loss })
+    }
 }
 
 /// Sensitivities, flatness, and the effects of stated changes.
-type Found = (
-    Vec<(&'static Parameter, Result<Sensitivity>)>,
-    Flatness,
-    Vec<Changed>,
-);
+struct Found {
+    sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
+    flatness: Flatness,
+    changes: Vec<Changed>,
+}
 
-fn analysed(
+impl Found {
+    fn analysis<'a>(&'a self, best: &'a Optimum) -> Analysis<'a> {
+        Analysis {
+            best,
+            sensitivities: &self.sensitivities,
+            flatness: &self.flatness,
+            changes: &self.changes,
+        }
+    }
+
+    /// Returns true if a sensitivity exists, or none was requested.
+    fn is_answered(&self) -> bool {
+        let mut all = self.sensitivities.iter();
+        self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
+    }
+}
+
+/// Analyses an optimum; `integrated` chooses the step of a changed setup.
+fn analyse(
     best: &Optimum,
-    wrt: &[&'static Parameter],
-    changes: &dyn Fn() -> Result<Vec<Changed>>,
-    loss: Option<f64>,
+    asked: &Asked,
+    integrated: &dyn Fn(Setup<f64>) -> Result<Setup<f64>>,
 ) -> Result<Found> {
-    let wrt: Vec<_> = wrt
+    let wrt: Vec<_> = asked
+        .wrt
         .iter()
         .copied()
         .filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p))
@@ -136,15 +155,23 @@ fn analysed(
     let bar = bar("parameters");
     let sensitivities = sensitivities(best, &wrt, &mut |done, of| show(&bar, done, of));
     bar.finish_and_clear();
-    if let (None, Some((_, said))) = (loss, short_drive(best)) {
+    if let (None, Some((_, said))) = (asked.loss, short_drive(best)) {
         tell(said);
     }
-    let loss = loss.unwrap_or_else(|| usual_loss(best));
+    let loss = asked.loss.unwrap_or_else(|| usual_loss(best));
     let spinner = spinner("computing drives around the optimum");
-    let changed = changes()?;
+    let changes = asked
+        .changes
+        .iter()
+        .map(|stated| change(best, *stated, integrated))
+        .collect::<Result<Vec<_>>>()?;
     let flatness = flatness(best, loss)?;
     spinner.finish_and_clear();
-    Ok((sensitivities?, flatness, changed))
+    Ok(Found {
+        sensitivities: sensitivities?,
+        flatness,
+        changes,
+    })
 }
 
 fn loss(of: Outcome, text: &str) -> Result<f64> {

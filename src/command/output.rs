@@ -11,7 +11,7 @@ use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
 
-/// The units that were asked for, if any.
+/// The units of `--units`.
 pub fn stated_system() -> Option<System> {
     running().stated_system()
 }
@@ -21,13 +21,13 @@ pub fn system() -> System {
     running().system()
 }
 
-/// Warns of what the work of the command begins with; the answer has it too.
+/// Says a warning before the command's own work, and keeps it for the answer.
 pub fn warn_early(warning: Message) {
     warn(std::slice::from_ref(&warning));
     running().keep(warning);
 }
 
-/// What a command has to say on standard output, and whether it found what it was asked for.
+/// The standard output of a command, and whether it has found an answer.
 pub struct Answer {
     text: String,
     found: bool,
@@ -42,7 +42,7 @@ impl Answer {
     }
 
     pub fn json(value: &impl Serialize) -> Self {
-        // names are strings and numbers finite: nothing of ours fails to serialise
+        // keys are strings and numbers finite, so that serialization cannot fail
         let mut value = serde_json::to_value(value).unwrap_or_default();
         if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
             warnings.splice(
@@ -66,7 +66,7 @@ impl Answer {
         }
     }
 
-    /// The same answer, with exit status 1 where it says that there is none.
+    /// Sets the exit status: 1 if nothing was found.
     pub fn found(self, found: bool) -> Self {
         Self { found, ..self }
     }
@@ -122,30 +122,48 @@ pub fn warn(warnings: &[Message]) {
     }
 }
 
-/// An error, where the command goes on.
+/// The warnings of an answer; `add` also says each to the host.
+#[derive(Default)]
+pub struct Warnings(Vec<Message>);
+
+impl Warnings {
+    /// Adds warnings and says them to the host.
+    pub fn add(&mut self, warnings: impl IntoIterator<Item = Message>) {
+        let before = self.0.len();
+        self.0.extend(warnings);
+        warn(&self.0[before..]);
+    }
+
+    /// All of them, for the answer.
+    pub fn into_vec(self) -> Vec<Message> {
+        self.0
+    }
+}
+
+/// Says an error after which the command continues.
 pub fn tell_error(error: &Error) {
     say_error(&error.in_units(system()));
 }
 
-/// The same in words.
+/// Says an error message.
 pub fn say_error(message: &str) {
     running()
         .host
         .say(Kind::Error, &in_words_of_the_host(message));
 }
 
-/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input. Where
-/// JSON is asked for, standard output says it too.
+/// Says an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
+/// input. With `--json`, standard output has the error too.
 pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
     tell_error(error);
-    // what could not be written once cannot be written now
+    // after an output error, no further output
     if is_json && !matches!(error, Error::Output(_)) {
         say(&Reply::none(Some(command), error));
     }
     if error.is_an_outcome() { 1 } else { 2 }
 }
 
-/// Says what the arguments lack, or shows the help that they ask for.
+/// Says an error in the arguments, or shows the help.
 pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: bool) -> u8 {
     in_own_words(&mut error);
     let rendered = error.render();
@@ -190,8 +208,8 @@ fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     message
 }
 
-/// Says what to do about an argument that is left over. One that begins with a hyphen and is no
-/// option the reader of arguments takes for the name of a setup that is to stand after `--`.
+/// Replaces the parser's tip about an unexpected argument. The parser takes a word with a hyphen
+/// that is no option for a setup, and advises `--`.
 fn in_own_words(error: &mut clap::Error) {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else {
         return;
@@ -224,7 +242,7 @@ fn in_own_words(error: &mut clap::Error) {
     }
 }
 
-/// An answer without anything found, where the command ends with it.
+/// Prints an answer without a result.
 fn say(reply: &Reply<Empty>) {
     let _ = running().host.print(&Answer::json(reply).text);
 }
@@ -234,7 +252,7 @@ pub fn bar(of: &str) -> ProgressBar {
     bar_of(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left"))
 }
 
-/// The same of so many parts, drawn by a template.
+/// A progress bar of this many parts, with a template.
 pub fn bar_of(parts: u64, template: &str) -> ProgressBar {
     let running = running();
     if running.is_quiet() {

@@ -1,4 +1,4 @@
-//! Where a picture goes, and how it is written.
+//! Destinations of pictures, and their formats.
 
 use crate::command::args::Drawing;
 use crate::command::files::{Destination, Rule};
@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 /// The width of a picture, pixels.
 const WIDTH: u32 = 480;
 
-/// What a plot is written as.
+/// The format of a plot.
 #[derive(Clone, Copy)]
 enum Format {
     Svg,
@@ -26,7 +26,7 @@ enum Format {
 }
 
 impl Format {
-    /// What a file's name asks for.
+    /// The format of a file, by its extension.
     fn of(file: &Path) -> Result<Self> {
         let ending = file
             .extension()
@@ -51,19 +51,19 @@ impl Format {
     }
 }
 
-/// Where a plot goes, and as what.
+/// The destination of a plot, and its format.
 pub struct Target {
     format: Format,
     destination: Destination,
 }
 
 impl Target {
-    /// What was asked for, if it may be written.
+    /// The destination of a plot of this request, checked.
     pub fn new(request: &Request, drawing: &Drawing) -> Result<Self> {
         Self::beside(request.inputs(), drawing)
     }
 
-    /// The same for a plot that reads these files.
+    /// The destination of a plot that reads these files, checked.
     pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {

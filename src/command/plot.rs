@@ -1,6 +1,6 @@
 use crate::atmosphere::AirState;
 use crate::command::args::{
-    Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws,
+    Drawing, Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws,
     PlotTornado, PlotTrajectory, PlotVcurve, Seen,
 };
 use crate::command::compare::warnings;
@@ -11,11 +11,12 @@ use crate::command::plot_drive::{at_optimum, face, fairway, launches, strikes};
 use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
-use crate::parameters::Law;
+use crate::parameters::{Law, Parameter};
 use crate::report::figures::{
-    At, Causes, Coefficient, OnMap, Over, View, chart_figures, difference_figure, laws_figure,
-    map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    At, Causes, ChartFigures, Coefficient, OnMap, Over, View, chart_figures, difference_figure,
+    laws_figure, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
+use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
@@ -112,7 +113,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     )
 }
 
-/// The map around an optimum; around the setup itself, where there is none.
+/// The map around an optimum, or around the setup if the search finds none.
 fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
     let [across, up, ..] = search.vary[..] else {
         let (name, reason) = (
@@ -160,25 +161,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
     request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
-    let shown = match &args.show {
-        Some(name) if name != search.outcome().name() => {
-            let names = || {
-                search
-                    .vary
-                    .iter()
-                    .map(|vary| vary.parameter.name)
-                    .chain([search.outcome().name()])
-            };
-            let advice = || format!("a chart shows {}", names().collect::<Vec<_>>().join(", "));
-            let shown = search.vary.iter().find(|vary| vary.parameter.name == name);
-            Some(
-                shown
-                    .ok_or_else(|| Error::unknown("curve", name, names(), advice()))?
-                    .parameter,
-            )
-        }
-        _ => None,
-    };
+    let shown = shown_curve(args, &search)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
     let bar = bar("optima");
@@ -194,36 +177,60 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let own = optimum(&setup, search.clone(), Observer::default())?;
     let own = Some(&own).filter(|own| own.solution.status == Status::Converged);
     let figures = chart_figures(&chart, own, system());
-    if let Some((_, why)) = figures
-        .held
-        .iter()
-        .find(|(vary, _)| Some(vary.parameter) == shown)
-    {
-        let reason = format!("nothing of it moves: {why}");
+    let figure = figure_of(&figures, &search, shown, &args.drawing)?;
+    target.written(&request, &setup, &args.drawing, figure, chart.warnings())
+}
+
+/// The varied parameter whose curve is shown; `None` for the outcome.
+fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Parameter>> {
+    let Some(name) = args
+        .show
+        .as_ref()
+        .filter(|name| *name != search.outcome().name())
+    else {
+        return Ok(None);
+    };
+    let varied = search.vary.iter().map(|vary| vary.parameter);
+    if let Some(parameter) = varied.clone().find(|parameter| parameter.name == name) {
+        return Ok(Some(parameter));
+    }
+    let names: Vec<_> = varied
+        .map(|parameter| parameter.name)
+        .chain([search.outcome().name()])
+        .collect();
+    let advice = format!("a chart shows {}", names.join(", "));
+    Err(Error::unknown("curve", name, names, advice))
+}
+
+/// The figure of the curve: the outcome's is the first, then those of the parameters that move, in
+/// the order of the search.
+fn figure_of<'a>(
+    figures: &'a ChartFigures,
+    search: &Search,
+    shown: Option<&'static Parameter>,
+    drawing: &Drawing,
+) -> Result<&'a Figure> {
+    let mut held = figures.held.iter();
+    if let Some((_, why)) = held.find(|(vary, _)| Some(vary.parameter) == shown) {
         return Err(Error::Plot {
-            name: args.drawing.output.display().to_string(),
-            reason,
+            name: drawing.output.display().to_string(),
+            reason: format!("nothing of it moves: {why}"),
         });
     }
-    // the plots of what moves stand in the order of the search
     let moves = |vary: &&Vary| {
-        figures
-            .held
-            .iter()
-            .all(|(held, _)| held.parameter != vary.parameter)
+        let mut held = figures.held.iter();
+        held.all(|(held, _)| held.parameter != vary.parameter)
     };
     let place = search
         .vary
         .iter()
         .filter(moves)
         .position(|vary| Some(vary.parameter) == shown);
-    match figures.drawn.get(place.map_or(0, |place| 1 + place)) {
-        Some(figure) => target.written(&request, &setup, &args.drawing, figure, chart.warnings()),
-        None => Err(Error::Nothing {
-            doing: "draw",
-            what: "optimum",
-        }),
-    }
+    let figure = figures.drawn.get(place.map_or(0, |place| 1 + place));
+    figure.ok_or(Error::Nothing {
+        doing: "draw",
+        what: "optimum",
+    })
 }
 
 fn tornado(args: &PlotTornado) -> Result<Answer> {
@@ -303,7 +310,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     bar.finish_and_clear();
     let certificate = certificate?;
     tell_left_out(&certificate);
-    // in the order asked for, without what is looked at beside
+    // in the requested order, without the additional rows
     let asked = of
         .iter()
         .flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
@@ -375,7 +382,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
 }
 
 impl PlotLaws {
-    /// What is drawn over, and at which value of the other.
+    /// The abscissa of the laws, and the fixed value of the other variable.
     fn over(&self) -> Result<Over> {
         let unused = |name: &str, over: &str| {
             let source = format!(
@@ -410,7 +417,7 @@ impl PlotLaws {
     }
 }
 
-/// A plain number of an option, within a range.
+/// The number of an option, checked against a range.
 fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
     let Some(text) = text else { return Ok(default) };
     let unreadable = |e| Error::Unreadable {

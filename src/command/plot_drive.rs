@@ -1,5 +1,4 @@
-//! Pictures of a drive beside the best one: where they land, how they leave, and where the face is
-//! struck.
+//! Plots of a drive and its optimum: landings, launches, and strikes on the face.
 
 use crate::command::args::{Drawing, PlotFace, PlotFairway, PlotLaunch, PlotStrike, SearchArgs};
 use crate::command::output::{Answer, spinner, system, tell};
@@ -138,7 +137,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     target.written(&request, &setup, &args.drawing, &figure, of_other)
 }
 
-/// Where the launch is given there is no face.
+/// Refuses a drive given by its launch: it has no face.
 fn refuse_launch(setup: &Setup<f64>, drawing: &Drawing) -> Result<()> {
     if !setup.launch.is_given() {
         return Ok(());
@@ -152,7 +151,7 @@ fn refuse_launch(setup: &Setup<f64>, drawing: &Drawing) -> Result<()> {
     })
 }
 
-/// The toe of the two would be on opposite sides.
+/// Refuses golfers of different hands: their toes are on opposite sides.
 fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, drawing: &Drawing) -> Result<()> {
     if before.golfer == after.golfer {
         return Ok(());
@@ -171,7 +170,7 @@ fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, drawing: &Drawing)
     })
 }
 
-/// That more than the club differs between two designs.
+/// A warning if more than the club differs between two designs.
 fn beside_the_club(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
     let names = causes(before, after)
         .into_iter()
@@ -190,7 +189,7 @@ fn beside_the_club(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
     vec![message.into()]
 }
 
-/// What deserves a word about the drive of an optimum.
+/// The warnings of an optimum's drive.
 pub fn at_optimum(best: &Optimum) -> Vec<Message> {
     let warnings = best.drive.as_ref().map_or_else(Vec::new, |drive| {
         drive.warnings_about(&best.setup, &best.search.outcomes())
@@ -214,7 +213,7 @@ fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Optio
     }
     let search = search.search(&setup)?;
     let setup = request.for_many(setup, &search.vary)?;
-    // without a drive there is nothing to draw
+    // a plot needs a drive
     Drive::new(&setup)?.landed()?;
     let best = optimum(&setup, search, Observer::default())?;
     if best.solution.status == Status::Converged {

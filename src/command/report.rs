@@ -4,6 +4,7 @@ use crate::command::files::Rule;
 use crate::command::names::usual;
 use crate::command::output::{Answer, bar, command_line, system, tell, warn};
 use crate::command::plot::limits;
+use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::wording::in_words_of_the_host;
 use crate::flight::Flight;
@@ -13,15 +14,17 @@ use crate::report::page::{Document, Findings, SETUP_FILE, report_documents};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Row, certify};
 use crate::study::{
-    Chart, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region, Search, Sigma,
-    Vary, chart, effects, flatness, map, optimum, short_drive, usual_loss, with_defaults,
+    Chart, Constraint, Effects, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum,
+    Region, Search, Sigma, Vary, chart, effects, flatness, map, optimum, short_drive, usual_loss,
+    with_defaults,
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
+use indicatif::ProgressBar;
 use serde::Serialize;
 use std::path::Path;
 
-/// Optima along the parameter are about this many: what the bar counts to.
+/// The usual number of optima in a chart, for the progress bar.
 const USUAL_POINTS: u64 = 24;
 
 pub fn run(args: &Report) -> Result<Answer> {
@@ -35,7 +38,6 @@ pub fn run(args: &Report) -> Result<Answer> {
         .collect();
     let setup = request.for_many(stated, &ranges)?;
     let date = today()?;
-    let preset = request.source().preset();
     let given = args
         .sigma
         .iter()
@@ -48,38 +50,11 @@ pub fn run(args: &Report) -> Result<Answer> {
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
-    let mut flown = vec![NamedDrive::new("as set up", &setup)?];
-    let mut remarks = flown[0].drive.warnings_about(&setup, Outcome::ALL);
-    bar.inc(1);
-
-    let found = sought
-        .as_ref()
-        .map(|(search, _)| optimum(&setup, search.clone(), Observer::default()))
-        .transpose()?;
-    let best = found
-        .as_ref()
-        .filter(|found| found.solution.status == Status::Converged);
-    let why_none = match (&found, best) {
-        (None, _) => Some(Message::from(NO_SEARCH)),
-        (Some(found), None) => Some(
-            Message::from(format!("no optimum: {}: ", found.status())).message(found.message()),
-        ),
-        _ => None,
-    };
-    if let Some(best) = best {
-        let longest = NamedDrive::new(NamedDrive::OPTIMUM, &best.setup)?;
-        let of_drive = longest
-            .drive
-            .warnings_about(&best.setup, Outcome::ALL)
-            .into_iter()
-            .filter(|warning| !remarks.contains(warning));
-        let of_drive: Vec<_> = of_drive
-            .map(|warning| Message::from("at the optimum: ").message(warning))
-            .collect();
-        remarks.extend(of_drive);
-        flown.push(longest);
-    }
-    let pictures = Pictures::of(&setup, best, &flown, &given, &mut remarks)?;
+    let mut remarks = vec![];
+    let search = sought.as_ref().map(|(search, _)| search);
+    let drives = Drives::new(&setup, search, &bar, &mut remarks)?;
+    let best = drives.best();
+    let pictures = Pictures::of(&setup, best, &drives.flown, &given, &mut remarks)?;
     remarks.extend(
         best.and_then(short_drive)
             .map(|(_, said)| Message::from(said)),
@@ -88,95 +63,41 @@ pub fn run(args: &Report) -> Result<Answer> {
         .map(|best| flatness(best, usual_loss(best)))
         .transpose()?;
     bar.inc(1);
-
-    let around = best.map_or(&setup, |best| &best.setup);
-    let search = sought.as_ref().map(|(search, _)| search);
-    let map = match search.map(|search| &search.vary[..]) {
-        Some([across, up, ..]) => said(
-            map(around, of, *across, *up, Fineness::default()),
-            &mut remarks,
-        )?,
+    let neighbourhood = Neighbourhood::new(&setup, of, search, best, &mut remarks)?;
+    bar.inc(1);
+    let chart = match (&sought, best) {
+        (Some((search, along)), Some(_)) => chart_of(&setup, search, *along, &bar, &mut remarks)?,
         _ => None,
     };
-    let flat = map.as_ref().and_then(Map::flat);
-    let map = map.filter(|_| flat.is_none());
-    remarks.extend(flat);
-    let limits = search
-        .map(|search| said(limits(around, search), &mut remarks))
-        .transpose()?
-        .flatten();
-    let limits = limits.unwrap_or_default();
-    let region = match (best, &map) {
-        (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
-        _ => None,
-    };
-    bar.inc(1);
-    let is_fixed = |(search, along): &&(Search, Vary)| {
-        search
-            .vary
-            .iter()
-            .all(|vary| vary.parameter != along.parameter)
-    };
-    let chart = match sought.as_ref().filter(is_fixed) {
-        Some((search, along)) if best.is_some() => {
-            let mut on_point = |_: &_| {
-                bar.inc(1);
-                true
-            };
-            said(chart(&setup, search, *along, &mut on_point), &mut remarks)?
-        }
-        _ => None,
-    };
+    let slopes = Slopes::new(&setup, of, search, best, &sigmas, &bar, &mut remarks)?;
 
-    remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
-
-    let shown = if of == Outcome::Lateral {
-        vec![Outcome::Carry]
-    } else {
-        vec![of, Outcome::Lateral]
-    };
-    let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, &sigmas, &mut |_, _| ());
-    let effects = said(moved(&setup, &shown), &mut remarks)?.unwrap_or_default();
-    bar.inc(1);
-    let at_best = best
-        .map(|best| said(moved(&best.setup, &[of]), &mut remarks))
-        .transpose()?;
-    let at_best = at_best.flatten().and_then(|mut effects| effects.pop());
-    let rows = said(rows(&setup, of, search), &mut remarks)?.unwrap_or_default();
-    bar.inc(1);
-
-    // of a file its name, wherever it is
     let in_words = |message: Message| message.map_words(in_words_of_the_host);
     let mut remarks: Vec<_> = remarks.into_iter().map(in_words).collect();
-    let why_none = why_none.map(in_words);
-    let name = Path::new(request.source().name()).file_name();
-    let name = name.map_or_else(
-        || request.source().argument.clone(),
-        |name| name.to_string_lossy().into_owned(),
-    );
+    let why_none = drives.why_none().map(in_words);
+    let name = name_of(&request);
     let findings = Findings {
         name: &name,
         stated: &stated,
         setup: &setup,
         of,
-        preset,
-        flown: &flown,
+        preset: request.source().preset(),
+        flown: &drives.flown,
         landings: &pictures.landings,
         launches: pictures.launches.as_ref(),
         face: pictures.face.as_ref(),
         best_face: pictures.best_face.as_ref(),
-        found: found.as_ref(),
+        found: drives.found.as_ref(),
         best,
         why_none: why_none.as_ref(),
         flatness: flatness.as_ref(),
-        map: map.as_ref(),
-        limits: &limits,
-        region: region.as_ref(),
+        map: neighbourhood.map.as_ref(),
+        limits: &neighbourhood.limits,
+        region: neighbourhood.region.as_ref(),
         chart: chart.as_ref(),
-        effects: &effects,
-        at_best: at_best.as_ref(),
-        rows: &rows,
-        loops: &while_loop(&setup, &rows),
+        effects: &slopes.effects,
+        at_best: slopes.at_best.as_ref(),
+        rows: &slopes.rows,
+        loops: &while_loop(&setup, &slopes.rows),
         system: system(),
         remarks: &remarks,
         command: &command_line(running().words()),
@@ -191,43 +112,210 @@ pub fn run(args: &Report) -> Result<Answer> {
     bar.finish_and_clear();
     remarks.extend(why_none);
     warn(&remarks);
-    let index = args.output.join("index.html");
     tell(&format!(
         "{} ({})",
-        index.display(),
+        args.output.join("index.html").display(),
         counted(documents.len() as u64, "file")
     ));
-    let names: Vec<&str> = documents
-        .iter()
-        .map(|document| document.name.as_str())
-        .collect();
-    let missing = found.as_ref().filter(|_| best.is_none());
-    let answer = if request.is_json() {
-        let (status, message) = match (&flown[0].drive.flight, missing) {
+    Ok(answer(args, &drives, &documents, remarks))
+}
+
+/// The name of the setup; of a file without its folder (privacy).
+fn name_of(request: &Request) -> String {
+    Path::new(request.source().name()).file_name().map_or_else(
+        || request.source().argument.clone(),
+        |name| name.to_string_lossy().into_owned(),
+    )
+}
+
+fn answer(args: &Report, drives: &Drives, documents: &[Document], remarks: Vec<Message>) -> Answer {
+    let own = &drives.flown[0].drive;
+    let missing = drives.found.as_ref().filter(|_| drives.best().is_none());
+    let answer = if args.setup_args.json {
+        let (status, message) = match (&own.flight, missing) {
             (Flight::None(why), _) => (why.status(), Some(why.to_string())),
             (Flight::Landed(_), None) => ("done", None),
             (Flight::Landed(_), Some(found)) => (found.status(), Some(found.message().to_string())),
         };
+        let names = documents.iter().map(|document| document.name.as_str());
         let body = ReportFiles {
             folder: args.output.display().to_string(),
-            files: names,
+            files: names.collect(),
         };
-        Answer::json(&Reply::done("report", remarks.clone(), body).ended(status, message))
+        Answer::json(&Reply::done("report", remarks, body).ended(status, message))
     } else {
         Answer::text(String::new())
     };
-    Ok(answer.found(missing.is_none() && flown[0].drive.landed().is_ok()))
+    answer.found(missing.is_none() && own.landed().is_ok())
 }
 
-/// What the report of a launch says where nothing is to be varied.
+/// The drive as set up and the drive of the optimum.
+struct Drives {
+    flown: Vec<NamedDrive>,
+    /// The end of the search, optimum or not.
+    found: Option<Optimum>,
+}
+
+impl Drives {
+    fn new(
+        setup: &Setup<f64>,
+        search: Option<&Search>,
+        bar: &ProgressBar,
+        remarks: &mut Vec<Message>,
+    ) -> Result<Self> {
+        let mut flown = vec![NamedDrive::new("as set up", setup)?];
+        remarks.extend(flown[0].drive.warnings_about(setup, Outcome::ALL));
+        bar.inc(1);
+        let found = search
+            .map(|search| optimum(setup, search.clone(), Observer::default()))
+            .transpose()?;
+        let mut drives = Self {
+            flown: vec![],
+            found,
+        };
+        if let Some(best) = drives.best() {
+            let longest = NamedDrive::new(NamedDrive::OPTIMUM, &best.setup)?;
+            let mut of_drive = longest.drive.warnings_about(&best.setup, Outcome::ALL);
+            of_drive.retain(|warning| !remarks.contains(warning));
+            remarks.extend(
+                of_drive
+                    .into_iter()
+                    .map(|warning| Message::from("at the optimum: ").message(warning)),
+            );
+            flown.push(longest);
+        }
+        drives.flown = flown;
+        Ok(drives)
+    }
+
+    /// The optimum, if the search has converged.
+    fn best(&self) -> Option<&Optimum> {
+        let found = self.found.as_ref();
+        found.filter(|found| found.solution.status == Status::Converged)
+    }
+
+    /// Why there is no optimum.
+    fn why_none(&self) -> Option<Message> {
+        match (&self.found, self.best()) {
+            (None, _) => Some(Message::from(NO_SEARCH)),
+            (Some(found), None) => Some(
+                Message::from(format!("no optimum: {}: ", found.status())).message(found.message()),
+            ),
+            _ => None,
+        }
+    }
+}
+
+/// The map around the optimum, or around the setup, by the first two varied parameters.
+struct Neighbourhood {
+    map: Option<Map>,
+    limits: Vec<(Constraint, Map)>,
+    region: Option<Region>,
+}
+
+impl Neighbourhood {
+    fn new(
+        setup: &Setup<f64>,
+        of: Outcome,
+        search: Option<&Search>,
+        best: Option<&Optimum>,
+        remarks: &mut Vec<Message>,
+    ) -> Result<Self> {
+        let around = best.map_or(setup, |best| &best.setup);
+        let map = match search.map(|search| &search.vary[..]) {
+            Some([across, up, ..]) => {
+                said(map(around, of, *across, *up, Fineness::default()), remarks)?
+            }
+            _ => None,
+        };
+        let flat = map.as_ref().and_then(Map::flat);
+        let map = map.filter(|_| flat.is_none());
+        remarks.extend(flat);
+        let limits = search
+            .map(|search| said(limits(around, search), remarks))
+            .transpose()?
+            .flatten();
+        let region = match (best, &map) {
+            (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
+            _ => None,
+        };
+        Ok(Self {
+            map,
+            limits: limits.unwrap_or_default(),
+            region,
+        })
+    }
+}
+
+/// The optimum along a parameter; `None` if the search varies that parameter.
+fn chart_of(
+    setup: &Setup<f64>,
+    search: &Search,
+    along: Vary,
+    bar: &ProgressBar,
+    remarks: &mut Vec<Message>,
+) -> Result<Option<Chart>> {
+    let mut varied = search.vary.iter();
+    if varied.any(|vary| vary.parameter == along.parameter) {
+        return Ok(None);
+    }
+    let mut on_point = |_: &_| {
+        bar.inc(1);
+        true
+    };
+    let chart = said(chart(setup, search, along, &mut on_point), remarks)?;
+    remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
+    Ok(chart)
+}
+
+/// Effects of uncertainties, and derivatives beside differences.
+struct Slopes {
+    effects: Vec<Effects>,
+    /// The effects at the optimum.
+    at_best: Option<Effects>,
+    rows: Vec<Row>,
+}
+
+impl Slopes {
+    fn new(
+        setup: &Setup<f64>,
+        of: Outcome,
+        search: Option<&Search>,
+        best: Option<&Optimum>,
+        sigmas: &[Sigma],
+        bar: &ProgressBar,
+        remarks: &mut Vec<Message>,
+    ) -> Result<Self> {
+        let shown = if of == Outcome::Lateral {
+            vec![Outcome::Carry]
+        } else {
+            vec![of, Outcome::Lateral]
+        };
+        let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, sigmas, &mut |_, _| ());
+        let effects = said(moved(setup, &shown), remarks)?.unwrap_or_default();
+        bar.inc(1);
+        let at_best = best
+            .map(|best| said(moved(&best.setup, &[of]), remarks))
+            .transpose()?;
+        let at_best = at_best.flatten().and_then(|mut effects| effects.pop());
+        let rows = said(rows(setup, of, search), remarks)?.unwrap_or_default();
+        bar.inc(1);
+        Ok(Self {
+            effects,
+            at_best,
+            rows,
+        })
+    }
+}
+
+/// The remark of a report without a search.
 const NO_SEARCH: &str = "the drive is given by its launch, so there is no loft and no attack angle \
                          to vary: the optimum, its map and its chart \
                          are left out; to look for the best launch, give `vary`, for example \
                          launch.launch_angle=5deg..20deg";
 
 impl Report {
-    /// What is looked for, and the parameter that the optimum is followed along; nothing for a
-    /// launch of which nothing is varied.
+    /// The search, and the parameter that the chart follows; `None` for a launch without `--vary`.
     fn sought(&self, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
         let is_launched = setup.launch.is_given();
         if !is_launched || !self.search.vary.is_empty() {
@@ -260,8 +348,8 @@ impl Report {
     }
 }
 
-/// The speeds that the optimum is followed along where no range is given: the usual ones, or where
-/// the drive's own speed is none of them, as many around it, down to half of it.
+/// The default speeds of the chart: the usual range, or one of that width around the drive's own
+/// speed if this is outside, down to half of it.
 fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     let usual = if setup.launch.is_given() {
         "launch.ball_speed=120mph..190mph"
@@ -279,7 +367,7 @@ fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     }
 }
 
-/// What the pictures of the drives show.
+/// The data of the plots of drives.
 struct Pictures {
     landings: Vec<Landing>,
     launches: Option<Launches>,
@@ -288,8 +376,8 @@ struct Pictures {
 }
 
 impl Pictures {
-    /// Of the drive as set up and of the best one, as far as they fly; `flown` are both, `given`
-    /// the uncertainties that were stated.
+    /// The data of the drive and its optimum, as far as they fly; `flown` are both, `given` the
+    /// stated uncertainties.
     fn of(
         setup: &Setup<f64>,
         best: Option<&Optimum>,

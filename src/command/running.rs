@@ -1,15 +1,15 @@
-//! The command that is run on a thread: for whom, and with what options about what is printed.
+//! The command of a thread: its host, and its options about output.
 
 use super::args::Shown;
 use super::host::{Host, Kind};
+use super::mention::with_mentions;
 use super::terminal::Terminal;
-use super::wording::with_mentions;
 use crate::units::{Message, System};
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A command that is run.
+/// A command with its host.
 pub struct Running {
     pub host: Arc<dyn Host>,
     shown: Option<Shown>,
@@ -27,7 +27,7 @@ thread_local! {
     static RUNNING: RefCell<Vec<Arc<Running>>> = const { RefCell::new(vec![]) };
 }
 
-/// Takes the command off the thread again, also where it panics.
+/// Removes the command from its thread, also after a panic.
 struct Ended;
 
 impl Drop for Ended {
@@ -68,7 +68,7 @@ impl Running {
         }
     }
 
-    /// The units that were asked for, if any.
+    /// The units of `--units`.
     pub fn stated_system(&self) -> Option<System> {
         self.shown
             .as_ref()
@@ -108,7 +108,7 @@ impl Running {
             .push(warning);
     }
 
-    /// What was kept.
+    /// The kept warnings.
     pub fn kept(&self) -> Vec<Message> {
         self.early
             .lock()
@@ -119,7 +119,7 @@ impl Running {
     /// The text of the setup that is named `-`, read once.
     ///
     /// # Errors
-    /// Where there is none to be read.
+    /// If nothing can be read.
     pub fn input(&self) -> std::io::Result<Arc<str>> {
         let mut input = self.input.lock().unwrap_or_else(PoisonError::into_inner);
         if input.is_none() {

@@ -1,4 +1,4 @@
-//! The search that several commands begin with: who follows it and keeps it.
+//! Searches, with their progress and checkpoints.
 
 use crate::command::args::{SearchArgs, WorkArgs};
 use crate::command::files::Destination;
@@ -17,7 +17,7 @@ use indicatif::ProgressBar;
 use std::sync::{Arc, Mutex, PoisonError};
 
 impl SearchArgs {
-    /// What is looked for.
+    /// The search that the options describe.
     pub fn search(&self, setup: &Setup<f64>) -> Result<Search> {
         let vary = match self.vary.as_slice() {
             [] if setup.launch.is_given() => {
@@ -56,7 +56,7 @@ impl SearchArgs {
         Ok(search)
     }
 
-    /// The outcome that is looked at, and which value of it is sought.
+    /// The objective and its sense.
     pub fn sought(&self) -> Result<(Outcome, Sense)> {
         Ok(match (&self.maximize, &self.minimize) {
             (_, Some(of)) => (of_a_drive("`minimize`", of)?, Sense::Minimize),
@@ -177,7 +177,7 @@ pub fn write(
     Ok(Some(file.to_string()))
 }
 
-/// The outcome of one drive that an option asks for; what is asked of many swings needs these.
+/// The outcome of one drive that an option names; a goal over many swings needs their distribution.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {
@@ -194,8 +194,8 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     })
 }
 
-/// The question in words that tell it from any other: every number of the setup and the search is
-/// in their debug form, to the last digit. More iterations make no other question.
+/// The identity of a search for its checkpoint: every number of setup and search in its debug form,
+/// to the last digit. The iteration limit is no part of it.
 fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
     let options = Options {
         max_iterations: 0,

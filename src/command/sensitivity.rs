@@ -1,11 +1,13 @@
 use crate::command::args::SensitivityArgs;
 use crate::command::names::outcomes;
-use crate::command::output::{Answer, bar, show, system, tell, warn};
+use crate::command::output::{Answer, Warnings, bar, show, system, tell};
+use crate::command::request::Request;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
 use crate::report::{EffectsReport, by_reason};
 use crate::study::{
-    Bar, Effects, Sensitivity, Sigma, effects, flown_off, optimum, sensitivities, with_defaults,
+    Bar, Effects, Optimum, Sensitivity, Sigma, effects, flown_off, optimum, sensitivities,
+    with_defaults,
 };
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -19,28 +21,9 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         .iter()
         .map(|text| Sigma::read(&setup, text))
         .collect::<Result<Vec<_>>>()?;
-    let mut best = None;
-    if let ([option, ..], false) = (args.search.given().as_slice(), args.at_optimum) {
-        let source =
-            "it is about the search for an optimum; add `at_optimum`, or leave it out".into();
-        return Err(Error::Unreadable {
-            name: (*option).into(),
-            source,
-        });
-    }
-    if args.at_optimum {
-        let search = args.search.search(&setup)?;
-        setup = request.for_many(setup, &search.vary)?;
-        let found = optimum(&setup, search, Observer::default())?;
-        if found.solution.status != Status::Converged {
-            return Err(Error::NotConverged {
-                status: found.status(),
-                message: found.message(),
-            });
-        }
-        tell(&found.message().in_units(system()));
-        setup = found.setup;
-        best = Some(found);
+    let best = find_optimum(args, &request, &setup)?;
+    if let Some(best) = &best {
+        setup = best.setup;
     }
     let sigmas = if args.no_defaults {
         given
@@ -48,50 +31,91 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         with_defaults(&setup, &given, &of)?
     };
     let drive = Drive::new(&setup)?;
-    let mut warnings = drive.warnings_about(&setup, &of);
-    warn(&warnings);
+    let mut warnings = Warnings::default();
+    warnings.add(drive.warnings_about(&setup, &of));
     let bar = bar("uncertainties");
     let found = effects(&setup, &of, &sigmas, &mut |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
-    // a dash in its column would not say why
-    let unflown = found
-        .first()
-        .map_or(vec![], |effects| unflown(&setup, &of, effects));
-    warn(&unflown);
-    warnings.extend(unflown);
-    let totals = match &best {
-        Some(best) => {
-            let varied = |row: &&_| !best.search.vary.iter().any(|vary| vary.parameter == *row);
-            let runs = best.search.outcomes().iter().any(|of| of.needs_run());
-            let counts = |row: &&Parameter| runs || !row.affects_only_run();
-            let wrt: Vec<_> = setup
-                .variables()
-                .into_iter()
-                .filter(varied)
-                .filter(counts)
-                .collect();
-            Some((
-                best.search.outcome(),
-                sensitivities(best, &wrt, &mut |_, _| ())?,
-            ))
-        }
-        None => None,
-    };
-    // a dash in its column would not say why
-    let why = |(row, slope): &(&Parameter, Result<Sensitivity>)| {
-        Some((row.name, slope.as_ref().err()?.to_string()))
-    };
-    let missing = by_reason(totals.iter().flat_map(|(_, all)| all).filter_map(why));
-    let missing: Vec<_> = missing
-        .iter()
-        .map(|line| format!("no slope of the optimum by {line}").into())
-        .collect();
-    warn(&missing);
-    warnings.extend(missing);
-    let totals = totals.as_ref().map(|(of, all)| (*of, all.as_slice()));
-    let report = EffectsReport::new(&found, best.as_ref(), totals);
-    Ok(Answer::report(&report, warnings, request.is_json()))
+    // reasons for the dashes in the table
+    let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
+    warnings.add(unflown.into_iter().flatten());
+    let totals = best.as_ref().map(Totals::at).transpose()?;
+    warnings.add(totals.iter().flat_map(Totals::missing));
+    let slopes = totals
+        .as_ref()
+        .map(|totals| (totals.of, totals.slopes.as_slice()));
+    let report = EffectsReport::new(&found, best.as_ref(), slopes);
+    Ok(Answer::report(
+        &report,
+        warnings.into_vec(),
+        request.is_json(),
+    ))
+}
+
+/// The optimum of `--at-optimum`; `None` without it.
+fn find_optimum(
+    args: &SensitivityArgs,
+    request: &Request,
+    setup: &Setup<f64>,
+) -> Result<Option<Optimum>> {
+    if !args.at_optimum {
+        return match args.search.given().first() {
+            Some(option) => Err(Error::Unreadable {
+                name: (*option).into(),
+                source: "it is about the search for an optimum; add `at_optimum`, or leave it out"
+                    .into(),
+            }),
+            None => Ok(None),
+        };
+    }
+    let search = args.search.search(setup)?;
+    let setup = request.for_many(*setup, &search.vary)?;
+    let found = optimum(&setup, search, Observer::default())?;
+    if found.solution.status != Status::Converged {
+        return Err(Error::NotConverged {
+            status: found.status(),
+            message: found.message(),
+        });
+    }
+    tell(&found.message().in_units(system()));
+    Ok(Some(found))
+}
+
+/// The total derivatives of an optimum: with the varied parameters following.
+struct Totals {
+    of: Outcome,
+    slopes: Vec<(&'static Parameter, Result<Sensitivity>)>,
+}
+
+impl Totals {
+    /// The slopes by every parameter that is not varied and has an effect.
+    fn at(best: &Optimum) -> Result<Self> {
+        let is_varied = |parameter: &Parameter| {
+            let mut varied = best.search.vary.iter();
+            varied.any(|vary| vary.parameter == parameter)
+        };
+        let runs = best.search.outcomes().iter().any(|of| of.needs_run());
+        let mut wrt = best.setup.variables();
+        wrt.retain(|parameter| !is_varied(parameter) && (runs || !parameter.affects_only_run()));
+        Ok(Self {
+            of: best.search.outcome(),
+            slopes: sensitivities(best, &wrt, &mut |_, _| ())?,
+        })
+    }
+
+    /// Why slopes are missing.
+    fn missing(&self) -> Vec<Message> {
+        let reasons = self
+            .slopes
+            .iter()
+            .filter_map(|(parameter, slope)| Some((parameter.name, slope.as_ref().err()?)))
+            .map(|(name, error)| (name, error.to_string()));
+        by_reason(reasons)
+            .iter()
+            .map(|line| format!("no slope of the optimum by {line}").into())
+            .collect()
+    }
 }
 
 /// Why there is no drive at one end of an uncertainty, for each that has none.

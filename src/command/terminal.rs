@@ -19,20 +19,20 @@ const ONE_PRESS: Duration = Duration::from_millis(300);
 /// The exit status of a program that Ctrl-C ends at once.
 const AT_ONCE: i32 = 130;
 
-/// A terminal, or the pipes that stand for one.
+/// A terminal, or the pipes of a script.
 #[derive(Clone, Default)]
 pub struct Terminal {
     now: Arc<Mutex<Now>>,
 }
 
-/// What Ctrl-C finds.
+/// The state of the command, for Ctrl-C.
 #[derive(Default)]
 struct Now {
     command: &'static str,
     is_json: bool,
     /// Work that can stop, if it is such.
     work: Option<Work>,
-    /// Whether the answer is being printed.
+    /// True while the answer is printed.
     is_printed: bool,
     /// Files that are whole.
     written: Vec<String>,
@@ -41,7 +41,7 @@ struct Now {
 /// Work that can stop with what is done so far.
 struct Work {
     stop: Arc<AtomicBool>,
-    /// What it does then.
+    /// The message when it is interrupted.
     stopping: &'static str,
     /// When it was told to.
     told: Option<Instant>,

@@ -47,7 +47,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-/// What is said to be uncertain; where nothing is, what is by default.
+/// The uncertain parameters of the options, or the default ones.
 fn inputs(
     request: &Request,
     setup: &Setup<f64>,

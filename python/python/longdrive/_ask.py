@@ -54,7 +54,7 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
     notes: list[str] = []
 
     def said(kind: str, text: str) -> None:
-        # warnings and errors stand in the answer
+        # the answer has warnings and errors
         if kind == "note":
             notes.append(question.shown(text))
             import logging

@@ -84,7 +84,7 @@ class Question:
             self.take_file(name, value)
         else:
             self.take_word(name, value)
-        # surrogates that stand for bytes are those of names of files
+        # only names of files may have surrogates for bytes
         encode = os.fsencode if what in PATHS or what in ("SETUP", "SHOTS", "DATA") else str.encode
         for word in self.words[at:]:
             encode(word.partition("=")[2] if word.startswith("--") else word)

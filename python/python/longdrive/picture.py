@@ -45,7 +45,7 @@ class Picture(Reply):
             another = f", or give the plot itself output='{path}', to have it in that form" if path.suffix.lower() in FORMS else ""
             raise InputError(f"path = '{path}': this plot is {form[1:].upper()}; name a file that ends in {form}{another}")
         try:
-            # made only where there is none, whoever else writes there
+            # mode "x": another process may make the file meanwhile
             with path.open("wb" if switch_of("overwrite", overwrite) else "xb") as file:
                 file.write(self["data"])
         except FileExistsError:

@@ -80,7 +80,7 @@ def point_in_si(x: Any, units: Mapping[str, str]) -> Any:
     if elements is None:
         return x
     if len(elements) != len(units):
-        # its shape is told
+        # the error names its shape
         return [0.0] * len(elements)
     point = []
     for element, (name, unit) in zip(elements, units.items()):

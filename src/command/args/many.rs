@@ -165,7 +165,7 @@ fn instructions() -> impl TypedValueParser<Value = Level> {
 pub struct PartOf {
     /// Its number, from 1.
     pub part: u64,
-    /// How many there are.
+    /// Number of parts.
     pub parts: u64,
 }
 

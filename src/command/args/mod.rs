@@ -123,7 +123,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// The commands that answer in JSON where it is asked for.
+    /// Commands with `--json`.
     const NAMES: [&str; 23] = [
         "simulate",
         "gradient",
@@ -157,7 +157,7 @@ impl Command {
             .find_map(|word| Self::NAMES.into_iter().find(|name| word == name))
     }
 
-    /// Its name on the command line, and whether its answer is to be JSON.
+    /// The name on the command line, and true for an answer in JSON.
     fn asked(&self) -> (&'static str, bool) {
         match self {
             Self::Simulate(args) => ("simulate", args.setup_args.json),
@@ -195,7 +195,7 @@ impl Command {
         self.asked().0
     }
 
-    /// Whether its answer is to be JSON.
+    /// Returns true if the answer is JSON.
     pub fn is_json(&self) -> bool {
         self.asked().1
     }

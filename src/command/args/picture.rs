@@ -46,7 +46,7 @@ pub enum PlotKind {
 }
 
 impl PlotKind {
-    /// What the plot starts from.
+    /// The setup arguments of the plot.
     pub fn setup_args(&self) -> &SetupArgs {
         match self {
             Self::Trajectory(args) => &args.setup_args,

@@ -3,7 +3,7 @@
 use crate::units::System;
 use std::path::PathBuf;
 
-/// What every command takes about what is printed.
+/// Options of every command about its output.
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Options of every command")]
 pub struct Shown {

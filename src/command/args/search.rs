@@ -4,7 +4,7 @@ use super::SetupArgs;
 use super::number::{U32, whole};
 use std::path::PathBuf;
 
-/// What to look for.
+/// Objective, variables and constraints of a search.
 #[derive(clap::Args)]
 pub struct SearchArgs {
     /// The outcome to maximize [default: carry, unless --minimize is given].
@@ -37,7 +37,7 @@ pub struct SearchArgs {
     pub max_iterations: Option<u64>,
 }
 
-/// How much is searched.
+/// Effort of a search.
 #[derive(clap::Args)]
 pub struct WorkArgs {
     /// Search from this many starts, spread evenly over the ranges (the first is the setup's own),

@@ -3,7 +3,7 @@
 /// The setup where none is named.
 pub const SETUP: &str = "tour-average";
 
-/// What every question starts from.
+/// Arguments about the setup, of every command with drives.
 #[derive(Clone, clap::Args)]
 pub struct SetupArgs {
     /// A preset's name, a TOML file, or - for the text of one on standard input. A file that names

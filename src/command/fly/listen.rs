@@ -1,10 +1,11 @@
 //! Shots that are sent while the program runs.
 
-use super::asked::{asked, followed, setup};
+use super::request::{asked, followed, setup};
 use crate::batch::Status;
 use crate::command::args::{Fly, SETUP, SetupArgs};
 use crate::command::interrupt;
-use crate::command::output::{Answer, tell, warn};
+use crate::command::output::{Answer, Warnings, tell};
+use crate::command::request::Request;
 use crate::report::{Reply, open_connect_answer};
 use crate::shots::{Flying, Objects};
 use crate::units::counted;
@@ -16,14 +17,17 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
-/// How long one waits for the rest of a message, and how often Ctrl-C is looked for.
+/// Wait for the rest of a message, and the interval of looks for Ctrl-C.
 const PATIENCE: Duration = Duration::from_millis(200);
-/// How often a new connection is looked for.
+/// Interval of looks for a new connection.
 const PAUSE: Duration = Duration::from_millis(20);
 /// Connections at a time.
 const MOST: u64 = 64;
+/// The answer to one connection too many.
+const TOO_MANY: &[u8] =
+    b"{\"Code\":503,\"Message\":\"there are too many connections; close one\"}\n";
 
-/// What was answered.
+/// Counts of connections and of messages by answer.
 #[derive(Default)]
 struct Counts {
     connections: AtomicU64,
@@ -33,7 +37,7 @@ struct Counts {
     refused: AtomicU64,
 }
 
-/// The same, as JSON.
+/// The counts, as JSON.
 #[derive(Serialize)]
 struct Summary {
     address: String,
@@ -43,7 +47,7 @@ struct Summary {
     refused: u64,
 }
 
-/// A file that is no setup stands beside `--listen`: most likely shots.
+/// The error of `--listen` with a file that is no setup, most likely shots.
 fn both_given(file: &Path, why: &str) -> Error {
     let file = file.display();
     let source = format!(
@@ -57,47 +61,78 @@ fn both_given(file: &Path, why: &str) -> Error {
 }
 
 pub fn run(args: &Fly, port: u16) -> Result<Answer> {
-    if let Some(shots) = args
-        .shots
-        .as_ref()
-        .filter(|_| args.setup_args.setup != SETUP)
-    {
-        return Err(both_given(shots, "a setup stands behind it"));
-    }
-    // a listener reads no shots: its first argument is the setup
-    let setup_args = SetupArgs {
-        setup: args.shots.as_ref().map_or_else(
-            || args.setup_args.setup.clone(),
-            |setup| setup.display().to_string(),
-        ),
-        ..args.setup_args.clone()
-    };
-    let request = setup_args
-        .request()
-        .map_err(|error| match (&args.shots, error) {
-            (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
-            (_, error) => error,
-        })?;
+    let request = request(args)?;
     let setup = setup(&request, "the messages")?;
     request.refuse_replaced(&setup, &[])?;
     let of = asked(args)?;
     let flying = followed(&request, &setup, &of, |setup| {
         Flying::of_messages(setup, &of)
     })?;
-    let warnings = setup.warnings();
-    warn(&warnings);
-    let wanted = SocketAddr::new(args.address, port);
-    let listener = TcpListener::bind(wanted).map_err(|error| refused(wanted, &error))?;
-    listener
-        .set_nonblocking(true)
-        .map_err(|error| refused(wanted, &error))?;
-    let address = listener
-        .local_addr()
-        .map_err(|error| refused(wanted, &error))?;
+    let mut warnings = Warnings::default();
+    warnings.add(setup.warnings());
+    let listener = listen(SocketAddr::new(args.address, port))?;
     let stop = interrupt::stops("ending after the messages under way");
     tell(&format!(
-        "listening on {address} for messages of GSPro Open Connect; Ctrl-C ends"
+        "listening on {} for messages of GSPro Open Connect; Ctrl-C ends",
+        listener.address
     ));
+    let counts = accept(&listener.listener, &flying, &stop);
+    let count = |of: &AtomicU64| of.load(Ordering::Relaxed);
+    let summary = Summary {
+        address: listener.address.to_string(),
+        connections: count(&counts.connections),
+        flown: count(&counts.flown),
+        others: count(&counts.others),
+        refused: count(&counts.refused),
+    };
+    Ok(if request.is_json() {
+        Answer::json(&Reply::done("fly", warnings.into_vec(), &summary))
+    } else {
+        Answer::text(format!(
+            "{} flown, {} without a shot, {} refused, over {}\n",
+            counted(summary.flown, "shot"),
+            counted(summary.others, "message"),
+            counted(summary.refused, "message"),
+            counted(summary.connections, "connection")
+        ))
+    })
+}
+
+/// The request of a listener: it reads no shots, so that its first argument is the setup.
+fn request(args: &Fly) -> Result<Request> {
+    let shots = args.shots.as_ref();
+    if let Some(shots) = shots.filter(|_| args.setup_args.setup != SETUP) {
+        return Err(both_given(shots, "a setup stands behind it"));
+    }
+    let setup_args = SetupArgs {
+        setup: shots.map_or_else(
+            || args.setup_args.setup.clone(),
+            |setup| setup.display().to_string(),
+        ),
+        ..args.setup_args.clone()
+    };
+    setup_args.request().map_err(|error| match (shots, error) {
+        (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
+        (_, error) => error,
+    })
+}
+
+/// A listener with its address.
+struct Listener {
+    listener: TcpListener,
+    address: SocketAddr,
+}
+
+fn listen(wanted: SocketAddr) -> Result<Listener> {
+    let failed = |error: io::Error| refused(wanted, &error);
+    let listener = TcpListener::bind(wanted).map_err(failed)?;
+    listener.set_nonblocking(true).map_err(failed)?;
+    let address = listener.local_addr().map_err(failed)?;
+    Ok(Listener { listener, address })
+}
+
+/// Serves connections until Ctrl-C.
+fn accept(listener: &TcpListener, flying: &Flying, stop: &AtomicBool) -> Counts {
     let counts = Counts::default();
     std::thread::scope(|scope| {
         while !stop.load(Ordering::Relaxed) {
@@ -105,47 +140,21 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
                 Ok((stream, _)) if counts.open.load(Ordering::Relaxed) < MOST => {
                     counts.connections.fetch_add(1, Ordering::Relaxed);
                     counts.open.fetch_add(1, Ordering::Relaxed);
-                    let (flying, stop, counts) = (&flying, &*stop, &counts);
+                    let counts = &counts;
                     scope.spawn(move || {
-                        // a client that has gone away is no failure of ours
+                        // a client that closes its connection is no error
                         let _ = serve(stream, flying, stop, counts);
                         counts.open.fetch_sub(1, Ordering::Relaxed);
                     });
                 }
                 Ok((mut stream, _)) => {
-                    let _ =
-                        stream.write_all(b"{\"Code\":503,\"Message\":\"there are too many connections; close one\"}\n");
+                    let _ = stream.write_all(TOO_MANY);
                 }
                 Err(_) => std::thread::sleep(PAUSE),
             }
         }
     });
-    let count = |of: &AtomicU64| of.load(Ordering::Relaxed);
-    let summary = Summary {
-        address: address.to_string(),
-        connections: count(&counts.connections),
-        flown: count(&counts.flown),
-        others: count(&counts.others),
-        refused: count(&counts.refused),
-    };
-    Ok(if request.is_json() {
-        Answer::json(&Reply::done("fly", warnings, &summary))
-    } else {
-        let Summary {
-            flown,
-            others,
-            refused,
-            connections,
-            ..
-        } = summary;
-        Answer::text(format!(
-            "{} flown, {} without a shot, {} refused, over {}\n",
-            counted(flown, "shot"),
-            counted(others, "message"),
-            counted(refused, "message"),
-            counted(connections, "connection")
-        ))
-    })
+    counts
 }
 
 /// Answers the messages of a connection until it is closed.

@@ -1,13 +1,13 @@
 //! The shots of a launch monitor, flown.
 
-mod asked;
 mod listen;
+mod request;
 mod target;
 
 use crate::batch::Run;
 use crate::command::args::Fly;
 use crate::command::interrupt;
-use crate::command::output::{Answer, system, tell, warn};
+use crate::command::output::{Answer, Warnings, system, tell};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::parameters::{Law, Preset};
@@ -17,8 +17,9 @@ use crate::report::{Ending, Report, ShotWriter, ShotsReport};
 use crate::shots::{Flying, Shots, Tally};
 use crate::table::{ASSUMED_UNITS, CONDITIONS};
 use crate::units::{Message, counted};
-use crate::{Error, Outcome, Result};
-use asked::{asked, followed, setup};
+use crate::{Error, Outcome, Result, Setup};
+use request::{asked, followed, setup};
+use std::path::Path;
 use target::{Output, Target, Written};
 
 pub fn run(args: &Fly) -> Result<Answer> {
@@ -32,21 +33,86 @@ fn fly(args: &Fly) -> Result<Answer> {
     let Some(file) = &args.shots else {
         return listen::run(args, 0);
     };
-    if Preset::named(&file.to_string_lossy()).is_some() && !file.exists() {
-        let source = format!(
-            "it is a setup; the shots come first, as in longdrive fly shots.csv {}",
-            file.display()
-        );
-        return Err(Error::Unreadable {
-            name: file.display().to_string(),
-            source: source.into(),
-        });
-    }
+    refuse_preset(file)?;
     let request = args.setup_args.request()?;
     let setup = setup(&request, &format!("the rows of {}", file.display()))?;
     let target = Target::new(args, file, &request)?;
     let stop = interrupt::stops("stopping after the rows under way");
-    let mut shots = Shots::open(&setup, file)?;
+    let mut shots = read_shots(file, &request, &setup)?;
+    // notes about the outcomes, after all checks of the input
+    let of = asked(args)?;
+    request.refuse_replaced(&setup, shots.further())?;
+    let mut flying = followed(&request, &setup, &of, |setup| {
+        Flying::new(setup, &shots, &of)
+    })?;
+    let is_on_their_ground = request.gives_ground();
+    if is_on_their_ground {
+        flying = flying.on_their_ground();
+    }
+    let mut warnings = Warnings::default();
+    warnings.add(setup.warnings());
+    let mut remarks = Remarks::new(file);
+    remarks.add(shots.remarks().iter().cloned());
+    remarks.add(not_compared(&shots, &of, is_on_their_ground));
+    let run = Run {
+        threads: args.threads,
+        stop: Some(&stop),
+        ..Run::default()
+    };
+    let maker = shots.maker();
+    let (tally, output) = written(&target, &flying, &mut shots, &run)?;
+    remarks.add(shots.remarks_of_sections().iter().cloned());
+    let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
+    if !is_stopped {
+        refuse_no_rows(&tally, file)?;
+        output.finish()?;
+    }
+    warnings.add(tally.beyond.warnings(
+        &setup.law,
+        ["shot that landed", "shots that landed"],
+        CheckScope::Launch,
+    ));
+    let suspicions = tally.unit_warnings(|of| shots.name_of(of));
+    if suspicions.is_empty() {
+        remarks.add(of_lofted(&tally, &setup.law).map(Message::from));
+    }
+    warnings.add(suspicions);
+    let missing = Missing {
+        stopped: is_stopped.then(|| stopped(&tally, &target)),
+        nothing: nothing(&tally, &remarks.all),
+    };
+    if request.is_json() {
+        warnings.add(missing.nothing.iter().cloned().map(Message::from));
+    }
+    Ok(answer(
+        &request,
+        &target,
+        &tally,
+        maker,
+        warnings.into_vec(),
+        &remarks.all,
+        missing,
+    ))
+}
+
+/// Refuses the name of a preset in the place of the shots.
+fn refuse_preset(file: &Path) -> Result<()> {
+    if Preset::named(&file.to_string_lossy()).is_none() || file.exists() {
+        return Ok(());
+    }
+    let source = format!(
+        "it is a setup; the shots come first, as in longdrive fly shots.csv {}",
+        file.display()
+    );
+    Err(Error::Unreadable {
+        name: file.display().to_string(),
+        source: source.into(),
+    })
+}
+
+/// Opens the shots, and refuses settings that their columns replace.
+fn read_shots(file: &Path, request: &Request, setup: &Setup<f64>) -> Result<Shots> {
+    let mut shots = Shots::open(setup, file)?;
     if request.gives_air() {
         shots.in_given_air();
     }
@@ -55,102 +121,62 @@ fn fly(args: &Fly) -> Result<Answer> {
         .filter_map(|of| setup.launch_condition(of.name()));
     let of_rows: Vec<_> = of_rows.chain(shots.further().iter().copied()).collect();
     request.refuse_stated(&of_rows, "every row has a value of its own")?;
-    // it has something to tell: after what may be refused
-    let of = asked(args)?;
-    request.refuse_replaced(&setup, shots.further())?;
-    let flying = followed(&request, &setup, &of, |setup| {
-        Flying::new(setup, &shots, &of)
-    })?;
-    let is_on_their_ground = request.gives_ground();
-    let flying = if is_on_their_ground {
-        flying.on_their_ground()
-    } else {
-        flying
-    };
-    let mut warnings = setup.warnings();
-    warn(&warnings);
-    let mut remarks: Vec<Message> = shots.remarks().to_vec();
+    Ok(shots)
+}
+
+fn refuse_no_rows(tally: &Tally, file: &Path) -> Result<()> {
+    if tally.rows > 0 {
+        return Ok(());
+    }
+    Err(Error::Table {
+        file: file.display().to_string(),
+        place: String::new(),
+        reason: "it has no rows; give a row for each shot".into(),
+    })
+}
+
+/// Remarks about a file of shots; `add` also says each to the host.
+struct Remarks<'a> {
+    file: &'a Path,
+    all: Vec<Message>,
+}
+
+impl<'a> Remarks<'a> {
+    fn new(file: &'a Path) -> Self {
+        Self { file, all: vec![] }
+    }
+
+    fn add(&mut self, remarks: impl IntoIterator<Item = Message>) {
+        for remark in remarks {
+            let text = remark.in_units(system());
+            tell(&format!("note: {}: {text}", self.file.display()));
+            self.all.push(remark);
+        }
+    }
+}
+
+/// The measured outcomes that no prediction is compared with, and how to get one.
+fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<Message> {
+    let mut remarks = vec![];
     if !is_on_their_ground && of.iter().any(|of| of.needs_run() && shots.has(*of)) {
-        remarks.push(
+        remarks.push(Message::from(
             "the measured totals are not compared: the ground is not given; name it with \
-                      `set ground.turf=average`, or another"
-                .into(),
-        );
+             `set ground.turf=average`, or another",
+        ));
     }
     if of.contains(&Outcome::Carry)
         && shots.has(Outcome::CarryDistance)
         && !of.contains(&Outcome::CarryDistance)
     {
-        remarks.push(
+        remarks.push(Message::from(
             "the measured carry is not compared: it is the distance from the tee, carry_distance; \
-             name that with `of`"
-                .into(),
-        );
-    }
-    for remark in &remarks {
-        tell(&format!(
-            "note: {}: {}",
-            file.display(),
-            remark.in_units(system())
+             name that with `of`",
         ));
     }
-    let source = shots.maker();
-    let run = Run {
-        threads: args.threads,
-        stop: Some(&stop),
-        ..Run::default()
-    };
-    let (tally, output) = written(&target, &flying, &mut shots, &run)?;
-    for remark in shots.remarks_of_sections() {
-        tell(&format!(
-            "note: {}: {}",
-            file.display(),
-            remark.in_units(system())
-        ));
-        remarks.push(remark.clone());
-    }
-    let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
-    if tally.rows == 0 && !is_stopped {
-        let reason = "it has no rows; give a row for each shot".into();
-        return Err(Error::Table {
-            file: file.display().to_string(),
-            place: String::new(),
-            reason,
-        });
-    }
-    if !is_stopped {
-        output.finish()?;
-    }
-    let beyond = tally.beyond.warnings(
-        &setup.law,
-        ["shot that landed", "shots that landed"],
-        CheckScope::Launch,
-    );
-    warn(&beyond);
-    warnings.extend(beyond);
-    let suspicions = tally.unit_warnings(|of| shots.name_of(of));
-    warn(&suspicions);
-    let lofted = of_lofted(&tally, &setup.law).filter(|_| suspicions.is_empty());
-    warnings.extend(suspicions);
-    if let Some(remark) = lofted {
-        tell(&format!("note: {}: {remark}", file.display()));
-        remarks.push(remark.into());
-    }
-    let missing = Missing {
-        stopped: is_stopped.then(|| stopped(&tally, &target)),
-        nothing: nothing(&tally, &remarks),
-    };
-    if request.is_json() {
-        let nothing: Vec<Message> = missing.nothing.iter().cloned().map(Message::from).collect();
-        warn(&nothing);
-        warnings.extend(nothing);
-    }
-    Ok(answer(
-        &request, &target, &tally, source, warnings, &remarks, missing,
-    ))
+    remarks
 }
 
-/// What the law is worth for shots of other clubs than drivers.
+/// Error of the law for shots of clubs with more loft than a driver.
 fn of_lofted(tally: &Tally, law: &Law<f64>) -> Option<String> {
     (tally.lofted > 0 && law.name() == "launch-monitor").then(|| {
         format!(
@@ -162,7 +188,7 @@ fn of_lofted(tally: &Tally, law: &Law<f64>) -> Option<String> {
     })
 }
 
-/// Flies the shots into the output; it is still to be ended.
+/// Flies the shots into the output, which the caller finishes.
 fn written(
     target: &Target,
     flying: &Flying,
@@ -198,11 +224,11 @@ fn written(
     }
 }
 
-/// Why rows that were asked for are not there.
+/// Reasons for missing rows.
 struct Missing {
-    /// Where it was stopped, and what became of the file.
+    /// The rows before an interruption, and the state of the file.
     stopped: Option<String>,
-    /// That none of the rows flies.
+    /// The reason if no row flies.
     nothing: Option<String>,
 }
 
@@ -214,8 +240,8 @@ fn stopped(tally: &Tally, target: &Target) -> String {
     }
 }
 
-/// Where no row could be flown: why the first could not, and in which units columns were read that
-/// state none.
+/// The reason if no row flies: that of the first row, and the units assumed for columns without
+/// units.
 fn nothing(tally: &Tally, remarks: &[Message]) -> Option<String> {
     (tally.flown == 0 && tally.rows > 0).then(|| {
         let first = tally.refused.values().min_by_key(|refused| refused.line);

@@ -14,11 +14,11 @@ pub enum Written {
     Parquet,
 }
 
-/// Where the rows go.
+/// The destination of the rows.
 pub struct Target {
     destination: Option<Destination>,
     pub format: Written,
-    /// Whether they go nowhere: the summary alone is asked for.
+    /// True if no rows are written: JSON without a file is the summary only.
     is_silent: bool,
 }
 
@@ -83,7 +83,7 @@ impl Target {
         self.destination.as_ref().map(Destination::path)
     }
 
-    /// Whether no rows are written.
+    /// Returns true if no rows are written.
     pub fn is_silent(&self) -> bool {
         self.is_silent
     }
@@ -100,7 +100,7 @@ impl Target {
     }
 }
 
-/// Where the rows are going.
+/// The open destination of the rows.
 pub enum Output {
     File(Pieces),
     Standard(io::Stdout),

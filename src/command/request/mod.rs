@@ -7,6 +7,7 @@ mod setting;
 mod source;
 mod step;
 
+use setting::read_tolerance;
 pub use setting::{Setting, refuse_duplicates};
 pub use source::Source;
 
@@ -16,7 +17,6 @@ use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_f
 use crate::report::parameter_text;
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
-use step::read_tolerance;
 
 /// The setup of a command, with what the command line states of it.
 #[derive(Clone)]
@@ -28,9 +28,9 @@ pub struct Request {
     setup: Setup<f64>,
     /// The largest error of a length, of `--tolerance`, m.
     tolerance: Option<f64>,
-    /// Whether `--own-step` is given.
+    /// True for `--own-step`.
     own_step: bool,
-    /// Whether the answer is JSON.
+    /// True for an answer in JSON.
     is_json: bool,
 }
 
@@ -201,12 +201,12 @@ impl Request {
         Ok(setup)
     }
 
-    /// Where the setup comes from.
+    /// The source of the setup.
     pub fn source(&self) -> &Source {
         &self.source
     }
 
-    /// Whether the answer is JSON.
+    /// True for an answer in JSON.
     pub fn is_json(&self) -> bool {
         self.is_json
     }
@@ -252,12 +252,12 @@ impl Request {
             )
     }
 
-    /// Whether a setup file or a setting gives the ground that the ball runs on.
+    /// Returns true if a setup file or a setting gives the ground that the ball runs on.
     pub fn gives_ground(&self) -> bool {
         self.gives(|name| name.starts_with("ground.") && name != "ground.height")
     }
 
-    /// Whether a setup file or a setting gives the air.
+    /// Returns true if a setup file or a setting gives the air.
     pub fn gives_air(&self) -> bool {
         self.gives(|name| name.starts_with("air."))
     }

@@ -1,6 +1,7 @@
 //! Settings of the command line: `--set club.loft=11deg`, `--launch ball_speed=70m/s`.
 
-use crate::parameters::{is_taken_back, is_unset};
+use crate::parameters::{METHOD, is_taken_back, is_unset};
+use crate::units::Quantity;
 use crate::{Error, Result, Setup};
 use std::fmt;
 
@@ -82,24 +83,24 @@ impl Setting {
             .collect()
     }
 
-    /// Whether the parameter is a launch condition.
+    /// Returns true for a launch condition.
     pub fn is_of_launch(&self) -> bool {
         self.parameter.starts_with("launch.")
     }
 
-    /// Whether `--launch`, or an option for one launch condition, gives it: these replace the
-    /// launch of the setup. `--set launch.ball_speed=…` changes one condition of it.
+    /// Returns true for `--launch` and options such as `--ball-speed`, which replace the launch of
+    /// the setup. `--set launch.ball_speed=…` changes one condition of it.
     pub fn replaces_launch(&self) -> bool {
         self.name != self.parameter
     }
 
-    /// Whether its value is `none`.
+    /// Returns true for the value `none`.
     pub fn is_unset(&self) -> bool {
         is_unset(&self.value)
     }
 
-    /// Whether its value is `none`, and another parameter can give the quantity: air density
-    /// follows from the weather.
+    /// Returns true for the value `none` of a parameter that other parameters can determine: air
+    /// density follows from the weather.
     pub fn is_taken_back(&self) -> bool {
         is_taken_back(&self.parameter, &self.value)
     }
@@ -122,7 +123,7 @@ impl Setting {
         }
     }
 
-    /// Whether the option is for this parameter only, as `--ball-speed` is.
+    /// Returns true for an option of one parameter, such as `--ball-speed`.
     fn has_own_option(&self) -> bool {
         self.argument == self.name
     }
@@ -163,6 +164,35 @@ pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
     Ok(())
 }
 
+/// Reads the length of `--tolerance`, m.
+///
+/// # Errors
+/// For a text that is no length above 0.
+pub fn read_tolerance(text: &str) -> Result<f64> {
+    let tolerance = Quantity::LENGTH
+        .read(text)
+        .map_err(|error| bad_tolerance(error.to_string()))?;
+    if tolerance > 0.0 && tolerance.is_finite() {
+        return Ok(tolerance);
+    }
+    Err(bad_tolerance(format!(
+        "\"{text}\" is no tolerance; give a length above 0, for example 1um"
+    )))
+}
+
+/// The error of a bad tolerance.
+pub fn bad_tolerance(reason: String) -> Error {
+    Error::Unreadable {
+        name: "`tolerance`".into(),
+        source: reason.into(),
+    }
+}
+
+/// Returns true for flight.method and flight.step.
+pub fn is_of_step(name: &str) -> bool {
+    matches!(name, METHOD | "flight.step")
+}
+
 /// Splits `NAME=VALUE`.
 fn split<'a>(argument: &str, text: &'a str, example: &str) -> Result<(&'a str, &'a str)> {
     text.split_once('=')
@@ -171,4 +201,45 @@ fn split<'a>(argument: &str, text: &'a str, example: &str) -> Result<(&'a str, &
             name: format!("`{argument} {text}`"),
             source: format!("write NAME=VALUE, for example {example}").into(),
         })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Setting, refuse_duplicates};
+
+    #[test]
+    fn exact_settings_know_their_parameter_and_how_they_were_typed() {
+        let set = Setting::read_all("set_a", &["club.loft = 11deg".into()]).unwrap();
+        let launch = Setting::read_all_launch("launch", &["spin=2700rpm".into()]).unwrap();
+        let own = Setting::of_launch("ball_speed", "ball_speed", "70m/s").unwrap();
+        let all = [&set[0], &launch[0], &own];
+        assert_eq!(
+            all.map(|setting| setting.parameter.as_str()),
+            ["club.loft", "launch.spin", "launch.ball_speed"]
+        );
+        assert_eq!(
+            all.map(Setting::to_string),
+            [
+                "`set_a club.loft=11deg`",
+                "`launch spin=2700rpm`",
+                "`ball_speed 70m/s`"
+            ]
+        );
+        assert_eq!(
+            all.map(Setting::replaces_launch),
+            [false, true, true],
+            "--set changes one condition of the setup's launch"
+        );
+    }
+
+    #[test]
+    fn one_parameter_by_two_options_is_refused() {
+        let mut all = Setting::read_all("set", &["launch.spin=1rpm".into()]).unwrap();
+        all.extend(Setting::read_all_launch("launch", &["spin=2rpm".into()]).unwrap());
+        let error = refuse_duplicates(&all).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "`launch spin=2rpm`: `set launch.spin=1rpm` gives the spin too; keep one of the two"
+        );
+    }
 }

@@ -1,6 +1,6 @@
 //! The setup that a command line names: a preset, a TOML file, or standard input.
 
-use super::step::is_of_step;
+use super::setting::is_of_step;
 use crate::command::running::running;
 use crate::command::wording::{advice_on, no_setup};
 use crate::parameters::{PRESETS, Parameter, Preset, SetupFile};
@@ -14,7 +14,7 @@ const STANDARD_INPUT_NAME: &str = "standard input";
 /// A setup as its preset or file gives it, before any setting of the command line.
 #[derive(Clone)]
 pub struct Source {
-    /// As the command line names it.
+    /// The name on the command line.
     pub argument: String,
     kind: Kind,
     /// The content; of a preset, the setup alone.
@@ -69,7 +69,7 @@ impl Source {
         }
     }
 
-    /// Whether it states how to integrate: flight.method or flight.step.
+    /// Returns true if it states flight.method or flight.step.
     pub fn gives_step(&self) -> bool {
         let entries = self.content.preset.entries;
         self.content.gives_step || entries.iter().any(|entry| is_of_step(entry.name))

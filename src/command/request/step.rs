@@ -1,11 +1,12 @@
 //! The method and step of a request: as stated, for a tolerance, or chosen for many drives.
 
 use super::Request;
+use super::setting::{Setting, bad_tolerance, is_of_step};
 use crate::command::output::{tell, warn_early};
-use crate::parameters::{METHOD, Vary};
+use crate::parameters::Vary;
 use crate::report::{setup_toml, with_step_of, without_step};
 use crate::study::{Accuracy, accuracy};
-use crate::units::{Message, Quantity, counted};
+use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 
 /// The tolerance of commands that fly many drives, m.
@@ -90,8 +91,8 @@ impl Request {
         Ok(found)
     }
 
-    /// Whether the command chooses method and step: neither `--own-step`, a setting nor the setup
-    /// states them.
+    /// Returns true if the command chooses method and step: neither `--own-step`, a setting nor the
+    /// setup states them.
     fn chooses_step(&self) -> bool {
         !self.own_step && self.setting_of_step().is_none() && !self.source.gives_step()
     }
@@ -113,38 +114,10 @@ impl Request {
     }
 
     /// The first setting of flight.method or flight.step.
-    fn setting_of_step(&self) -> Option<&super::Setting> {
+    fn setting_of_step(&self) -> Option<&Setting> {
         let mut settings = self.stated.iter();
         settings.find(|setting| is_of_step(&setting.parameter))
     }
-}
-
-/// Reads the length of `--tolerance`, m.
-///
-/// # Errors
-/// For a text that is no length above 0.
-pub fn read_tolerance(text: &str) -> Result<f64> {
-    let tolerance = Quantity::LENGTH
-        .read(text)
-        .map_err(|error| bad_tolerance(error.to_string()))?;
-    if tolerance > 0.0 && tolerance.is_finite() {
-        return Ok(tolerance);
-    }
-    Err(bad_tolerance(format!(
-        "\"{text}\" is no tolerance; give a length above 0, for example 1um"
-    )))
-}
-
-fn bad_tolerance(reason: String) -> Error {
-    Error::Unreadable {
-        name: "`tolerance`".into(),
-        source: reason.into(),
-    }
-}
-
-/// Whether it is a parameter of the integration.
-pub fn is_of_step(name: &str) -> bool {
-    matches!(name, METHOD | "flight.step")
 }
 
 /// All outcomes but those of the run, whose step error is unknown.

@@ -1,4 +1,4 @@
-use super::rows::Question;
+use super::rows::Identity;
 use crate::atomic_file::{create_beside, persist};
 use crate::batch::{Status, Tally};
 use crate::drive::ExceededCount;
@@ -12,22 +12,22 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Serialize, Deserialize)]
 struct Begun {
     #[serde(flatten)]
-    question: Question,
-    /// Whether a file that is there may be replaced by the rows.
+    identity: Identity,
+    /// True if the rows may replace an existing file.
     #[serde(default)]
     overwrite: bool,
 }
 
-/// How far a file of rows has come, kept beside it as `FILE.resume` until it is complete: the
-/// question in the first line, then a line whenever rows are safe in the file. A line counts once
-/// it ends; what stands after the last one is what a kill cut short.
+/// The progress of a file of rows, beside it as `FILE.resume` until it is complete: the identity of
+/// the sweep in the first line, then a line whenever rows are on the disk. A line counts if it is
+/// complete; a kill can cut the last one short.
 pub struct Journal {
     path: PathBuf,
     file: File,
     /// For each entry, how long the file of rows was, and where in the journal the entry begins.
     entries: Vec<(u64, u64)>,
     length: u64,
-    /// Whether a file that is there may be replaced by the rows.
+    /// True if the rows may replace an existing file.
     pub overwrite: bool,
     /// The journal that this one has replaced: its lock keeps away who has opened it before.
     _replaced: Option<File>,
@@ -36,14 +36,14 @@ pub struct Journal {
 /// Rows that are safe.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Entry {
-    /// How many rows the file holds.
+    /// Rows in the file.
     pub rows: u64,
-    /// In how many bytes.
+    /// Bytes in the file.
     pub bytes: u64,
-    /// How many drives ended how.
+    /// Drives by status.
     pub drives: BTreeMap<Status, u64>,
-    /// How many landed; of these, how many begin with what the law was not fitted to, and how many
-    /// with a strike beside any face; and how many land too flat.
+    /// Landed drives; of these those outside of the fitted range of the law, those struck beside
+    /// any face, and those that land too flat.
     pub beyond: [u64; 4],
     /// The metadata of the row group that ends here, in hexadecimal.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -99,7 +99,7 @@ impl Journal {
         name.into()
     }
 
-    /// Whether a file is the journal of a sweep: it begins with a question.
+    /// Returns true for the journal of a sweep: its first line is an identity.
     ///
     /// # Errors
     /// Where a sweep is writing it.
@@ -115,7 +115,7 @@ impl Journal {
 
     /// A new journal, whole from its first moment on. One that another program is writing stays,
     /// and with `overwrite` alone one is replaced.
-    pub fn begin(of: &Path, question: &Question, overwrite: bool) -> io::Result<Self> {
+    pub fn begin(of: &Path, identity: &Identity, overwrite: bool) -> io::Result<Self> {
         let path = Self::path(of);
         let replaced = if overwrite {
             File::open(&path).ok()
@@ -125,7 +125,7 @@ impl Journal {
         replaced.as_ref().map_or(Ok(()), lock)?;
         let mut beside = create_beside(&path)?;
         let mut line = serde_json::to_vec(&Begun {
-            question: question.clone(),
+            identity: identity.clone(),
             overwrite,
         })?;
         line.push(b'\n');
@@ -149,12 +149,12 @@ impl Journal {
         })
     }
 
-    /// The journal of a file, with the question and the entries that `keeps` accepts, up to the
+    /// The journal of a file, with the identity and the entries that `keeps` accepts, up to the
     /// first it does not; `None` where there is no journal.
     pub fn open(
         of: &Path,
         keeps: impl Fn(&Entry) -> bool,
-    ) -> io::Result<Option<(Self, Question, Vec<Entry>)>> {
+    ) -> io::Result<Option<(Self, Identity, Vec<Entry>)>> {
         let path = Self::path(of);
         let mut file = match OpenOptions::new().read(true).write(true).open(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
@@ -172,7 +172,7 @@ impl Journal {
             .take_while(|line| line.ends_with('\n'));
         let first = lines.next().unwrap_or_default();
         let Begun {
-            question,
+            identity,
             overwrite,
         } = serde_json::from_str(first)?;
         let length = first.len() as u64;
@@ -194,7 +194,7 @@ impl Journal {
             entries.push(entry);
         }
         journal.cut()?;
-        Ok(Some((journal, question, entries)))
+        Ok(Some((journal, identity, entries)))
     }
 
     /// Adds an entry. The rows must be safe before.
@@ -228,7 +228,7 @@ impl Journal {
         self.file.seek(SeekFrom::Start(self.length)).map(|_| ())
     }
 
-    /// The file of rows is complete: nothing is left to go on with.
+    /// Removes the journal of a complete file.
     pub fn remove(&self) -> io::Result<()> {
         self.file.set_len(0)?;
         std::fs::remove_file(&self.path)

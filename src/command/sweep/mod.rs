@@ -1,29 +1,30 @@
 //! Very many drives, to a file.
 
-mod asked;
+mod disk_space;
 mod journal;
-mod kept;
 #[cfg(feature = "parquet")]
 mod parts;
 mod points;
-mod room;
+mod request;
+mod resumable;
 mod rows;
 mod target;
 
-use crate::batch::{Run, Status, Tally};
+use crate::batch::{Batch, Points, Run, Status, Tally};
 use crate::command::args::Sweep;
 use crate::command::interrupt;
-use crate::command::output::{Answer, bar, say_error, tell, warn};
+use crate::command::output::{Answer, Warnings, bar, say_error, tell};
 use crate::drive::CheckScope;
 use crate::report::Reply;
 use crate::units::{Message, counted};
-use crate::{Error, Result};
-use asked::Asked;
+use crate::{Error, Outcome, Result};
+use request::SweepRequest;
 use rows::{Rows, Writer};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::path::Path;
-use target::Target;
+use std::sync::atomic::AtomicBool;
+use target::{Output, Target};
 
 pub fn run(args: &Sweep) -> Result<Answer> {
     if let Some(path) = args
@@ -33,37 +34,97 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     {
         return of_parts(args, path);
     }
-    let of_parts = [
-        ("`histogram`", &args.histogram),
-        ("`highest`", &args.highest),
-        ("`lowest`", &args.lowest),
-    ];
-    if let Some((option, _)) = of_parts.into_iter().find(|(_, given)| !given.is_empty()) {
-        let reason =
-            "it is kept with a part of a sweep; add `part 1/1` for a sweep in one part".into();
-        return Err(Error::Together {
-            given: option.into(),
-            reason,
-        });
-    }
-    // from here on: all of a table is read before the first drive, which takes a while where it is
-    // long
+    refuse_options_of_parts(args)?;
+    // from here on: reading a long table takes a while before the first drive
     let stop = interrupt::stops("stopping after the drives under way");
     let request = args.setup_args.request()?;
     let target = Target::new(args, &request)?;
-    let Asked {
+    let SweepRequest {
         setup,
         mut points,
         batch,
         notes,
-    } = Asked::of(args, &request)?;
-    let of = batch.outcomes().to_vec();
+    } = SweepRequest::of(args, &request)?;
     let writer = Writer::new(&batch, target.format, points.identity())?;
-    room::check(args, &batch, points.as_mut(), &writer, &target)?;
+    disk_space::check(args, &batch, points.as_mut(), &writer, &target)?;
     let mut output = target.open(&writer, args)?;
-    let mut warnings = setup.warnings();
-    warn(&warnings);
+    let mut warnings = Warnings::default();
+    warnings.add(setup.warnings());
+    let total = points.rows();
+    let is_complete = write_rows(args, &batch, points.as_mut(), &writer, &mut output, &stop)?;
 
+    // an incomplete file has a name beside its own
+    let file = target
+        .part()
+        .filter(|_| !is_complete)
+        .unwrap_or(&args.output);
+    let summary = Summary::new(total, output.tally(), notes, file);
+    warnings.add(output.tally().beyond().warnings(
+        &setup.law,
+        ["drive that landed", "drives that landed"],
+        CheckScope::Launch,
+    ));
+    if !is_complete {
+        tell(&stopped(&summary, &target, &output));
+    }
+    let nothing = (is_complete && !output.tally().has_any(batch.outcomes()))
+        .then(|| no_outcome(&summary, &output.tally(), batch.outcomes()));
+    if let Some(nothing) = &nothing {
+        say_error(nothing);
+    }
+    let is_answered = is_complete && nothing.is_none();
+    // of a file, standard output has the counts
+    let all_landed = output
+        .tally()
+        .counts()
+        .all(|(status, count)| status == Status::Landed || count == 0);
+    if is_answered && !all_landed && target.is_standard_output() {
+        tell(&summary.text(None));
+    }
+    let answer = if request.is_json() {
+        let reply = Reply::done("sweep", warnings.into_vec(), &summary);
+        Answer::json(&match (is_complete, nothing) {
+            (true, None) => reply,
+            (true, nothing) => reply.ended("no-answer", nothing),
+            (false, _) => {
+                let stopped = format!("stopped: {}", summary.text(None));
+                reply.ended("interrupted", Some(stopped))
+            }
+        })
+    } else if is_complete && !target.is_standard_output() {
+        Answer::text(summary.text(target.file()) + "\n")
+    } else {
+        Answer::text(String::new())
+    };
+    Ok(answer.found(is_answered))
+}
+
+/// Refuses options that keep something with a part, where no part is written.
+fn refuse_options_of_parts(args: &Sweep) -> Result<()> {
+    let options = [
+        ("`histogram`", &args.histogram),
+        ("`highest`", &args.highest),
+        ("`lowest`", &args.lowest),
+    ];
+    match options.into_iter().find(|(_, given)| !given.is_empty()) {
+        Some((option, _)) => Err(Error::Together {
+            given: option.into(),
+            reason: "it is kept with a part of a sweep; add `part 1/1` for a sweep in one part"
+                .into(),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Computes the rows into the output; returns whether all of them are there.
+fn write_rows(
+    args: &Sweep,
+    batch: &Batch,
+    points: &mut dyn Points,
+    writer: &Writer,
+    output: &mut Output<'_>,
+    stop: &AtomicBool,
+) -> Result<bool> {
     let total = points.rows();
     let bar = bar("drives");
     bar.set_length(total);
@@ -72,11 +133,11 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     let run = Run {
         first_row: output.rows(),
         threads: args.threads,
-        stop: Some(&stop),
+        stop: Some(stop),
         ..Run::default()
     };
     let done = batch.run(
-        points.as_mut(),
+        points,
         &run,
         |block| writer.rows(block),
         |rows: Rows| {
@@ -86,85 +147,48 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     );
     bar.finish_and_clear();
     let is_complete = done.as_ref().is_ok_and(|done| *done == total);
-    // what closing the file says of its rows is the last word
+    // an error of closing the file goes before that of the rows
     output.close(is_complete)?;
     done?;
-
-    // until all rows are there they are in a file beside it
-    let file = target
-        .part()
-        .filter(|_| !is_complete)
-        .unwrap_or(&args.output);
-    let summary = Summary::new(total, output.tally(), notes, file);
-    let beyond = output.tally().beyond();
-    let beyond = beyond.warnings(
-        &setup.law,
-        ["drive that landed", "drives that landed"],
-        CheckScope::Launch,
-    );
-    warn(&beyond);
-    warnings.extend(beyond);
-    if !is_complete {
-        let drives = summary.text(None);
-        tell(&match target.part() {
-            Some(part) => format!(
-                "stopped: {drives}; the rows so far are in {}; the same command with `resume` \
-                 continues after {}",
-                part.display(),
-                counted(output.safe(), "row")
-            ),
-            None => format!("stopped: {drives}; with `output FILE` it could be resumed"),
-        });
-    }
-    let nothing = (is_complete && !output.tally().has_any(&of)).then(|| {
-        let which = if of.len() == 1 {
-            "the outcome"
-        } else {
-            "any of the outcomes"
-        };
-        let diverged = if output
-            .tally()
-            .counts()
-            .any(|(status, count)| status == Status::Diverged && count > 0)
-        {
-            "; simulate with the values of one that diverged says what to change"
-        } else {
-            ""
-        };
-        format!(
-            "no drive has {which} that was asked for: {}{diverged}",
-            summary.text(None)
-        )
-    });
-    if let Some(nothing) = &nothing {
-        say_error(nothing);
-    }
-    let is_answered = is_complete && nothing.is_none();
-    // the rows of a file are counted on standard output
-    let all_landed = output
-        .tally()
-        .counts()
-        .all(|(status, count)| status == Status::Landed || count == 0);
-    if is_answered && !all_landed && target.is_standard_output() {
-        tell(&summary.text(None));
-    }
-    Ok(match (request.is_json(), target.is_standard_output()) {
-        (true, _) => {
-            let reply = Reply::done("sweep", warnings, &summary);
-            let stopped = || Some(format!("stopped: {}", summary.text(None)));
-            Answer::json(&match (is_complete, nothing) {
-                (true, None) => reply,
-                (true, nothing) => reply.ended("no-answer", nothing),
-                (false, _) => reply.ended("interrupted", stopped()),
-            })
-        }
-        (false, false) if is_complete => Answer::text(summary.text(target.file()) + "\n"),
-        _ => Answer::text(String::new()),
-    }
-    .found(is_answered))
+    Ok(is_complete)
 }
 
-/// Writes a part of a sweep, or looks through those in a folder.
+/// The note about a sweep that was stopped, with how to continue it.
+fn stopped(summary: &Summary, target: &Target, output: &Output<'_>) -> String {
+    let drives = summary.text(None);
+    match target.part() {
+        Some(part) => format!(
+            "stopped: {drives}; the rows so far are in {}; the same command with `resume` \
+             continues after {}",
+            part.display(),
+            counted(output.safe(), "row")
+        ),
+        None => format!("stopped: {drives}; with `output FILE` it could be resumed"),
+    }
+}
+
+/// The error of a sweep in which no drive has an outcome that was asked for.
+fn no_outcome(summary: &Summary, tally: &Tally, of: &[Outcome]) -> String {
+    let which = if of.len() == 1 {
+        "the outcome"
+    } else {
+        "any of the outcomes"
+    };
+    let has_diverged = tally
+        .counts()
+        .any(|(status, count)| status == Status::Diverged && count > 0);
+    let diverged = if has_diverged {
+        "; simulate with the values of one that diverged says what to change"
+    } else {
+        ""
+    };
+    format!(
+        "no drive has {which} that was asked for: {}{diverged}",
+        summary.text(None)
+    )
+}
+
+/// Writes a part of a sweep, or checks the parts in a folder.
 #[cfg(feature = "parquet")]
 fn of_parts(args: &Sweep, folder: &Path) -> Result<Answer> {
     match args.part {
@@ -173,7 +197,7 @@ fn of_parts(args: &Sweep, folder: &Path) -> Result<Answer> {
     }
 }
 
-/// The same where there is no Parquet.
+/// Refuses parts in a build without Parquet.
 #[cfg(not(feature = "parquet"))]
 fn of_parts(_: &Sweep, folder: &Path) -> Result<Answer> {
     Err(crate::command::files::refused(
@@ -182,18 +206,18 @@ fn of_parts(_: &Sweep, folder: &Path) -> Result<Answer> {
     ))
 }
 
-/// What a sweep did, as JSON.
+/// The result of a sweep, as JSON.
 #[derive(Serialize)]
 struct Summary {
-    /// Where the rows are.
+    /// The file with the rows.
     file: String,
     /// Rows of the whole sweep.
     rows: u64,
     /// Rows that are written.
     written: u64,
-    /// How many of them ended how.
+    /// Drives by status.
     statuses: Map<String, Value>,
-    /// What deserves a word about where the points come from.
+    /// Remarks about the source of the points.
     remarks: Vec<Message>,
 }
 

@@ -1,11 +1,12 @@
 //! A sweep in parts, each a file of its own.
 
-use super::asked::Asked;
+use super::request::SweepRequest;
 use crate::batch::Run;
 use crate::command::args::{PartOf, Sweep};
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
-use crate::command::output::{Answer, bar, system, tell, warn};
+use crate::command::output::{Answer, Warnings, bar, system, tell};
+use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::parts::{self, Checked, Dataset, Manifest, Question, Written};
 use crate::report::{Reply, summary_document};
@@ -22,7 +23,7 @@ struct OfPart {
     folder: String,
     #[serde(flatten)]
     manifest: Manifest,
-    /// What deserves a word about where the points come from.
+    /// Remarks about the source of the points.
     remarks: Vec<Message>,
 }
 
@@ -38,17 +39,17 @@ struct OfParts {
 pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     let stop = interrupt::stops("stopping after the drives under way; nothing of the part is kept");
     let request = args.setup_args.request()?;
-    let Asked {
+    let SweepRequest {
         setup,
         mut points,
         batch,
         notes,
-    } = Asked::of(args, &request)?;
-    let dataset = of_question(args, batch, points.as_ref(), part.parts)?;
+    } = SweepRequest::of(args, &request)?;
+    let dataset = dataset_of(args, batch, points.as_ref(), part.parts)?;
     let rows = dataset.rows_of(part.part)?;
     make(folder)?;
-    let mut warnings = setup.warnings();
-    warn(&warnings);
+    let mut warnings = Warnings::default();
+    warnings.add(setup.warnings());
     let bar = bar("drives");
     bar.set_length(rows.end - rows.start);
     let run = Run {
@@ -69,39 +70,23 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     let (manifest, is_new) = match written? {
         Written::New(manifest) => (manifest, true),
         Written::There(manifest) => (manifest, false),
-        Written::Stopped => {
-            let PartOf { part, parts } = part;
-            let told = format!(
-                "stopped: nothing of part {part} of {parts} is kept; the same command begins it \
-                 again"
-            );
-            tell(&told);
-            let reply = match request.is_json() {
-                true => Answer::json(&Reply::refused(Some("sweep"), "interrupted", told)),
-                false => Answer::text(String::new()),
-            };
-            return Ok(reply.found(false));
-        }
+        Written::Stopped => return Ok(stopped(part, &request)),
     };
-    let beyond = manifest.part.summary.tally().beyond();
-    let beyond = beyond.warnings(
+    warnings.add(manifest.part.summary.tally().beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
-    );
-    warn(&beyond);
-    warnings.extend(beyond);
+    ));
     let there = (!is_new)
-        .then(|| "it was there already, whole and of the same question, and stays".to_owned());
+        .then(|| "it was there already, whole and of the same sweep, and stays".to_owned());
     if request.is_json() {
         let body = OfPart {
             folder: folder.display().to_string(),
             manifest,
             remarks: notes,
         };
-        return Ok(Answer::json(
-            &Reply::done("sweep", warnings, body).ended("done", there),
-        ));
+        let reply = Reply::done("sweep", warnings.into_vec(), body);
+        return Ok(Answer::json(&reply.ended("done", there)));
     }
     let drives = counted(manifest.part.rows, "drive");
     let path = folder.join(&manifest.file);
@@ -114,7 +99,22 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     )))
 }
 
-fn of_question(
+/// The answer of a part that was stopped.
+fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
+    let note = format!(
+        "stopped: nothing of part {part} of {parts} is kept; the same command begins it again"
+    );
+    tell(&note);
+    let answer = if request.is_json() {
+        Answer::json(&Reply::refused(Some("sweep"), "interrupted", note))
+    } else {
+        Answer::text(String::new())
+    };
+    answer.found(false)
+}
+
+/// The set of parts that the options describe.
+fn dataset_of(
     args: &Sweep,
     batch: crate::batch::Batch,
     points: &dyn crate::batch::Points,
@@ -185,7 +185,7 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
     Ok(Answer::text(text).found(is_complete))
 }
 
-/// The question that the options ask, if they ask one.
+/// The identity of the sweep that the options describe; `None` without points.
 fn wanted(args: &Sweep) -> Result<Option<Question>> {
     if args.over.is_empty() && args.points.is_none() {
         return match args.instructions {
@@ -199,16 +199,16 @@ fn wanted(args: &Sweep) -> Result<Option<Question>> {
             }),
         };
     }
-    let Asked { points, batch, .. } = Asked::of(args, &args.setup_args.request()?)?;
-    // how many parts there are is told by the files
+    let SweepRequest { points, batch, .. } = SweepRequest::of(args, &args.setup_args.request()?)?;
+    // the files state the number of parts
     Ok(Some(
-        of_question(args, batch, points.as_ref(), 1)?
+        dataset_of(args, batch, points.as_ref(), 1)?
             .question()
             .clone(),
     ))
 }
 
-/// What is there and what is not, a sentence each.
+/// The parts present and missing, a sentence each.
 fn said(checked: &Checked) -> Vec<String> {
     let Checked {
         question,

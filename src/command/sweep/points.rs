@@ -4,7 +4,7 @@ use crate::parameters::Vary;
 use crate::table::open_table;
 use crate::{Error, Result, Setup};
 
-/// The points that are asked for.
+/// The points of the sweep: a table, a grid or a sequence.
 pub fn points(setup: &Setup<f64>, args: &Sweep) -> Result<Box<dyn Points>> {
     if let Some(table) = &args.points {
         return Ok(open_table(setup, table)?);

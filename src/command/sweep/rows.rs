@@ -6,9 +6,9 @@ use crate::report::SweepParquet;
 use crate::report::{SweepCsv, SweepJsonLines};
 use serde::{Deserialize, Serialize};
 
-/// What makes a file of rows from another different: the same question gives the same bytes.
+/// The identity of a sweep: sweeps with one identity write the same bytes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Question {
+pub struct Identity {
     pub version: String,
     pub setup: String,
     pub points: String,
@@ -17,8 +17,8 @@ pub struct Question {
     pub format: String,
 }
 
-impl Question {
-    /// What this question differs in from another.
+impl Identity {
+    /// The first part that differs from another identity.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         let parts = [
             ("the versions of longdrive", &self.version, &other.version),
@@ -43,7 +43,7 @@ pub struct Rows {
     pub content: Content,
 }
 
-/// What is written of them.
+/// The bytes of rows, or a block for a row group.
 pub enum Content {
     Text(Vec<u8>),
     /// Rows that wait for the rest of their row group.
@@ -53,7 +53,7 @@ pub enum Content {
 
 /// Makes rows of blocks.
 pub struct Writer {
-    pub question: Question,
+    pub identity: Identity,
     pub table: Table,
 }
 
@@ -68,7 +68,7 @@ pub enum Table {
 impl Writer {
     pub fn new(batch: &Batch, format: Format, points: String) -> Result<Self> {
         let names = |names: Vec<&str>| names.join(",");
-        let question = Question {
+        let identity = Identity {
             version: env!("CARGO_PKG_VERSION").into(),
             // every number is in the debug form, to the last digit
             setup: format!("{:?}", batch.setup()),
@@ -83,11 +83,11 @@ impl Writer {
             #[cfg(feature = "parquet")]
             Format::Parquet => {
                 // strings serialise
-                let note = serde_json::to_string(&question).unwrap_or_default();
+                let note = serde_json::to_string(&identity).unwrap_or_default();
                 Table::Parquet(Box::new(SweepParquet::new(batch, &note)?))
             }
         };
-        Ok(Self { question, table })
+        Ok(Self { identity, table })
     }
 
     /// The first bytes of a file.

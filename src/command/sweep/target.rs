@@ -1,4 +1,4 @@
-use super::kept::{Files, Kept};
+use super::resumable::{Files, ResumableFile};
 use super::rows::{Content, Rows, Writer};
 use crate::batch::Tally;
 use crate::command::args::{Format, Sweep};
@@ -10,9 +10,9 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Where the rows go.
+/// The destination of the rows.
 pub struct Target {
-    /// As it was named.
+    /// The name as typed.
     path: PathBuf,
     /// The file with those beside it, where it keeps its rows.
     files: Option<Files>,
@@ -27,9 +27,10 @@ impl Target {
             format: Format::Csv,
         };
         let refuse = |reason: &str| Err(refused(&target.path, reason));
-        if ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]
-            .iter()
-            .any(|name| target.path == Path::new(name))
+        let standard_output = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+        if standard_output
+            .map(Path::new)
+            .contains(&target.path.as_path())
         {
             return refuse("it is standard output; write `output -` with `format csv` or jsonl");
         }
@@ -39,28 +40,7 @@ impl Target {
                  `output`, or leave `overwrite` out",
             );
         }
-        let ending = target
-            .path
-            .extension()
-            .and_then(|ending| ending.to_str())
-            .unwrap_or_default()
-            .to_lowercase();
-        let format = match (args.format, ending.as_str()) {
-            (Some(format), _) => format,
-            (None, "csv") => Format::Csv,
-            (None, "jsonl" | "ndjson") => Format::Jsonl,
-            #[cfg(feature = "parquet")]
-            (None, "parquet") => Format::Parquet,
-            #[cfg(not(feature = "parquet"))]
-            (None, "parquet") => return refuse(&crate::features::how_to_get("parquet")),
-            (None, _) if target.is_standard_output() => Format::Csv,
-            _ => {
-                return refuse(
-                    "its name must end in .csv, .jsonl or .parquet, or `format` must name the \
-                     format",
-                );
-            }
-        };
+        let format = target.format_of(args)?;
         if target.is_standard_output() && request.is_json() {
             return refuse(
                 "standard output cannot hold both the rows and the summary of `json`; name a file \
@@ -93,17 +73,47 @@ impl Target {
         })
     }
 
+    /// The format of `--format`, or else of the ending of the name.
+    fn format_of(&self, args: &Sweep) -> Result<Format> {
+        let ending = self
+            .path
+            .extension()
+            .and_then(|ending| ending.to_str())
+            .unwrap_or_default()
+            .to_lowercase();
+        Ok(match (args.format, ending.as_str()) {
+            (Some(format), _) => format,
+            (None, "csv") => Format::Csv,
+            (None, "jsonl" | "ndjson") => Format::Jsonl,
+            #[cfg(feature = "parquet")]
+            (None, "parquet") => Format::Parquet,
+            #[cfg(not(feature = "parquet"))]
+            (None, "parquet") => {
+                let reason = crate::features::how_to_get("parquet");
+                return Err(refused(&self.path, reason));
+            }
+            (None, _) if self.is_standard_output() => Format::Csv,
+            _ => {
+                return Err(refused(
+                    &self.path,
+                    "its name must end in .csv, .jsonl or .parquet, or `format` must name the \
+                     format",
+                ));
+            }
+        })
+    }
+
     pub fn is_standard_output(&self) -> bool {
         self.path == Path::new("-")
     }
 
-    /// Whether it takes bytes and keeps none: a pipe, a terminal, a device.
+    /// Returns true for a pipe, a terminal or a device, which keep nothing.
     fn is_stream(&self) -> bool {
         self.is_standard_output()
             || std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file())
     }
 
-    /// Where the rows are until all of them are there.
+    /// The file of an incomplete sweep.
     pub fn part(&self) -> Option<&Path> {
         self.files.as_ref().map(|files| files.part.as_path())
     }
@@ -116,7 +126,7 @@ impl Target {
     /// Begins, or goes on with what was kept.
     pub fn open<'a>(&self, writer: &'a Writer, args: &Sweep) -> Result<Output<'a>> {
         if let Some(files) = &self.files {
-            return Ok(Output::Kept(Box::new(Kept::open(
+            return Ok(Output::Resumable(Box::new(ResumableFile::open(
                 files.clone(),
                 writer,
                 args.resume,
@@ -141,9 +151,9 @@ impl Target {
     }
 }
 
-/// Where the rows are going.
+/// The open destination of the rows.
 pub enum Output<'a> {
-    Kept(Box<Kept<'a>>),
+    Resumable(Box<ResumableFile<'a>>),
     Stream(Stream),
 }
 
@@ -186,7 +196,7 @@ impl Output<'_> {
     /// Rows that were kept before.
     pub fn rows(&self) -> u64 {
         match self {
-            Self::Kept(kept) => kept.rows(),
+            Self::Resumable(file) => file.rows(),
             Self::Stream(_) => 0,
         }
     }
@@ -194,21 +204,21 @@ impl Output<'_> {
     /// Rows after which a resumed sweep begins.
     pub fn safe(&self) -> u64 {
         match self {
-            Self::Kept(kept) => kept.safe(),
+            Self::Resumable(file) => file.safe(),
             Self::Stream(_) => 0,
         }
     }
 
     pub fn tally(&self) -> Tally {
         match self {
-            Self::Kept(kept) => kept.tally(),
+            Self::Resumable(file) => file.tally(),
             Self::Stream(stream) => stream.tally,
         }
     }
 
     pub fn take(&mut self, rows: Rows) -> Result<()> {
         match self {
-            Self::Kept(kept) => kept.take(rows),
+            Self::Resumable(file) => file.take(rows),
             Self::Stream(stream) => {
                 stream.tally.merge(rows.tally);
                 match rows.content {
@@ -223,7 +233,7 @@ impl Output<'_> {
     /// Ends what was written so that it can be read.
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         match self {
-            Self::Kept(kept) => kept.close(is_complete),
+            Self::Resumable(file) => file.close(is_complete),
             Self::Stream(_) => Ok(()),
         }
     }

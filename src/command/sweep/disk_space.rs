@@ -1,4 +1,4 @@
-//! What a batch will take, and whether there is room for it.
+//! Disk space: the size and time of a sweep, estimated before its start.
 
 use super::rows::{Content, Writer};
 use super::target::Target;
@@ -8,10 +8,10 @@ use crate::{Error, Result};
 use std::path::Path;
 use std::time::Instant;
 
-/// Drives that are tried to tell how large their rows are, and how long they take.
+/// Drives of the trial that measures bytes and seconds of a row.
 const TRIED: usize = 64;
 
-/// Refuses a batch that would take more than there is room for, before any other work.
+/// Refuses a sweep larger than `--max-size` or the free disk space, before any other work.
 pub fn check(
     args: &Sweep,
     batch: &Batch,
@@ -65,7 +65,7 @@ pub fn check(
     })
 }
 
-/// The bytes free for a file, with those that it has already; and the folder.
+/// The free bytes for a file, including its present size, and its folder.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = path
         .parent()

@@ -22,15 +22,15 @@ use tempfile::TempPath;
 const OFTEN: Duration = Duration::from_secs(1);
 const BLOCKS: u64 = 16;
 
-/// Rows of a sweep that can be resumed: in `FILE.part` until all are there, and then in the file
-/// itself. Whatever happens, it holds whole rows, and its journal knows how many of them an
-/// undisturbed run would have written in the same bytes.
-pub struct Kept<'a> {
+/// The file of a sweep that can be resumed: `FILE.part` until all rows are there, then the file
+/// itself. At any time it holds whole rows, and its journal counts those that an uninterrupted run
+/// would have written with the same bytes.
+pub struct ResumableFile<'a> {
     files: Files,
     file: File,
     journal: Journal,
     writer: &'a Writer,
-    /// What is written.
+    /// Rows, bytes and statuses in the file.
     rows: u64,
     bytes: u64,
     tally: Tally,
@@ -47,7 +47,7 @@ pub struct Kept<'a> {
 #[cfg(feature = "parquet")]
 #[derive(Default)]
 struct Groups {
-    /// Those that are written, each with the bytes, the rows and their tally before it.
+    /// The written groups, each with the bytes, rows and statuses before it.
     placed: Vec<(PlacedGroup, u64, u64, Tally)>,
     /// Blocks of the next one.
     pending: Vec<Block>,
@@ -72,7 +72,7 @@ impl Files {
         }
     }
 
-    /// Whether `--resume` finds rows to continue.
+    /// Returns true if `--resume` finds rows to continue.
     fn can_be_resumed(&self, resume: bool) -> bool {
         resume && Journal::path(&self.whole).exists()
     }
@@ -115,8 +115,8 @@ fn nothing_left(path: &Path) -> Error {
     refused(path, reason)
 }
 
-impl<'a> Kept<'a> {
-    /// Begins, or goes on with what was kept. What may be written has been checked.
+impl<'a> ResumableFile<'a> {
+    /// Begins the file, or continues it. The destination is checked already.
     pub fn open(files: Files, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
         if files.can_be_resumed(resume) {
             return Self::go_on(files, writer);
@@ -124,7 +124,7 @@ impl<'a> Kept<'a> {
         let unwritable = |error: io::Error| unwritable(&files.whole, &error);
         // the journal first: rows without one are nobody's
         let journal =
-            Journal::begin(&files.whole, &writer.question, overwrite).map_err(unwritable)?;
+            Journal::begin(&files.whole, &writer.identity, overwrite).map_err(unwritable)?;
         // another sweep may have ended since that was checked
         if !overwrite && files.whole.exists() {
             journal.remove().map_err(unwritable)?;
@@ -176,12 +176,12 @@ impl<'a> Kept<'a> {
             .open(&files.part)
             .map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
-        let Some((journal, question, entries)) =
+        let Some((journal, identity, entries)) =
             Journal::open(&path, |entry| entry.bytes <= length).map_err(unusable)?
         else {
             return Err(nothing_left(&path));
         };
-        if let Some(part) = writer.question.difference(&question) {
+        if let Some(part) = writer.identity.difference(&identity) {
             let reason = format!(
                 "it belongs to another command ({part} differ); repeat the command that began it, \
                  or replace it with `overwrite`"
@@ -288,7 +288,7 @@ impl<'a> Kept<'a> {
     /// Appends all of some bytes or none.
     fn append(&mut self, bytes: &[u8]) -> Result<()> {
         if let Err(error) = self.file.write_all(bytes) {
-            // part of a row is none
+            // remove the incomplete row
             let _ = self.cut();
             return Err(self.failed(&error));
         }
@@ -339,7 +339,7 @@ impl<'a> Kept<'a> {
 }
 
 #[cfg(feature = "parquet")]
-impl Kept<'_> {
+impl ResumableFile<'_> {
     /// Writes the blocks that wait as a row group; its metadata.
     fn write_group(&mut self, table: &SweepParquet) -> Result<Vec<u8>> {
         let blocks = std::mem::take(&mut self.groups.pending);

@@ -7,17 +7,17 @@ use crate::command::request::Request;
 use crate::units::Message;
 use crate::{Error, Result, Setup};
 
-/// What is asked of the points of a sweep.
-pub struct Asked {
+/// A sweep, resolved: setup, points, outcomes and derivatives.
+pub struct SweepRequest {
     /// The setup, with the method and step that were chosen.
     pub setup: Setup<f64>,
     pub points: Box<dyn Points>,
     pub batch: Batch,
-    /// What deserves a word about where the points come from.
+    /// Remarks about the source of the points.
     pub notes: Vec<Message>,
 }
 
-impl Asked {
+impl SweepRequest {
     pub fn of(args: &Sweep, request: &Request) -> Result<Self> {
         let setup = *request.partial_setup();
         let of = outcomes(&args.outcomes)?;
@@ -73,7 +73,7 @@ impl Asked {
     }
 }
 
-/// Where the points come from.
+/// The source of the points, for notes.
 fn described(args: &Sweep) -> String {
     args.points
         .as_ref()

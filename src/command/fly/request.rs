@@ -1,5 +1,4 @@
-//! What is asked of shots, in a file and of those that are sent alike: the outcomes, the setup, and
-//! how they are integrated.
+//! The request for shots, from a file or from messages: outcomes, setup and integration.
 
 use crate::command::args::Fly;
 use crate::command::names::outcomes;
@@ -8,7 +7,7 @@ use crate::drive::OutcomeGroup;
 use crate::shots::Flying;
 use crate::{Error, Outcome, Result, Setup};
 
-/// The outcomes asked for.
+/// The outcomes; of "all", those of the flight.
 pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
     let is_all = args.of.iter().any(|name| name.trim() == "all");
     let of = outcomes(&args.of)?;
@@ -21,7 +20,7 @@ pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
     })
 }
 
-/// The setup: its ball, air and law are those of the flights, and the rows have the launches.
+/// The setup: ball, air and law. The rows have the launches.
 pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     let setup = *request.partial_setup();
     if setup.launch.is_given() {
@@ -35,14 +34,14 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     Ok(setup)
 }
 
-/// Shots as these are flown, integrated as many drives are.
+/// The flights of the shots, integrated as commands with many drives do.
 pub fn followed(
     request: &Request,
     setup: &Setup<f64>,
     of: &[Outcome],
     new: impl Fn(&Setup<f64>) -> Result<Flying>,
 ) -> Result<Flying> {
-    // what is wrong with the question is said before anything is flown
+    // errors in the request before the first flight
     new(setup)?;
     match request.accuracy_for_many(setup, &Flying::usual(setup)?, of)? {
         Some(found) => new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect),
