@@ -11,7 +11,10 @@ pub fn run(args: &Laws) -> Result<Answer> {
     let mut document = report.document(system());
     document.list([
         Line::item("choose one with `set aero.law=NAME`; `parameters()` lists the coefficients"),
-        Line::item("or your own table with `set aero.table=mine.csv`; `plot laws()` draws them"),
+        Line::item(
+            "or your own table with `set aero.table=mine.csv`; `plot laws()` with `output \
+             laws.svg` draws them",
+        ),
     ]);
     Ok(Answer::text(document.text()))
 }
