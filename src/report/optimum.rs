@@ -262,8 +262,10 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
 /// The optimum as text: the parameters varied with the prices of their bounds, the constraints, and
 /// the drive or the goals over the swings; the ends of all searches if there were several starts.
 pub fn optimize_text(optima: &Optima, over: OverSwings<'_>, system: System) -> String {
-    let several = optima.starts > 1;
-    // the text of a single search says itself that it was interrupted
+    // the text of a single search says itself that it was interrupted, or improved from a sample
+    let sample = optima.best.sample;
+    let from_sample = usize::from(sample.is_some_and(|sample| sample.improved));
+    let several = optima.starts > 1 + from_sample;
     let stopped = optima.interrupted().filter(|_| several);
     let stopped = stopped.map_or(String::new(), |stopped| {
         format!("interrupted: {stopped}; the best so far:\n")

@@ -265,7 +265,8 @@ pub fn optima(
     study.all(locals, starts, sample)
 }
 
-/// [`optima`] without a sample of the ranges.
+/// [`optima`] without a sample of the ranges, with goals that are evaluated without derivatives: to
+/// compare them with those of other designs to the last bit.
 ///
 /// # Errors
 /// As [`optima`].
@@ -276,6 +277,10 @@ pub(super) fn local_optima(
     follow: &Follow,
 ) -> Result<Optima> {
     let (study, locals) = searched(setup, search, count, follow)?;
+    let study = Study {
+        is_evaluated_again: true,
+        ..study
+    };
     study.all(locals, count, None)
 }
 
@@ -306,6 +311,9 @@ struct Study {
     interrupt: Arc<AtomicBool>,
     /// The goals over the swings with the setup's own design.
     as_set_up: Option<Vec<f64>>,
+    /// True if the outcomes of one drive are evaluated again at the end of a search, without
+    /// derivatives, which changes their rounding.
+    is_evaluated_again: bool,
 }
 
 impl Study {
@@ -323,6 +331,7 @@ impl Study {
             problem,
             interrupt,
             as_set_up,
+            is_evaluated_again: false,
         })
     }
 
@@ -386,7 +395,7 @@ impl Study {
     /// The goals at the end of a search by their definitions, also after an interrupt.
     fn goals(&self, solution: &Solution) -> Option<Vec<f64>> {
         let value = solution.value?;
-        if self.search.is_of_outcomes() {
+        if self.search.is_of_outcomes() && !self.is_evaluated_again {
             let limited = solution.constraints.iter().map(|at| at.value);
             let objective = self.search.sense.sign() * value;
             return Some(std::iter::once(objective).chain(limited).collect());

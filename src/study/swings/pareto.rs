@@ -166,44 +166,9 @@ pub fn pareto(
         ended,
         interrupted,
     } = found.map_err(|error| named(error, &search, &problem))?;
-    let signs = [sense.sign(), against.sign()];
-    // values of the points are computed also after an interrupt
-    let never = AtomicBool::new(false);
-    let point = |point: FrontPoint| {
-        let active = search.active(&point.x, &point.held);
-        let is_apart = point.event == Some(FrontEvent::Jump);
-        let event = point.event.map(|event| match event {
-            FrontEvent::Jump => {
-                "other designs are better from here on, which those before do not lead to"
-                    .to_owned()
-            }
-            FrontEvent::Changed { before } => {
-                let before = search.active(&point.x, &before);
-                let only = |these: &[Active], others: &[Active]| {
-                    these
-                        .iter()
-                        .filter(|active| !others.contains(active))
-                        .cloned()
-                        .collect::<Vec<_>>()
-                };
-                ChartEvent::Changed {
-                    begins: only(&active, &before),
-                    ends: only(&before, &active),
-                }
-                .to_string()
-            }
-        });
-        let values = problem.values_until(&point.x, &never)?;
-        Ok(ParetoPoint {
-            setup: problem.moved(&point.x)?,
-            goals: [values[0], values[values.len() - 1]],
-            slope: point.slope.map(|slope| signs[0] * signs[1] * slope),
-            design: point.x,
-            active,
-            event,
-            is_apart,
-        })
-    };
+    // the slope of the functions minimized, as one of the goals
+    let sign = sense.sign() * against.sign();
+    let point = |point: FrontPoint| search.point(&problem, point, sign);
     let points = points.into_iter().map(point).collect::<Result<Vec<_>>>()?;
     let as_set_up = own
         .ok()
@@ -222,11 +187,51 @@ pub fn pareto(
 }
 
 impl ParetoSearch {
+    /// A point of the front with its goals, also after an interrupt. `sign` turns its slope into
+    /// that of the goals.
+    fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
+        let never = AtomicBool::new(false);
+        let values = problem.values_until(&point.x, &never)?;
+        let active = self.active(&point.x, &point.held);
+        let event = point.event.as_ref().map(|event| match event {
+            FrontEvent::Jump => {
+                "other designs are better from here on, which those before do not lead to"
+                    .to_owned()
+            }
+            FrontEvent::Changed { before } => changed(&active, &self.active(&point.x, before)),
+        });
+        Ok(ParetoPoint {
+            setup: problem.moved(&point.x)?,
+            goals: [values[0], values[values.len() - 1]],
+            slope: point.slope.map(|slope| sign * slope),
+            is_apart: point.event == Some(FrontEvent::Jump),
+            design: point.x,
+            active,
+            event,
+        })
+    }
+
     /// The active bounds and constraints of a design.
     fn active(&self, x: &[f64], held: &Held) -> Vec<Active> {
         let is_lower = |i: usize| x[i] - self.vary[i].low <= self.vary[i].high - x[i];
         active(&self.vary, &self.subject_to, held, is_lower)
     }
+}
+
+/// The change of the active bounds and constraints in words.
+fn changed(active: &[Active], before: &[Active]) -> String {
+    let only = |these: &[Active], others: &[Active]| -> Vec<Active> {
+        let these = these.iter();
+        these
+            .filter(|active| !others.contains(active))
+            .cloned()
+            .collect()
+    };
+    let event = ChartEvent::Changed {
+        begins: only(active, before),
+        ends: only(before, active),
+    };
+    event.to_string()
 }
 
 /// The error for an end of the front that was not found, with the name of its goal.

@@ -57,88 +57,32 @@ pub fn resampled(
         Err(_) if is_stopped() => return Ok(None),
         problem => problem?,
     };
-    let n = best.search.scenarios.points.len();
-    let sign = best.search.sense.sign();
     let round = |stream: u64| {
         if is_stopped() {
             return None;
         }
-        let observer = Observer {
-            interrupt: Arc::clone(stop),
-            ..Observer::default()
-        };
-        let mut random = Xoshiro256PlusPlus::seed_from_u64(
-            seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
-        );
-        let mut weights = vec![0.0; n];
-        for _ in 0..n {
-            // the bias of the remainder is below n/2⁶⁴
-            weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
-        }
-        let value = |x: &[f64]| {
-            problem
-                .weighted_values(x, &weights)
-                .ok()
-                .map(|goals| goals[0])
-        };
-        let own = problem
-            .weighted_as_set_up(&weights)
-            .ok()
-            .map(|goals| goals[0]);
-        let gain = value(&best.solution.x)
-            .zip(own)
-            .map(|(best, own)| -sign * (best - own));
-        let (weighted, domain, options) = (
-            problem.weighted(weights.clone()),
-            &problem.domain,
-            &best.search.options,
-        );
-        let found = minimize_observed(&weighted, domain, &best.solution.x, options, observer);
-        found
-            .ok()
-            .filter(|found| found.status == Status::Converged)
-            .map(|found| (value(&found.x), found.x, gain))
+        searched_again(&problem, best, resample(points.len(), seed, stream), stop)
     };
-    let found: Vec<_> = (0..rounds as u64)
+    let found: Vec<Round> = (0..rounds as u64)
         .into_par_iter()
         .filter_map(round)
         .collect();
     let Some(value) = best.value().filter(|_| found.len() >= (rounds / 2).max(2)) else {
         return Ok(None);
     };
-    let design = (0..best.solution.x.len())
-        .map(|i| {
-            interval(
-                best.solution.x[i],
-                found.iter().map(|(_, x, _)| x[i]).collect(),
-            )
-        })
-        .collect();
+    let x = best.solution.x.iter().enumerate();
+    let design = x.map(|(i, x)| interval(*x, found.iter().map(|round| round.x[i]).collect()));
+    let design = design.collect();
     let goal = interval(
         value,
-        found.iter().filter_map(|(value, ..)| *value).collect(),
+        found.iter().filter_map(|round| round.value).collect(),
     );
-    let gains: Vec<f64> = found.iter().filter_map(|(.., gain)| *gain).collect();
-    let significance = problem
-        .as_set_up()
-        .ok()
-        .filter(|_| gains.len() >= 2)
-        .map(|own| {
-            let mean = -sign * (value - own[0]);
-            let better = interval(mean, gains.clone());
-            // the standard error falls as the root of the number of swings
-            let centre = gains.iter().sum::<f64>() / gains.len() as f64;
-            let variance = gains
-                .iter()
-                .map(|gain| (gain - centre).powi(2))
-                .sum::<f64>()
-                / (gains.len() as f64 - 1.0);
-            let swings = (POWER / mean).powi(2) * variance * n as f64;
-            Significance {
-                better,
-                swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64),
-            }
-        });
+    let gains: Vec<f64> = found.iter().filter_map(|round| round.gain).collect();
+    let own = problem.as_set_up().ok().filter(|_| gains.len() >= 2);
+    let significance = own.map(|own| {
+        let mean = -best.search.sense.sign() * (value - own[0]);
+        Significance::new(mean, gains, points.len())
+    });
     if is_stopped() {
         return Ok(None);
     }
@@ -148,6 +92,71 @@ pub fn resampled(
         rounds: found.len(),
         significance,
     }))
+}
+
+/// The weights of a resample of n swings, drawn with replacement.
+fn resample(n: usize, seed: u64, stream: u64) -> Vec<f64> {
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(
+        seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
+    );
+    let mut weights = vec![0.0; n];
+    for _ in 0..n {
+        // the bias of the remainder is below n/2⁶⁴
+        weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
+    }
+    weights
+}
+
+/// The optimum of a resample.
+struct Round {
+    x: Vec<f64>,
+    /// The objective there over the resample; `None` if a swing does not fly.
+    value: Option<f64>,
+    /// The gain of the best design over the setup's own, over the resample.
+    gain: Option<f64>,
+}
+
+/// The search over a resample from the best design; `None` if it does not converge.
+fn searched_again(
+    problem: &SearchProblem,
+    best: &Optimum,
+    weights: Vec<f64>,
+    stop: &Arc<AtomicBool>,
+) -> Option<Round> {
+    let x = &best.solution.x;
+    let objective = |goals: Result<Vec<f64>>| Some(goals.ok()?[0]);
+    let value = |x: &[f64]| objective(problem.weighted_values(x, &weights));
+    let own = objective(problem.weighted_as_set_up(&weights));
+    let sign = best.search.sense.sign();
+    let gain = value(x).zip(own).map(|(best, own)| -sign * (best - own));
+    let weighted = problem.weighted(weights.clone());
+    let observer = Observer {
+        interrupt: Arc::clone(stop),
+        ..Observer::default()
+    };
+    let options = &best.search.options;
+    let found = minimize_observed(&weighted, &problem.domain, x, options, observer).ok()?;
+    (found.status == Status::Converged).then(|| Round {
+        value: value(&found.x),
+        x: found.x,
+        gain,
+    })
+}
+
+impl Significance {
+    /// The significance of a mean gain over n swings by the gains over resamples of them.
+    fn new(mean: f64, gains: Vec<f64>, n: usize) -> Self {
+        let count = gains.len() as f64;
+        let centre = gains.iter().sum::<f64>() / count;
+        let squares = gains.iter().map(|gain| (gain - centre).powi(2));
+        let variance = squares.sum::<f64>() / (count - 1.0);
+        // the standard error decreases with the root of the number of swings
+        let swings = (POWER / mean).powi(2) * variance * n as f64;
+        Self {
+            better: interval(mean, gains),
+            swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64),
+        }
+    }
 }
 
 /// The 95 % interval of an estimate by the quantiles of its resamples.

@@ -159,81 +159,17 @@ impl Scenarios {
             inputs.iter().try_for_each(Uncertain::check)?;
         }
         let parameters = swings.parameters();
-        let (points, weights): (Vec<Vec<f64>>, Vec<f64>) = match (swings, rule) {
-            (Swings::Recorded { rows, .. }, _) => {
-                (rows.clone(), vec![1.0 / rows.len() as f64; rows.len()])
-            }
+        let (points, weights) = match (swings, rule) {
+            (Swings::Recorded { rows, .. }, _) => equally_weighted(rows.clone()),
             (Swings::Distributed { inputs, factor }, Rule::Sequence { count, seed }) => {
-                let normal = Normal::standard();
-                let beyond = normal.cdf(-REACH);
-                let point = |k: usize| {
-                    let share = |i: usize| {
-                        beyond + (1.0 - 2.0 * beyond) * sobol::coordinate(k as u64, i, seed)
-                    };
-                    let scores: Vec<f64> = (0..inputs.len())
-                        .map(|i| normal.inverse_cdf(share(i)))
-                        .collect();
-                    inputs
-                        .iter()
-                        .zip(correlated(factor, &scores))
-                        .map(|(input, score)| at_score(input, score))
-                        .collect()
-                };
-                (
-                    (0..count).into_par_iter().map(point).collect(),
-                    vec![1.0 / count as f64; count],
-                )
+                let point = |k: usize| sequence_point(inputs, factor, k as u64, seed);
+                equally_weighted((0..count).into_par_iter().map(point).collect())
             }
-            (Swings::Distributed { inputs, factor }, Rule::Quadrature(_) | Rule::Recorded) => {
-                let nodes = if let Rule::Quadrature(nodes) = rule {
-                    nodes
-                } else {
-                    NODES[0]
-                };
-                // correlations are of normal scores
-                let score = Distribution::Normal {
-                    mean: 0.0,
-                    deviation: 1.0,
-                };
-                let is_correlated = |i: usize| {
-                    factor[i][..i].iter().any(|l| *l != 0.0)
-                        || factor.iter().skip(i + 1).any(|row| row[i] != 0.0)
-                };
-                let of = |(i, input): (usize, &Uncertain)| {
-                    self::rule(
-                        if is_correlated(i) {
-                            &score
-                        } else {
-                            &input.distribution
-                        },
-                        nodes,
-                    )
-                };
-                let mut points = vec![(vec![], 1.0)];
-                for rule in inputs.iter().enumerate().map(of) {
-                    let longer = |(point, weight): &(Vec<f64>, f64)| {
-                        let longer = rule.iter().map(|(node, part)| {
-                            ([point.as_slice(), &[*node]].concat(), weight * part)
-                        });
-                        longer.collect::<Vec<_>>()
-                    };
-                    points = points.iter().flat_map(longer).collect();
-                }
-                let placed = |(nodes, weight): (Vec<f64>, f64)| {
-                    let scores = correlated(factor, &nodes);
-                    let value = |(i, input)| {
-                        if is_correlated(i) {
-                            at_score(input, scores[i])
-                        } else {
-                            nodes[i]
-                        }
-                    };
-                    (
-                        inputs.iter().enumerate().map(value).collect::<Vec<f64>>(),
-                        weight,
-                    )
-                };
-                points.into_iter().map(placed).unzip()
+            (Swings::Distributed { inputs, factor }, Rule::Quadrature(nodes)) => {
+                quadrature_points(inputs, factor, nodes)
+            }
+            (Swings::Distributed { inputs, factor }, Rule::Recorded) => {
+                quadrature_points(inputs, factor, NODES[0])
             }
         };
         for point in &points {
@@ -346,6 +282,72 @@ impl Scenarios {
             distributed: None,
         }
     }
+}
+
+/// Points with equal weights.
+fn equally_weighted(points: Vec<Vec<f64>>) -> (Vec<Vec<f64>>, Vec<f64>) {
+    let weights = vec![1.0 / points.len() as f64; points.len()];
+    (points, weights)
+}
+
+/// A point of a scrambled Sobol' sequence, mapped to the distributions by its normal scores.
+fn sequence_point(inputs: &[Uncertain], factor: &[Vec<f64>], k: u64, seed: u32) -> Vec<f64> {
+    let normal = Normal::standard();
+    let beyond = normal.cdf(-REACH);
+    let score = |i: usize| {
+        let share = beyond + (1.0 - 2.0 * beyond) * sobol::coordinate(k, i, seed);
+        normal.inverse_cdf(share)
+    };
+    let scores: Vec<f64> = (0..inputs.len()).map(score).collect();
+    inputs
+        .iter()
+        .zip(correlated(factor, &scores))
+        .map(|(input, score)| at_score(input, score))
+        .collect()
+}
+
+/// The product of Gauss's rules of the distributions; of the normal scores for correlated ones.
+fn quadrature_points(
+    inputs: &[Uncertain],
+    factor: &[Vec<f64>],
+    nodes: usize,
+) -> (Vec<Vec<f64>>, Vec<f64>) {
+    const SCORE: Distribution = Distribution::Normal {
+        mean: 0.0,
+        deviation: 1.0,
+    };
+    let is_correlated = |i: usize| {
+        factor[i][..i].iter().any(|l| *l != 0.0)
+            || factor.iter().skip(i + 1).any(|row| row[i] != 0.0)
+    };
+    let mut points = vec![(vec![], 1.0)];
+    for (i, input) in inputs.iter().enumerate() {
+        let distribution = if is_correlated(i) {
+            &SCORE
+        } else {
+            &input.distribution
+        };
+        let rule = rule(distribution, nodes);
+        let longer = |(point, weight): &(Vec<f64>, f64)| {
+            rule.iter()
+                .map(|(node, part)| ([point.as_slice(), &[*node]].concat(), weight * part))
+                .collect::<Vec<_>>()
+        };
+        points = points.iter().flat_map(longer).collect();
+    }
+    let placed = |(nodes, weight): (Vec<f64>, f64)| {
+        let scores = correlated(factor, &nodes);
+        let value = |(i, input): (usize, &Uncertain)| {
+            if is_correlated(i) {
+                at_score(input, scores[i])
+            } else {
+                nodes[i]
+            }
+        };
+        let point: Vec<f64> = inputs.iter().enumerate().map(value).collect();
+        (point, weight)
+    };
+    points.into_iter().map(placed).unzip()
 }
 
 /// The value of a distributed number whose normal score this is.
