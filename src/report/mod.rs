@@ -1,5 +1,7 @@
-//! Results as text and JSON: pure functions, which write nowhere. Text is in units a golfer reads,
-//! JSON in SI and radians.
+//! Results as text, JSON, CSV, Parquet, plots and pages; nothing here writes a file.
+//!
+//! A result is a struct that implements [`Report`]: serialized, it is the body of the JSON, in SI
+//! and radians; its [`Document`] is for readers, in the units of a system.
 
 mod calibration;
 mod certificate;
