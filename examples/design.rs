@@ -44,22 +44,22 @@ fn main() -> Result<()> {
             vary.parameter.show(Some(*x))
         );
     }
-    for standing in design.standings(&best) {
-        let held = &standing.held;
-        let value = standing.value.map_or("unknown".into(), |value| {
-            held.quantity.show(value, held.unit)
+    for state in design.constraint_states(&best) {
+        let constraint = &state.constraint;
+        let value = state.value.map_or("unknown".into(), |value| {
+            constraint.quantity.show(value, constraint.unit)
         });
         // a yard is 0.9144 m
-        let price = standing.price.map(|price| {
+        let price = state.price.map(|price| {
             format!(
                 ", {:+.3} yd for each 100 g cm^2 of the limit",
-                price * held.step / 0.9144
+                price * constraint.step / 0.9144
             )
         });
         println!(
             "{}: {value} ({}){}",
-            held.name,
-            held.expression,
+            constraint.name,
+            constraint.expression,
             price.unwrap_or_default()
         );
     }

@@ -86,7 +86,7 @@ fn row(name: &str, certificate: &Certificate) -> String {
     let planted = certificate.planted.map(|planted| {
         format!(
             "{} {}/{}",
-            planted.plant.name(),
+            planted.error.name(),
             planted.caught,
             planted.rows
         )

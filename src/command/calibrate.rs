@@ -9,7 +9,8 @@ use crate::optimize::least_squares::{Follow, Loss, Status};
 use crate::parameters::{Law, Vary};
 use crate::report::{CalibrationReport, Report};
 use crate::study::calibrate::{
-    Calibration, HeldOut, Plan, ShotTable, beyond, calibrate, check_folds, held_out, ranges,
+    Calibration, FitPlan, HeldOut, ShotTable, calibrate, check_folds, held_out, ranges,
+    validity_warnings,
 };
 use crate::units::{Message, System};
 use crate::{Error, Result, Setup};
@@ -26,7 +27,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     warnings.add(setup.warnings());
     let table = read_shots(args, &request, &setup)?;
     warnings.add(table.warnings.clone());
-    let mut plan = Plan::read(&setup, &args.fit)?;
+    let mut plan = FitPlan::read(&setup, &args.fit)?;
     plan.starts = args.starts as usize;
     plan.options.max_iterations = args.max_iterations;
     if args.huber {
@@ -40,7 +41,11 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         interrupt: interrupt::stops(BEST_SO_FAR),
     };
     let found = calibrate(&setup, &table, &plan, &follow)?;
-    warnings.add(beyond(&found.setup, &table.shots, &follow.interrupt));
+    warnings.add(validity_warnings(
+        &found.setup,
+        &table.shots,
+        &follow.interrupt,
+    ));
     warnings.add(found.warnings(&table));
     let quiet = Follow {
         iteration: None,
@@ -177,7 +182,7 @@ impl<'a> CrossValidation<'a> {
         args: &'a Calibrate,
         setup: &Setup<f64>,
         table: &ShotTable,
-        plan: &Plan,
+        plan: &FitPlan,
     ) -> Result<Option<Self>> {
         if args.folds == 0 && args.compare.is_empty() {
             return Ok(None);
@@ -207,7 +212,7 @@ impl<'a> CrossValidation<'a> {
         &self,
         setup: &Setup<f64>,
         table: &ShotTable,
-        plan: &Plan,
+        plan: &FitPlan,
         follow: &Follow,
     ) -> Result<Vec<(String, HeldOut)>> {
         let folds = self.folds;
@@ -270,11 +275,11 @@ struct Compared<'a> {
     law: &'a str,
     as_it_stands: &'static str,
     setup: Setup<f64>,
-    plan: Plan,
+    plan: FitPlan,
 }
 
 impl<'a> Compared<'a> {
-    fn new(setup: &Setup<f64>, law: &'a str, plan: &Plan) -> Result<Self> {
+    fn new(setup: &Setup<f64>, law: &'a str, plan: &FitPlan) -> Result<Self> {
         let mut other = *setup;
         other.set_law(law)?;
         let as_it_stands = if law == setup.law.name() {
@@ -293,7 +298,7 @@ impl<'a> Compared<'a> {
             .iter()
             .filter(|vary| vary.parameter.law.is_none())
             .copied();
-        let plan = Plan {
+        let plan = FitPlan {
             fit: kept.chain(coefficients).collect(),
             ..plan.clone()
         };

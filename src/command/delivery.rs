@@ -341,7 +341,7 @@ fn note_assumed(unknowns: &[Unknown]) {
             let shown = |value: f64| parameter_text(unknown.parameter, value, system());
             let (name, value, sigma) = (
                 unknown.parameter.name,
-                shown(unknown.before),
+                shown(unknown.prior),
                 shown(unknown.sigma),
             );
             tell(&format!(

@@ -6,7 +6,7 @@ use crate::command::output::{Answer, system};
 use crate::command::swings::{Asked, found, sought};
 use crate::parameters::Parameter;
 use crate::report::Designed;
-use crate::study::design::{Design, GOLFER, golfer, parts, usual_vary};
+use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Goal, Search, Sense};
 use crate::{Error, Result};
@@ -78,8 +78,8 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
             search: design.search.clone(),
         },
     )?;
-    let parts = if found.optima.best.value().is_some() {
-        parts(&found.setup, &found.optima.best, &found.stop)?
+    let improvements = if found.optima.best.value().is_some() {
+        improvements(&found.setup, &found.optima.best, &found.stop)?
     } else {
         vec![]
     };
@@ -88,7 +88,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         design: &design,
         setup: &found.setup,
         best: &found.optima.best,
-        parts: &parts,
+        improvements: &improvements,
         notes: &notes,
     };
     let answer = if request.is_json() {

@@ -3,7 +3,7 @@ use crate::command::names::outcomes;
 use crate::command::output::{Answer, bar, show, system, tell, warn};
 use crate::command::request::Request;
 use crate::report::{UncertaintyReport, parameter_text};
-use crate::study::uncertainty::{Plan, Uncertain, uncertainty};
+use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
 use crate::study::{Sigma, given_twice, with_defaults};
 use crate::{Drive, Outcome, Result, Setup};
 
@@ -25,7 +25,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
         |drive| drive.warnings_about(&setup, &of),
     );
     warn(&warnings);
-    let plan = Plan {
+    let plan = SamplePlan {
         samples: args.samples as usize,
         seed: args.seed,
     };

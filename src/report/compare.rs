@@ -154,7 +154,7 @@ impl SharesReport {
             cause: cause.name(),
             values: split.setups.each_ref().map(|setup| value(*cause, setup)),
             share: (*amount).into(),
-            at_once: cause.is_at_once(),
+            at_once: cause.is_discrete(),
         };
         Self {
             shares: split.shares.iter().map(share).collect(),
@@ -207,7 +207,7 @@ impl Report for ComparisonReport<'_> {
 /// The value of a cause in a setup.
 fn value(cause: Cause, setup: &Setup<f64>) -> CauseValue {
     match cause {
-        Cause::Number(parameter) | Cause::AtOnce(parameter) => {
+        Cause::Continuous(parameter) | Cause::Discrete(parameter) => {
             CauseValue::Number(setup.value(parameter).into())
         }
         Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => {
@@ -301,7 +301,7 @@ fn add_shares(
     let at_once = names(
         with.iter()
             .map(|share| share.cause)
-            .filter(|cause| cause.is_at_once()),
+            .filter(|cause| cause.is_discrete()),
     );
     if !at_once.is_empty() {
         remarks.push(format!(
@@ -351,7 +351,9 @@ fn names(causes: impl Iterator<Item = Cause>) -> String {
 /// The cell of a cause in one of the drives.
 fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
     match cause {
-        Cause::Number(parameter) | Cause::AtOnce(parameter) => stated(parameter, setup, system),
+        Cause::Continuous(parameter) | Cause::Discrete(parameter) => {
+            stated(parameter, setup, system)
+        }
         Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => choice(cause, setup).into(),
         Cause::Ways(ways) => {
             let line = |parameter: &&'static Parameter| {

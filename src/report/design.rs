@@ -7,7 +7,7 @@ use super::{Reply, shown};
 use crate::parameters::{Parameter, Setup};
 use crate::study::Optimum;
 use crate::study::Sense;
-use crate::study::design::{By, Design, Part, Standing};
+use crate::study::design::{ConstraintState, Design, Enforcement, Improvement};
 use crate::units::{System, signed};
 
 /// Limits are met to less than this part of the step of their price.
@@ -23,7 +23,7 @@ pub struct Designed<'a> {
     /// The best design.
     pub best: &'a Optimum,
     /// The goals before and after.
-    pub parts: &'a [Part],
+    pub improvements: &'a [Improvement],
     /// The assumptions, in sentences.
     pub notes: &'a [String],
 }
@@ -37,12 +37,12 @@ impl Designed<'_> {
             .vary
             .iter()
             .map(|vary| (vary.parameter.name, self.own(vary.parameter)));
-        let part = |part: &Part| GoalReport {
+        let part = |part: &Improvement| GoalReport {
             goal: part.goal.expression.clone(),
             as_set_up: part.as_set_up.into(),
             best: part.best.into(),
         };
-        let standings = self.design.standings(self.best);
+        let states = self.design.constraint_states(self.best);
         let design = DesignReport {
             rules: if self.design.is_under_rules {
                 "golf"
@@ -51,8 +51,8 @@ impl Designed<'_> {
             },
             notes: self.notes.to_vec(),
             as_set_up: before.collect(),
-            parts: self.parts.iter().map(part).collect(),
-            held: standings.iter().map(limit_report).collect(),
+            parts: self.improvements.iter().map(part).collect(),
+            held: states.iter().map(limit_report).collect(),
         };
         let body = OptimumReport {
             design: Some(design),
@@ -94,7 +94,7 @@ impl Designed<'_> {
                     difference,
                 ]
             });
-        let parts = self.parts.iter().map(|part| {
+        let parts = self.improvements.iter().map(|part| {
             let show = |value: Option<f64>| {
                 value.map_or(shown::NONE.into(), |value| {
                     shown::goal(&part.goal, value, system)
@@ -128,9 +128,9 @@ impl Designed<'_> {
             );
             let rows = self
                 .design
-                .standings(self.best)
+                .constraint_states(self.best)
                 .into_iter()
-                .map(|standing| self.row(&standing, system));
+                .map(|state| self.row(&state, system));
             let rows: Vec<_> = rows.collect();
             if !rows.is_empty() {
                 text += &format!("\n{}", table(&["rule or limit", "", found, ""], &[2], rows));
@@ -151,51 +151,52 @@ impl Designed<'_> {
     }
 
     /// The cells of a rule or limit: its value, and its margin or its price.
-    fn row(&self, standing: &Standing, system: System) -> Vec<String> {
-        let Standing {
-            held,
+    fn row(&self, state: &ConstraintState, system: System) -> Vec<String> {
+        let ConstraintState {
+            constraint,
             value,
             margin,
             price,
-        } = standing;
+        } = state;
         let show = |value: f64| {
-            let value = if value.abs() < ROUNDING * held.step {
+            let value = if value.abs() < ROUNDING * constraint.step {
                 0.0
             } else {
                 value
             };
-            shown::given(held.quantity, held.unit, value, system, 5)
+            shown::given(constraint.quantity, constraint.unit, value, system, 5)
         };
         let goal = &self.best.search.of;
-        let told = match (held.by, price, margin) {
-            (By::Unknown, ..) => "not checked; it can be stated as a relation".into(),
-            (By::Value(_), _, Some(_)) => "met; nothing varied changes it".into(),
+        let told = match (constraint.by, price, margin) {
+            (Enforcement::Unknown, ..) => "not checked; it can be stated as a relation".into(),
+            (Enforcement::Value(_), _, Some(_)) => "met; nothing varied changes it".into(),
             (_, Some(price), _) => {
                 let amount = price
-                    * held.step
+                    * constraint.step
                     * if self.best.search.sense == Sense::Maximize {
                         1.0
                     } else {
                         -1.0
                     };
-                let is_upper =
-                    value.is_some_and(|value| held.range[1] - value <= value - held.range[0]);
+                let is_upper = value.is_some_and(|value| {
+                    constraint.range[1] - value <= value - constraint.range[0]
+                });
                 let way = if is_upper { "raised" } else { "lowered" };
                 let gain = signed(amount, shown::goal_difference(goal, amount, system));
                 format!(
                     "{gain} for each {} that the limit is {way}",
-                    held.quantity.show(held.step, held.unit)
+                    constraint.quantity.show(constraint.step, constraint.unit)
                 )
             }
-            (_, None, Some(margin)) if *margin < -ROUNDING * held.step => {
+            (_, None, Some(margin)) if *margin < -ROUNDING * constraint.step => {
                 format!("violated by {}", show(-margin))
             }
             (_, None, Some(margin)) => format!("{} to spare", show(margin.max(0.0))),
             (_, None, None) => String::new(),
         };
         vec![
-            held.name.clone(),
-            held.expression.clone(),
+            constraint.name.clone(),
+            constraint.expression.clone(),
             value.map_or(shown::NONE.into(), show),
             told,
         ]
@@ -203,23 +204,23 @@ impl Designed<'_> {
 }
 
 /// The report of a rule or limit.
-fn limit_report(standing: &Standing) -> LimitReport {
-    let held = &standing.held;
+fn limit_report(state: &ConstraintState) -> LimitReport {
+    let constraint = &state.constraint;
     let end = |end: f64| Number(Some(end).filter(|end| end.is_finite()));
     LimitReport {
-        name: held.name.clone(),
-        expression: held.expression.clone(),
-        source: held.rule.map(|rule| rule.source),
-        by: match held.by {
-            By::Bound(_) => "bound",
-            By::Limit(_) => "limit",
-            By::Value(_) => "value",
-            By::Unknown => "unknown",
+        name: constraint.name.clone(),
+        expression: constraint.expression.clone(),
+        source: constraint.rule.map(|rule| rule.source),
+        by: match constraint.by {
+            Enforcement::Bound(_) => "bound",
+            Enforcement::Limit(_) => "limit",
+            Enforcement::Value(_) => "value",
+            Enforcement::Unknown => "unknown",
         },
-        low: end(held.range[0]),
-        high: end(held.range[1]),
-        value: standing.value.into(),
-        margin: standing.margin.into(),
-        price: standing.price.into(),
+        low: end(constraint.range[0]),
+        high: end(constraint.range[1]),
+        value: state.value.into(),
+        margin: state.margin.into(),
+        price: state.price.into(),
     }
 }

@@ -5,21 +5,20 @@ use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::study::certificate::Row;
 
-/// What differences make of the MAE 494 report's while-loop, by a parameter by which carry was
-/// certified.
+/// Finite differences of the MAE 494 report's flight loop, for a parameter of a certificate.
 #[derive(Clone, Debug)]
 pub struct LoopRow {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The size of the parameter: steps are parts of it.
+    /// Characteristic size of the parameter, which scales the difference steps.
     pub scale: f64,
-    /// Differences of the loop's carry beside the exact derivative of carry.
+    /// Differences of the loop's carry compared with the exact derivative.
     pub check: Check,
 }
 
 impl LoopRow {
-    /// The plain difference of the loop's carry at the step nearest to 1e-8 of the scale: what an
-    /// optimizer takes.
+    /// Difference of the loop's carry at the step nearest to 1e-8 of the scale, which is what an
+    /// optimizer uses.
     pub fn small_difference(&self) -> Option<f64> {
         let distance = |step: f64| (step / self.scale / 1e-8).ln().abs();
         let nearest = self
@@ -30,16 +29,15 @@ impl LoopRow {
         nearest.map(|point| point.difference)
     }
 
-    /// Whether that difference points the other way than carry goes.
+    /// This difference has the wrong sign.
     pub fn has_wrong_sign(&self) -> bool {
         self.small_difference()
             .is_some_and(|difference| difference * self.check.exact < 0.0)
     }
 }
 
-/// The report's loop, which stops at the first step below the ground, under the differences of a
-/// certificate: for each row of carry, those of the loop. Nothing where there is what the loop does
-/// not know: wind, damping of the spin by the air, a ground that is not at the tee.
+/// Differences of the report's loop for each carry row of a certificate. Empty for setups that the
+/// loop does not model: wind, spin damping, or a ground below the tee.
 pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
     let wind = in_effect(setup).wind;
     let is_calm = [wind.up, wind.right, wind.downrange] == [0.0; 3];

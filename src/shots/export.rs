@@ -1,15 +1,15 @@
-//! A launch monitor's export: its rows as shots.
+//! Reads the rows of an export as shots.
 
 use super::flown::REFUSED;
 use super::head::ExportHead;
 use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, NonShot, Record, Refusal, Stated as Conditions, cells, conditions, contradiction,
-    implausible, implausible_launch, is_straight_by_assumption, miscounted,
+    CONDITIONS, DecimalMark, NonShot, Record, Refusal, Stated as Conditions, cells, conditions,
+    contradiction, implausible, implausible_launch, is_straight_by_assumption, miscounted,
 };
 
-/// Conditions of which the spin's origin is told in a column of its own.
+/// Conditions whose origin is in a common column, `Spin Rate Type`.
 pub(super) const OF_SPIN: [Outcome; 4] = [
     Outcome::Spin,
     Outcome::Backspin,
@@ -18,7 +18,7 @@ pub(super) const OF_SPIN: [Outcome; 4] = [
 ];
 
 impl ExportHead {
-    /// The shot of a record.
+    /// Reads the shot of a record.
     pub fn shot(&self, record: Record) -> Shot {
         let unclosed = record.unclosed();
         let Record { line, text, .. } = record;
@@ -49,7 +49,7 @@ impl ExportHead {
     /// Earlier refusal by `fly`, if the rewritten row lacks the faulty value.
     fn refused_before<S: AsRef<str>>(&self, row: &[S], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
-        // a row that cannot be taken apart is written into the first of its cells
+        // `fly` writes a row that it cannot split into its first cell
         let own = row[..self.added.start].iter().chain(&row[self.added.end..]);
         let is_lacking =
             now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.as_ref().is_empty());
@@ -66,7 +66,7 @@ impl ExportHead {
             let (of, name) = (read.of, &read.column.head);
             let is_condition = CONDITIONS.contains(&of);
             let text = cell(read.at);
-            let value = match self.decimals.is_ambiguous(text) {
+            let value = match DecimalMark::is_ambiguous(self.decimal_mark, text) {
                 true => Err(format!(
                     "'{text}' may have decimals or thousands; write a number without a mark \
                      between thousands"
@@ -117,9 +117,9 @@ impl ExportHead {
             .map(|_| true);
         let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
-        tell(&mut shot, &stated, |of| self.name_of(of));
+        add_notes(&mut shot, &stated, |of| self.name_of(of));
         if shot.point.is_ok() {
-            shot.notes.extend(self.air_assumed(row));
+            shot.notes.extend(self.air_note(row));
         }
         shot
     }
@@ -163,7 +163,7 @@ fn says_normalized(text: &str) -> bool {
         .any(|at| at.eq_ignore_ascii_case(word))
 }
 
-/// The launch that these conditions make.
+/// The launch parameters of the conditions, in the order of [`LAUNCH`](super::shot::LAUNCH).
 pub(super) fn launch(
     values: &Conditions,
     name: impl Fn(Outcome) -> String,
@@ -188,8 +188,8 @@ pub(super) fn launch(
     }
 }
 
-/// Says of a launch that is flown what is assumed to be 0, and which spins contradict each other.
-pub(super) fn tell(shot: &mut Shot, stated: &Conditions, name: impl Fn(Outcome) -> String) {
+/// Adds notes to a shot: values assumed to be 0, and contradictory spins.
+pub(super) fn add_notes(shot: &mut Shot, stated: &Conditions, name: impl Fn(Outcome) -> String) {
     shot.is_straight_by_assumption = is_straight_by_assumption(stated);
     let Some(&[_, _, _, back, side]) = shot.launch() else {
         return;

@@ -1,4 +1,4 @@
-//! Shots with what was found of their flights.
+//! Shots with the results of their flights.
 
 use super::section::Section;
 use super::shot::Shot;
@@ -6,15 +6,15 @@ use crate::batch::{Block, Status};
 use crate::drive::{ExceededLimits, Outcome};
 use crate::table::is_sideways;
 
-/// How the flight of a row ended that was not flown.
+/// Flight status of a row that was not flown.
 pub(super) const REFUSED: &str = "refused";
 
-/// Shots that were flown, or that could not be.
+/// A chunk of shots with their flights.
 #[derive(Clone, Debug)]
 pub struct Flown {
     of: Vec<Outcome>,
     shots: Vec<Shot>,
-    /// The row of each in the block.
+    /// Row of each shot in the block; `None` for a refused shot.
     flights: Vec<Option<usize>>,
     block: Block,
     is_on_their_ground: bool,
@@ -22,7 +22,7 @@ pub struct Flown {
 }
 
 impl Flown {
-    /// The shots with what was found of them; `flights` has the row of each in the block.
+    /// Combines shots and results; `flights` holds the row of each shot in the block.
     pub(super) fn new(
         of: &[Outcome],
         shots: Vec<Shot>,
@@ -45,12 +45,12 @@ impl Flown {
         Self { section, ..self }
     }
 
-    /// The section of the table that they stand in; messages have none.
+    /// The section of the table; `None` for messages.
     pub fn section(&self) -> Option<&Section> {
         self.section.as_ref()
     }
 
-    /// How many there are.
+    /// Number of shots.
     pub fn rows(&self) -> usize {
         self.shots.len()
     }
@@ -60,22 +60,22 @@ impl Flown {
         &self.shots
     }
 
-    /// The outcomes that are predicted.
+    /// The predicted outcomes.
     pub fn outcomes(&self) -> &[Outcome] {
         &self.of
     }
 
-    /// How the flight of a row ended; `None` for one that is refused.
+    /// Status of a flight; `None` for a refused row.
     pub fn status(&self, row: usize) -> Option<Status> {
         self.flights[row].map(|flight| self.block.status(flight))
     }
 
-    /// How the flight of a row ended, in a word: `refused` for one without.
+    /// Name of the flight status; `refused` for a row that was not flown.
     pub fn flight(&self, row: usize) -> &'static str {
         self.status(row).map_or(REFUSED, Status::name)
     }
 
-    /// In what the drive of a row that landed is outside of what the model is made for.
+    /// Validity limits of the model that a landed drive exceeds.
     pub fn beyond(&self, row: usize) -> ExceededLimits {
         self.flights[row]
             .map(|flight| self.block.beyond(flight))
@@ -103,14 +103,14 @@ impl Flown {
         }
     }
 
-    /// The predicted outcome of this number, SI.
+    /// Predicted value of an outcome (by index), SI.
     pub fn predicted(&self, row: usize, outcome: usize) -> Option<f64> {
         self.block.outcome(self.flights[row]?, outcome)
     }
 
-    /// Predicted − measured, SI, where the row has a value to compare with. Nothing sideways is
-    /// compared where the direction or the spin axis is assumed, and nothing of the run on ground
-    /// that is not said to be that of the shots.
+    /// Predicted − measured, SI; `None` without a measurement. Lateral outcomes are not compared if
+    /// launch direction or spin axis is assumed, nor outcomes of the roll-out unless the ground is
+    /// declared as that of the shots.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
         let has_no_ground = of.needs_run() && !self.is_on_their_ground;

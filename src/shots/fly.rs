@@ -1,11 +1,11 @@
-//! Shots flown side by side.
+//! Flies shots in batches.
 
 use super::flown::Flown;
 use super::objects::Piece;
 use super::open_connect;
 use super::shot::{LAUNCH, Shot};
 use super::source::{Chunk, Shots};
-use super::tally::Tally;
+use super::statistics::ShotStatistics;
 use crate::batch::{Batch, CHUNK, Run, in_order};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
@@ -20,9 +20,8 @@ pub struct Flying {
     is_on_their_ground: bool,
 }
 
-/// The launches that the method and the step of the flights are chosen for, whatever the table has:
-/// a drive beyond them that this step does not follow closely enough is flown in shorter ones. So
-/// what is predicted of a row does not depend on the other rows.
+/// Launches for which method and step are chosen, independent of the table; drives outside that
+/// need a smaller step get one automatically. So predictions do not depend on other rows.
 const USUAL: [(&str, f64, f64, &str); 5] = [
     ("launch.ball_speed", 60.0, 200.0, "mph"),
     ("launch.launch_angle", 2.0, 35.0, "deg"),
@@ -32,19 +31,19 @@ const USUAL: [(&str, f64, f64, &str); 5] = [
 ];
 
 impl Flying {
-    /// The outcomes of these shots with the setup's ball, air and law.
+    /// Prepares the outcomes of these shots with the setup's ball, air and law.
     ///
     /// # Errors
-    /// What [`Batch::new`] refuses; [`Error::Nothing`] without an outcome; [`Error::Unreadable`]
-    /// for a launch condition, which the rows give.
+    /// The errors of [`Batch::new`]; [`Error::Nothing`] without an outcome; [`Error::Unreadable`]
+    /// for a launch condition, which the rows state.
     pub fn new(setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Self> {
         Self::with(setup, shots.parameters(), of)
     }
 
-    /// For single messages of GSPro Open Connect.
+    /// Prepares the outcomes for single messages of GSPro Open Connect.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn of_messages(setup: &Setup<f64>, of: &[Outcome]) -> Result<Self> {
         let parameters = LAUNCH
             .iter()
@@ -71,10 +70,10 @@ impl Flying {
         })
     }
 
-    /// The ranges of the launches that a method and a step are to be chosen for.
+    /// Ranges of launches for the choice of method and step.
     ///
     /// # Errors
-    /// [`Error::Unknown`] never: the parameters are there.
+    /// [`Error::Unknown`] for a missing parameter, which does not happen.
     pub fn usual(setup: &Setup<f64>) -> Result<Vec<Vary>> {
         let range = |(name, low, high, unit): &(&str, f64, f64, &str)| {
             let parameter = setup.parameter(name)?;
@@ -88,10 +87,10 @@ impl Flying {
         USUAL.iter().map(range).collect()
     }
 
-    /// As [`Batch::with_largest_defect`].
+    /// See [`Batch::with_largest_defect`].
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Batch::with_largest_defect`].
     pub fn with_largest_defect(self, defect: f64) -> Result<Self> {
         Ok(Self {
             batch: self.batch.with_largest_defect(defect)?,
@@ -108,13 +107,13 @@ impl Flying {
         }
     }
 
-    /// The outcomes.
+    /// The requested outcomes.
     pub fn outcomes(&self) -> &[Outcome] {
         self.batch.outcomes()
     }
 
-    /// Flies all shots. Those of a chunk go through `work` on the thread that computed them, and
-    /// what that makes of them to `sink`, in the order of the rows.
+    /// Flies all shots. `work` runs on the thread that computed a chunk; `sink` receives its
+    /// results in the order of the rows.
     ///
     /// # Errors
     /// Errors of the source and of `sink`; rows before an unreadable place are delivered first.
@@ -124,8 +123,8 @@ impl Flying {
         run: &Run<'_>,
         work: impl Fn(Flown) -> R + Sync,
         mut sink: impl FnMut(R) -> Result<()>,
-    ) -> Result<Tally> {
-        let mut tally = Tally::new(self.outcomes());
+    ) -> Result<ShotStatistics> {
+        let mut statistics = ShotStatistics::new(self.outcomes());
         let Shots {
             rows, parameters, ..
         } = shots;
@@ -141,15 +140,15 @@ impl Flying {
         let work = |chunk: Chunk| {
             let (shots, section) = chunk.shots(further);
             let flown = self.flown(shots).of_section(section);
-            let mut tally = Tally::new(self.outcomes());
-            tally.add(&flown);
-            (tally, work(flown))
+            let mut statistics = ShotStatistics::new(self.outcomes());
+            statistics.add(&flown);
+            (statistics, work(flown))
         };
         in_order(run.threads, next, work, |(part, result)| {
-            tally.merge(part);
+            statistics.merge(part);
             sink(result)
         })?;
-        Ok(tally)
+        Ok(statistics)
     }
 
     /// Flies the shot of a message of GSPro Open Connect.

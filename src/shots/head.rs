@@ -1,4 +1,4 @@
-//! The head of an export: where it stands, and what its columns hold.
+//! Meaning of the columns of an export.
 
 use super::interpretation::Interpretation;
 use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
@@ -6,7 +6,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Decimals, Format, Head, Holds, OF_FLOWN, TextTable, given_air, near_known,
+    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, given_air, near_known,
     nearest_head, split_unit, words,
 };
 use crate::units::Message;
@@ -18,7 +18,7 @@ pub(super) struct Read {
     pub at: usize,
     pub of: Outcome,
     pub column: Column,
-    /// How its values came about, where the head says so.
+    /// Origin of its values, if the head states it.
     pub origin: Option<Origin>,
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Read {
 pub(super) struct ExportHead {
     pub separator: u8,
     pub heads: Vec<String>,
-    /// The units of a line below the head, where there is one.
+    /// Units in a line below the head, if there is one.
     pub units: Option<Vec<String>>,
     pub maker: Option<&'static str>,
     pub read: Vec<Read>,
@@ -35,15 +35,15 @@ pub(super) struct ExportHead {
     pub club: [Option<(usize, Column)>; 4],
     pub further: Vec<Further>,
     pub further_columns: Vec<Column>,
-    /// The column that says how the spin came about, and the one about the conditions of the
-    /// values.
+    /// Columns of the origin of the spin, and of the conditions of the values.
     pub spin_type: Option<usize>,
     pub condition: Option<usize>,
     pub is_export: bool,
-    pub decimals: Decimals,
-    /// The columns that `fly` added when it wrote the table.
+    /// The decimal mark of the table; `None` if the first rows do not show it.
+    pub decimal_mark: Option<DecimalMark>,
+    /// Columns that an earlier run of `fly` added.
     pub added: Range<usize>,
-    /// The density of the setup's air, for rows that state none.
+    /// Air density of the setup, for rows that state none.
     pub air: f64,
     pub remarks: Vec<Message>,
 }
@@ -52,21 +52,9 @@ impl ExportHead {
     /// Interprets the head of a table for shots.
     ///
     /// # Errors
-    /// [`Error::Table`] for a table without a column that a launch needs, or with a unit of another
-    /// kind.
+    /// [`Error::Table`] for a missing launch column, or a unit of the wrong dimension.
     pub fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
-        if head.format.is_export {
-            for at in 0..head.columns.len() {
-                let unit = read_units(head.units.as_deref(), at);
-                let column = &head.columns[at];
-                if column.is_unknown()
-                    && let Some(total) =
-                        total(setup, &column.head, &head.heads[at], unit, head.format)?
-                {
-                    head.columns[at] = total;
-                }
-            }
-        }
+        add_totals(setup, &mut head)?;
         let meant = Interpretation::of(Some(setup), &mut head, table);
         let Head {
             line,
@@ -84,7 +72,7 @@ impl ExportHead {
         };
         let in_degrees: Vec<String> = columns
             .iter()
-            .filter(|column| is_export && column.is_in_degrees_untold())
+            .filter(|column| is_export && column.is_in_assumed_degrees())
             .map(|column| column.head.clone())
             .collect();
         let mut found = Self {
@@ -97,7 +85,7 @@ impl ExportHead {
             spin_type: None,
             condition: None,
             is_export,
-            decimals: Decimals::Point,
+            decimal_mark: Some(DecimalMark::Point),
             added: added(&columns),
             air: setup.air.density,
             remarks: encoding.map(Message::from).into_iter().collect(),
@@ -112,39 +100,44 @@ impl ExportHead {
         found
             .needs_a_launch(&columns)
             .map_err(|reason| name.refused(String::new(), reason))?;
-        let plain: Vec<String> = found
+        found.find_descriptions();
+        found.decimal_mark = DecimalMark::detect(
+            table.separator,
+            found.read.iter().map(|read| read.at),
+            &table.rows_below(line),
+        );
+        let has_comma = table.separator != b',' && found.decimal_mark != Some(DecimalMark::Point);
+        for read in &mut found.read {
+            read.column = read.column.clone().with_decimal_comma(has_comma);
+        }
+        found.add_remarks(&columns, meant.without_unit, &in_degrees);
+        found.remarks.extend(meant.turned.map(Message::from));
+        Ok(found)
+    }
+
+    /// Finds the columns of the origin of the spin and of the conditions.
+    fn find_descriptions(&mut self) {
+        let plain: Vec<String> = self
             .heads
             .iter()
             .map(|head| words(split_unit(head).0))
             .collect();
         let named = |names: &[&str]| plain.iter().position(|head| names.contains(&head.as_str()));
-        found.spin_type = named(&[
+        self.spin_type = named(&[
             "spin rate type",
             "spin type",
             "spin reading",
             "spin source",
             "drehratentyp",
         ]);
-        found.condition = named(&["condition", "conditions"]);
-        found.decimals = Decimals::found(
-            table.separator,
-            found.read.iter().map(|read| read.at),
-            &table.rows_below(line),
-        );
-        let has_comma = table.separator != b',' && found.decimals != Decimals::Point;
-        for read in &mut found.read {
-            read.column = read.column.clone().with_decimal_comma(has_comma);
-        }
-        found.tell(&columns, meant.without_unit, &in_degrees);
-        found.remarks.extend(meant.turned.map(Message::from));
-        Ok(found)
+        self.condition = named(&["condition", "conditions"]);
     }
 
-    /// Gives the further parameters the order that the first section of the table has them in.
+    /// Sorts the further parameters in the order of the table's first section.
     ///
     /// # Errors
-    /// The name of one that this section has no column of, but for the air, which is then the
-    /// setup's.
+    /// The name of a parameter without a column in this section. A missing air column is allowed:
+    /// the setup gives the air.
     pub fn align(
         &mut self,
         further: &[&'static Parameter],
@@ -163,10 +156,10 @@ impl ExportHead {
         Ok(())
     }
 
-    /// Takes a column that is read.
+    /// Adds a column.
     fn take(&mut self, setup: &Setup<f64>, at: usize, column: &Column) -> Result<()> {
-        match column.holds {
-            Holds::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
+        match column.content {
+            Content::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
                 column.check_unit()?;
                 self.read.push(Read {
                     at,
@@ -175,13 +168,13 @@ impl ExportHead {
                     origin: origin(&self.heads[at]),
                 });
             }
-            Holds::Input(parameter) if !parameter.is_of_strike() && !parameter.is_of_launch() => {
+            Content::Input(parameter) if !parameter.is_of_strike() && !parameter.is_of_launch() => {
                 column.check_unit()?;
                 self.further.push(Further { at, parameter });
                 self.further_columns.push(column.clone());
             }
-            // beside a launch the club is left out of a table
-            Holds::Note | Holds::Input(_) => {
+            // a table of launches ignores the club
+            Content::Note | Content::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
                 let format = Format {
                     is_export: self.is_export,
@@ -190,7 +183,7 @@ impl ExportHead {
                 let Ok(again) = Column::read(setup, &self.heads[at], below, format) else {
                     return Ok(());
                 };
-                if let Holds::Input(parameter) = again.holds
+                if let Content::Input(parameter) = again.content
                     && let Some(club) = ClubOfShot::NAMES
                         .iter()
                         .position(|name| *name == parameter.name)
@@ -243,7 +236,12 @@ impl ExportHead {
     }
 
     /// Collects remarks on the columns.
-    fn tell(&mut self, columns: &[Column], without_unit: Option<String>, in_degrees: &[String]) {
+    fn add_remarks(
+        &mut self,
+        columns: &[Column],
+        without_unit: Option<String>,
+        in_degrees: &[String],
+    ) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
                 || self.further.iter().any(|further| further.at == at)
@@ -254,9 +252,9 @@ impl ExportHead {
             let is_twice = || {
                 self.read
                     .iter()
-                    .any(|read| read.column.holds == column.holds)
+                    .any(|read| read.column.content == column.content)
             };
-            column.holds == Holds::Written || column.is_of_given_air() || is_twice()
+            column.content == Content::Written || column.is_of_given_air() || is_twice()
         };
         let not_read = columns
             .iter()
@@ -278,7 +276,7 @@ impl ExportHead {
                 in_degrees.join(", ")
             ));
         }
-        remarks.extend(self.air_told().or_else(|| given_air(columns)));
+        remarks.extend(self.air_remark().or_else(|| given_air(columns)));
         remarks.extend(self.given_twice(columns));
         if !self.added.is_empty() {
             remarks.push(
@@ -296,11 +294,11 @@ impl ExportHead {
         self.remarks.extend(remarks.into_iter().map(Message::from));
     }
 
-    /// The columns of what an earlier one gives too, which are not used.
+    /// Remark on repeated columns, of which the first is used.
     fn given_twice(&self, columns: &[Column]) -> Option<String> {
         let twice = self.read.iter().flat_map(|first| {
             let is_again = |(at, column): &(usize, &Column)| {
-                *at != first.at && column.holds == first.column.holds
+                *at != first.at && column.content == first.column.content
             };
             let again = columns.iter().enumerate().filter(is_again);
             again.map(|(at, _)| format!("'{}' beside '{}'", self.heads[at], self.heads[first.at]))
@@ -314,7 +312,7 @@ impl ExportHead {
         })
     }
 
-    /// The parameters that every row has a value of.
+    /// Parameters that every row has.
     pub fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         let launch = LAUNCH
             .iter()
@@ -326,7 +324,7 @@ impl ExportHead {
             .collect())
     }
 
-    /// The head of the column of a launch condition, for messages.
+    /// Head of the column of a launch condition, for messages.
     pub fn name_of(&self, of: Outcome) -> String {
         self.read
             .iter()
@@ -335,7 +333,23 @@ impl ExportHead {
     }
 }
 
-/// The columns that `fly` adds: its words, then those of outcomes.
+/// Interprets the unknown columns of an export that are rest positions.
+fn add_totals(setup: &Setup<f64>, head: &mut Head) -> Result<()> {
+    if head.format.is_export {
+        for at in 0..head.columns.len() {
+            let unit = read_units(head.units.as_deref(), at);
+            let column = &head.columns[at];
+            if column.is_unknown()
+                && let Some(total) = total(setup, &column.head, &head.heads[at], unit, head.format)?
+            {
+                head.columns[at] = total;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Columns that `fly` added: four with text, then outcomes.
 fn added(columns: &[Column]) -> Range<usize> {
     let heads: Vec<&str> = columns.iter().map(|column| column.head.as_str()).collect();
     let Some(from) = heads
@@ -346,19 +360,18 @@ fn added(columns: &[Column]) -> Range<usize> {
     };
     let of_outcomes = columns[from..]
         .iter()
-        .take_while(|column| column.holds == Holds::Written)
+        .take_while(|column| column.content == Content::Written)
         .count();
     from..from + of_outcomes
 }
 
-/// The unit of a column in the line below the head, without brackets.
+/// Unit of a column in the line below the head, without brackets.
 fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     let unit = units?.get(at)?.trim_matches(['[', ']', '(', ')']);
     (!unit.is_empty()).then_some(unit)
 }
 
-/// Heads of where the ball comes to rest, and what they are: `calibrate` does not read them, since
-/// the ground is not known.
+/// Heads of the ball's rest position. `calibrate` ignores them, since the ground is unknown.
 const TOTALS: [(&str, Outcome); 11] = [
     ("gesamtstrecke", Outcome::Total),
     ("gesamtabweichungsdistanz", Outcome::LateralTotal),
@@ -373,7 +386,7 @@ const TOTALS: [(&str, Outcome); 11] = [
     ("est total flat side", Outcome::LateralTotal),
 ];
 
-/// The column of a total, where its head is one.
+/// The column of a rest position, if its head is one.
 fn total(
     setup: &Setup<f64>,
     name: &str,
@@ -393,7 +406,7 @@ fn total(
     Ok(Some(column))
 }
 
-/// How the values of a column came about, where its head says so: `Est. Total Flat`, `Carry (Sim)`.
+/// Origin of a column's values, if its head states it: `Est. Total Flat`, `Carry (Sim)`.
 fn origin(head: &str) -> Option<Origin> {
     let words = words(head);
     let has = |word: &str| words.split(' ').any(|other| other == word);

@@ -5,7 +5,7 @@ use super::sign_conventions::SignConventions;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::table::{
-    Column, Head, Holds, TextTable, assume_units, split_unit, states_weather, words,
+    Column, Content, Head, TextTable, assume_units, split_unit, states_weather, words,
 };
 
 /// Interpretation of an export.
@@ -57,8 +57,8 @@ impl Interpretation {
     }
 }
 
-/// TrackMan: `Condition` states altitude and temperature. They give the air of each row unless a
-/// column states the density; the weather of the setup comes first.
+/// TrackMan: `Condition` states altitude and temperature. They determine the air of each row,
+/// unless a column states the density or the setup the weather.
 fn weather_of_rows(
     setup: &Setup<f64>,
     plain: &[String],
@@ -93,6 +93,6 @@ fn rests_offline(columns: &mut [Column]) {
         .iter_mut()
         .filter(|column| words(&column.head) == "offline")
     {
-        column.holds = Holds::Outcome(Outcome::LateralTotal);
+        column.content = Content::Outcome(Outcome::LateralTotal);
     }
 }

@@ -1,7 +1,7 @@
-//! Whose export a table is, by its heads.
+//! Detects the maker of an export from its heads.
 
-/// A maker, with heads in small letters that stand together in its exports alone. docs/sources.md
-/// says where they are from.
+/// Makers with heads (in lower case) that occur together only in their exports. Sources:
+/// docs/sources.md.
 const SIGNATURES: [(&str, &[&str]); 16] = [
     ("TrackMan", &["carry flat length"]),
     ("TrackMan", &["tmd no"]),
@@ -28,7 +28,7 @@ const SIGNATURES: [(&str, &[&str]); 16] = [
     ),
 ];
 
-/// The maker whose heads these are, in small letters and without their units.
+/// The maker for these heads, in lower case without units.
 pub(super) fn maker(heads: &[String]) -> Option<&'static str> {
     let has = |head: &&str| heads.iter().any(|other| other == head);
     SIGNATURES

@@ -1,32 +1,35 @@
-//! Shots of launch monitors: read from their exports or from GSPro Open Connect, flown with a
-//! setup's ball and air, and what was measured of them beside what is predicted.
+//! Shots of launch monitors: read from exports or GSPro Open Connect, flown with a setup's ball and
+//! air, and compared with their measurements.
 //!
 //! ```text
-//!   file ──records──▶ shots ──side by side──▶ flown shots ──in order──▶ whoever takes them
+//!   file ──records──▶ shots ──in batches──▶ flown shots ──in order──▶ sink
 //! ```
 //!
-//! Rows come in the order of the file, in chunks; memory does not grow with their number. No row is
-//! dropped: one that cannot be flown has a [`Refusal`].
+//! Rows are processed in the order of the file in chunks, so memory does not grow with their
+//! number. No row is dropped: one that cannot be flown has a [`Refusal`].
 //!
 //! ```
 //! use longdrive::shots::{Flying, Shots};
 //! use longdrive::{Outcome, Setup};
 //!
-//! let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yds]\n167,10.9,2686,275\n,11,2500,\n";
+//! let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yds]\n\
+//!             167,10.9,2686,275\n,11,2500,\n";
 //! let setup = Setup::default();
 //! let mut shots = Shots::read(&setup, "shots.csv", text.as_bytes()).unwrap();
 //! let flying = Flying::new(&setup, &shots, &[Outcome::CarryDistance]).unwrap();
 //! let (mut carries, mut refused) = (vec![], vec![]);
-//! let tally = flying
+//! let statistics = flying
 //!     .fly(&mut shots, &Default::default(), |flown| flown, |flown| {
 //!         carries.extend((0..flown.rows()).map(|row| flown.predicted(row, 0)));
-//!         refused.extend(flown.shots().iter().filter_map(|shot| Some((shot.line, shot.refusal()?.reason.clone()))));
+//!         for shot in flown.shots() {
+//!             refused.extend(shot.refusal().map(|refusal| (shot.line, refusal.reason.clone())));
+//!         }
 //!         Ok(())
 //!     })
 //!     .unwrap();
 //! assert!((carries[0].unwrap() / 0.9144 - 275.0).abs() < 8.0 && carries[1].is_none());
 //! assert_eq!(refused, [(3, "Ball Speed: the cell is empty; every launch needs one".to_owned())]);
-//! assert_eq!((tally.rows, tally.flown), (2, 1));
+//! assert_eq!((statistics.rows, statistics.flown), (2, 1));
 //! ```
 
 mod air;
@@ -43,7 +46,8 @@ mod shot;
 mod sign_conventions;
 mod sizes;
 mod source;
-mod tally;
+mod statistics;
+
 mod unit_checks;
 mod written;
 
@@ -58,4 +62,4 @@ pub use shot::{Club, Origin, Shot, Value};
 pub(crate) use sizes::size;
 pub(crate) use source::is_json;
 pub use source::{Layout, Shots};
-pub use tally::{BANDS, Band, FLOOR, Refused, Sums, Tally};
+pub use statistics::{BANDS, Band, FLOOR, Refused, ShotStatistics, Sums};

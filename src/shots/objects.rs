@@ -1,37 +1,38 @@
-//! The JSON objects in a stream of bytes: one a line, one after the other, or in an array.
+//! Finds JSON objects in a byte stream: one per line, consecutive, or in an array.
 
 use std::collections::VecDeque;
 
-/// The longest object, in bytes.
+/// Maximum length of an object, bytes.
 const LONGEST: usize = 1 << 16;
 
-/// An object, or what stands in the place of one.
+/// A JSON object, or other text in its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Piece {
-    /// The line that it begins in, from 1.
+    /// Number of its first line, from 1.
     pub line: u64,
-    /// Its text.
+    /// The text.
     pub text: String,
     /// All braces are closed.
     pub is_whole: bool,
 }
 
-/// Where in a stream one is.
+/// State of the scanner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Between,
-    /// In an object: how many braces and brackets are open.
+    /// In an object, with the number of open braces and brackets.
     Inside(usize),
-    /// In a string of an object, perhaps after a backslash.
+    /// In a string of an object; true after a backslash.
     Text(usize, bool),
-    /// In what is no object, to the end of the line.
+    /// In other text, up to the end of the line.
     Astray,
     /// In the rest of an object that is too long.
     TooLong,
 }
 
-/// Finds the objects in bytes as they come. What is cut short or no object is a piece too, and ends
-/// with its line where the next one begins with a brace: nothing after it is lost.
+/// Finds objects in bytes as they arrive. Truncated objects and other text are returned as pieces
+/// too; they end with their line, or before the next opening brace, so that no later object is
+/// lost.
 #[derive(Clone, Debug)]
 pub struct Objects {
     state: State,
@@ -57,7 +58,7 @@ impl Default for Objects {
 }
 
 impl Objects {
-    /// Takes the next bytes.
+    /// Adds bytes.
     pub fn push(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             self.take(byte);
@@ -66,7 +67,7 @@ impl Objects {
         }
     }
 
-    /// The next object that is complete.
+    /// The next complete object.
     pub fn next_piece(&mut self) -> Option<Piece> {
         self.found.pop_front()
     }
@@ -76,7 +77,7 @@ impl Objects {
         self.state != State::Between
     }
 
-    /// Ends what is under way: no more bytes belong to it.
+    /// Ends an incomplete object at the end of the input.
     pub fn finish(&mut self) {
         if self.is_under_way() {
             self.end(false);
@@ -104,7 +105,7 @@ impl Objects {
         match self.state {
             State::Between => match byte {
                 b'{' => self.begin(State::Inside(1), byte),
-                // of arrays, between messages, and of a byte-order mark
+                // array syntax, separators, and bytes of a byte-order mark
                 b'[' | b']' | b',' | 0 | 0xef | 0xbb | 0xbf => {}
                 _ if byte.is_ascii_whitespace() => {}
                 _ => self.begin(State::Astray, byte),
@@ -141,7 +142,7 @@ impl Objects {
                     _ => {}
                 }
             }
-            // no text in JSON goes on in the next line
+            // a JSON string cannot contain a line feed
             State::Text(..) if byte == b'\n' => self.end(false),
             State::Text(depth, is_escaped) => {
                 self.add(byte);
@@ -171,7 +172,7 @@ mod tests {
 
     fn pieces(text: &str) -> Vec<(u64, String, bool)> {
         let mut objects = Objects::default();
-        // in pieces of any length
+        // in pieces of arbitrary length
         for bytes in text.as_bytes().chunks(3) {
             objects.push(bytes);
         }

@@ -1,6 +1,6 @@
-//! A message of GSPro Open Connect as a shot.
+//! Reads messages of GSPro Open Connect as shots.
 
-use super::export::{OF_SPIN, launch, tell};
+use super::export::{OF_SPIN, add_notes, launch};
 use super::flown::REFUSED;
 use super::objects::Piece;
 use super::shot::{Club, Origin, Shot, StatedOfClub, Value, of_conditions};
@@ -13,10 +13,10 @@ use crate::table::{Refusal, implausible};
 use crate::units::Quantity;
 use serde_json::{Map, Value as Json};
 
-/// Where values come from that a launch lacks.
+/// Origin of assumed launch values.
 pub(crate) const ASSUMED: &str = "assumed";
 
-/// The numbers of `BallData`, and what they are.
+/// Keys of `BallData` with their outcomes.
 const BALL: [(&str, Outcome); 8] = [
     ("Speed", Outcome::BallSpeed),
     ("VLA", Outcome::LaunchAngle),
@@ -28,7 +28,7 @@ const BALL: [(&str, Outcome); 8] = [
     ("CarryDistance", Outcome::CarryDistance),
 ];
 
-/// The units of a message, by its `Units`: of speeds, of lengths.
+/// Units of speeds and lengths of a message, from its `Units`.
 fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Refusal> {
     match message.get("Units") {
         None | Some(Json::Null) => Ok(("mph", "yd")),
@@ -47,7 +47,7 @@ fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Re
     }
 }
 
-/// The number of a key, where there is one.
+/// The number of a key, if present.
 fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>, Refusal> {
     match of.get(key) {
         None | Some(Json::Null) => Ok(None),
@@ -61,8 +61,7 @@ fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>,
     }
 }
 
-/// How a value came about, where `fly` wrote the message: of the spin in whatever form it was
-/// stated.
+/// Origin of a value in a message that `fly` wrote; all forms of the spin share one origin.
 fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
     let origins = message.get("Flight")?.get("Origins")?;
     let spins: &[Outcome] = if OF_SPIN.contains(&of) { &OF_SPIN } else { &[] };
@@ -75,7 +74,7 @@ fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
 
 /// True for values that `fly` assumed.
 fn is_assumed(message: &Map<String, Json>, of: Outcome) -> bool {
-    // an axis that is assumed has the sidespin of 0 beside it
+    // an assumed spin axis implies an assumed sidespin of 0
     let of = if of == Outcome::Sidespin {
         Outcome::SpinAxis
     } else {
@@ -87,8 +86,8 @@ fn is_assumed(message: &Map<String, Json>, of: Outcome) -> bool {
     origin.is_some_and(|origin| origin == ASSUMED)
 }
 
-/// A key of the ball that is spelled almost like one that is missing.
-fn near(ball: &Map<String, Json>, key: &str) -> String {
+/// Suggestion for a missing key: a similar unknown key of the ball.
+fn suggestion(ball: &Map<String, Json>, key: &str) -> String {
     let unknown = ball
         .keys()
         .filter(|other| BALL.iter().all(|(known, _)| known != other));
@@ -101,8 +100,8 @@ fn near(ball: &Map<String, Json>, key: &str) -> String {
         .unwrap_or_default()
 }
 
-/// The shot of a message. One without ball data, such as a heartbeat, cannot be flown. A line that
-/// `fly` wrote has values of further parameters, of these and no others.
+/// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. A
+/// line that `fly` wrote has values of exactly the parameters `further`.
 pub(super) fn shot(piece: Piece, further: &[&'static Parameter]) -> Shot {
     let Piece {
         line,
@@ -110,7 +109,7 @@ pub(super) fn shot(piece: Piece, further: &[&'static Parameter]) -> Shot {
         is_whole,
     } = piece;
     let parsed = if is_whole {
-        serde_json::from_str::<Json>(&text).map_err(|error| told(&error))
+        serde_json::from_str::<Json>(&text).map_err(|error| syntax_error(&error))
     } else {
         Err(broken(&text))
     };
@@ -141,7 +140,7 @@ fn broken(text: &str) -> String {
 }
 
 /// Message of the JSON parser with the position.
-fn told(error: &serde_json::Error) -> String {
+fn syntax_error(error: &serde_json::Error) -> String {
     let said = error.to_string();
     let what = said.split(" at line").next().unwrap_or_default();
     format!(
@@ -159,42 +158,7 @@ fn fill(
     if written::is_written(message) {
         return written::fill(shot, message, further);
     }
-    let is = |key: &str| {
-        message
-            .get("ShotDataOptions")
-            .and_then(|options| options.get(key))
-            .and_then(Json::as_bool)
-    };
-    let flight = |key: &str| {
-        message
-            .get("Flight")
-            .and_then(|flight| flight.get(key))
-            .and_then(Json::as_str)
-    };
-    if let (Some(REFUSED), Some(reason)) = (flight("Status"), flight("Reason")) {
-        return Err(Refusal::new(Refusal::BEFORE, reason));
-    }
-    let none = |why: &str| Err(Refusal::new(Refusal::NO_BALL, why));
-    if is("IsHeartBeat") == Some(true) {
-        return none("a heartbeat (ShotDataOptions.IsHeartBeat), not a shot");
-    }
-    if is("ContainsBallData") == Some(false) {
-        return none("it has no ball data (ShotDataOptions.ContainsBallData is false)");
-    }
-    let ball = match message.get("BallData") {
-        Some(Json::Object(ball)) => ball,
-        None | Some(Json::Null) => {
-            let reason = "it has no BallData; a shot needs BallData with Speed, VLA and TotalSpin \
-                          or BackSpin";
-            return Err(Refusal::new(Refusal::MISSING, reason));
-        }
-        Some(_) => {
-            return Err(Refusal::new(
-                Refusal::JSON,
-                "BallData is not an object; write \"BallData\": {\"Speed\": …}",
-            ));
-        }
-    };
+    let ball = ball_data(message)?;
     let (speed_unit, length_unit) = units(message)?;
     for (key, of) in BALL {
         let unit = match of {
@@ -209,7 +173,7 @@ fn fill(
                 match implausible(of, value, || format!("BallData.{key}"))
                     .filter(|_| of == Outcome::CarryDistance)
                 {
-                    // 0 where it is not sent
+                    // 0 means not sent
                     Some(_) if number == 0.0 => {}
                     Some(reason) => shot.notes.push(format!("not compared: {reason}")),
                     None => shot.values.push(Value {
@@ -227,31 +191,11 @@ fn fill(
         }
     }
     if let Some(Json::Object(club)) = message.get("ClubData")
-        && is("ContainsClubData") != Some(false)
+        && option(message, "ContainsClubData") != Some(false)
     {
-        let angle = |key| {
-            number(club, "ClubData", key)
-                .ok()
-                .flatten()
-                .map(f64::to_radians)
-        };
-        let speed = number(club, "ClubData", "Speed").ok().flatten();
-        let speed = speed.map(|speed| speed * size(Quantity::SPEED, speed_unit));
-        let stated = [
-            ("ClubData.Speed", speed),
-            ("ClubData.AngleOfAttack", angle("AngleOfAttack")),
-            ("ClubData.Path", angle("Path")),
-            ("ClubData.FaceToTarget", angle("FaceToTarget")),
-        ];
-        let stated = stated.map(|(head, value)| {
-            Some(StatedOfClub {
-                head,
-                value: value?,
-            })
-        });
-        shot.club = Club::measured(stated, &mut shot.notes);
+        shot.club = club_data(club, speed_unit, &mut shot.notes);
     }
-    sent(&mut shot.values);
+    remove_unsent(&mut shot.values);
     let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
     let name = |of: Outcome| {
         let key = BALL
@@ -263,19 +207,73 @@ fn fill(
             if ball.contains_key(key) {
                 String::new()
             } else {
-                near(ball, key)
+                suggestion(ball, key)
             }
         )
     };
     shot.point = launch(&stated, name, |of| {
         of != Outcome::Spin || !ball.contains_key("BackSpin")
     });
-    tell(shot, &stated, name);
+    add_notes(shot, &stated, name);
     Ok(())
 }
 
-/// Takes out what is not sent: zeros that stand for no value beside another form of the spin.
-fn sent(values: &mut Vec<Value>) {
+/// A flag of `ShotDataOptions`.
+fn option(message: &Map<String, Json>, key: &str) -> Option<bool> {
+    message.get("ShotDataOptions")?.get(key)?.as_bool()
+}
+
+/// The ball data of a message.
+///
+/// # Errors
+/// A message without ball data, or refused by an earlier run of `fly`.
+fn ball_data(message: &Map<String, Json>) -> Result<&Map<String, Json>, Refusal> {
+    let flight = |key: &str| message.get("Flight")?.get(key)?.as_str();
+    if let (Some(REFUSED), Some(reason)) = (flight("Status"), flight("Reason")) {
+        return Err(Refusal::new(Refusal::BEFORE, reason));
+    }
+    let none = |why: &str| Err(Refusal::new(Refusal::NO_BALL, why));
+    if option(message, "IsHeartBeat") == Some(true) {
+        return none("a heartbeat (ShotDataOptions.IsHeartBeat), not a shot");
+    }
+    if option(message, "ContainsBallData") == Some(false) {
+        return none("it has no ball data (ShotDataOptions.ContainsBallData is false)");
+    }
+    match message.get("BallData") {
+        Some(Json::Object(ball)) => Ok(ball),
+        None | Some(Json::Null) => {
+            let reason = "it has no BallData; a shot needs BallData with Speed, VLA and TotalSpin \
+                          or BackSpin";
+            Err(Refusal::new(Refusal::MISSING, reason))
+        }
+        Some(_) => Err(Refusal::new(
+            Refusal::JSON,
+            "BallData is not an object; write \"BallData\": {\"Speed\": …}",
+        )),
+    }
+}
+
+fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>) -> Club {
+    let value = |key| number(club, "ClubData", key).ok().flatten();
+    let angle = |key| value(key).map(f64::to_radians);
+    let speed = value("Speed").map(|speed| speed * size(Quantity::SPEED, speed_unit));
+    let stated = [
+        ("ClubData.Speed", speed),
+        ("ClubData.AngleOfAttack", angle("AngleOfAttack")),
+        ("ClubData.Path", angle("Path")),
+        ("ClubData.FaceToTarget", angle("FaceToTarget")),
+    ];
+    let stated = stated.map(|(head, value)| {
+        Some(StatedOfClub {
+            head,
+            value: value?,
+        })
+    });
+    Club::measured(stated, notes)
+}
+
+/// Removes zeros that mean "not sent", because another form of the spin is present.
+fn remove_unsent(values: &mut Vec<Value>) {
     let has = |of| {
         values
             .iter()
@@ -290,7 +288,7 @@ fn sent(values: &mut Vec<Value>) {
     values.retain(|value| match value.of {
         Outcome::Spin => has_total || !has_back,
         Outcome::Backspin => has_back || !has_total,
-        // with the total and no axis, the sidespin tells the axis
+        // total spin without an axis: the sidespin determines the axis
         Outcome::Sidespin => has_side || has_back || has_total && !has_axis,
         Outcome::SpinAxis => has_total || value.value != 0.0 || !has_side,
         _ => true,

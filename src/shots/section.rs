@@ -1,7 +1,7 @@
 //! Sections of a table: the rows below one head.
 
 use super::head::ExportHead;
-use crate::table::{Decimals, cells};
+use crate::table::{DecimalMark, cells};
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
@@ -23,14 +23,14 @@ impl Export {
         &self.head.heads
     }
 
-    /// The units of a line below the heads, where there is one.
+    /// Units in a line below the heads, if there is one.
     pub fn units(&self) -> Option<&[String]> {
         self.head.units.as_deref()
     }
 
     /// Numbers have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
-        self.head.decimals == Decimals::Comma
+        self.head.decimal_mark == Some(DecimalMark::Comma)
     }
 
     /// The cells of a row.
@@ -38,18 +38,17 @@ impl Export {
         cells(text, self.head.separator)
     }
 
-    /// The columns that an earlier flight of the rows has added, which the table has not from its
-    /// maker.
+    /// Columns that an earlier run of `fly` added.
     pub(crate) fn added(&self) -> Range<usize> {
         self.head.added.clone()
     }
 }
 
-/// The part of a table that shots stand in.
+/// A section of a table: the rows below one head.
 #[derive(Clone, Debug)]
 pub struct Section {
     /// Its head.
     pub export: Arc<Export>,
-    /// These shots are its first, and it is not the first section.
+    /// The shots of this chunk are the first of a later section.
     pub begins: bool,
 }

@@ -1,22 +1,22 @@
-//! A shot as a launch monitor states it.
+//! A shot of a launch monitor.
 
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::table::{CONDITIONS, Refusal, Stated, implausible_club};
 
-/// How a value came about, where the export says so.
+/// Origin of a value, if the export states it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// Measured by the instrument.
     Measured,
-    /// Estimated by the instrument from what it measured.
+    /// Estimated by the instrument from its measurements.
     Estimated,
     /// Computed by a model.
     Modelled,
 }
 
 impl Origin {
-    /// Its name in files.
+    /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Measured => "measured",
@@ -25,7 +25,7 @@ impl Origin {
         }
     }
 
-    /// The origin that a cell names: `Measured`, `Estimate`.
+    /// Parses a cell: `Measured`, `Estimate`.
     pub(super) fn read(cell: &str) -> Option<Self> {
         match cell.to_lowercase().as_str() {
             "measured" | "actual" => Some(Self::Measured),
@@ -36,14 +36,14 @@ impl Origin {
     }
 }
 
-/// A value that a row states.
+/// A value of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
     /// Outcome.
     pub of: Outcome,
-    /// SI.
+    /// Value, SI.
     pub value: f64,
-    /// How it came about; `None` where the export does not say so.
+    /// Origin; `None` if the export does not state it.
     pub origin: Option<Origin>,
 }
 
@@ -60,7 +60,7 @@ pub struct Club {
     pub face_angle: Option<f64>,
 }
 
-/// A value that is stated of a club, SI, with the head that it stands under.
+/// A club value with its head, SI.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StatedOfClub<'a> {
     pub head: &'a str,
@@ -68,7 +68,7 @@ pub(super) struct StatedOfClub<'a> {
 }
 
 impl Club {
-    /// The parameters that its values are of, in their order.
+    /// Parameters of the values, in order.
     pub const NAMES: [&'static str; 4] = [
         "swing.speed",
         "swing.attack_angle",
@@ -76,8 +76,8 @@ impl Club {
         "swing.face_angle",
     ];
 
-    /// Of what is stated in the order of the names, with notes of values that no club has, which
-    /// count as not measured. A club that does not move was not measured.
+    /// Club data from stated values, in the order of [`NAMES`](Self::NAMES). Implausible values
+    /// count as not measured and get a note; a club at rest was not measured.
     pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
         let is_still = stated[0].is_some_and(|speed| speed.value == 0.0);
         if is_still && stated.iter().flatten().all(|stated| stated.value == 0.0) {
@@ -104,22 +104,22 @@ impl Club {
         }
     }
 
-    /// Its values, in the order of the names.
+    /// Values in the order of [`NAMES`](Self::NAMES).
     pub fn values(&self) -> [Option<f64>; 4] {
         [self.speed, self.attack_angle, self.path, self.face_angle]
     }
 }
 
-/// What is flown of a row: the launch (ball speed, launch angle, launch direction, backspin,
-/// sidespin), then the values of further parameters that the table has, SI.
+/// Input of a flight: launch (ball speed, launch angle, launch direction, backspin, sidespin), then
+/// further parameters of the table, SI.
 pub(super) type Point = Vec<f64>;
 
 /// A row.
 #[derive(Clone, Debug)]
 pub struct Shot {
-    /// The line of the file that it begins in, from 1.
+    /// Number of its first line in the file, from 1.
     pub line: u64,
-    /// The row as it was read.
+    /// Text of the row.
     pub text: String,
     /// Ball data, including the launch.
     pub values: Vec<Value>,
@@ -139,7 +139,7 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// A row of which nothing can be read.
+    /// A row that cannot be flown.
     pub(super) fn refused(line: u64, text: String, refusal: Refusal) -> Self {
         Self {
             line,
@@ -160,7 +160,7 @@ impl Shot {
         self.point.as_ref().ok().map(|point| &point[..LAUNCH.len()])
     }
 
-    /// The values of further parameters that its table has, SI.
+    /// Values of the further parameters, SI.
     pub fn further(&self) -> &[f64] {
         self.point
             .as_ref()
@@ -185,7 +185,7 @@ impl Shot {
     }
 }
 
-/// The parameters of a launch, in the order of a [`Shot::launch`].
+/// Launch parameters, in the order of [`Shot::launch`].
 pub(super) const LAUNCH: [&str; 5] = [
     "launch.ball_speed",
     "launch.launch_angle",
@@ -194,22 +194,22 @@ pub(super) const LAUNCH: [&str; 5] = [
     "launch.sidespin",
 ];
 
-/// A further parameter that a table has, with the place of its column.
+/// A further parameter of a table, with the index of its column.
 #[derive(Clone, Debug)]
 pub(super) struct Further {
     pub at: usize,
     pub parameter: &'static Parameter,
 }
 
-/// The conditions of a row in the order of [`CONDITIONS`], of what it states.
+/// Stated conditions in the order of [`CONDITIONS`].
 pub(super) fn of_conditions(value: impl Fn(Outcome) -> Option<f64>) -> Stated {
     CONDITIONS.map(value)
 }
 
-/// The value, where it is in the parameter's range; `name` is that of its column.
+/// The value if it is in the parameter's range; `name` is the head of its column.
 ///
 /// # Errors
-/// Values outside the range.
+/// A value outside the range.
 pub(super) fn within(parameter: &Parameter, value: f64, name: &str) -> Result<f64, Refusal> {
     if parameter.range.contains(value) {
         return Ok(value);

@@ -1,7 +1,7 @@
 //! Columns of the spin with + to the left.
 
 use crate::drive::Outcome;
-use crate::table::{Column, Holds};
+use crate::table::{Column, Content};
 
 /// Columns of the spin with + to the left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,7 +24,7 @@ impl SignConventions {
         let has = |of: Outcome| {
             columns
                 .iter()
-                .any(|column| column.holds == Holds::Outcome(of))
+                .any(|column| column.content == Content::Outcome(of))
         };
         if maker != Some("Garmin") || !has(Outcome::Sidespin) {
             return Self::default();
@@ -56,9 +56,9 @@ impl SignConventions {
     /// Reverses the signs of the affected columns.
     pub fn apply(self, columns: &mut [Column]) {
         for column in columns {
-            let is_turned = match column.holds {
-                Holds::Outcome(Outcome::Sidespin) => self.sidespin,
-                Holds::Outcome(Outcome::SpinAxis) => self.axis,
+            let is_turned = match column.content {
+                Content::Outcome(Outcome::Sidespin) => self.sidespin,
+                Content::Outcome(Outcome::SpinAxis) => self.axis,
                 _ => false,
             };
             if is_turned {
@@ -69,9 +69,9 @@ impl SignConventions {
 
     /// Message about the affected columns.
     pub fn message(self, columns: &[Column]) -> Option<String> {
-        let is_turned = |column: &&Column| match column.holds {
-            Holds::Outcome(Outcome::Sidespin) => self.sidespin,
-            Holds::Outcome(Outcome::SpinAxis) => self.axis,
+        let is_turned = |column: &&Column| match column.content {
+            Content::Outcome(Outcome::Sidespin) => self.sidespin,
+            Content::Outcome(Outcome::SpinAxis) => self.axis,
             _ => false,
         };
         let names: Vec<&str> = columns
@@ -101,7 +101,7 @@ impl Signs {
         let value = |of: Outcome| {
             let at = columns
                 .iter()
-                .position(|column| column.holds == Holds::Outcome(of))?;
+                .position(|column| column.content == Content::Outcome(of))?;
             columns[at].value(row.get(at)?).ok().flatten()
         };
         let sign = |value: f64| (value != 0.0).then_some(value > 0.0);

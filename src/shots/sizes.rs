@@ -1,9 +1,9 @@
-//! The sizes of the units that shots are read and written in.
+//! Unit conversion factors of shots, computed once.
 
 use crate::units::Quantity;
 use std::sync::LazyLock;
 
-/// The units, with their sizes.
+/// Units with their conversion factors.
 static SIZES: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
     let of = |quantity: Quantity, units: [&'static str; 2]| {
         units.map(|unit| (unit, quantity.size_of(unit).unwrap_or(1.0)))
@@ -18,7 +18,7 @@ static SIZES: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
     .concat()
 });
 
-/// How many SI units one unit of a quantity is.
+/// Conversion factor of a unit to SI.
 pub(crate) fn size(quantity: Quantity, unit: &str) -> f64 {
     let known = SIZES
         .iter()

@@ -1,4 +1,4 @@
-//! Where shots come from: an export, or messages of GSPro Open Connect.
+//! Source of shots: an export, or messages of GSPro Open Connect.
 
 use super::head::ExportHead;
 use super::objects::{Objects, Piece};
@@ -10,17 +10,17 @@ use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Golfer, Parameter, Setup};
-use crate::table::{Entry, Record, SourceName, Text, TextTable, Wanted};
+use crate::table::{Entry, Record, SourceName, TableOptions, Text, TextTable};
 use crate::units::Message;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Bytes read at a time.
+/// Buffer size, bytes.
 const PIECE: usize = 1 << 16;
 
-/// How rows are written.
+/// Format of a source.
 #[derive(Clone, Debug)]
 pub enum Layout {
     /// An export in comma-separated values.
@@ -38,7 +38,7 @@ pub struct Shots {
     is_written: bool,
 }
 
-/// Rows that are not looked at yet.
+/// Unread rows.
 pub(super) enum Rows {
     Table(Box<TableRows>),
     Objects(Box<dyn Read + Send>, Objects, SourceName),
@@ -48,10 +48,10 @@ pub(super) enum Rows {
 pub(super) struct TableRows {
     table: TextTable,
     setup: Setup<f64>,
-    /// The head of the section, and whether none of its rows has been handed on.
+    /// Head of the current section.
     export: Arc<Export>,
     is_begun: bool,
-    /// The further parameters that every row has a value of.
+    /// Further parameters of every row.
     further: Vec<&'static Parameter>,
     is_air_given: bool,
     /// Remarks on later sections.
@@ -61,39 +61,37 @@ pub(super) struct TableRows {
 /// Rows of a section of an export.
 pub(super) struct Records {
     pub export: Arc<Export>,
-    /// They begin a later section.
+    /// These rows are the first of a later section.
     pub begins: bool,
     records: Vec<Record>,
 }
 
-/// Some rows.
+/// A chunk of unread rows.
 pub(super) enum Chunk {
     Records(Records),
     Pieces(Vec<Piece>),
 }
 
 impl Shots {
-    /// The shots of a file; "-" is standard input.
+    /// Opens a file; "-" is standard input.
     ///
     /// # Errors
-    /// As [`read`](Self::read), and for a file that cannot be read.
+    /// The errors of [`read`](Self::read), and of opening the file.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         if path == Path::new("-") {
             return Self::read(setup, "standard input", io::stdin());
         }
         let name = path.display().to_string();
         let table = SourceName(name.clone());
-        // a folder opens, and cannot be read
+        // a folder can be opened, but not read
         Self::read(setup, &name, table.io(File::open(path))?)
     }
 
-    /// The shots of a text: comma-separated values with a head, or JSON. It may be in UTF-8 or
-    /// UTF-16, behind byte-order marks.
+    /// Reads CSV with a head, or JSON, in UTF-8, UTF-16 or Windows-1252.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a text that cannot be read, is empty, or has a
-    /// head without a column that a launch needs, with an unknown column, or with a unit of another
-    /// kind.
+    /// [`Error::Table`](crate::Error::Table) for an unreadable or empty text, a missing launch
+    /// column, an unknown column, or a unit of the wrong dimension.
     pub fn read(
         setup: &Setup<f64>,
         name: &str,
@@ -102,10 +100,10 @@ impl Shots {
         Self::of_text(setup, Text::open(name, source)?)
     }
 
-    /// The shots of a text that is being read.
+    /// Reads a text whose beginning is known.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// The errors of [`read`](Self::read).
     pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
         if is_json(&text.beginning) {
             let launch = LAUNCH
@@ -125,12 +123,12 @@ impl Shots {
                 is_written,
             });
         }
-        // shots are passed on as they are stated, + to the right for every golfer
+        // keep values as stated: + to the right for every golfer
         let setup = Setup {
             golfer: Golfer::Right,
             ..*setup
         };
-        let (table, head) = TextTable::open(text, &setup, &Wanted::LAUNCHES)?;
+        let (table, head) = TextTable::open(text, &setup, &TableOptions::LAUNCHES)?;
         let head = ExportHead::read(&setup, head, &table)?;
         let parameters = head.parameters(&setup)?;
         let export = Arc::new(Export { head });
@@ -151,7 +149,7 @@ impl Shots {
         })
     }
 
-    /// All of them.
+    /// Reads all shots.
     ///
     /// # Errors
     /// Errors of the source.
@@ -163,7 +161,7 @@ impl Shots {
         Ok(all)
     }
 
-    /// How its rows are written.
+    /// Format of the rows.
     pub fn layout(&self) -> &Layout {
         &self.layout
     }
@@ -193,7 +191,7 @@ impl Shots {
         }
     }
 
-    /// The parameters that each row has a value of: a launch, and what further columns give.
+    /// Parameters of each row: a launch, and those of further columns.
     pub fn parameters(&self) -> &[&'static Parameter] {
         &self.parameters
     }
@@ -211,13 +209,13 @@ impl Shots {
         }
     }
 
-    /// Flies every row in the air of the setup, also where the export states that of each.
+    /// Uses the setup's air for every row, even if the export states another.
     pub fn in_given_air(&mut self) {
         let (Layout::Export(export), Rows::Table(rows)) = (&mut self.layout, &mut self.rows) else {
             return;
         };
         rows.is_air_given = true;
-        if Arc::make_mut(export).head.leave_air_out() {
+        if Arc::make_mut(export).head.ignore_air() {
             rows.further = export
                 .head
                 .further
@@ -230,14 +228,14 @@ impl Shots {
         }
     }
 
-    /// Those of them that are no launch conditions.
+    /// The parameters that are not launch conditions.
     pub fn further(&self) -> &[&'static Parameter] {
         &self.parameters[LAUNCH.len()..]
     }
 }
 
 impl TableRows {
-    /// The next rows of the same section.
+    /// The next rows of the current section.
     fn next_rows(&mut self, most: usize) -> Result<Option<Chunk>> {
         let mut records = vec![];
         while records.len() < most {
@@ -262,15 +260,17 @@ impl TableRows {
         })))
     }
 
-    /// Begins the section of a head.
+    /// Begins a section.
     fn begin(&mut self, record: &Record) -> Result<()> {
-        let head = self.table.head(record, &self.setup, &Wanted::LAUNCHES)?;
+        let head = self
+            .table
+            .head(record, &self.setup, &TableOptions::LAUNCHES)?;
         if head.is_like(&self.export.head.heads, self.export.head.units.as_deref()) {
             return Ok(());
         }
         let mut head = ExportHead::read(&self.setup, head, &self.table)?;
         if self.is_air_given {
-            head.leave_air_out();
+            head.ignore_air();
         }
         head.align(&self.further).map_err(|missing| {
             let reason = format!(
@@ -281,10 +281,10 @@ impl TableRows {
                 .name
                 .refused(format!(", line {}", record.line), reason)
         })?;
-        let told = |remark: &Message| {
+        let located = |remark: &Message| {
             Message::from(format!("from line {} on: ", record.line)).message(remark.clone())
         };
-        self.remarks.extend(head.remarks.iter().map(told));
+        self.remarks.extend(head.remarks.iter().map(located));
         (self.export, self.is_begun) = (Arc::new(Export { head }), true);
         Ok(())
     }
@@ -319,7 +319,7 @@ impl Rows {
 }
 
 impl Chunk {
-    /// The shots of these rows, of which each has values of these further parameters; and their
+    /// Reads the shots of these rows, each with values of the parameters `further`, and their
     /// section.
     pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
         match self {

@@ -107,9 +107,9 @@ impl Comparison {
 
     /// Warnings about columns; `name` gives the head of an outcome.
     pub fn warnings(&self, of: &[Outcome], name: impl Fn(Outcome) -> String) -> Vec<Message> {
-        let mut told = vec![];
+        let mut warnings = vec![];
         if let Some(speed) = self.speed(of) {
-            told.push(format!(
+            warnings.push(format!(
                 "{}: {speed}; state its unit in the head",
                 name(Outcome::BallSpeed)
             ));
@@ -123,18 +123,18 @@ impl Comparison {
                     name(*of)
                 ))
             });
-            told.extend(units);
+            warnings.extend(units);
         }
         let [all, disagree] = self.sides;
         if all >= LEAST_NEAR_ONE && disagree as f64 >= MOST_DISAGREE * all as f64 {
-            told.push(format!(
+            warnings.push(format!(
                 "{}: of {all} rows that end beside the target line {disagree} end on the other \
                  side of it than predicted; its + may be to the left, or \
                  that of the launch direction or the spin",
                 name(Outcome::Lateral)
             ));
         }
-        told.into_iter().map(Message::from).collect()
+        warnings.into_iter().map(Message::from).collect()
     }
 
     /// Likely unit of the ball speed, from the carries.

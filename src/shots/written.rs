@@ -1,16 +1,15 @@
-//! A line that `fly` wrote as JSON lines, as the shot that it was made of.
+//! Reads JSON lines that `fly` wrote as the shots behind them.
 
 use super::export::launch;
 use super::flown::REFUSED;
 use super::objects::Objects;
-use super::shot::{Club, Origin, Shot, Value, of_conditions, within};
+use super::shot::{Club, Origin, Point, Shot, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{Refusal, is_straight_by_assumption};
 use serde_json::{Map, Value as Json};
 
-/// What the row stands behind: the last member of a line, so that none of the others has it in its
-/// text.
+/// Precedes the row, the last member of a line; no other member can contain this text.
 const ROW: &str = ",\"row\":";
 
 /// Recognizes a JSON line written by `fly`.
@@ -33,8 +32,7 @@ pub(super) fn begins(beginning: &str) -> bool {
         .is_some_and(is_written)
 }
 
-/// The parameters of which its rows have values beside their launch, by the first line in the
-/// beginning of a text that was flown.
+/// Further parameters of a text that `fly` wrote, from the first flown line.
 pub(super) fn further(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
@@ -59,7 +57,7 @@ fn wrong(key: &str, found: impl std::fmt::Display) -> Refusal {
     Refusal::new(Refusal::JSON, reason)
 }
 
-/// The members of an object; none where it is missing.
+/// Members of an object; empty if it is missing.
 fn members<'a>(
     message: &'a Map<String, Json>,
     key: &str,
@@ -71,7 +69,7 @@ fn members<'a>(
     }
 }
 
-/// Takes what the line says of its shot. What was predicted is predicted anew.
+/// Reads the shot of a line, without its predictions.
 ///
 /// # Errors
 /// Reason for not flying it.
@@ -81,12 +79,26 @@ pub(super) fn fill(
     further: &[&'static Parameter],
 ) -> Result<(), Refusal> {
     let text = message.get("row").map(Json::to_string).unwrap_or_default();
-    // to the letter, where the line is as it was written
+    // keep the original text of an unmodified line
     let own = shot
         .text
         .split_once(ROW)
         .and_then(|(_, row)| row.trim_end().strip_suffix('}'));
     shot.text = own.map_or(text, str::to_owned);
+    read_stated(shot, message)?;
+    if message.get("flight").and_then(Json::as_str) == Some(REFUSED) {
+        let reason = message
+            .get("reason")
+            .and_then(Json::as_str)
+            .unwrap_or("it was refused without a reason");
+        return Err(Refusal::new(Refusal::BEFORE, reason));
+    }
+    shot.point = Ok(point(shot, message, further)?);
+    Ok(())
+}
+
+/// Reads values, club, condition and notes.
+fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
     let origins = members(message, "origins")?;
     for (name, value) in members(message, "stated")? {
         let (Ok(of), Some(value)) = (Outcome::named(name), value.as_f64()) else {
@@ -127,13 +139,15 @@ pub(super) fn fill(
     shot.notes = notes
         .filter_map(|note| note.as_str().map(str::to_owned))
         .collect();
-    if message.get("flight").and_then(Json::as_str) == Some(REFUSED) {
-        let reason = message
-            .get("reason")
-            .and_then(Json::as_str)
-            .unwrap_or("it was refused without a reason");
-        return Err(Refusal::new(Refusal::BEFORE, reason));
-    }
+    Ok(())
+}
+
+/// Launch and further parameters.
+fn point(
+    shot: &mut Shot,
+    message: &Map<String, Json>,
+    further: &[&'static Parameter],
+) -> Result<Point, Refusal> {
     let own = members(message, "parameters")?;
     if let Some((name, _)) = own
         .iter()
@@ -157,6 +171,5 @@ pub(super) fn fill(
         let value = value.ok_or_else(|| Refusal::new(Refusal::MISSING, reason()))?;
         point.push(within(parameter, value, &name)?);
     }
-    shot.point = Ok(point);
-    Ok(())
+    Ok(point)
 }

@@ -6,59 +6,55 @@ use crate::optimize::sobol;
 use crate::parameters::{Method, Parameter, Setup};
 use crate::units::Quantity;
 
-/// How drives are to be integrated so that their lengths are within a tolerance.
+/// Integration method and step for a tolerance of lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
     /// The method.
     pub method: Method,
-    /// Its step, s.
+    /// Step, s.
     pub step: f64,
-    /// The largest error found with it, m.
+    /// Largest error found, m.
     pub error: f64,
-    /// Drives that were looked at.
+    /// Number of drives compared.
     pub drives: usize,
-    /// The largest defect of a drive that was looked at, m: one with a larger defect is beyond what
-    /// was looked at. See [`Batch::with_largest_defect`].
+    /// Largest defect of the compared drives, m. A drive with a larger defect is not covered. See
+    /// [`Batch::with_largest_defect`].
     pub largest_defect: f64,
 }
 
 impl Accuracy {
-    /// The setup, integrated like this.
+    /// The setup with this method and step.
     pub fn applied_to(&self, setup: &Setup<f64>) -> Setup<f64> {
         integrated(setup, self.step)
     }
 }
 
-/// The method of the highest order needs the fewest evaluations of the force for every tolerance
-/// that is asked for.
+/// The method of highest order needs the fewest force evaluations for every tolerance offered.
 const METHOD: Method = Method::DormandPrince8;
-/// The rest of the tolerance is kept for drives between those that are looked at.
+/// Share of the tolerance that the compared drives may use; the rest covers drives between them.
 const SAFETY: f64 = 0.25;
-/// Steps tried, s, each 2^(−1/4) of the one before.
+/// Trial steps, s, in ratios of 2^(−1/4).
 const LONGEST_STEP: f64 = 1.6;
 const STEPS: i32 = 36;
-/// Steps of the reference flights are at most this part of those that are judged, and no shorter
-/// than so many seconds.
+/// Step of the reference flights, relative to the tested step, and its lower limit in s.
 const REFERENCE: f64 = 1.0 / 4.0;
 const SHORTEST_REFERENCE: f64 = 1e-3;
-/// Points within the ranges that are looked at.
+/// Number of points within the ranges.
 const INSIDE: u64 = 64;
-/// Of all these drives so many are looked at first: a step that is too long for them is too long
-/// for all.
+/// Number of drives tested first; a step that fails for them fails for all.
 const FIRST: usize = 16;
-/// Ends of ranges are combined for so many parameters; of further ones the setup's own value is
-/// taken.
-const MOST_COMBINED: usize = 4;
-/// Where in its last step a ball lands makes a difference, so each drive is flown in a few steps a
-/// little shorter too.
+/// Number of parameters whose range ends are combined; further ones keep the setup's value.
+const COMBINED: usize = 4;
+/// Number of slightly shorter steps per drive, because the error depends on where in its last step
+/// the ball lands.
 const PHASES: u32 = 8;
-/// A defect that says nothing, m: next to no air leaves rounding alone.
+/// Defects below this are rounding, m (a flight almost without air).
 const ROUNDING: f64 = 1e-12;
 
-/// The longest step with which every length among some outcomes is within `tolerance` (m) of its
-/// exact value, for the setup and for drives at the ends of the ranges and within them. It is fixed
-/// beforehand and does not depend on the drive, so that outcomes stay as smooth as they are.
-/// Without a length among the outcomes, it is that of carry.
+/// The longest step for which all lengths among the outcomes have errors below `tolerance` (m), for
+/// the setup and for drives at the ends of the ranges and within. The step is fixed in advance and
+/// independent of the drive, so outcomes stay smooth. Without a length among the outcomes, carry is
+/// tested.
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, study::accuracy};
@@ -68,9 +64,8 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] for a tolerance that is not above 0, or that none of the steps down to 4 ms
-/// reaches, with the drive that is off most; [`Error::NoFlight`] where none of the drives lands;
-/// what [`Batch::new`] refuses.
+/// [`Error::Tolerance`] for a tolerance ≤ 0, or one that no step down to 4 ms reaches, with the
+/// worst drive; [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
 pub fn accuracy(
     setup: &Setup<f64>,
     ranges: &[Vary],
@@ -89,11 +84,11 @@ pub fn accuracy(
     for _ in 0..STEPS {
         sample.refine(step)?;
         let mut found = sample.largest_error(step, SAFETY * tolerance)?;
-        if found.is_ok() && sample.look_at_all()? {
+        if found.is_ok() && sample.test_all()? {
             found = sample.largest_error(step, SAFETY * tolerance)?;
         }
         match found {
-            Ok(Found {
+            Ok(StepErrors {
                 error,
                 largest_defect,
             }) => {
@@ -110,7 +105,7 @@ pub fn accuracy(
         }
         step *= 0.5_f64.powf(0.25);
     }
-    let drive = worst.map_or_else(String::new, |missed| sample.told(missed));
+    let drive = worst.map_or_else(String::new, |missed| sample.describe(missed));
     let reason = format!(
         "{drive} with method {} in steps of 4 ms; ask for more than that, or set flight.method and \
          flight.step",
@@ -119,25 +114,25 @@ pub fn accuracy(
     Err(Error::Tolerance { tolerance, reason })
 }
 
-/// What was found of a step.
-struct Found {
+/// Errors of a step that meets the tolerance.
+struct StepErrors {
     error: f64,
     largest_defect: f64,
 }
 
-/// A drive that a step does not follow: its row, and the outcome that is off, with its error, m;
-/// nothing where it does not land.
-type Missed = (usize, Option<(Outcome, f64)>);
+/// A drive for which a step fails: its row, and the outcome with its error in m; `None` if it does
+/// not land.
+type FailingDrive = (usize, Option<(Outcome, f64)>);
 
-/// The drives looked at.
+/// The drives compared.
 struct Sample {
     setup: Setup<f64>,
     parameters: Vec<&'static Parameter>,
     points: Vec<f64>,
-    /// Points that are not looked at yet.
+    /// Points not tested yet.
     further: Vec<f64>,
     lengths: Vec<Outcome>,
-    /// The step of the reference, s, and the drives as it has them.
+    /// Step of the reference, s, and its results.
     reference: f64,
     exact: Block,
 }
@@ -152,7 +147,7 @@ impl Sample {
         if lengths.is_empty() {
             lengths.push(Outcome::Carry);
         }
-        // a batch has a parameter at least: one that every setup has
+        // a batch needs at least one parameter: use one that every setup has
         let own = |parameter: &'static Parameter| {
             let value = setup.value(parameter).unwrap_or_default();
             Vary {
@@ -162,7 +157,7 @@ impl Sample {
             }
         };
         let still = [own(setup.variable("gravity")?)];
-        // of two ranges of one parameter the command itself complains
+        // the caller reports duplicate ranges
         let ranges = ranges
             .iter()
             .enumerate()
@@ -199,18 +194,18 @@ impl Sample {
         )
     }
 
-    /// Makes the reference fine enough to judge a step by.
+    /// Refines the reference if it is too coarse for a step.
     fn refine(&mut self, step: f64) -> Result<()> {
         if self.reference > (REFERENCE * step).max(SHORTEST_REFERENCE) {
-            // for the next steps too
+            // also for the following steps
             self.reference = (0.5 * REFERENCE * step).max(SHORTEST_REFERENCE);
             self.exact = self.flown(self.reference)?;
         }
         Ok(())
     }
 
-    /// Looks at the further drives too, from now on. False where there are none.
-    fn look_at_all(&mut self) -> Result<bool> {
+    /// Adds the further drives to the test; false if there are none.
+    fn test_all(&mut self) -> Result<bool> {
         if self.further.is_empty() {
             return Ok(false);
         }
@@ -219,16 +214,20 @@ impl Sample {
         Ok(true)
     }
 
-    /// The largest error of a step, or the drive by which it misses the limit.
+    /// The largest error of a step, or the drive that exceeds the limit.
     ///
     /// # Errors
-    /// [`Error::NoFlight`] where none of the drives lands.
-    fn largest_error(&self, step: f64, limit: f64) -> Result<std::result::Result<Found, Missed>> {
+    /// [`Error::NoFlight`] if no drive lands.
+    fn largest_error(
+        &self,
+        step: f64,
+        limit: f64,
+    ) -> Result<std::result::Result<StepErrors, FailingDrive>> {
         let with = |status| (0..self.exact.rows()).find(|&row| self.exact.status(row) == status);
         match (with(Status::Landed), with(Status::Diverged)) {
-            // perhaps a further one lands
+            // a further drive may land
             (None, _) if !self.further.is_empty() => {
-                return Ok(Ok(Found {
+                return Ok(Ok(StepErrors {
                     error: 0.0,
                     largest_defect: ROUNDING,
                 }));
@@ -238,11 +237,11 @@ impl Sample {
                     reason: "no drive that the step would be chosen for lands".into(),
                 });
             }
-            // perhaps in shorter steps
+            // a shorter step may succeed
             (None, Some(row)) => return Ok(Err((row, None))),
             _ => {}
         }
-        let mut found = Found {
+        let mut found = StepErrors {
             error: 0.0,
             largest_defect: ROUNDING,
         };
@@ -252,7 +251,7 @@ impl Sample {
                 for (i, of) in self.lengths.iter().enumerate() {
                     let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
                         (Some(exact), Some(flown)) => (exact, flown),
-                        // a ball that lands and does not come to rest
+                        // the ball lands, but does not come to rest
                         (None, None) if of.needs_run() => continue,
                         _ => return Ok(Err((row, None))),
                     };
@@ -270,8 +269,8 @@ impl Sample {
         Ok(Ok(found))
     }
 
-    /// A drive that is missed, in words.
-    fn told(&self, (row, off): Missed) -> String {
+    /// Describes a failing drive.
+    fn describe(&self, (row, off): FailingDrive) -> String {
         let values = self.parameters.iter().zip(self.exact.point(row));
         let values = values.map(|(parameter, value)| {
             format!("{} = {}", parameter.name, parameter.show(Some(*value)))
@@ -306,13 +305,13 @@ fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {
     setup
 }
 
-/// The drives looked at, as values of the ranges' parameters, one after the other.
+/// The drives to compare, as consecutive values of the ranges' parameters.
 fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
-    // where nothing varies there is one drive
+    // one drive if nothing varies
     if ranges.iter().all(|range| range.low == range.high) {
         return ranges.iter().map(|range| range.low).collect();
     }
-    // a launch that only the points have is taken in its middle
+    // parameters without a value in the setup start at the middle of their range
     let middle = |range: &Vary| 0.5 * (range.low + range.high);
     let own: Vec<f64> = ranges
         .iter()
@@ -323,19 +322,19 @@ fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
         })
         .collect();
     let mut points = own.clone();
-    for corner in 0..1_usize << ranges.len().min(MOST_COMBINED) {
+    for corner in 0..1_usize << ranges.len().min(COMBINED) {
         points.extend(
             ranges
                 .iter()
                 .enumerate()
                 .map(|(i, range)| match corner >> i & 1 {
-                    _ if i >= MOST_COMBINED => own[i],
+                    _ if i >= COMBINED => own[i],
                     0 => range.low,
                     _ => range.high,
                 }),
         );
     }
-    // and within: the shortest flights, in few steps, are seldom at a corner
+    // points within: the shortest flights, with the fewest steps, are rarely at a corner
     for k in 0..INSIDE {
         let at = |(i, range): (usize, &Vary)| {
             range.low + (range.high - range.low) * sobol::coordinate(k, i, 0)

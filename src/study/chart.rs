@@ -1,4 +1,4 @@
-//! The optimum as a function of a parameter, followed by continuation.
+//! The optimum as a function of a parameter, by continuation.
 
 use super::Vary;
 use super::optimum::{Optimum, local_optimum, optimum};
@@ -22,11 +22,11 @@ pub struct Chart {
     pub along: Vary,
     /// The optima, in order.
     pub points: Vec<ChartPoint>,
-    /// Why it begins after the range does, if it does.
+    /// Reason if the chart starts after the low end of the range.
     pub begun: Option<Message>,
-    /// Why it ends before the range does, if it does.
+    /// Reason if the chart ends before the high end of the range.
     pub ended: Option<Message>,
-    /// Whether it was stopped from outside before its end.
+    /// The chart was interrupted.
     pub interrupted: bool,
 }
 
@@ -37,29 +37,29 @@ pub struct ChartPoint {
     pub at: f64,
     /// The optimum.
     pub best: Optimum,
-    /// What holds it.
+    /// Active bounds and constraints.
     pub active: Vec<Active>,
-    /// What happens here: an active bound or constraint comes or goes, or the optimum jumps.
+    /// Change of the active set, or a jump to another local optimum.
     pub event: Option<ChartEvent>,
 }
 
-/// What happens at a point of a chart. It reads `swing.attack_angle at its upper bound begins,
-/// apex_height <= 30 yd ends`.
+/// An event on a chart, for example `swing.attack_angle at its upper bound begins, apex_height <=
+/// 30 yd ends`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ChartEvent {
-    /// Other bounds and constraints are active from here on.
+    /// The active set changes.
     Changed {
-        /// Those that become active.
+        /// Newly active bounds and constraints.
         begins: Vec<Active>,
-        /// Those that are active no longer.
+        /// Bounds and constraints that are no longer active.
         ends: Vec<Active>,
     },
-    /// Another local optimum is better from here on.
+    /// Another local optimum becomes better.
     Jump,
 }
 
 impl ChartEvent {
-    /// The event with each bound and constraint as `name` writes it.
+    /// Description of the event; `name` formats each bound and constraint.
     pub fn words(&self, name: impl Fn(&Active) -> String) -> String {
         match self {
             Self::Changed { begins, ends } => {
@@ -81,8 +81,8 @@ impl std::fmt::Display for ChartEvent {
 }
 
 impl Chart {
-    /// Warnings about its optima: how many lie outside of what the law was fitted to, or are struck
-    /// beside any face, and where along the parameter.
+    /// Warnings for optima outside the validity limits, or with strikes off the face, with the
+    /// affected parts of the range.
     pub fn warnings(&self) -> Vec<Message> {
         let Some(first) = self.points.first() else {
             return vec![];
@@ -104,23 +104,23 @@ impl Chart {
             ["optimum", "optima"],
             CheckScope::Flight,
         );
-        // in their order, those that there are
+        // in order, without the empty ones
         let reaches = [law, face, flat]
             .into_iter()
             .filter(|reach| !reach.parts.is_empty());
         warnings
             .into_iter()
             .zip(reaches)
-            .map(|(warning, reach)| reach.told(warning, &self.along))
+            .map(|(warning, reach)| reach.with_parts(warning, &self.along))
             .collect()
     }
 }
 
-/// The parts of a range in which something is so, of points in their order.
+/// Parts of a range in which a condition holds, from points in ascending order.
 #[derive(Clone, Default)]
 struct Reach {
     parts: Vec<[f64; 2]>,
-    /// Whether it was so at the last point.
+    /// The condition held at the last point.
     goes_on: bool,
 }
 
@@ -134,7 +134,7 @@ impl Reach {
         self.goes_on = is_so;
     }
 
-    fn told(&self, warning: Message, along: &Vary) -> Message {
+    fn with_parts(&self, warning: Message, along: &Vary) -> Message {
         let parameter = along.parameter;
         let begun = warning.words(format!("; {} =", parameter.name));
         self.parts
@@ -151,17 +151,16 @@ impl Reach {
     }
 }
 
-/// Events are located to this part of the range.
+/// Tolerance of event locations, relative to the range.
 const LOCATED: f64 = 1e-10;
 
-/// Follows the optimum along a parameter: from each optimum the next is predicted by d x*/dp and
-/// corrected by a search from there; steps adapt to how far the two lie apart, and changes of the
-/// active bounds and constraints are located. `on_point` is shown every point as it is found, and
-/// says whether the chart goes on.
+/// Follows the optimum along a parameter by continuation: each optimum is predicted with d x*/dp
+/// and corrected by a search. The step adapts to the prediction error; changes of the active set
+/// are located by bisection. `on_point` receives every point and returns whether to continue.
 ///
 /// # Errors
-/// [`Error::NotConverged`] where no optimum is found to begin with; [`Error::Unreadable`] for a
-/// parameter that is itself varied; as [`optimum`].
+/// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] for a varied
+/// parameter; the errors of [`optimum`].
 pub fn chart(
     setup: &Setup<f64>,
     search: &Search,
@@ -178,18 +177,18 @@ pub fn chart(
     )
 }
 
-/// Shows an iteration.
+/// Callback for an iteration.
 type Show = Rc<dyn Fn(&Iteration)>;
 
-/// What the searches of a chart report to, and what stops them.
+/// Callbacks and cancellation flag of a chart.
 #[derive(Clone, Default)]
 pub struct ChartObserver {
-    /// Ends the chart with the points so far once it is true, also within a search.
+    /// Cancellation flag: once true, the chart ends with its points so far, even within a search.
     pub interrupt: Arc<AtomicBool>,
-    /// Is shown each value at which the first optimum is searched for: the low end of the range,
-    /// and others where it has none.
+    /// Receives each value at which the first optimum is searched for: the low end of the range,
+    /// then others if it has none.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
-    /// Is shown every iteration of every search.
+    /// Receives every iteration of every search.
     pub iteration: Option<Show>,
 }
 
@@ -212,12 +211,12 @@ impl ChartObserver {
     }
 }
 
-/// As [`chart`], with a point at each of these values of the parameter (SI, within its range) and
-/// no others; with none, wherever the optimum was followed. `observer` can stop it within a search.
+/// Like [`chart`], with points exactly at the given values (SI, within the range); without values,
+/// at all continuation points. `observer` can interrupt a search.
 ///
 /// # Errors
-/// As [`chart`]; [`Error::SearchRange`] for a value outside the range; [`Error::Unreadable`] for a
-/// search over swings.
+/// The errors of [`chart`]; [`Error::SearchRange`] for a value outside the range;
+/// [`Error::Unreadable`] for a search over swings.
 pub fn chart_at(
     setup: &Setup<f64>,
     search: &Search,
@@ -226,6 +225,65 @@ pub fn chart_at(
     observer: &ChartObserver,
     on_point: &mut dyn FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
+    check(search, along, at)?;
+    let follower = Follower {
+        setup,
+        search,
+        along,
+        observer,
+    };
+    let (first, begun) = follower.first()?;
+    let mut chart = Chart {
+        along,
+        points: vec![],
+        begun,
+        ended: None,
+        interrupted: false,
+    };
+    let width = along.high - along.low;
+    let mut stride = Stride::new(width);
+    let mut goes_on = on_point(&first);
+    chart.points.push(first);
+    while let Some(here) = chart.points.last()
+        && here.at < along.high
+    {
+        if !goes_on || observer.is_interrupted() {
+            chart.ended = Some(
+                along
+                    .parameter
+                    .place("interrupted: the chart ends at ".into(), here.at),
+            );
+            chart.interrupted = true;
+            break;
+        }
+        let to = target(stride.to(here.at, along.high), here.at, at, width);
+        let (next, apart) = match follower.next(here, to) {
+            Ok(found) if found.1 <= TOO_FAR || !stride.halve() => found,
+            Ok(_) => continue,
+            // an interruption does not shorten the step
+            Err(_) if observer.is_interrupted() => continue,
+            Err(_) if stride.halve() => continue,
+            Err(error) => {
+                let place = along
+                    .parameter
+                    .place("no optimum was found beyond ".into(), here.at);
+                chart.ended = Some(place.words(": ").message(why_none(&error)));
+                break;
+            }
+        };
+        let next = follower.with_event(here, next, apart);
+        stride.adapt(apart);
+        goes_on = on_point(&next);
+        chart.points.push(next);
+    }
+    if !at.is_empty() {
+        chart.points.retain(|point| at.contains(&point.at));
+    }
+    Ok(chart)
+}
+
+/// Refuses a varied parameter, a search over swings, and values outside the range.
+fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
     along.check()?;
     search.refuse_swings()?;
     if let Some(outside) = at.iter().find(|at| !(along.low..=along.high).contains(*at)) {
@@ -257,80 +315,19 @@ pub fn chart_at(
             source: source.into(),
         });
     }
-    let follower = Follower {
-        setup,
-        search,
-        along,
-        observer,
-    };
-    let (first, begun) = follower.first()?;
-    let mut chart = Chart {
-        along,
-        points: vec![],
-        begun,
-        ended: None,
-        interrupted: false,
-    };
-    let width = along.high - along.low;
-    let mut stride = Stride::new(width);
-    let mut goes_on = on_point(&first);
-    chart.points.push(first);
-    while let Some(here) = chart.points.last()
-        && here.at < along.high
-    {
-        if !goes_on || observer.is_interrupted() {
-            chart.ended = Some(
-                along
-                    .parameter
-                    .place("interrupted: the chart ends at ".into(), here.at),
-            );
-            chart.interrupted = true;
-            break;
-        }
-        let to = stride.to(here.at, along.high);
-        // a step meant to end at zero ends there
-        let to = if to.abs() < LOCATED * width { 0.0 } else { to };
-        // and none goes past a value that was asked for
-        let to = at
-            .iter()
-            .copied()
-            .filter(|at| *at > here.at)
-            .fold(to, f64::min);
-        let (next, apart) = match follower.next(here, to) {
-            Ok(found) if found.1 <= TOO_FAR || !stride.halve() => found,
-            Ok(_) => continue,
-            // an interrupted search is no reason for shorter steps
-            Err(_) if observer.is_interrupted() => continue,
-            Err(_) if stride.halve() => continue,
-            Err(error) => {
-                let place = along
-                    .parameter
-                    .place("no optimum was found beyond ".into(), here.at);
-                chart.ended = Some(place.words(": ").message(why_none(&error)));
-                break;
-            }
-        };
-        let next = if apart > TOO_FAR {
-            ChartPoint {
-                event: Some(ChartEvent::Jump),
-                ..next
-            }
-        } else if next.active != here.active {
-            follower.located(here, next)
-        } else {
-            next
-        };
-        stride.adapt(apart);
-        goes_on = on_point(&next);
-        chart.points.push(next);
-    }
-    if !at.is_empty() {
-        chart.points.retain(|point| at.contains(&point.at));
-    }
-    Ok(chart)
+    Ok(())
 }
 
-/// What is followed.
+/// End of the next step: snapped to zero, and at most the next requested value.
+fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
+    let to = if to.abs() < LOCATED * width { 0.0 } else { to };
+    at.iter()
+        .copied()
+        .filter(|at| *at > from)
+        .fold(to, f64::min)
+}
+
+/// Problem and observer of the continuation.
 struct Follower<'a> {
     setup: &'a Setup<f64>,
     search: &'a Search,
@@ -339,8 +336,22 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// The optimum at the range's low end or, where there is none, the first one: from the first of
-    /// a few places that has one, located as events are; and why not before.
+    /// Marks a jump, or locates a change of the active set.
+    fn with_event(&self, here: &ChartPoint, next: ChartPoint, apart: f64) -> ChartPoint {
+        if apart > TOO_FAR {
+            ChartPoint {
+                event: Some(ChartEvent::Jump),
+                ..next
+            }
+        } else if next.active != here.active {
+            self.located(here, next)
+        } else {
+            next
+        }
+    }
+
+    /// The first optimum: at the low end of the range, or else at the first of a few trial values,
+    /// then located by bisection; with the reason why there is none before.
     fn first(&self) -> Result<(ChartPoint, Option<Message>)> {
         let Vary {
             parameter,
@@ -378,7 +389,7 @@ impl Follower<'_> {
         }))
     }
 
-    /// The first optimum between a place without one and an optimum that was found.
+    /// Bisects for the first optimum between a value without one and a known one.
     fn begin(&self, mut without: f64, mut first: ChartPoint) -> ChartPoint {
         let tolerance = LOCATED * (self.along.high - self.along.low);
         while first.at - without > tolerance && !self.observer.is_interrupted() {
@@ -391,13 +402,11 @@ impl Follower<'_> {
         first
     }
 
-    /// The optimum at another value, and how far it is from where it was predicted, in units of the
-    /// ranges.
+    /// The optimum at another value, with its distance from the prediction in units of the ranges.
     fn next(&self, here: &ChartPoint, to: f64) -> Result<(ChartPoint, f64)> {
         let rates = match sensitivity(&here.best, self.along.parameter) {
             Ok(sensitivity) => sensitivity.optimum,
-            // where an optimum has no sensitivity (the edge of an active set), staying is the best
-            // guess
+            // without a sensitivity (at a change of the active set) predict no change
             Err(_) => vec![0.0; self.search.vary.len()],
         };
         let ends = |end: fn(&Vary) -> f64| self.search.vary.iter().map(end).collect::<Vec<_>>();
@@ -427,8 +436,7 @@ impl Follower<'_> {
         Ok((found, apart))
     }
 
-    /// The first place between two optima where another bound or constraint holds than at the
-    /// first.
+    /// Bisects for the first change of the active set between two optima.
     fn located(&self, here: &ChartPoint, there: ChartPoint) -> ChartPoint {
         let tolerance = LOCATED * (self.along.high - self.along.low);
         let next = |before: &ChartPoint, at: f64| Some(self.next(before, at).ok()?.0);
@@ -459,7 +467,7 @@ impl Follower<'_> {
     }
 }
 
-/// Why there is no optimum, where that there is none is said already.
+/// Reason of the error, without repeating that there is no optimum.
 fn why_none(error: &Error) -> Message {
     match error {
         Error::NotConverged { status, message } => {

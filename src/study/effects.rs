@@ -1,62 +1,61 @@
-//! What outcomes answer to: gradients, elasticities, and the effect of a standard uncertainty of
-//! each parameter.
+//! Local sensitivity analysis: gradients, elasticities, and the effect of each parameter's standard
+//! uncertainty.
 
 use super::sigma::Sigma;
-use crate::derivative::{Order, evaluate};
+use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
-/// What an outcome answers to.
+/// Sensitivities of an outcome.
 #[derive(Clone, Debug)]
 pub struct Effects {
     /// The outcome, f.
     pub of: Outcome,
     /// Its value, SI.
     pub value: f64,
-    /// Each parameter's effect: those with an uncertainty first, by the size of what it does, then
-    /// the others by elasticity.
+    /// Effects of all parameters: those with an uncertainty first, by magnitude, then the others by
+    /// elasticity.
     pub effects: Vec<Effect>,
 }
 
-/// What a parameter, p, does to an outcome.
+/// Effect of a parameter p on an outcome f.
 #[derive(Clone, Debug)]
 pub struct Effect {
     /// The parameter.
     pub parameter: &'static Parameter,
     /// ∂f/∂p, SI.
     pub gradient: f64,
-    /// (p/f) ∂f/∂p: by how many per cent f changes where p changes by one; `None` where p or f is
-    /// 0, or f nothing but rounding.
+    /// (p/f) ∂f/∂p: relative change of f per relative change of p; `None` if p or f is 0, or f is
+    /// rounding.
     pub elasticity: Option<f64>,
-    /// What its standard uncertainty does; `None` where it has none.
+    /// Effect of its standard uncertainty; `None` without one.
     pub bar: Option<Bar>,
 }
 
-/// The effect of a standard uncertainty, σ.
+/// Effect of a standard uncertainty σ.
 #[derive(Clone, Copy, Debug)]
 pub struct Bar {
     /// The uncertainty.
     pub sigma: Sigma,
     /// σ ∂f/∂p, SI.
     pub first_order: f64,
-    /// ½ σ² ∂²f/∂p²: what the mean of f moves by; `None` where there is no second derivative, or σ
-    /// is so large that this is no number.
+    /// ½ σ² ∂²f/∂p², the shift of the mean of f; `None` without a second derivative, or on
+    /// overflow.
     pub second_order: Option<f64>,
-    /// The change of f in drives flown at p − σ and p + σ; `None` where p cannot be so or nothing
+    /// Change of f for drives at p − σ and p + σ; `None` if the value is not allowed or nothing
     /// flies.
     pub flown: [Option<f64>; 2],
 }
 
 impl Effects {
-    /// The standard uncertainty of the outcome, to first order, where the parameters are
-    /// independent: √Σ(σ ∂f/∂p)².
+    /// First-order standard uncertainty of the outcome for independent parameters: √Σ(σ ∂f/∂p)².
     pub fn standard_uncertainty(&self) -> f64 {
         self.bars().map(|bar| bar.first_order).fold(0.0, f64::hypot)
     }
 
-    /// The standard uncertainty of the change from this drive to another one, to first order, where
-    /// every parameter is off by the same amount in both: √Σ(σ (∂f₂/∂p − ∂f₁/∂p))².
+    /// First-order standard uncertainty of the difference from another drive, if each parameter has
+    /// the same error in both: √Σ(σ (∂f₂/∂p − ∂f₁/∂p))².
     pub fn uncertainty_of_change(&self, other: &Self) -> f64 {
         let there = |bar: &Bar| {
             let same = other
@@ -69,7 +68,8 @@ impl Effects {
             .fold(0.0, f64::hypot)
     }
 
-    /// What straight bars neglect: Σ ½ σ² |∂²f/∂p²|. Bars that are shorter are not to be trusted.
+    /// Magnitude of the neglected second-order terms: Σ ½ σ² |∂²f/∂p²|. First-order effects below
+    /// this are unreliable.
     pub fn linearity(&self) -> f64 {
         self.bars()
             .filter_map(|bar| bar.second_order)
@@ -82,15 +82,15 @@ impl Effects {
     }
 }
 
-/// Smaller values, in the unit people read, are what rounding leaves of 0.
+/// Values below this, in their display unit, are rounding of 0.
 const LEAST_SIZE: f64 = 1e-9;
 
-/// The effects of all parameters that have a number on some outcomes; `progress` is told how many
-/// uncertainties of how many are done.
+/// Effects of all numeric parameters on outcomes; `progress` receives the number of finished and of
+/// all uncertainties.
 ///
 /// # Errors
-/// As [`evaluate`]; [`Error::Unreadable`](crate::Error::Unreadable) for an uncertainty that is not
-/// above 0 and finite.
+/// The errors of [`evaluate`]; [`Error::Unreadable`](crate::Error::Unreadable) for an uncertainty
+/// that is not positive and finite.
 pub fn effects(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -99,7 +99,7 @@ pub fn effects(
 ) -> Result<Vec<Effects>> {
     sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();
-    // what only the run depends on, where none is asked for
+    // omit parameters of the roll-out unless an outcome needs them
     let runs = of.iter().any(|of| of.needs_run());
     parameters.retain(|parameter| runs || !parameter.affects_only_run());
     let taylors = evaluate(setup, of, &parameters, Order::First)?;
@@ -128,45 +128,55 @@ pub fn effects(
         }
         progress(done + 1, sigmas.len());
     }
-    let effects = |(i, of): (usize, &Outcome)| {
-        let value = taylors[i].value;
-        let least = LEAST_SIZE * of.quantity().size_of(of.unit()).unwrap_or(1.0);
-        let effect = |(k, parameter): (usize, &&'static Parameter)| {
-            let (gradient, p) = (
-                taylors[i].gradient[k],
-                setup.value(parameter).unwrap_or_default(),
-            );
-            Effect {
-                parameter,
-                gradient,
-                elasticity: (p != 0.0 && value.abs() > least).then(|| gradient * p / value),
-                bar: bars[i]
-                    .iter()
-                    .find(|bar| bar.sigma.parameter == *parameter)
-                    .copied(),
-            }
-        };
-        let mut effects: Vec<_> = parameters.iter().enumerate().map(effect).collect();
-        effects.sort_by(|a, b| {
-            rank(b)
-                .partial_cmp(&rank(a))
-                .unwrap_or(std::cmp::Ordering::Equal)
-        });
-        Effects {
-            of: *of,
-            value,
-            effects,
-        }
-    };
-    Ok(of.iter().enumerate().map(effects).collect())
+    let taylors = taylors.iter().zip(bars);
+    let effects = of
+        .iter()
+        .zip(taylors)
+        .map(|(of, (taylor, bars))| ranked(setup, *of, &parameters, taylor, &bars));
+    Ok(effects.collect())
 }
 
-/// From one value of an outcome to another.
+/// Effects of all parameters on an outcome, in descending order of magnitude.
+fn ranked(
+    setup: &Setup<f64>,
+    of: Outcome,
+    parameters: &[&'static Parameter],
+    taylor: &Taylor,
+    bars: &[Bar],
+) -> Effects {
+    let value = taylor.value;
+    let least = LEAST_SIZE * of.quantity().size_of(of.unit()).unwrap_or(1.0);
+    let effect = |(parameter, gradient): (&&'static Parameter, &f64)| {
+        let p = setup.value(parameter).unwrap_or_default();
+        Effect {
+            parameter,
+            gradient: *gradient,
+            elasticity: (p != 0.0 && value.abs() > least).then(|| gradient * p / value),
+            bar: bars
+                .iter()
+                .find(|bar| bar.sigma.parameter == *parameter)
+                .copied(),
+        }
+    };
+    let mut effects: Vec<_> = parameters
+        .iter()
+        .zip(&taylor.gradient)
+        .map(effect)
+        .collect();
+    effects.sort_by(|a, b| {
+        rank(b)
+            .partial_cmp(&rank(a))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    });
+    Effects { of, value, effects }
+}
+
+/// Difference between two values of an outcome.
 fn change(of: Outcome, from: f64, to: f64) -> f64 {
     of.unwrap_angle(to, from) - from
 }
 
-/// What effects are ranked by: a bar before none, then the size.
+/// Sort key of an effect: those with an uncertainty first, then by magnitude.
 fn rank(effect: &Effect) -> (bool, f64) {
     match &effect.bar {
         Some(bar) => (true, bar.first_order.abs()),
@@ -174,12 +184,11 @@ fn rank(effect: &Effect) -> (bool, f64) {
     }
 }
 
-/// The outcomes of the drive with a parameter off by its uncertainty, `sign` −1 for p − σ and 1 for
-/// p + σ.
+/// Outcomes of the drive at p − σ (`sign` −1) or p + σ (`sign` 1).
 ///
 /// # Errors
-/// [`Error::OutOfRange`](crate::Error::OutOfRange) for a value that the parameter cannot have; as
-/// [`evaluate`].
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) for a value that the parameter cannot have; the
+/// errors of [`evaluate`].
 pub fn flown_off(setup: &Setup<f64>, of: &[Outcome], sigma: &Sigma, sign: f64) -> Result<Vec<f64>> {
     let mut moved = *setup;
     let value = setup

@@ -6,47 +6,46 @@ use crate::error::{Error, Result};
 use crate::impact::Head;
 use crate::parameters::{Golfer, Setup, Strike};
 
-/// What the place of a strike on the face does to the carry and to the axis of the spin, flown.
+/// Carry and spin axis as functions of the impact point on the face.
 #[derive(Clone, Debug)]
 pub struct Face {
-    /// The hand of the golfer, on which it depends where the toe is seen.
+    /// Handedness of the golfer, which determines the side of the toe.
     pub golfer: Golfer,
-    /// Half the face that is looked at, m: towards the toe, and up.
+    /// Half-width (towards the toe) and half-height of the face, m.
     pub half: [f64; 2],
-    /// Whether strikes are measured from the centre of the face, as the centre of mass is not
-    /// behind it; else from the sweet spot.
+    /// Impact points are relative to the face centre, because the centre of mass is not behind it;
+    /// otherwise to the sweet spot.
     pub is_from_centre: bool,
-    /// Where the normal of the face goes through the centre of mass, m: towards the toe, up; `None`
-    /// where it does so nowhere.
+    /// Point where the face normal passes through the centre of mass, m: towards the toe, up;
+    /// `None` if there is none.
     pub sweet_spot: Option<[f64; 2]>,
-    /// Where the ball is struck, m: towards the toe, up.
+    /// Impact point of the setup, m: towards the toe, up.
     pub strike: [f64; 2],
-    /// The carry from there, m; `None` where it does not fly.
+    /// Carry of the setup's drive, m; `None` if it does not fly.
     pub carry: Option<f64>,
     /// [`Face::OUTCOMES`] over `strike.toe` and `strike.high`, SI.
     pub plane: Plane,
-    /// The exact derivative of each by `strike.toe` at the sweet spot, or at the centre of the face
-    /// where there is none, SI; `None` where one of them has none.
+    /// Derivatives by `strike.toe` at the sweet spot, or at the face centre without one, SI; `None`
+    /// if one of them does not exist.
     pub by_toe: Option<[f64; 4]>,
-    /// The strike of the longest carry among the nodes on the face, and that carry.
+    /// Impact point of the longest carry among the grid nodes on the face, with that carry.
     pub longest: ([f64; 2], f64),
-    /// Places on the face with the tilt of the spin axis against that of a strike there, rad, +
-    /// right.
+    /// Points on the face, with the tilt of the spin axis relative to the sweet spot, rad, + right.
     pub tilts: Vec<([f64; 2], f64)>,
 }
 
-/// Half the face of a usual driver, m, from heel to toe and from sole to crown.
+/// Half-width and half-height of a typical driver face, m.
 const HALF: [f64; 2] = [0.055, 0.025];
 
-/// The face ends before its ellipsoid does, by this part.
+/// Extent of the face relative to its ellipsoid.
 const WITHIN: f64 = 0.95;
 
-/// Nodes over the face, and places with an arrow.
+/// Grid nodes over the face, and points with an arrow.
 const NODES: [usize; 2] = [111, 51];
 const ARROWS: [usize; 2] = [5, 3];
 
 impl Face {
-    /// What is looked at over the face, carry first.
+    /// Outcomes computed over the face, carry first.
     pub const OUTCOMES: [Outcome; 4] = [
         Outcome::Carry,
         Outcome::Lateral,
@@ -54,11 +53,11 @@ impl Face {
         Outcome::SpinAxis,
     ];
 
-    /// Flies strikes all over the face of a setup's club.
+    /// Flies strikes all over the face.
     ///
     /// # Errors
-    /// As [`Batch::new`](crate::batch::Batch::new), where no club strikes the ball;
-    /// [`Error::NoFlight`] where no strike flies.
+    /// The errors of [`Batch::new`](crate::batch::Batch::new) if the launch is given;
+    /// [`Error::NoFlight`] if no strike flies.
     pub fn of(setup: &Setup<f64>) -> Result<Self> {
         let half = half_of(setup);
         let [toe, high] = [setup.column("strike.toe")?, setup.column("strike.high")?];
@@ -122,7 +121,7 @@ impl Face {
         })
     }
 
-    /// The outline of the face: no head has just this one.
+    /// Generic outline of the face (a superellipse).
     pub fn outline(&self) -> Vec<[f64; 2]> {
         let point = |step: u32| {
             let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / 120.0).sin_cos();
@@ -133,8 +132,7 @@ impl Face {
         (0..=120).map(point).collect()
     }
 
-    /// Whether the strike of the longest carry is at the edge of the face: a node beside it is on
-    /// the face no more.
+    /// The longest carry lies at the edge of the face: a neighbouring node is off the face.
     pub fn is_longest_at_edge(&self) -> bool {
         let ([x, y], _) = self.longest;
         let [wide, tall] = [0, 1].map(|axis| 2.0 * self.half[axis] / (NODES[axis] - 1) as f64);
@@ -143,19 +141,19 @@ impl Face {
             .any(|at| !self.holds(at))
     }
 
-    /// Whether the ball is struck on the sweet spot, to a thousandth of a millimetre.
+    /// The setup strikes the sweet spot, within 1 µm.
     pub fn is_struck_sweetly(&self) -> bool {
         self.sweet_spot
             .is_some_and(|spot| (0..2).all(|axis| (spot[axis] - self.strike[axis]).abs() < 1e-6))
     }
 
-    /// Whether a place lies within that outline.
+    /// Reports whether a point lies within the outline.
     pub fn holds(&self, at: [f64; 2]) -> bool {
         is_on(self.half, at)
     }
 }
 
-/// The power of the superellipse that is drawn as a face: 2 would be an ellipse.
+/// Exponent of the superellipse; 2 is an ellipse.
 const ROUNDNESS: f64 = 2.5;
 
 fn is_on(half: [f64; 2], at: [f64; 2]) -> bool {
@@ -165,7 +163,7 @@ fn is_on(half: [f64; 2], at: [f64; 2]) -> bool {
         <= 1.0
 }
 
-/// Half the face: a usual one, or as far as bulge and roll let one reach.
+/// Half-width and half-height of the face: typical, limited by bulge and roll.
 fn half_of(setup: &Setup<f64>) -> [f64; 2] {
     let club = &setup.club;
     let (bulge, roll) = (club.bulge_radius, club.roll_radius);

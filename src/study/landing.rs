@@ -5,35 +5,36 @@ use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::Setup;
 
-/// Where a drive lands and comes to rest, and where it does when its parameters are a little off.
+/// Landing and rest positions of a drive, with their scatter.
 #[derive(Clone, Debug)]
 pub struct Landing {
-    /// What the drive is called: "as set up", "optimum".
+    /// Name of the drive: "as set up", "optimum".
     pub name: String,
     /// Lateral and carry, m.
     pub at: [f64; 2],
-    /// Where it comes to rest, m: right of the target line and downrange; `None` where it does not.
+    /// Rest position, m: right of the target line and downrange; `None` if the ball does not come
+    /// to rest.
     pub rest: Option<[f64; 2]>,
-    /// The parameters that vary from drive to drive, each by its standard deviation.
+    /// Parameters that vary from drive to drive, with their standard deviations.
     pub sigmas: Vec<Sigma>,
-    /// The ellipses of the landings, by exact derivatives, that hold each of [`SHARES`]; empty
-    /// where nothing varies, or too much does.
+    /// Landing ellipses for each of [`SHARES`], from exact derivatives; empty if nothing varies, or
+    /// the scatter is too large.
     pub ellipses: Vec<LandingEllipse>,
-    /// Whether the ellipses are left out since too much varies beside the drive for its derivatives
-    /// to tell the landings: the standard deviation of its speed is more than a third of it, or an
-    /// ellipse reaches further than the ball carries.
+    /// Ellipses are omitted because the drive's derivatives do not describe so large a scatter: the
+    /// standard deviation of the speed exceeds a third of it, or an ellipse is longer than the
+    /// carry.
     pub is_too_wide: bool,
 }
 
 impl Landing {
-    /// The landing of a setup whose parameters vary independently. Of the usual uncertainties only
-    /// those that a golfer controls are taken: of the swing, the strike and the club, or of a
-    /// launch that is given. Those that were stated are all taken.
+    /// Landing of a setup with independently varying parameters. Default uncertainties count only
+    /// for the golfer's parameters (swing, strike and club, or a given launch); stated ones all
+    /// count.
     ///
     /// # Errors
-    /// As [`Drive::new`] and [`evaluate`]; [`Error::NoFlight`](crate::Error::NoFlight) where
-    /// nothing lands; [`Error::Unreadable`](crate::Error::Unreadable) for an uncertainty that is
-    /// not above 0 and finite.
+    /// The errors of [`Drive::new`] and [`evaluate`]; [`Error::NoFlight`](crate::Error::NoFlight)
+    /// if the drive does not land; [`Error::Unreadable`](crate::Error::Unreadable) for an
+    /// uncertainty that is not positive and finite.
     pub fn of(name: impl Into<String>, setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Self> {
         sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
         let drive = Drive::new(setup)?;
@@ -96,7 +97,7 @@ impl Landing {
     }
 }
 
-/// Whether what is uncertain is a golfer's own from drive to drive, or was stated.
+/// True for stated uncertainties, and for parameters that the golfer varies from drive to drive.
 fn is_of_the_golfer(sigma: &Sigma) -> bool {
     let is_stated = sigma.source.is_none();
     is_stated

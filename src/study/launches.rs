@@ -4,34 +4,33 @@ use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::parameters::{LaunchConditions, Setup};
 
-/// The carry over launch angle and backspin at a ball speed: what a ball that leaves the club as
-/// fast does with another launch.
+/// Carry as a function of launch angle and backspin at constant ball speed.
 #[derive(Clone, Debug)]
 pub struct Launches {
-    /// The setup, its ball launched as its club does it.
+    /// The setup, with the launch that its club gives.
     pub setup: Setup<f64>,
     /// The ball speed, m/s.
     pub ball_speed: f64,
     /// Carries over `launch.launch_angle` and `launch.backspin`, SI.
     pub plane: Plane,
-    /// The launches of the drives shown, the setup's own first.
+    /// Launches of the drives shown; the first belongs to the setup.
     pub launched: Vec<Launched>,
-    /// The best launch angle for each backspin, with that backspin, where it lies within the map.
+    /// Best launch angle for each backspin: [launch angle, backspin], where it lies within the map.
     pub ridge: Vec<[f64; 2]>,
 }
 
-/// How a ball leaves.
+/// Launch of a drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Launched {
-    /// What the drive is called.
+    /// Name of the drive.
     pub name: String,
     /// Launch angle, rad.
     pub launch_angle: f64,
     /// Backspin, rad/s.
     pub backspin: f64,
-    /// Ball speed, m/s: that of the map for the first.
+    /// Ball speed, m/s; the first one is that of the map.
     pub ball_speed: f64,
-    /// Its own carry, m; `None` where it does not fly.
+    /// Carry of this drive, m; `None` if it does not fly.
     pub carry: Option<f64>,
 }
 
@@ -48,21 +47,22 @@ impl Launched {
     }
 }
 
-/// How far a map goes beyond the launches in it, rad and rad/s, and what its ends are multiples of.
+/// Margin of the map around the launches, rad and rad/s; its ends are rounded to multiples of
+/// `ENDS`.
 const BEYOND: [f64; 2] = [7.0 * DEGREE, 1250.0 * RPM];
 const ENDS: [f64; 2] = [DEGREE, 250.0 * RPM];
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const RPM: f64 = std::f64::consts::PI / 30.0;
 
-/// Nodes to each side.
+/// Nodes per side.
 const NODES: usize = 61;
 
 impl Launches {
-    /// The map at the ball speed of the first of some drives, with the launches of all.
+    /// The map at the ball speed of the first drive, with the launches of all.
     ///
     /// # Errors
-    /// As [`Drive::new`] and [`Batch::new`](crate::batch::Batch::new); [`Error::Nothing`] without a
-    /// drive; [`Error::NoFlight`] where nothing on the map flies.
+    /// The errors of [`Drive::new`] and [`Batch::new`](crate::batch::Batch::new);
+    /// [`Error::Nothing`] without a drive; [`Error::NoFlight`] if nothing on the map flies.
     pub fn around(drives: &[(&str, &Setup<f64>)]) -> Result<Self> {
         let mut launched = vec![];
         let mut first = None;
@@ -92,7 +92,7 @@ impl Launches {
                 values().fold(f64::NEG_INFINITY, f64::max),
             );
             let end = ENDS[axis];
-            // the angle and the backspin of a drive that is hit well are above 0
+            // launch angle and backspin of a good drive are positive
             let low = (((low - BEYOND[axis]) / end).round() * end).max(low.min(0.0));
             Vary::new(
                 setup.column(name)?,
@@ -119,7 +119,7 @@ impl Launches {
     }
 }
 
-/// The best place across in each row: the top of the parabola through the best node and its
+/// Position of the maximum of each row: vertex of the parabola through the best node and its
 /// neighbours.
 fn ridge(plane: &Plane) -> Vec<[f64; 2]> {
     let width = (plane.across.high - plane.across.low) / (plane.columns - 1) as f64;

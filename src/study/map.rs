@@ -1,4 +1,4 @@
-//! An outcome over two parameters: the landscape that an optimum is the top of.
+//! An outcome over a grid of two parameters.
 
 use super::Vary;
 use crate::derivative::{Evaluator, Order};
@@ -8,28 +8,27 @@ use crate::parameters::Setup;
 use crate::units::Message;
 use rayon::prelude::*;
 
-/// An outcome at the nodes of a grid, with its gradient at some.
+/// An outcome at the nodes of a grid, with its gradient at some points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// The outcome.
     pub of: Outcome,
-    /// The parameter that runs across.
+    /// Parameter of the horizontal axis.
     pub across: Vary,
-    /// The parameter that runs up.
+    /// Parameter of the vertical axis.
     pub up: Vary,
-    /// Nodes across.
+    /// Number of columns.
     pub columns: usize,
-    /// The outcome at each node, SI, row by row from the lowest; `None` where the drive has none.
+    /// Outcome at each node, SI, row by row from the lowest; `None` if the drive has none.
     pub values: Vec<Option<f64>>,
-    /// Why it has none, at the first such node.
+    /// Reason at the first node without a value.
     pub missing: Option<Message>,
-    /// The gradient at a coarser grid of places.
+    /// Gradients at a coarser grid of points.
     pub slopes: Vec<Slope>,
 }
 
 impl Map {
-    /// That the outcome is the same all over the map, but for rounding: then there is nothing to
-    /// draw.
+    /// Message if the outcome is constant up to rounding, so that there is nothing to draw.
     pub fn flat(&self) -> Option<Message> {
         let known = || self.values.iter().flatten().copied();
         let (low, high) = (
@@ -49,29 +48,29 @@ impl Map {
     }
 }
 
-/// What differs by less than this part of the values, or of one of their unit, is rounding.
+/// Relative differences (or in one display unit) below this are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// A gradient at a place of a map, SI.
+/// Gradient at a point of a map, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// The place: across, up.
+    /// Point: across, up.
     pub at: [f64; 2],
-    /// The derivatives by both.
+    /// Derivatives by both parameters.
     pub gradient: [f64; 2],
 }
 
-/// How fine a map is.
+/// Resolution of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fineness {
-    /// Nodes to each side, at least 2.
+    /// Nodes per side, at least 2.
     pub nodes: usize,
-    /// Gradients to each side; 0 for none.
+    /// Gradients per side; 0 for none.
     pub slopes: usize,
 }
 
 impl Default for Fineness {
-    /// 61 nodes, lines without corners to the eye, and 7 gradients.
+    /// 61 nodes per side, for smooth contour lines, and 7 gradients.
     fn default() -> Self {
         Self {
             nodes: 61,
@@ -80,22 +79,23 @@ impl Default for Fineness {
     }
 }
 
-/// An outcome over two parameters of a setup, side by side on all processors.
+/// An outcome over two parameters of a setup, computed in parallel.
 ///
 /// ```
 /// use longdrive::study::{Fineness, Vary, map};
 /// use longdrive::{Outcome, Setup};
 /// let setup = Setup::default();
-/// let [across, up] = ["club.loft=8deg..12deg", "swing.speed=40..50m/s"].map(|text| Vary::read(&setup, text).unwrap());
-/// let speeds = map(&setup, Outcome::BallSpeed, across, up, Fineness { nodes: 3, slopes: 1 }).unwrap();
-/// // ball speed is in proportion to club speed: the highest row over the lowest
+/// let [across, up] = ["club.loft=8deg..12deg", "swing.speed=40..50m/s"]
+///     .map(|text| Vary::read(&setup, text).unwrap());
+/// let fineness = Fineness { nodes: 3, slopes: 1 };
+/// let speeds = map(&setup, Outcome::BallSpeed, across, up, fineness).unwrap();
+/// // ball speed is proportional to club speed: the highest row over the lowest
 /// assert!((speeds.values[6].unwrap() / speeds.values[0].unwrap() - 1.25).abs() < 1e-12);
 /// ```
 ///
 /// # Errors
-/// [`Error::SearchRange`] where both parameters are one, a range is a single value, or there are
-/// fewer than 2 nodes to a side; what [`Setup::validate`] refuses; [`Error::NoFlight`] where no
-/// node has a value.
+/// [`Error::SearchRange`] for equal parameters, a range of a single value, or fewer than 2 nodes
+/// per side; the errors of [`Setup::validate`]; [`Error::NoFlight`] if no node has a value.
 pub fn map(
     setup: &Setup<f64>,
     of: Outcome,
@@ -103,24 +103,7 @@ pub fn map(
     up: Vary,
     fineness: Fineness,
 ) -> Result<Map> {
-    let refuse = |vary: &Vary, reason: &str| {
-        Err(Error::SearchRange {
-            name: vary.parameter.name.into(),
-            reason: reason.into(),
-        })
-    };
-    if across.parameter == up.parameter {
-        return refuse(&up, "a map needs two different parameters");
-    }
-    if fineness.nodes < 2 {
-        return refuse(&across, "a map needs 2 nodes or more to each side");
-    }
-    for vary in [&across, &up] {
-        vary.check()?;
-        if vary.low == vary.high {
-            return refuse(vary, "a map needs a range wider than a single value");
-        }
-    }
+    check(&across, &up, fineness)?;
     let wrt = [across.parameter, up.parameter];
     let values = Evaluator::new(setup, &[of], &wrt, Order::Value)?;
     let gradients = Evaluator::new(setup, &[of], &wrt, Order::First)?;
@@ -156,13 +139,13 @@ pub fn map(
     let slopes = (0..fineness.slopes * fineness.slopes)
         .into_par_iter()
         .filter_map(|i| {
-            // in the middle of equal cells
+            // centres of equal cells
             let part = |at: usize| (at as f64 + 0.5) / fineness.slopes as f64;
             let at = [
                 place(across, part(i % fineness.slopes)),
                 place(up, part(i / fineness.slopes)),
             ];
-            // where there is no drive, or it has a corner, there is no slope to show
+            // no gradient where nothing flies, or at a corner
             let found = gradients.at(&at).ok()?;
             Some(Slope {
                 at,
@@ -178,4 +161,27 @@ pub fn map(
         missing,
         slopes: slopes.collect(),
     })
+}
+
+/// Refuses equal parameters, ranges of a single value, and fewer than 2 nodes.
+fn check(across: &Vary, up: &Vary, fineness: Fineness) -> Result<()> {
+    let refuse = |vary: &Vary, reason: &str| {
+        Err(Error::SearchRange {
+            name: vary.parameter.name.into(),
+            reason: reason.into(),
+        })
+    };
+    if across.parameter == up.parameter {
+        return refuse(up, "a map needs two different parameters");
+    }
+    if fineness.nodes < 2 {
+        return refuse(across, "a map needs 2 nodes or more to each side");
+    }
+    for vary in [across, up] {
+        vary.check()?;
+        if vary.low == vary.high {
+            return refuse(vary, "a map needs a range wider than a single value");
+        }
+    }
+    Ok(())
 }

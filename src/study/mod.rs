@@ -1,7 +1,9 @@
-//! Questions asked of a drive.
+//! Studies: optimum, chart, calibration, delivery, design, sensitivity, uncertainty, certificate
+//! and comparison of drives.
 
 mod accuracy;
 pub mod calibrate;
+mod cancellable;
 pub mod certificate;
 mod chart;
 mod compare;
@@ -24,7 +26,6 @@ mod sample;
 mod search;
 mod sensitivity;
 mod sigma;
-mod stoppable;
 pub mod swings;
 pub mod uncertainty;
 pub mod validation;

@@ -6,11 +6,11 @@
 //!   swings:     ends ──▶ goals by their definitions
 //! ```
 
+use super::cancellable::stopped;
 use super::goal::{Constraint, Goal};
 use super::problem::SearchProblem;
 use super::sample::{Resampled, Sample, resample};
 use super::search::Search;
-use super::stoppable::stopped;
 use super::swings::Scenarios;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};

@@ -5,27 +5,27 @@ use crate::error::Result;
 use crate::parameters::Setup;
 use rayon::prelude::*;
 
-/// Outcomes at the nodes of a grid over two parameters, flown side by side.
+/// Outcomes at the nodes of a grid over two parameters, computed as a batch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    /// The parameter that runs across.
+    /// Parameter of the horizontal axis.
     pub across: Vary,
-    /// The parameter that runs up.
+    /// Parameter of the vertical axis.
     pub up: Vary,
-    /// Nodes across.
+    /// Number of columns.
     pub columns: usize,
-    /// Nodes up.
+    /// Number of rows.
     pub rows: usize,
-    /// Each outcome at each node, SI, row by row from the lowest; `None` where the drive has none.
+    /// Each outcome at each node, SI, row by row from the lowest; `None` if the drive has none.
     pub values: Vec<Vec<Option<f64>>>,
 }
 
 impl Plane {
-    /// Flies a setup with two of its parameters at the nodes of a grid. They need no value in the
-    /// setup.
+    /// Flies a setup with two of its parameters at the nodes of a grid. The setup need not have
+    /// values for them.
     ///
     /// # Errors
-    /// As [`Batch::new`].
+    /// The errors of [`Batch::new`].
     pub fn fly(
         setup: &Setup<f64>,
         of: &[Outcome],
@@ -52,7 +52,7 @@ impl Plane {
         Ok(plane)
     }
 
-    /// Where a node lies, SI: across, up.
+    /// Position of a node, SI: across, up.
     pub fn node(&self, node: usize) -> [f64; 2] {
         let part = |at: usize, count: usize| at as f64 / (count.max(2) - 1) as f64;
         let along = |vary: &Vary, part: f64| vary.low + part * (vary.high - vary.low);
@@ -62,8 +62,7 @@ impl Plane {
         ]
     }
 
-    /// The node with the largest value of an outcome among those that lie where they may, with that
-    /// value.
+    /// Node with the largest value of an outcome among the allowed positions, with that value.
     pub fn largest(&self, of: usize, may: impl Fn([f64; 2]) -> bool) -> Option<([f64; 2], f64)> {
         let values = self.values.get(of)?.iter().enumerate();
         let known = values

@@ -7,9 +7,9 @@
 //! One drive is one scenario. If its goals are outcomes they need no measures, and the drive's
 //! derivatives are those of the goals.
 
+use super::cancellable::{each_until, stopped, stopped_before};
 use super::goal::Goal;
 use super::search::{Search, Sense};
-use super::stoppable::{each_until, stopped, stopped_before};
 use super::swings::flown::{columns, moved, no_flight};
 use super::swings::part::part_of;
 use super::swings::{Measure, Scenarios};

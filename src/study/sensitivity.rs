@@ -9,25 +9,25 @@ use crate::optimize::{Observer, Status};
 use crate::parameters::{Parameter, Setup};
 use crate::units::{Message, Quantity};
 
-/// How an optimum answers to a parameter that is not varied.
+/// Sensitivity of an optimum to a parameter that is not varied.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
     /// The parameter, p.
     pub parameter: &'static Parameter,
-    /// d f*/dp: what the best value of the outcome changes by, SI.
+    /// d f*/dp, rate of the optimal value, SI.
     pub value: f64,
     /// d² f*/dp².
     pub curvature: f64,
-    /// d x*/dp of each parameter varied.
+    /// d x*/dp of each varied parameter.
     pub optimum: Vec<f64>,
 }
 
-/// The sensitivity of an optimum to a parameter, from the KKT system with exact second derivatives.
+/// Sensitivity of an optimum to a parameter, from the KKT system with exact second derivatives.
 ///
 /// # Errors
-/// [`Error::NotConverged`] where there is no optimum to speak of; [`Error::Unreadable`] for a
-/// parameter that is itself varied; [`Setup::variable`]'s; [`Error::Optimizer`] where the optimum
-/// is not isolated.
+/// [`Error::NotConverged`] without a converged optimum; [`Error::Unreadable`] for a varied
+/// parameter; the errors of [`Setup::variable`]; [`Error::Optimizer`] if the optimum is not
+/// isolated.
 pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sensitivity> {
     let problem = converged(best)?;
     refuse_varied(&best.search, parameter)?;
@@ -43,8 +43,7 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
     })
 }
 
-/// The sensitivities to each of these parameters, as far as they exist: a reason stands for one
-/// that does not.
+/// Sensitivities to several parameters, each with its own error.
 ///
 /// # Errors
 /// [`Error::NotConverged`].
@@ -62,7 +61,7 @@ pub fn sensitivities(
     Ok(wrt.iter().enumerate().map(one).collect())
 }
 
-/// A parameter that is varied has no sensitivity: its optimum is what is found.
+/// Refuses a varied parameter: the search chooses it, so the optimum has no sensitivity to it.
 ///
 /// # Errors
 /// [`Error::Unreadable`].
@@ -97,17 +96,18 @@ fn converged(best: &Optimum) -> Result<SearchProblem> {
 pub struct Change {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// By how much, SI.
+    /// Amount, SI.
     pub delta: f64,
 }
 
 impl Change {
-    /// Reads `NAME=+AMOUNT`, for example `swing.speed=+5mph`, or `air.density=-20%`: a part of the
-    /// parameter's own value, unless the parameter is a plain number, of which 1 % is 0.01.
+    /// Parses `NAME=+AMOUNT`, for example `swing.speed=+5mph`, or `air.density=-20%`. A percentage
+    /// is relative to the parameter's value, except for dimensionless parameters, where 1 % is
+    /// 0.01.
     ///
     /// # Errors
-    /// [`Error::Unreadable`]; as [`Setup::variable`]; [`Error::OutOfRange`] where it leads out of
-    /// the parameter's range.
+    /// [`Error::Unreadable`]; the errors of [`Setup::variable`]; [`Error::OutOfRange`] if the
+    /// result is outside the parameter's range.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the change {}", text.trim()),
@@ -133,7 +133,7 @@ impl Change {
                 );
                 return Err(unreadable(reason.into()));
             }
-            // a part of the value has its sign
+            // a relative change has the sign of the value
             delta *= own.signum();
         }
         if !delta.is_finite() {
@@ -144,33 +144,31 @@ impl Change {
     }
 }
 
-/// What a stated change does to an optimum: as predicted from the sensitivity, and as found by
-/// searching again.
+/// Effect of a change on an optimum: predicted from the sensitivity, and found by a new search.
 #[derive(Clone, Debug)]
 pub struct Changed {
     /// The change.
     pub change: Change,
-    /// The predicted value to first order, SI.
+    /// Predicted value, first order, SI.
     pub first_order: f64,
-    /// The predicted value to second order.
+    /// Predicted value, second order, SI.
     pub second_order: f64,
-    /// The predicted optimum, to first order.
+    /// Predicted optimum, first order.
     pub predicted: Vec<f64>,
-    /// The optimum found anew.
+    /// Optimum of the new search.
     pub resolved: Optimum,
-    /// What of the active bounds and constraints changes on the way, and after which part of it, to
-    /// first order.
+    /// First predicted change of the active set, with the fraction of the change after which it
+    /// happens (first order).
     pub event: Option<(f64, Message)>,
-    /// What of them was in truth different at the end.
+    /// Actual changes of the active set.
     pub differences: Vec<Message>,
 }
 
-/// The effect of a stated change on an optimum. `integrated` says how the drives of the new search
-/// are integrated, from the changed setup: a step that follows the drives of one search may be too
-/// long for those of the other.
+/// Effect of a change on an optimum. `integrated` selects method and step for the changed setup,
+/// because the drives of the new search may need a shorter step.
 ///
 /// # Errors
-/// As [`sensitivity`]; what `integrated` and the search for the new optimum refuse.
+/// The errors of [`sensitivity`], of `integrated`, and of the new search.
 pub fn change(
     best: &Optimum,
     change: Change,
@@ -236,7 +234,7 @@ fn in_words(search: &Search, event: Event) -> Message {
     }
 }
 
-/// In which active bounds and constraints two optima differ.
+/// Differences of the active sets of two optima.
 fn differences(before: &Optimum, after: &Optimum) -> Vec<Message> {
     if after.solution.status != Status::Converged {
         let why = Message::from(format!("no optimum was found ({}: ", after.status()));

@@ -9,15 +9,15 @@ use crate::units::{Quantity, UnitError};
 pub struct Sigma {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Its standard deviation, SI.
+    /// Standard deviation, SI.
     pub value: f64,
-    /// Where it comes from; `None` where it was given.
+    /// Source; `None` if the user gave it.
     pub source: Option<&'static str>,
 }
 
 impl Sigma {
-    /// Reads `NAME=AMOUNT`, for example `swing.speed=1mph`, or `air.density=0.5%`: a part of the
-    /// parameter's own value, unless the parameter is a plain number, of which 1 % is 0.01.
+    /// Parses `NAME=AMOUNT`, for example `swing.speed=1mph`, or `air.density=0.5%`. A percentage is
+    /// relative to the parameter's value, except for dimensionless parameters, where 1 % is 0.01.
     ///
     /// ```
     /// use longdrive::{Setup, study::Sigma};
@@ -25,12 +25,13 @@ impl Sigma {
     /// assert_eq!(Sigma::read(&setup, "swing.speed=1 m/s").unwrap().value, 1.0);
     /// assert_eq!(Sigma::read(&setup, "swing.speed=10%").unwrap().value, 0.1 * setup.swing.speed);
     /// assert!(Sigma::read(&setup, "swing.speed=-1 m/s").is_err());
-    /// // a part of 0 is nothing
-    /// assert!(Sigma::read(&setup, "swing.path=1%").unwrap_err().to_string().contains("for example swing.path=1 deg"));
+    /// // a percentage of 0 is refused
+    /// let error = Sigma::read(&setup, "swing.path=1%").unwrap_err();
+    /// assert!(error.to_string().contains("for example swing.path=1 deg"));
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for what is no amount above 0; as [`Setup::variable`].
+    /// [`Error::Unreadable`] for an amount that is not positive; the errors of [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the standard uncertainty {}", text.trim()),
@@ -68,12 +69,12 @@ impl Sigma {
 }
 
 impl Sigma {
-    /// Whether it is an uncertainty of a parameter of this setup, which one that was not read need
-    /// not be.
+    /// Checks that the setup has the parameter and that the value is valid; only uncertainties
+    /// parsed from text were checked before.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for one that is not above 0 and finite; as [`Setup::variable`];
-    /// [`Error::OtherLaw`].
+    /// [`Error::Unreadable`] for a value that is not positive and finite; the errors of
+    /// [`Setup::variable`]; [`Error::OtherLaw`].
     pub(super) fn check(&self, setup: &Setup<f64>) -> Result<()> {
         let parameter = self.parameter;
         setup.check_variable(parameter)?;
@@ -100,8 +101,8 @@ pub fn given_twice(parameter: &Parameter) -> Error {
     }
 }
 
-/// An amount of a parameter, SI: with its unit, which `read` reads as a value or as a difference,
-/// or a part of its own value in %.
+/// Parses an amount of a parameter to SI: with a unit (`read` parses it as a value or as a
+/// difference), or as a percentage of the parameter's value.
 pub(super) fn amount_of(
     setup: &Setup<f64>,
     parameter: &Parameter,
@@ -123,33 +124,30 @@ pub(super) fn amount_of(
     }
 }
 
-/// An amount in a unit, or a part of the parameter's value.
+/// An amount with its unit, or a fraction of the parameter's value.
 enum Amount {
     Of(f64, &'static str),
     Part(f64),
-    /// What is not known of the mean wind, m/s, and its gusts.
+    /// Uncertainty of the mean wind, m/s, in addition to its gusts.
     Wind(f64),
 }
 
-/// The least roughness length that gusts are computed for where the setup has a uniform wind, m:
-/// open country with low vegetation (EN 1991-1-4, terrain category II).
+/// Roughness length for gusts in a setup with uniform wind, m: open country with low vegetation (EN
+/// 1991-1-4, terrain category II).
 const OPEN_COUNTRY: f64 = 0.05;
 
-/// σ_v/σ_u: gusts across the wind are this part of those along it (Panofsky & Dutton 1984:
-/// 1.92/2.39).
+/// σ_v/σ_u: ratio of gusts across and along the wind (Panofsky & Dutton 1984: 1.92/2.39).
 const ACROSS: f64 = 0.8;
 
-/// The standard deviations of the wind's components to the right and downrange, and of its speed,
-/// from one drive to another: the intensity of turbulence at the reference height is
-/// 1/ln(z_ref/z₀).
+/// Standard deviations of the wind to the right, downrange, and of its speed, from drive to drive.
+/// Turbulence intensity at the reference height: 1/ln(z_ref/z₀).
 fn gusts(setup: &Setup<f64>) -> [f64; 3] {
     let wind = &setup.wind;
     let Wind {
         right, downrange, ..
     } = in_effect(setup).wind;
     let heights = wind.reference_height / wind.roughness.unwrap_or(OPEN_COUNTRY);
-    // among what makes the ground rough there is no such profile; gusts are there as large as the
-    // wind
+    // below the roughness elements the profile is not valid: limit the intensity to 1
     let intensity = heights.max(std::f64::consts::E).ln().recip();
     let component = |own: f64, other: f64| intensity * own.hypot(ACROSS * other);
     [
@@ -176,7 +174,7 @@ const WIND: &str =
 const TURF: &str = "assumed: fairways differ, and no one has calibrated them; a tour drive's total \
                     is then within about 10 yd";
 
-/// The uncertainties taken where none is given: of one drive as it is measured on a calm range.
+/// Default uncertainties, for a single drive measured on a calm range.
 const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("swing.speed", Amount::Of(0.5, "mph"), MONITOR),
     ("swing.attack_angle", Amount::Of(0.3, "deg"), MONITOR),
@@ -217,8 +215,8 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("aero.cl_slope", Amount::Part(0.1), LAW_LIFT),
 ];
 
-/// The uncertainties given, then the defaults of other parameters of the setup; those of the ground
-/// where one of the outcomes is of the run.
+/// The given uncertainties, then defaults for the other parameters; those of the ground only for
+/// outcomes of the roll-out.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for a parameter that is given twice.

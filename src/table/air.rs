@@ -1,24 +1,25 @@
-//! The air of each shot, as an export states it.
+//! Air density of each shot, from an export.
 
-use super::column::{AIR, Column, Holds};
+use super::column::{AIR, Column, Content};
 use crate::atmosphere::in_effect;
 use crate::parameters::Setup;
 use crate::units::Quantity;
 
-/// The density of the air that golf is played in, kg/m³: from a course at 5000 m on a hot day to
-/// one by the sea at −40 °C.
+/// Range of air density on golf courses, kg/m³: from a course at 5000 m on a hot day to the coast
+/// at −40 °C.
 const RANGE: [f64; 2] = [0.6, 1.6];
 
 impl Column {
-    /// True for the air as an export states it, false for the parameter `air.density`.
+    /// True for the air of an export, false for the parameter `air.density`.
     pub fn is_stated_air(&self) -> bool {
-        self.head != AIR && matches!(self.holds, Holds::Input(parameter) if parameter.name == AIR)
+        self.head != AIR
+            && matches!(self.content, Content::Input(parameter) if parameter.name == AIR)
     }
 
-    /// The density of the air that a row states, SI.
+    /// Parses the air density of a row, SI.
     ///
     /// # Errors
-    /// A sentence, where it states none that golf is played in.
+    /// A sentence if the cell states no density of a golf course.
     pub fn stated_air(&self, cell: &str) -> Result<f64, String> {
         let name = &self.head;
         if self.is_weather() {
@@ -43,8 +44,8 @@ pub(crate) fn states_weather(cell: &str) -> bool {
     density_in(cell).is_some()
 }
 
-/// The density of the air in a weather that TrackMan describes: `Normalized to no wind conditions
-/// at 1135 ft altitude, 77 °F and Premium ball`.
+/// Air density for TrackMan's weather text: `Normalized to no wind conditions at 1135 ft altitude,
+/// 77 °F and Premium ball`.
 pub(super) fn density_in(words: &str) -> Option<f64> {
     let words: Vec<&str> = words
         .split([' ', ',', ';'])

@@ -1,10 +1,10 @@
-//! What the head of a table says of a column.
+//! Meaning, unit and number format of a column.
 
-use super::cell_number::{Side, cell_number, unwrapped};
-use super::column_errors::OF_SHOTS;
+use super::head::OF_SHOTS;
 use super::heads::Meaning;
 use super::launch_monitor;
 use super::numbers;
+use super::numbers::{Side, cell_number, unwrapped};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
@@ -12,51 +12,51 @@ use crate::units::{Quantity, Unit, UnitError};
 
 /// Content of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Holds {
+pub(crate) enum Content {
     /// A parameter of the shot.
     Input(&'static Parameter),
     /// An outcome: measured, or a launch condition.
     Outcome(Outcome),
     /// The standard uncertainty of a measured outcome.
     Sigma(Outcome),
-    /// Names of the parameters in which carry is stationary.
+    /// Names of stationary parameters: carry is at its maximum in them.
     Stationary,
-    /// The standard uncertainty of where it is.
+    /// Standard uncertainty of the optimum's position.
     SigmaStationary,
-    /// A remark, which is not read.
+    /// A remark, ignored.
     Note,
-    /// Output of this program that is not read again: status, derivatives.
+    /// Output of this program (status, derivatives), ignored.
     Written,
 }
 
-/// A column, with the unit that its numbers are in; SI where the head names none.
+/// A column with the unit of its numbers; SI if the head has none.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
-    pub holds: Holds,
+    pub content: Content,
     pub head: String,
     unit: Option<String>,
-    /// The unit, where it is one of what the column holds.
+    /// The unit, if it matches the column's quantity.
     size: Option<Unit>,
     format: Format,
     /// Angle of an export without a unit, read in degrees.
-    is_in_degrees_untold: bool,
+    is_in_assumed_degrees: bool,
     /// Launch condition with its dotted name.
     is_dotted_condition: bool,
     /// Air that the weather of the setup overrides.
     is_of_given_air: bool,
-    /// The hand of the golfer whose swings it may hold.
+    /// Handedness of the golfer.
     golfer: Golfer,
-    /// Each cell states its unit.
+    /// Each cell contains its unit.
     has_units_in_cells: bool,
     /// The unit is assumed; the table states none.
     is_unit_assumed: bool,
-    /// + is to the left.
+    /// Positive values are to the left.
     is_turned: bool,
-    /// Cells describe the weather in words, which gives the air density.
+    /// Cells describe the weather in words, from which the air density is computed.
     is_weather: bool,
 }
 
-/// How a table is written.
+/// Format of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Format {
     /// Export of a launch monitor: unknown columns are ignored.
@@ -65,27 +65,27 @@ pub(crate) struct Format {
     pub has_decimal_comma: bool,
 }
 
-/// A column of optima.
+/// Head of the column of stationary parameters.
 const STATIONARY: &str = "stationary";
-/// A column for people.
+/// Head of the column of remarks.
 const NOTE: &str = "note";
-/// A column of sweeps that says how a drive ended.
+/// Head of the status column of sweeps.
 const STATUS: &str = "status";
-/// Columns that flown shots have beside their own.
+/// Columns that `fly` adds to the shots.
 pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
-/// Prefixes of outcomes in flown shots.
+/// Prefixes of columns that `fly` adds.
 const FLOWN: [&str; 2] = ["Predicted ", "Residual "];
-/// The parameter of the air that launch monitors state.
+/// Parameter of the air density that launch monitors state.
 pub(super) const AIR: &str = "air.density";
-/// The group of the launch conditions.
+/// Group of the launch conditions.
 const LAUNCH: &str = "launch.";
 
 impl Column {
-    /// Reads `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`, `note`, or a head
-    /// as launch monitors write it; `below` is the unit that a second line states.
+    /// Interprets a head: `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`,
+    /// `note`, or one of a launch monitor. `below` is its unit in a second line.
     ///
-    /// A measured carry is the distance to where the ball lands, as launch monitors count it, not
-    /// its part along the target line.
+    /// Measured carry is the distance to the landing point, as launch monitors define it, not its
+    /// component along the target line.
     pub fn read(
         setup: &Setup<f64>,
         head: &str,
@@ -111,13 +111,13 @@ impl Column {
         let is_given = |parameter: &str| is_replaced(setup, parameter);
         let meaning = launch_monitor::meaning_with(name, unit.as_deref());
         let is_of_given_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
-        let holds = match (name.strip_prefix("sigma ").map(str::trim), meaning) {
-            (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
-            // the weather that a setup has is the air of every row
-            (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Holds::Note,
-            (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
-            (None, None) if is_of_flown(name) => Holds::Written,
-            (None, None) if is_foreign(name, format) => Holds::Note,
+        let content = match (name.strip_prefix("sigma ").map(str::trim), meaning) {
+            (None, Some(Meaning::Outcome(outcome))) => Content::Outcome(outcome),
+            // the setup's weather overrides the air of the rows
+            (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Content::Note,
+            (None, Some(Meaning::Input(parameter))) => Content::Input(setup.column(parameter)?),
+            (None, None) if is_of_flown(name) => Content::Written,
+            (None, None) if is_head_of_launch_monitor(name, format) => Content::Note,
             _ => named(setup, name)?,
         };
         let mut column = Self {
@@ -125,31 +125,31 @@ impl Column {
             format,
             is_of_given_air,
             golfer: setup.golfer,
-            ..Self::of(holds, name)
+            ..Self::of(content, name)
         };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
             (
                 column.unit,
-                column.is_in_degrees_untold,
+                column.is_in_assumed_degrees,
                 column.is_unit_assumed,
             ) = (Some("deg".into()), true, true);
         }
         Ok(column.sized())
     }
 
-    /// The column of this name in a table that is in SI throughout.
+    /// A column of a table in SI.
     #[cfg(any(feature = "arrow", feature = "parquet"))]
     pub fn in_si(setup: &Setup<f64>, name: &str) -> Result<Self> {
         let name = name.trim();
         named(setup, name)
-            .map(|holds| Self::of(holds, name))
+            .map(|content| Self::of(content, name))
             .map_err(|error| {
                 let alone = name.split(['[', '(']).next().unwrap_or_default().trim();
-                let Some(Ok(holds)) = (alone != name).then(|| named(setup, alone)) else {
+                let Some(Ok(content)) = (alone != name).then(|| named(setup, alone)) else {
                     return error;
                 };
-                let column = Self::of(holds, alone);
+                let column = Self::of(content, alone);
                 let unit = if column.unit().is_empty() {
                     String::new()
                 } else {
@@ -167,19 +167,20 @@ impl Column {
     }
 
     /// A column in SI.
-    pub fn of(holds: Holds, head: &str) -> Self {
+    pub fn of(content: Content, head: &str) -> Self {
         let format = Format {
             is_export: false,
             has_decimal_comma: false,
         };
-        let is_dotted_condition = head.starts_with(LAUNCH) && matches!(holds, Holds::Outcome(_));
+        let is_dotted_condition =
+            head.starts_with(LAUNCH) && matches!(content, Content::Outcome(_));
         Self {
-            holds,
+            content,
             head: head.into(),
             unit: None,
             size: None,
             format,
-            is_in_degrees_untold: false,
+            is_in_assumed_degrees: false,
             is_dotted_condition,
             is_of_given_air: false,
             golfer: Golfer::Right,
@@ -192,7 +193,7 @@ impl Column {
 
     /// Ignored because its head is unknown.
     pub fn is_unknown(&self) -> bool {
-        self.holds == Holds::Note && self.head != NOTE && !self.is_of_given_air
+        self.content == Content::Note && self.head != NOTE && !self.is_of_given_air
     }
 
     /// Air that the weather of the setup overrides.
@@ -201,13 +202,13 @@ impl Column {
     }
 
     /// Angle without a unit, read in degrees.
-    pub fn is_in_degrees_untold(&self) -> bool {
-        self.is_in_degrees_untold && self.holds != Holds::Note
+    pub fn is_in_assumed_degrees(&self) -> bool {
+        self.is_in_assumed_degrees && self.content != Content::Note
     }
 
     /// Parameter of the delivery.
     pub fn is_of_the_strike(&self) -> bool {
-        matches!(self.holds, Holds::Input(parameter) if parameter.is_of_strike())
+        matches!(self.content, Content::Input(parameter) if parameter.is_of_strike())
     }
 
     /// Launch condition with its dotted name, `launch.ball_speed`.
@@ -217,7 +218,7 @@ impl Column {
 
     /// Status column of a sweep.
     pub fn is_status(&self) -> bool {
-        self.holds == Holds::Written && self.head == STATUS
+        self.content == Content::Written && self.head == STATUS
     }
 
     /// Cells may have decimal commas.
@@ -230,10 +231,10 @@ impl Column {
         self.quantity().is_some() && !self.is_weather
     }
 
-    /// Checks that the unit is present and of the right kind.
+    /// Checks that the unit is present and has the right dimension.
     pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
-            _ if self.is_unknown() || self.is_of_given_air || self.holds == Holds::Written => {
+            _ if self.is_unknown() || self.is_of_given_air || self.content == Content::Written => {
                 Ok(())
             }
             _ if self.has_units_in_cells || self.is_weather => Ok(()),
@@ -247,7 +248,7 @@ impl Column {
             (None, _) => Ok(()),
             (Some(unit), Some(quantity)) => {
                 let of_the_head = |e: UnitError| match e {
-                    // the number is not in the table
+                    // the table holds no number, so the message names only the unit
                     UnitError::WrongKind {
                         wanted, examples, ..
                     } => self.unreadable(format!(
@@ -310,7 +311,7 @@ impl Column {
     pub fn with_units_in_cells(self) -> Self {
         Self {
             has_units_in_cells: true,
-            is_in_degrees_untold: false,
+            is_in_assumed_degrees: false,
             ..self
         }
     }
@@ -328,7 +329,7 @@ impl Column {
     #[must_use]
     pub fn of_weather(self, density: &'static Parameter) -> Self {
         Self {
-            holds: Holds::Input(density),
+            content: Content::Input(density),
             is_weather: true,
             ..self
         }
@@ -338,13 +339,13 @@ impl Column {
     #[must_use]
     pub fn of_given_air(self) -> Self {
         Self {
-            holds: Holds::Note,
+            content: Content::Note,
             is_of_given_air: true,
             ..self
         }
     }
 
-    /// Whether its cells describe the weather in words.
+    /// True if cells describe the weather in words.
     pub fn is_weather(&self) -> bool {
         self.is_weather
     }
@@ -356,7 +357,7 @@ impl Column {
                 .is_some_and(|cell| cell.unit.is_some())
     }
 
-    /// The kind of its numbers.
+    /// Physical quantity of the numbers.
     pub fn kind(&self) -> Option<Quantity> {
         self.quantity()
     }
@@ -369,31 +370,37 @@ impl Column {
     }
 
     fn quantity(&self) -> Option<Quantity> {
-        match self.holds {
-            Holds::Input(parameter) => Some(parameter.quantity),
-            Holds::Outcome(outcome) | Holds::Sigma(outcome) => Some(outcome.quantity()),
-            Holds::SigmaStationary => Some(Quantity::ANGLE),
-            Holds::Stationary | Holds::Note | Holds::Written => None,
+        match self.content {
+            Content::Input(parameter) => Some(parameter.quantity),
+            Content::Outcome(outcome) | Content::Sigma(outcome) => Some(outcome.quantity()),
+            Content::SigmaStationary => Some(Quantity::ANGLE),
+            Content::Stationary | Content::Note | Content::Written => None,
         }
     }
 
-    /// The unit that people read it in.
+    /// Default display unit.
     fn usual_unit(&self) -> &'static str {
-        match self.holds {
-            Holds::Input(parameter) => parameter.unit,
-            Holds::Outcome(outcome) | Holds::Sigma(outcome) => outcome.unit(),
+        match self.content {
+            Content::Input(parameter) => parameter.unit,
+            Content::Outcome(outcome) | Content::Sigma(outcome) => outcome.unit(),
             _ => "deg",
         }
     }
 
     fn may_be(&self, value: f64) -> bool {
-        matches!(self.holds, Holds::Input(parameter) if parameter.range.contains(value))
+        matches!(self.content, Content::Input(parameter) if parameter.range.contains(value))
     }
 
     /// True if the quantity can have this side.
     fn has(&self, side: Side) -> bool {
-        let of_parameter = |names: &[&str]| matches!(self.holds, Holds::Input(parameter) if names.contains(&parameter.name));
-        let of_outcome = |all: &[Outcome]| matches!(self.holds, Holds::Outcome(outcome) if all.contains(&outcome));
+        let of_parameter = |names: &[&str]| match self.content {
+            Content::Input(parameter) => names.contains(&parameter.name),
+            _ => false,
+        };
+        let of_outcome = |all: &[Outcome]| match self.content {
+            Content::Outcome(outcome) => all.contains(&outcome),
+            _ => false,
+        };
         match side {
             Side::OfTarget { .. } => {
                 of_parameter(&[PATH, FACE])
@@ -422,7 +429,7 @@ impl Column {
         size.unwrap_or(1.0)
     }
 
-    /// The unit that the head names.
+    /// The unit of the head; otherwise SI.
     pub fn unit(&self) -> &str {
         self.unit
             .as_deref()
@@ -430,11 +437,10 @@ impl Column {
             .unwrap_or_default()
     }
 
-    /// The SI value of a cell, in the golfer's own terms; `None` for one that is empty, or has the
-    /// NaN that other programs write of a missing number.
+    /// Parses a cell to SI with the golfer's sign convention; `None` for an empty cell and for NaN.
     ///
     /// # Errors
-    /// A sentence for a cell that is no finite number.
+    /// A sentence for a cell that is not a finite number.
     pub fn value(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
         if cell.is_empty() || cell.trim().parse().is_ok_and(f64::is_nan) {
             return Ok(None);
@@ -452,18 +458,18 @@ impl Column {
         }
         let sign = stated.side.map_or(1.0, Side::sign) * self.sign(stated.side);
         let value = self.converted(cell, stated.number, stated.unit.as_deref())?;
-        // a straight ball has no −0° of direction
+        // avoid −0 for straight directions
         Ok(Some(if sign < 0.0 { -value } else { value }))
     }
 
-    /// The sign by which a number counts: launch monitors have path and face + to the right of
-    /// every golfer, and so does a cell with its side of the target, while + is outwards here; a
-    /// turned column has + to the left.
+    /// Sign that converts a number to this program's convention. Launch monitors measure path and
+    /// face, and cells with a side, + to the right for every golfer; here + is outwards. A turned
+    /// column is + to the left.
     fn sign(&self, side: Option<Side>) -> f64 {
         if self.is_turned && side.is_none() {
             return -1.0;
         }
-        let Holds::Input(parameter) = self.holds else {
+        let Content::Input(parameter) = self.content else {
             return 1.0;
         };
         let is_of_the_course = match side {
@@ -477,7 +483,7 @@ impl Column {
         if is_of_other_hand { -1.0 } else { 1.0 }
     }
 
-    /// A number of a cell in SI: in the unit that the cell states, else in that of the column.
+    /// Converts a number to SI: with the unit of its cell, otherwise of its column.
     fn converted(
         &self,
         cell: &str,
@@ -513,7 +519,7 @@ impl Column {
         }
     }
 
-    /// The value of a cell that is no finite number.
+    /// Parses special values: infinity, and words for a missing value.
     fn no_number(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
         // a flat face has an infinite radius
         if let Some(infinite) = cell
@@ -560,15 +566,15 @@ impl Column {
     }
 }
 
-/// The parameters of the club that have a side.
+/// Club parameters whose sign depends on the golfer's handedness.
 const PATH: &str = "swing.path";
 const FACE: &str = "swing.face_angle";
 
-/// Numbers of a launch monitor from here on say that there is no value: the largest of 32 bits,
-/// 3.4e38, or one near it.
+/// Launch monitors write numbers above this for a missing value, such as the largest 32-bit float,
+/// 3.4e38.
 const MISSING: f64 = 1e38;
 
-/// A cell with its control characters written out: a terminal does not show them.
+/// A cell with escaped control characters, for terminals.
 fn visible(cell: &str) -> String {
     let shown = |c: char| {
         if c.is_control() {
@@ -609,11 +615,10 @@ fn is_of_flown(name: &str) -> bool {
 }
 
 /// Recognizes unknown heads of launch monitors, as opposed to misspelt names of this program.
-fn is_foreign(name: &str, format: Format) -> bool {
+fn is_head_of_launch_monitor(name: &str, format: Format) -> bool {
     let is_written_otherwise = name.is_empty() || name.contains(". ");
     let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');
-    // a name of this program with a slip of the pen is told, `cary`; `club` and `date` are a launch
-    // monitor's
+    // `cary` is a misspelt name of this program; `club` and `date` belong to launch monitors
     let is_a_slip = || {
         Outcome::ALL
             .iter()
@@ -624,15 +629,15 @@ fn is_foreign(name: &str, format: Format) -> bool {
 }
 
 /// Content of a column with a name of this program.
-fn named(setup: &Setup<f64>, name: &str) -> Result<Holds> {
+fn named(setup: &Setup<f64>, name: &str) -> Result<Content> {
     let condition = |name: &str| {
         setup
             .launch_condition(name)
             .and_then(|_| Outcome::named(name).ok())
     };
     match name.strip_prefix("sigma ").map(str::trim) {
-        Some(STATIONARY) => return Ok(Holds::SigmaStationary),
-        Some(outcome) => return Ok(Holds::Sigma(measured(Outcome::named(outcome)?))),
+        Some(STATIONARY) => return Ok(Content::SigmaStationary),
+        Some(outcome) => return Ok(Content::Sigma(measured(Outcome::named(outcome)?))),
         None => {}
     }
     let is_derivative = || {
@@ -640,15 +645,15 @@ fn named(setup: &Setup<f64>, name: &str) -> Result<Holds> {
             .is_some_and(|rest| rest.contains("/d_"))
     };
     Ok(match name {
-        STATIONARY => Holds::Stationary,
-        NOTE => Holds::Note,
-        STATUS => Holds::Written,
-        _ if is_derivative() => Holds::Written,
+        STATIONARY => Content::Stationary,
+        NOTE => Content::Note,
+        STATUS => Content::Written,
+        _ if is_derivative() => Content::Written,
         _ => match name.strip_prefix(LAUNCH).and_then(condition) {
-            Some(outcome) => Holds::Outcome(outcome),
+            Some(outcome) => Content::Outcome(outcome),
             None => Outcome::named(name)
-                .map(|outcome| Holds::Outcome(measured(outcome)))
-                .or_else(|_| known(setup, name).map(Holds::Input))?,
+                .map(|outcome| Content::Outcome(measured(outcome)))
+                .or_else(|_| known(setup, name).map(Content::Input))?,
         },
     })
 }

@@ -1,4 +1,4 @@
-//! The launch that the conditions in a row make.
+//! Launch conditions of a row: consistency, and conversion to a launch.
 
 use super::CONDITIONS;
 use crate::drive::Outcome;
@@ -6,27 +6,43 @@ use crate::drive::Outcome;
 /// Error in the launch conditions of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fault {
-    /// The condition.
+    /// The condition at fault.
     pub of: Outcome,
     pub why: &'static str,
     /// The value is missing; the other values are valid.
     pub is_missing: bool,
 }
 
+impl Fault {
+    fn missing(of: Outcome, why: &'static str) -> Self {
+        Self {
+            of,
+            why,
+            is_missing: true,
+        }
+    }
+
+    fn invalid(of: Outcome, why: &'static str) -> Self {
+        Self {
+            of,
+            why,
+            is_missing: false,
+        }
+    }
+}
+
 /// The values of [`CONDITIONS`] in a row.
 pub(crate) type Stated = [Option<f64>; CONDITIONS.len()];
 
-/// The largest axis beside a backspin: the tangent of 90° is no number.
+/// Largest spin axis with backspin: tan 90° is infinite.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 
-/// Stated spins that differ by less than this part of the spin differ by rounding: an axis in whole
-/// degrees by 0.9 %.
+/// Relative difference of spins that rounding explains: a spin axis in whole degrees gives 0.9 %.
 const ROUNDING: f64 = 0.02;
 
-/// The same without what repeats the spin. Taken is the first of these that the row has: the spin
-/// with its axis, backspin with sidespin, the spin with sidespin, backspin with the axis, the spin,
-/// backspin.
-pub(crate) fn taken(values: Stated) -> Stated {
+/// Removes redundant spin values. The first available combination is used: spin with axis, backspin
+/// with sidespin, spin with sidespin, backspin with axis, spin, backspin.
+pub(crate) fn without_redundant_spins(values: Stated) -> Stated {
     let [speed, angle, direction, spin, backspin, sidespin, axis] = values;
     let [spin, backspin, sidespin, axis] = match (spin, backspin, sidespin, axis) {
         (Some(_), _, _, Some(_)) => [spin, None, None, axis],
@@ -48,16 +64,16 @@ pub(crate) fn is_sideways(of: Outcome) -> bool {
     matches!(of, Outcome::Lateral | Outcome::LateralTotal)
 }
 
-/// What is used and what is not, where a row states spins that contradict each other, or of which
-/// one cannot be used; `back` and `side` are what is taken of them.
+/// Message for contradictory or unusable spin values of a row; `back` and `side` are the values
+/// used.
 pub(crate) fn contradiction(
     values: Stated,
     [back, side]: [f64; 2],
     name: impl Fn(Outcome) -> String,
 ) -> Option<String> {
-    let used = taken(values);
+    let used = without_redundant_spins(values);
     let (spin, axis) = (back.hypot(side), side.atan2(back));
-    // without a tilt the backspin may be any part of the spin
+    // without a tilt any backspin up to the spin is possible
     let is_tilted = used[5].is_some() || used[6].is_some();
     let is_off = |of: Outcome, value: f64| {
         let off = match of {
@@ -110,9 +126,9 @@ pub(crate) fn contradiction(
     ))
 }
 
-/// The launch of a row, by the parameters that it is, from the values of [`CONDITIONS`]. A
-/// direction or a tilt of the spin that is missing is 0; of a spin that is stated in several ways
-/// one is [`taken`]. `has` tells which conditions have a column.
+/// Launch parameters of a row from the values of [`CONDITIONS`]. A missing direction or spin tilt
+/// counts as 0; redundant spins are reduced by [`without_redundant_spins`]. `has` tells which conditions have a
+/// column.
 ///
 /// # Errors
 /// Missing, contradictory or invalid conditions.
@@ -120,71 +136,23 @@ pub(crate) fn conditions(
     values: Stated,
     has: impl Fn(Outcome) -> bool,
 ) -> Result<[(&'static str, f64); 5], Fault> {
-    let [speed, angle, direction, spin, backspin, sidespin, axis] = taken(values);
-    let missing = |of: Outcome, why| Fault {
-        of,
-        why,
-        is_missing: true,
-    };
-    let wrong = |of: Outcome, why| {
-        Err(Fault {
-            of,
-            why,
-            is_missing: false,
-        })
-    };
+    let [speed, angle, direction, spins @ ..] = without_redundant_spins(values);
     let is_empty = "the cell is empty; every launch needs one";
-    let speed = speed.ok_or(missing(Outcome::BallSpeed, is_empty))?;
-    let angle = angle.ok_or(missing(Outcome::LaunchAngle, is_empty))?;
+    let speed = speed.ok_or(Fault::missing(Outcome::BallSpeed, is_empty))?;
+    let angle = angle.ok_or(Fault::missing(Outcome::LaunchAngle, is_empty))?;
     if speed <= 0.0 {
-        return wrong(Outcome::BallSpeed, "the ball's speed must be above 0");
+        return Err(Fault::invalid(
+            Outcome::BallSpeed,
+            "the ball's speed must be above 0",
+        ));
     }
     if angle.abs() >= std::f64::consts::FRAC_PI_2 {
-        return wrong(
+        return Err(Fault::invalid(
             Outcome::LaunchAngle,
             "the launch must be between −90° and 90°",
-        );
+        ));
     }
-    let (back, side) = match (spin, backspin, sidespin, axis) {
-        (None, None, _, _) => {
-            let of = if has(Outcome::Spin) {
-                Outcome::Spin
-            } else {
-                Outcome::Backspin
-            };
-            return Err(missing(
-                of,
-                "the cells of the spin are empty; every launch needs one",
-            ));
-        }
-        (None, Some(back), side @ Some(_), _) | (None, Some(back), side, None) => {
-            (back, side.unwrap_or(0.0))
-        }
-        (None, Some(back), None, Some(axis)) if axis.abs() <= MOST_AXIS => {
-            (back, back * axis.tan())
-        }
-        (None, Some(_), None, Some(_)) => {
-            return wrong(
-                Outcome::SpinAxis,
-                "beside a backspin the axis must be between −90° and 90°, since sidespin = \
-                 backspin · tan(axis); correct it, or give the \
-                 sidespin",
-            );
-        }
-        (Some(spin), _, Some(side), None) if side.abs() <= spin => {
-            ((spin * spin - side * side).sqrt(), side)
-        }
-        (Some(_), _, Some(_), None) => {
-            return wrong(
-                Outcome::Spin,
-                "the sidespin is larger than the spin; correct one of them",
-            );
-        }
-        (Some(spin), _, _, axis) => {
-            let (sin, cos) = axis.unwrap_or(0.0).sin_cos();
-            (spin * cos, spin * sin)
-        }
-    };
+    let [back, side] = spin_components(spins, has)?;
     Ok([
         ("launch.ball_speed", speed),
         ("launch.launch_angle", angle),
@@ -192,4 +160,46 @@ pub(crate) fn conditions(
         ("launch.backspin", back),
         ("launch.sidespin", side),
     ])
+}
+
+/// Backspin and sidespin of spin, backspin, sidespin and spin axis, without redundant ones.
+fn spin_components(
+    [spin, backspin, sidespin, axis]: [Option<f64>; 4],
+    has: impl Fn(Outcome) -> bool,
+) -> Result<[f64; 2], Fault> {
+    match (spin, backspin, sidespin, axis) {
+        (None, None, _, _) => {
+            let of = if has(Outcome::Spin) {
+                Outcome::Spin
+            } else {
+                Outcome::Backspin
+            };
+            Err(Fault::missing(
+                of,
+                "the cells of the spin are empty; every launch needs one",
+            ))
+        }
+        (None, Some(back), side @ Some(_), _) | (None, Some(back), side, None) => {
+            Ok([back, side.unwrap_or(0.0)])
+        }
+        (None, Some(back), None, Some(axis)) if axis.abs() <= MOST_AXIS => {
+            Ok([back, back * axis.tan()])
+        }
+        (None, Some(_), None, Some(_)) => Err(Fault::invalid(
+            Outcome::SpinAxis,
+            "beside a backspin the axis must be between −90° and 90°, since sidespin = backspin · \
+             tan(axis); correct it, or give the sidespin",
+        )),
+        (Some(spin), _, Some(side), None) if side.abs() <= spin => {
+            Ok([(spin * spin - side * side).sqrt(), side])
+        }
+        (Some(_), _, Some(_), None) => Err(Fault::invalid(
+            Outcome::Spin,
+            "the sidespin is larger than the spin; correct one of them",
+        )),
+        (Some(spin), _, _, axis) => {
+            let (sin, cos) = axis.unwrap_or(0.0).sin_cos();
+            Ok([spin * cos, spin * sin])
+        }
+    }
 }

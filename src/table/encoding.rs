@@ -1,15 +1,14 @@
-//! Texts as programs save them: in UTF-8 or in UTF-16, behind one byte-order mark or more, or in
-//! Windows-1252.
+//! Decodes texts in UTF-8, UTF-16 or Windows-1252, with or without byte-order marks.
 
 use crate::external_errors::NOT_UTF_8;
 use encoding_rs::WINDOWS_1252;
 use std::io::{self, Read};
 
-/// The byte-order mark in UTF-8.
+/// Byte-order mark of UTF-8.
 const MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
 
-/// A line end with its two bytes in the wrong order, as after a byte that is missing. Unicode has
-/// no such character.
+/// A line feed in UTF-16 with swapped bytes, which appears after a missing byte. Unicode does not
+/// assign this character.
 const SWAPPED_LINE_END: char = '\u{a00}';
 
 /// Bytes read at a time.
@@ -38,7 +37,7 @@ impl Encoding {
     /// Decodes a line.
     ///
     /// # Errors
-    /// A sentence for bytes that are no text.
+    /// A sentence for invalid bytes.
     pub fn text(self, bytes: Vec<u8>) -> Result<String, &'static str> {
         match String::from_utf8(bytes) {
             Ok(text) => Ok(text),
@@ -62,30 +61,29 @@ impl Encoding {
     }
 }
 
-/// A text in UTF-8, without byte-order marks.
+/// A UTF-8 stream without byte-order marks.
 pub(crate) struct Decoded<R> {
     source: R,
-    /// Where the text is in UTF-16.
+    /// Byte order, for UTF-16.
     pairs: Option<Pairs>,
-    /// Bytes that are not decoded yet: half a character.
+    /// Bytes of an incomplete character.
     raw: Vec<u8>,
     /// Decoded text and the read position.
     text: Vec<u8>,
     at: usize,
 }
 
-/// How two bytes make a number.
+/// Combines two bytes to a UTF-16 code unit.
 type Pairs = fn([u8; 2]) -> u16;
 
-/// What a text begins with: twice the mark and a byte, or all of a shorter one; and how its bytes
-/// pair where it is in UTF-16.
-fn begun(source: &mut impl Read) -> io::Result<(Vec<u8>, Option<Pairs>)> {
+/// Reads the first bytes of a source (at most two byte-order marks and one byte), and detects
+/// UTF-16 with its byte order.
+fn read_beginning(source: &mut impl Read) -> io::Result<(Vec<u8>, Option<Pairs>)> {
     let mut raw = vec![];
     source
         .take(2 * MARK.len() as u64 + 1)
         .read_to_end(&mut raw)?;
-    // without a mark every other byte of what a table begins with is 0, which is in no text in
-    // UTF-8
+    // UTF-16 without a mark: every other byte of ASCII text is 0, which UTF-8 text never contains
     let pairs: Option<Pairs> = match raw.get(..4).or(raw.get(..2)) {
         Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),
         Some([0xfe, 0xff, ..] | [0, 1..=0xff, 0, 1..=0xff]) => Some(u16::from_be_bytes),
@@ -94,13 +92,12 @@ fn begun(source: &mut impl Read) -> io::Result<(Vec<u8>, Option<Pairs>)> {
     Ok((raw, pairs))
 }
 
-/// A text in UTF-8, or in UTF-16, with a byte-order mark or one that begins as tables do.
+/// Decodes a source in UTF-8 or UTF-16, with or without a byte-order mark.
 ///
 /// # Errors
-/// What the source returns; [`io::ErrorKind::Other`] where bytes in UTF-16 are no text, here or
-/// where they are read.
+/// Errors of the source; [`io::ErrorKind::Other`] for invalid UTF-16, here or during a later read.
 pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
-    let (raw, pairs) = begun(&mut source)?;
+    let (raw, pairs) = read_beginning(&mut source)?;
     let mut decoded = Decoded {
         source,
         pairs,
@@ -120,7 +117,7 @@ pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
 }
 
 impl<R> Decoded<R> {
-    /// Decodes the whole characters among the bytes that wait.
+    /// Decodes the complete characters of the buffered bytes.
     fn decode(&mut self, is_end: bool) -> io::Result<()> {
         let Some(pairs) = self.pairs else {
             return Ok(());
@@ -130,7 +127,7 @@ impl<R> Decoded<R> {
             .chunks_exact(2)
             .map(|pair| pairs([pair[0], pair[1]]))
             .collect();
-        // the first half of a character waits for its second
+        // a high surrogate waits for its low surrogate
         let waits = !is_end
             && units
                 .last()
@@ -191,7 +188,7 @@ mod tests {
         Ok(text)
     }
 
-    /// A source that hands on a byte at a time.
+    /// A source that returns one byte at a time.
     struct Slow<'a>(&'a [u8]);
 
     impl Read for Slow<'_> {
@@ -230,10 +227,10 @@ mod tests {
 
     #[test]
     fn invalid_utf_16_is_refused() {
-        // half a character at the end; the second half of a pair, and the first, alone
+        // an incomplete character at the end; an unpaired low and high surrogate
         let [cut, second, first]: [&[u8]; 3] =
             [b"b", &[0x1e, 0xdd, b'b', 0], &[0x34, 0xd8, b'b', 0]];
-        // "b", "c" and a line end without the second byte of "b"; and a byte less at the end
+        // "b", "c" and a line feed without the second byte of "b"; and one byte less at the end
         let missing = b"bc\0\n\0d".as_slice();
         for (bytes, words) in [
             (cut, "cut"),

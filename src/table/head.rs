@@ -1,40 +1,39 @@
-//! The head of a table: what its columns hold.
+//! The head of a table: meaning of its columns, and errors in heads.
 
 use super::CONDITIONS;
-use super::column::{Column, Format, Holds};
-use super::column_errors::{ColumnErrors, OF_LAUNCHES, OF_POINTS, OF_SHOTS};
-use super::ignored_columns::{ClubColumns, SpinSource, ignore_columns};
+use super::column::{Column, Content, Format};
+use super::export_columns::{ClubColumns, SpinSource, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
 use crate::drive::Outcome;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::units::Message;
 
 /// Options for reading a table.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Wanted {
+pub(crate) struct TableOptions {
     /// Use of the club columns beside a measured launch.
     pub club: ClubColumns,
-    /// Where a spin is taken from that is stated twice.
+    /// Source of redundant spin values.
     pub spin: SpinSource,
     /// Advice for unknown heads.
     pub advice: &'static str,
 }
 
-impl Wanted {
-    /// Shots that are flown from their launch.
+impl TableOptions {
+    /// Shots to fly from their launch.
     pub const LAUNCHES: Self = Self {
         club: ClubColumns::Ignored,
         spin: SpinSource::Row,
         advice: OF_LAUNCHES,
     };
-    /// Shots with what was measured of them.
+    /// Shots with measurements, for calibration.
     pub const MEASUREMENTS: Self = Self {
         club: ClubColumns::Ignored,
         spin: SpinSource::Row,
         advice: OF_SHOTS,
     };
-    /// Shots whose delivery is sought.
+    /// Measured launches, to find their deliveries.
     pub const DELIVERIES: Self = Self {
         club: ClubColumns::Read,
         spin: SpinSource::Row,
@@ -53,13 +52,13 @@ impl Wanted {
 pub(crate) struct Head {
     /// Line of the head, from 1.
     pub line: u64,
-    /// The heads, as they are written.
+    /// The heads as written.
     pub heads: Vec<String>,
-    /// The columns, in their order.
+    /// The columns in order.
     pub columns: Vec<Column>,
-    /// How the table is written.
+    /// Format of the table.
     pub format: Format,
-    /// The cells of a line of units below the heads, where there is one.
+    /// Cells of the line of units, if there is one.
     pub units: Option<Vec<String>>,
     /// Remarks on ignored columns.
     pub remarks: Vec<Message>,
@@ -67,21 +66,20 @@ pub(crate) struct Head {
     pub encoding: Option<&'static str>,
 }
 
-/// The names of some columns, as a message lists them.
+/// Names of columns, for messages.
 pub(crate) struct Names<'a>(pub Vec<&'a str>);
 
 impl Head {
-    /// Reads the heads of a table of text and the first row below them, which may state units;
-    /// `separator` is what stands between cells.
+    /// Interprets the heads of a text table; `first` is the row below, which may contain units.
     ///
     /// # Errors
-    /// The columns that cannot be read, and why.
+    /// The unreadable columns, with reasons.
     pub fn read(
         setup: &Setup<f64>,
         heads: Vec<String>,
         first: Option<Vec<String>>,
         separator: u8,
-        wanted: &Wanted,
+        wanted: &TableOptions,
     ) -> Result<Self, ColumnErrors> {
         let is_export = is_export(heads.iter().map(String::as_str));
         let format = Format {
@@ -95,20 +93,20 @@ impl Head {
         };
         let columns = all(heads.iter().enumerate().map(column));
         let mut columns = columns.map_err(|wrong| wrong.advised(wanted.advice))?;
-        // a sweep needs a value in every row, and the delivery of a club none of the air
+        // a sweep needs a value in every row, and a delivery does not depend on the air
         let is_air_of_rows = wanted.club == ClubColumns::Ignored && wanted.spin == SpinSource::Row;
         for column in columns
             .iter_mut()
             .filter(|column| !is_air_of_rows && column.is_stated_air())
         {
-            column.holds = Holds::Note;
+            column.content = Content::Note;
         }
         let remarks = if is_export {
             ignore_columns(&mut columns, wanted.club, wanted.spin)
         } else {
             vec![]
         };
-        told_apart(&mut columns);
+        resolve_sweep_names(&mut columns);
         let units = units.and(first);
         Ok(Self {
             line: 1,
@@ -121,10 +119,10 @@ impl Head {
         })
     }
 
-    /// Reads the names of the columns of a table that is in SI throughout.
+    /// Interprets the column names of a table in SI.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// The errors of [`read`](Self::read).
     #[cfg(any(feature = "arrow", feature = "parquet"))]
     pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, ColumnErrors> {
         let columns = all(names
@@ -132,7 +130,7 @@ impl Head {
             .enumerate()
             .map(|(at, name)| (at, Column::in_si(setup, name))));
         let mut columns = columns.map_err(|wrong| wrong.advised(OF_POINTS))?;
-        told_apart(&mut columns);
+        resolve_sweep_names(&mut columns);
         let format = Format {
             is_export: false,
             has_decimal_comma: false,
@@ -163,13 +161,13 @@ impl Head {
         let has = |outcome| {
             self.columns
                 .iter()
-                .any(|column| column.holds == Holds::Outcome(outcome))
+                .any(|column| column.content == Content::Outcome(outcome))
         };
         let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
         has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !self.has_strike()
     }
 
-    /// The heads of the columns of which this is so.
+    /// Heads of the columns that satisfy a condition.
     pub fn named(&self, is: impl Fn(&Column) -> bool) -> Names<'_> {
         Names(
             self.columns
@@ -181,7 +179,7 @@ impl Head {
     }
 }
 
-/// The columns, where all can be read.
+/// All columns, or the errors of the unreadable ones.
 fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column>, ColumnErrors> {
     let (mut columns, mut faults) = (vec![], vec![]);
     for (at, column) in read {
@@ -193,10 +191,10 @@ fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column
     ColumnErrors::of(faults).map_or(Ok(columns), Err)
 }
 
-/// What the same name is in a sweep that this program wrote, which has a status. Beside launch
-/// conditions by their dotted names, those without a group are outcomes; and `carry` is the
-/// distance along the target line that it is everywhere else.
-fn told_apart(columns: &mut [Column]) {
+/// Resolves ambiguous names in a sweep written by this program, which has a status column: beside
+/// dotted launch conditions, undotted ones are outcomes, and `carry` is the distance along the
+/// target line.
+fn resolve_sweep_names(columns: &mut [Column]) {
     if !columns.iter().any(Column::is_status) {
         return;
     }
@@ -205,8 +203,9 @@ fn told_apart(columns: &mut [Column]) {
             .iter_mut()
             .filter(|column| !column.is_dotted_condition())
         {
-            if matches!(column.holds, Holds::Outcome(outcome) if CONDITIONS.contains(&outcome)) {
-                column.holds = Holds::Written;
+            if matches!(column.content, Content::Outcome(outcome) if CONDITIONS.contains(&outcome))
+            {
+                column.content = Content::Written;
             }
         }
     }
@@ -214,13 +213,91 @@ fn told_apart(columns: &mut [Column]) {
         .iter_mut()
         .filter(|column| column.head == Outcome::Carry.name())
     {
-        column.holds = Holds::Outcome(Outcome::Carry);
+        column.content = Content::Outcome(Outcome::Carry);
     }
 }
 
 impl Names<'_> {
-    /// `what: a, b`, where there are any.
-    pub fn told(&self, what: &str) -> Option<Message> {
+    /// Message `what: a, b`; `None` without names.
+    pub fn remark(&self, what: &str) -> Option<Message> {
         (!self.0.is_empty()).then(|| format!("{what}: {}", self.0.join(", ")).into())
+    }
+}
+
+/// Errors in heads: all unknown names, or the first other error.
+#[derive(Debug)]
+pub(crate) struct ColumnErrors {
+    /// Positions, from 0.
+    at: Vec<usize>,
+    reason: String,
+}
+
+/// Advice for tables of measured shots.
+pub(super) const OF_SHOTS: &str = "give each a name that is known, or take it out: a column is a \
+                                   parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma \
+                                   stationary' or 'note'";
+
+/// Advice for tables of points or swings.
+pub(super) const OF_POINTS: &str = "give each a name that is known, or take it out: a column is a \
+                                    parameter, with its unit as in 'swing.speed [mph]', or one \
+                                    that a sweep has written, which is not read";
+
+/// Advice for tables of shots to fly.
+pub(super) const OF_LAUNCHES: &str = "give the columns of the launch heads that are known, as in \
+                                      'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]'; \
+                                      the heads \
+                           stand in one of the first lines, in English";
+
+impl ColumnErrors {
+    /// Collects the errors of columns, numbered from 0; `None` without errors.
+    pub(super) fn of(faults: Vec<(usize, Error)>) -> Option<Self> {
+        let mut unknown = vec![];
+        for (at, error) in &faults {
+            if let Error::Unknown {
+                name,
+                suggestion,
+                advice,
+                ..
+            } = error
+            {
+                let near = suggestion
+                    .as_ref()
+                    .map(|near| format!(" (did you mean '{near}'?)"))
+                    .unwrap_or_default();
+                unknown.push((*at, format!("'{name}'{near}"), advice.clone()));
+            }
+        }
+        if let [_, .., (_, _, advice)] = unknown.as_slice() {
+            let named: Vec<&str> = unknown.iter().map(|(_, named, _)| named.as_str()).collect();
+            let reason = format!("unknown columns {}; {advice}", named.join(", "));
+            return Some(Self {
+                at: unknown.into_iter().map(|(at, ..)| at).collect(),
+                reason,
+            });
+        }
+        let (at, error) = faults.into_iter().next()?;
+        Some(Self {
+            at: vec![at],
+            reason: error.to_string(),
+        })
+    }
+
+    /// Replaces the advice by that of another kind of table.
+    pub fn advised(self, advice: &str) -> Self {
+        Self {
+            reason: self.reason.replace(OF_SHOTS, advice),
+            ..self
+        }
+    }
+
+    /// The error for this file.
+    pub fn in_file(self, file: &str) -> Error {
+        let numbers: Vec<String> = self.at.iter().map(|at| (at + 1).to_string()).collect();
+        let s = if numbers.len() == 1 { "" } else { "s" };
+        Error::Table {
+            file: file.into(),
+            place: format!(", column{s} {}", numbers.join(", ")),
+            reason: self.reason,
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! The heads of launch monitors, and what they mean.
+//! Heads of launch monitors with their meanings.
 
 use crate::drive::Outcome;
 
@@ -11,7 +11,7 @@ pub(super) enum Meaning {
     Input(&'static str),
 }
 
-/// Heads, in small letters and without marks, and what they mean.
+/// Known heads in lower case without punctuation.
 pub(super) const HEADS: &[(&str, Meaning)] = &[
     ("club speed", Meaning::Input("swing.speed")),
     ("club head speed", Meaning::Input("swing.speed")),
@@ -146,7 +146,7 @@ pub(super) const HEADS: &[(&str, Meaning)] = &[
     ),
 ];
 
-/// Heads of launch monitors that are known and not used: none of them is a slip of the pen.
+/// Known heads of launch monitors that are not used.
 pub(super) const NOT_USED: &[&str] = &[
     "ball type",
     "club brand",

@@ -1,14 +1,13 @@
-//! Tables as launch monitors write them: heads, units, separators and sides.
+//! Heads, units and separators as launch monitors write them.
 
-use super::cell_number::cell_number;
-use super::cells::cells;
 use super::heads::{HEADS, Meaning, NOT_USED};
-use super::numbers::is_unit;
+use super::numbers::{cell_number, is_unit};
+use super::records::cells;
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
-/// The meaning of a head without its unit; `None` for one of this program's own names, and for what
-/// it has no name for.
+/// Meaning of a launch monitor's head without unit; `None` for names of this program and unknown
+/// heads.
 pub(super) fn meaning(name: &str) -> Option<Meaning> {
     let is_a_name = || Outcome::ALL.iter().any(|of| of.name() == name);
     if is_own(name) && (!name.contains('_') || is_a_name()) {
@@ -20,11 +19,11 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
             .find(|(head, _)| *head == words)
             .map(|(_, meaning)| *meaning)
     };
-    known(&words(name)).or_else(|| known(&words(&apart(name))))
+    known(&words(name)).or_else(|| known(&words(&split_camel_case(name))))
 }
 
-/// A name with a space before each capital that begins a word: `Ball Speed` for `BallSpeed`.
-fn apart(name: &str) -> String {
+/// Splits camel case into words: `Ball Speed` for `BallSpeed`.
+fn split_camel_case(name: &str) -> String {
     let mut spaced = String::with_capacity(name.len() + 4);
     let mut before = ' ';
     for c in name.chars() {
@@ -42,7 +41,7 @@ fn is_own(name: &str) -> bool {
     name == name.to_lowercase() && !name.contains(' ')
 }
 
-/// A head in small letters, without marks.
+/// A head in lower case, without punctuation.
 pub(crate) fn words(name: &str) -> String {
     let plain = |c: char| {
         if c.is_alphanumeric() {
@@ -55,8 +54,8 @@ pub(crate) fn words(name: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The known head that one without a meaning differs from by a letter or two: "ball speed" for
-/// `Ball Sped [mph]`.
+/// The known head nearest to an unknown one, within a letter or two: "ball speed" for `Ball Sped
+/// [mph]`.
 pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     let words = words(split_unit(head).0);
     let near = HEADS
@@ -67,8 +66,8 @@ pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
 }
 
-/// The meaning of a head with its unit: `Ball (km/h)` is a speed, while `Ball` by itself may be a
-/// kind of ball.
+/// Meaning of a head whose unit decides: `Ball (km/h)` is a speed, while `Ball` alone may be a ball
+/// model.
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
     let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
@@ -76,9 +75,9 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let by_unit = match name {
         "Ball" if is_speed => Some(Meaning::Outcome(Outcome::BallSpeed)),
         "Club" if is_speed => Some(Meaning::Input("swing.speed")),
-        // without a unit it is that of the day
+        // without a unit it is the time of day
         "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
-        // numbers of g/L and of lb/ft³ differ by a factor of sixteen
+        // without a unit g/L and lb/ft³ are ambiguous (a factor of 16)
         _ if is_density && ["air density", "luftdichte"].contains(&words(name).as_str()) => {
             Some(Meaning::Input("air.density"))
         }
@@ -100,7 +99,7 @@ fn is_known(head: &str) -> bool {
         || unit.is_some() && head.trim().starts_with(name) && head[name.len()..].starts_with('_')
 }
 
-/// A head's name, and its unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`,
+/// Splits a head into name and unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`,
 /// `BallSpeedMph`, `ball_speed_mph`.
 pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     let head = head.trim();
@@ -121,7 +120,7 @@ pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
             .map(|(at, _)| head.split_at(at))
     };
     let is_of_heads = |name: &str| {
-        let words = words(&apart(name));
+        let words = words(&split_camel_case(name));
         HEADS.iter().any(|(known, _)| *known == words)
     };
     let last_word = [head.rsplit_once(' '), head.rsplit_once('_'), capital()]
@@ -142,9 +141,9 @@ fn is_simulated(word: &str) -> bool {
         .eq_ignore_ascii_case("sim")
 }
 
-/// The units of a line below the heads, `[mph]` each or nothing; `None` where the line is none of
-/// units. It is one where some cell under a known head is a unit, and none is a number, whatever
-/// stands under other heads. A word under a known head that is no unit is told as one.
+/// Parses a line of units below the heads, each `[mph]` or empty; `None` for another line. At least
+/// one cell below a known head must be a unit, and no cell a number. Another word below a known
+/// head is returned as a unit, so that it is reported.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
     let is_known = |head: &str| {
         let name = split_unit(head).0;
@@ -182,7 +181,7 @@ pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option
 
 /// Recognizes the head of an export.
 pub(super) fn is_head(text: &str, separator: u8) -> bool {
-    // nearly all rows have a number
+    // nearly every row contains a number
     let is_number = |cell: &str| cell.trim().parse::<f64>().is_ok();
     if text.split(char::from(separator)).any(is_number) {
         return false;
@@ -217,7 +216,7 @@ pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
         "Ø",
     ];
     let mut cells = cells.map(str::trim);
-    // most cells are none of them: that must cost next to nothing
+    // fast path: most cells contain none of the words
     cells.find(|cell| {
         let words = || {
             cell.split(|c: char| c.is_whitespace() || c == '.' || c == ':')

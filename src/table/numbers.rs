@@ -1,11 +1,146 @@
-//! Numbers and units as tables write them.
+//! Parses numbers and units in the spellings of tables, optionally with a side: `4.6° R`,
+//! `422 R rpm`, `1.2 D`.
 
 use crate::units::Quantity;
+
+/// A number in a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct CellNumber {
+    /// Magnitude, or signed value if the cell has no side.
+    pub number: f64,
+    /// Unit behind the number.
+    pub unit: Option<String>,
+    /// Side, in place of a sign.
+    pub side: Option<Side>,
+}
+
+/// A word or letter that replaces the sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// Left or right of the target, for right- and left-handed golfers alike.
+    OfTarget { is_right: bool },
+    /// Up or down.
+    UpDown { is_up: bool },
+    /// Club path from inside to outside (`I-O`) or the reverse, relative to the golfer.
+    InOut { is_in_to_out: bool },
+    /// Open or closed face, relative to the golfer.
+    OpenClosed { is_open: bool },
+}
+
+/// Spellings of the sides.
+const SIDES: [(&str, Side); 14] = [
+    ("right", Side::OfTarget { is_right: true }),
+    ("left", Side::OfTarget { is_right: false }),
+    ("r", Side::OfTarget { is_right: true }),
+    ("l", Side::OfTarget { is_right: false }),
+    ("up", Side::UpDown { is_up: true }),
+    ("down", Side::UpDown { is_up: false }),
+    ("u", Side::UpDown { is_up: true }),
+    ("d", Side::UpDown { is_up: false }),
+    ("i-o", Side::InOut { is_in_to_out: true }),
+    (
+        "o-i",
+        Side::InOut {
+            is_in_to_out: false,
+        },
+    ),
+    ("open", Side::OpenClosed { is_open: true }),
+    ("closed", Side::OpenClosed { is_open: false }),
+    ("o", Side::OpenClosed { is_open: true }),
+    ("c", Side::OpenClosed { is_open: false }),
+];
+
+impl Side {
+    fn named(word: &str) -> Option<Self> {
+        SIDES
+            .iter()
+            .find(|(name, _)| word.eq_ignore_ascii_case(name))
+            .map(|(_, side)| *side)
+    }
+
+    /// Sign of the value: + right of the target, up, inside to outside, open.
+    pub fn sign(self) -> f64 {
+        let is_positive = match self {
+            Self::OfTarget { is_right: is }
+            | Self::UpDown { is_up: is }
+            | Self::InOut { is_in_to_out: is }
+            | Self::OpenClosed { is_open: is } => is,
+        };
+        if is_positive { 1.0 } else { -1.0 }
+    }
+}
+
+/// Strips spreadsheet wrappers: `="160.0"`, `'-1.5`.
+pub(super) fn unwrapped(cell: &str) -> &str {
+    let cell = cell.trim();
+    let formula = cell.strip_prefix('=').map(|rest| rest.trim_matches('"'));
+    let cell = formula.unwrap_or(cell);
+    cell.strip_prefix('\'').unwrap_or(cell).trim()
+}
+
+/// The digits of a cell with their decimal and thousands marks.
+pub(super) fn digits(cell: &str) -> &str {
+    let number =
+        unwrapped(cell).trim_matches(|c: char| !(c.is_ascii_digit() || "+-.,".contains(c)));
+    // a head such as `Launch Dir.` has a mark without digits
+    if number.contains(|c: char| c.is_ascii_digit()) {
+        number
+    } else {
+        ""
+    }
+}
+
+/// Parses a cell; `None` if it holds no number.
+pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNumber> {
+    let cell = unwrapped(cell);
+    if let Some(number) = number(cell, has_decimal_comma) {
+        return Some(CellNumber {
+            number,
+            unit: None,
+            side: None,
+        });
+    }
+    let (mut found, mut side) = (None, None);
+    let mut rest = cell;
+    // the side may come before the number
+    if let Some((word, after)) = cell
+        .split_once(' ')
+        .or_else(|| cell.char_indices().nth(1).map(|(at, _)| cell.split_at(at)))
+        && let Some(named) = Side::named(word)
+    {
+        (side, rest) = (Some(named), after.trim());
+    }
+    let is_of_number = |c: char| c.is_ascii_digit() || "+-.,\u{2212}".contains(c);
+    let begins = rest.find(|c: char| !is_of_number(c)).unwrap_or(rest.len());
+    // the thousands may be separated by a space
+    let ends = rest
+        .rfind(|c: char| c.is_ascii_digit())
+        .map_or(begins, |last| last + 1)
+        .max(begins);
+    let (digits, words) = match number(&rest[..ends], has_decimal_comma) {
+        Some(_) => rest.split_at(ends),
+        None => rest.split_at(begins),
+    };
+    let value = number(digits, has_decimal_comma)?;
+    for word in words.replace('\u{b0}', " deg ").split_whitespace() {
+        match (Side::named(word), is_unit(word)) {
+            (Some(named), _) if side.is_none() => side = Some(named),
+            (_, true) if found.is_none() => found = Some(unit(word)),
+            _ => return None,
+        }
+    }
+    let is_signed = digits.starts_with(['-', '\u{2212}']);
+    (!(is_signed && side.is_some())).then_some(CellNumber {
+        number: value,
+        unit: found,
+        side,
+    })
+}
 
 /// Parses a number; decimal commas only where the comma does not separate cells.
 pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     let cell = cell.trim();
-    // as nearly all are written, in every table
+    // fast path for plain numbers
     if let Ok(number) = cell.parse::<f64>() {
         return Some(number).filter(|number| number.is_finite());
     }
@@ -69,7 +204,7 @@ pub(super) fn is_unit(word: &str) -> bool {
 /// A unit as this program writes it: `MPH` and `Yards` are mph and yards, `yds` yd.
 pub(super) fn unit(written: &str) -> String {
     let written = written.trim();
-    // `deg L-/R+`: what the signs mean
+    // `deg L-/R+` also explains the signs
     let written = written
         .split_once(' ')
         .filter(|(_, signs)| signs.contains("-/"))
@@ -105,7 +240,58 @@ pub(super) fn is_same_unit(one: &str, other: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::{CellNumber, Side, cell_number};
     use super::{number, unit};
+
+    #[test]
+    fn numbers_with_units_and_sides_are_read() {
+        let right = Some(Side::OfTarget { is_right: true });
+        let left = Some(Side::OfTarget { is_right: false });
+        let down = Some(Side::UpDown { is_up: false });
+        let [inside, closed] = [
+            Side::InOut { is_in_to_out: true },
+            Side::OpenClosed { is_open: false },
+        ]
+        .map(Some);
+        for (cell, comma, number, unit, side) in [
+            ("160.0", false, 160.0, None, None),
+            ("=\"160.0\"", false, 160.0, None, None),
+            ("'-1.5", false, -1.5, None, None),
+            ("123 mph", false, 123.0, Some("mph"), None),
+            ("4.6\u{b0} R", false, 4.6, Some("deg"), right),
+            ("17.1\u{b0}", false, 17.1, Some("deg"), None),
+            ("422 R rpm", false, 422.0, Some("rpm"), right),
+            ("9.8 L yds", false, 9.8, Some("yd"), left),
+            ("2 878 rpm", false, 2878.0, Some("rpm"), None),
+            ("3,2R", true, 3.2, None, right),
+            ("Left 3", false, 3.0, None, left),
+            ("L3", false, 3.0, None, left),
+            ("1.2 D", false, 1.2, None, down),
+            ("0.8 I-O", false, 0.8, None, inside),
+            ("0.1 C", false, 0.1, None, closed),
+        ] {
+            let expected = CellNumber {
+                number,
+                unit: unit.map(String::from),
+                side,
+            };
+            assert_eq!(cell_number(cell, comma), Some(expected), "{cell}");
+        }
+        for cell in [
+            "",
+            "-",
+            "mph",
+            "L",
+            "-3 L",
+            "3 L R",
+            "3 mph rpm",
+            "3 apples",
+            "Driver 3",
+            "12:30",
+        ] {
+            assert_eq!(cell_number(cell, false), None, "{cell}");
+        }
+    }
 
     #[test]
     fn numbers_with_decimal_and_thousands_marks_are_read() {

@@ -1,13 +1,14 @@
-//! What a drive may be: values beyond are mistakes of the table, such as a wrong unit.
+//! Plausible ranges of measured values. Values outside are errors of the table, such as a wrong
+//! unit.
 
 use super::CONDITIONS;
-use super::conditions::{Stated, conditions, taken};
+use super::conditions::{Stated, conditions, without_redundant_spins};
 use crate::drive::Outcome;
 use crate::units::Quantity;
 use std::sync::LazyLock;
 
-/// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s); no
-/// driver gives topspin.
+/// Range of each outcome in its unit. The fastest ball on record had 241.7 mph (108 m/s); a driver
+/// gives no topspin.
 const RANGES: &[(Outcome, f64, f64, &str)] = &[
     (Outcome::BallSpeed, 0.0, 270.0, "mph"),
     (Outcome::LaunchAngle, -90.0, 90.0, "deg"),
@@ -26,8 +27,7 @@ const RANGES: &[(Outcome, f64, f64, &str)] = &[
     (Outcome::LateralTotal, -800.0, 800.0, "yd"),
 ];
 
-/// The range of what is measured of a club, by its parameter. No club on record moved at 170 mph
-/// (76 m/s).
+/// Range of each club parameter. The fastest club on record moved slower than 170 mph (76 m/s).
 const OF_CLUB: &[(&str, f64, f64, &str)] = &[
     ("swing.speed", 0.0, 170.0, "mph"),
     ("swing.attack_angle", -45.0, 45.0, "deg"),
@@ -35,7 +35,7 @@ const OF_CLUB: &[(&str, f64, f64, &str)] = &[
     ("swing.face_angle", -60.0, 60.0, "deg"),
 ];
 
-/// The kind of a range of the club, by its unit.
+/// Physical quantity of a club range, from its unit.
 fn quantity_in(unit: &str) -> Quantity {
     if unit == "mph" {
         Quantity::SPEED
@@ -44,7 +44,7 @@ fn quantity_in(unit: &str) -> Quantity {
     }
 }
 
-/// The ranges of the club in SI.
+/// Club ranges in SI.
 static OF_CLUB_IN_SI: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
     let range = |(_, low, high, unit): &(&str, f64, f64, &str)| {
         let size = quantity_in(unit).size_of(unit).unwrap_or(1.0);
@@ -58,7 +58,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     let at = OF_CLUB.iter().position(|(known, ..)| *known == parameter)?;
     let [lowest, highest] = OF_CLUB_IN_SI[at];
     let (_, low, high, unit) = OF_CLUB[at];
-    // a club that moves has a speed
+    // a struck ball needs a moving club
     let is_still = lowest == 0.0 && value == 0.0;
     if (lowest..=highest).contains(&value) && !is_still {
         return None;
@@ -75,7 +75,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     ))
 }
 
-/// Values that are above the lower end of their range: a 0 says that nothing was measured.
+/// Outcomes that must exceed the lower end of their range: 0 means not measured.
 const ABOVE: &[Outcome] = &[
     Outcome::BallSpeed,
     Outcome::Spin,
@@ -86,8 +86,7 @@ const ABOVE: &[Outcome] = &[
     Outcome::Total,
 ];
 
-/// The ranges in SI; the end of one that does not contain it is moved by nothing, any other by the
-/// rounding of a unit.
+/// Ranges in SI. Inclusive ends get a margin for the rounding of a unit conversion.
 static IN_SI: LazyLock<Vec<(Outcome, f64, f64)>> = LazyLock::new(|| {
     let range = |(of, low, high, unit): &(Outcome, f64, f64, &str)| {
         let size = of.quantity().size_of(unit).unwrap_or(1.0);
@@ -142,7 +141,7 @@ const POSITIVE: &[Outcome] = &[
     Outcome::SmashFactor,
 ];
 
-/// Message for values that no landed drive can have.
+/// Message for values that no landed drive has.
 pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     let is_possible = if of == Outcome::Spin {
         value >= 0.0
@@ -168,19 +167,19 @@ pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     })
 }
 
-/// Why the launch that a row states is none of a drive, in words: of what is taken of it, and of
-/// the spin that follows.
+/// Message for an implausible launch: from the values used, and from the spin components that
+/// follow.
 pub(crate) fn implausible_launch(
     values: &Stated,
     name: impl Fn(Outcome) -> String,
 ) -> Option<String> {
-    let used = taken(*values);
+    let used = without_redundant_spins(*values);
     let stated = |(of, value): (&Outcome, &Option<f64>)| implausible(*of, (*value)?, || name(*of));
     if let Some(reason) = CONDITIONS.iter().zip(&used).find_map(stated) {
         return Some(reason);
     }
     let [.., (_, back), (_, side)] = conditions(used, |_| true).ok()?;
-    // the tangent of an axis near 90° is large, and its cosine beyond 90° below 0
+    // near 90° the tangent is large; beyond, the cosine is negative
     [
         (
             Outcome::Sidespin,

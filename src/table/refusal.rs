@@ -1,4 +1,7 @@
-//! Reasons for rejecting a row of a table.
+//! Rows that are rejected, or hold no shot.
+
+use super::launch_monitor::summary;
+use crate::units::Message;
 
 /// Reason for rejecting a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,5 +40,78 @@ impl Refusal {
             kind,
             reason: reason.into(),
         }
+    }
+}
+
+/// A row without a shot, with the word that identifies it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NonShot<'a> {
+    /// An average or another statistic of other rows: `Average`.
+    Summary(&'a str),
+    /// A title with a single filled cell, such as the name of a club above its shots.
+    Title(&'a str),
+}
+
+impl<'a> NonShot<'a> {
+    /// Classifies a row of an export; `None` for a row that may hold a shot.
+    pub fn of<S: AsRef<str>>(row: &'a [S]) -> Option<Self> {
+        if let Some(word) = summary(row.iter().map(AsRef::as_ref)) {
+            return Some(Self::Summary(word));
+        }
+        let mut filled = row
+            .iter()
+            .map(AsRef::as_ref)
+            .filter(|cell| !cell.is_empty());
+        let only = filled.next()?;
+        let is_title = filled.next().is_none() && only.parse::<f64>().is_err();
+        is_title.then_some(Self::Title(only))
+    }
+
+    /// Reason for rejecting the row.
+    pub fn refusal(self) -> Refusal {
+        match self {
+            Self::Summary(word) => Refusal::new(
+                Refusal::SUMMARY,
+                format!("the row sums up other rows ({word})"),
+            ),
+            Self::Title(word) => {
+                Refusal::new(Refusal::TITLE, format!("the row is a title ({word})"))
+            }
+        }
+    }
+}
+
+/// Rows without a shot, by kind.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct NonShotRows {
+    summaries: Vec<String>,
+    titles: Vec<String>,
+}
+
+impl NonShotRows {
+    /// Adds a row by its number.
+    pub fn add(&mut self, row: u64, no_shot: NonShot<'_>) {
+        let (rows, word) = match no_shot {
+            NonShot::Summary(word) => (&mut self.summaries, word),
+            NonShot::Title(word) => (&mut self.titles, word),
+        };
+        rows.push(format!("row {row} ({word})"));
+    }
+
+    /// One message per kind of row.
+    pub fn messages(&self) -> Vec<String> {
+        [
+            (&self.summaries, "sum up other rows"),
+            (&self.titles, "are titles"),
+        ]
+        .into_iter()
+        .filter(|(rows, _)| !rows.is_empty())
+        .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
+        .collect()
+    }
+
+    /// The messages as remarks.
+    pub fn remarks(&self) -> impl Iterator<Item = Message> {
+        self.messages().into_iter().map(Message::from)
     }
 }

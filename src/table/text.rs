@@ -1,10 +1,9 @@
 //! Reader of text tables: title lines, a head, rows, and further heads that begin sections.
 
-use super::cells::cells;
 use super::encoding::{Encoding, decoded};
-use super::head::{Head, Wanted};
+use super::head::{Head, TableOptions};
 use super::launch_monitor::is_head;
-use super::lines::{Lines, Record};
+use super::records::{Lines, Record, cells};
 use super::refusal::Refusal;
 use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
@@ -12,19 +11,19 @@ use crate::external_errors::read_error_text;
 use crate::parameters::Setup;
 use std::io::{self, BufReader, Cursor, Read};
 
-/// Bytes inspected for the format, the head and the decimal mark.
+/// Number of bytes inspected for format, head and decimal mark.
 const BEGINNING: u64 = 1 << 16;
 
-/// Bytes read at a time.
+/// Buffer size, bytes.
 const PIECE: usize = 1 << 16;
 
-/// Rows inspected for units, decimal marks and signs.
+/// Number of rows inspected for units, decimal marks and signs.
 const MOST_ROWS: usize = 200;
 
-/// Records searched for the head.
+/// Number of records searched for the head.
 const MOST_RECORDS: usize = 25;
 
-/// The name of the file, for messages.
+/// Name of the file, for messages.
 #[derive(Clone, Debug)]
 pub(crate) struct SourceName(pub String);
 
@@ -42,10 +41,10 @@ impl SourceName {
     }
 }
 
-/// A text before its format (table or JSON) is known.
+/// A text whose format (table or JSON) is not yet known.
 pub(crate) struct Text {
     pub name: SourceName,
-    /// Its first 64 KiB.
+    /// The first 64 KiB.
     pub beginning: String,
     /// The whole text, in UTF-8 or Windows-1252.
     pub source: Box<dyn Read + Send>,
@@ -74,7 +73,7 @@ impl Text {
     }
 }
 
-/// The next record of a table.
+/// A record of a table.
 pub(crate) enum Entry {
     /// A row.
     Row(Record),
@@ -99,9 +98,9 @@ impl TextTable {
     /// Opens a table and reads its first head.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an empty table, a head that is not closed, an
-    /// unknown column, and what the source returns.
-    pub fn open(text: Text, setup: &Setup<f64>, wanted: &Wanted) -> Result<(Self, Head)> {
+    /// [`Error::Table`](crate::Error::Table) for an empty table, an unclosed quote in the head, an
+    /// unknown column, and errors of the source.
+    pub fn open(text: Text, setup: &Setup<f64>, wanted: &TableOptions) -> Result<(Self, Head)> {
         let Text {
             name,
             beginning,
@@ -150,8 +149,13 @@ impl TextTable {
     /// Reads a head and the line of units below it.
     ///
     /// # Errors
-    /// As [`open`](Self::open).
-    pub fn head(&mut self, record: &Record, setup: &Setup<f64>, wanted: &Wanted) -> Result<Head> {
+    /// The errors of [`open`](Self::open).
+    pub fn head(
+        &mut self,
+        record: &Record,
+        setup: &Setup<f64>,
+        wanted: &TableOptions,
+    ) -> Result<Head> {
         if let Some(refusal) = record.unclosed() {
             return Err(self.name.refused(String::new(), refusal.reason));
         }
@@ -173,8 +177,7 @@ impl TextTable {
         Ok(head)
     }
 
-    /// Rows of the section below a head, as far as the first 64 KiB contain them, at most
-    /// [`MOST_ROWS`].
+    /// Rows below a head, within the first 64 KiB, at most [`MOST_ROWS`].
     pub fn rows_below(&self, head: u64) -> Vec<Vec<String>> {
         let has_returns = self.beginning.contains('\r') && !self.beginning.contains('\n');
         let end = if has_returns { '\r' } else { '\n' };
@@ -230,7 +233,7 @@ struct HeadPlace {
 }
 
 impl HeadPlace {
-    /// The first record with two known heads, else the first record.
+    /// The first record with two known heads; otherwise the first record.
     fn find(beginning: &str) -> Option<Self> {
         let mut lines = Lines::new(
             Box::new(Cursor::new(beginning.to_owned())),
@@ -241,7 +244,7 @@ impl HeadPlace {
         let stated =
             (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
         let mut first = None;
-        // the separator of a record is estimated from its first line
+        // estimate the separator from the first line of each record
         for _ in 0..MOST_RECORDS {
             let Ok(Some((line, text))) = lines.text_line() else {
                 break;

@@ -8,7 +8,7 @@ use longdrive::launch::Launch;
 use longdrive::optimize::least_squares::{Follow, Loss, Rows, Status};
 use longdrive::report::{CalibrationReport, Reply, Report};
 use longdrive::study::calibrate::{
-    Calibration, Fitted, Plan, Shot, ShotTable, Statistics, Uncertainties, calibrate, held_out,
+    Calibration, FitPlan, Fitted, Shot, ShotTable, Statistics, Uncertainties, calibrate, held_out,
 };
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
@@ -90,7 +90,7 @@ fn fitted(text: &str, setup: &Setup<f64>, names: &[&str], loss: Loss) -> Calibra
     let table = ShotTable::read(setup, "shots.csv", text.as_bytes()).unwrap();
     assert!(table.is_launched && table.uncertainties == Uncertainties::Stated);
     let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-    let mut plan = Plan::read(setup, &names).unwrap();
+    let mut plan = FitPlan::read(setup, &names).unwrap();
     plan.options.loss = loss;
     calibrate(setup, &table, &plan, &Follow::default()).unwrap()
 }
@@ -220,7 +220,7 @@ fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() 
             format!("12,{attack},swing.attack_angle,0.05,{carry},2,,\n9,13,,,,,{time},0.1\n");
         let table =
             ShotTable::read(&setup, "optima.csv", format!("{head}\n{rows}").as_bytes()).unwrap();
-        let plan = Plan::read(&setup, &names.map(str::to_owned)).unwrap();
+        let plan = FitPlan::read(&setup, &names.map(str::to_owned)).unwrap();
         let found = calibrate(&setup, &table, &plan, &Follow::default()).unwrap();
         assert!(
             found.statistics.is_exact,
@@ -904,7 +904,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     let text = shots(&mut Noise(11), 1.0);
     let setup = elsewhere();
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
-    let plan = Plan::read(&setup, &LAW.map(str::to_owned)).unwrap();
+    let plan = FitPlan::read(&setup, &LAW.map(str::to_owned)).unwrap();
     let whole = held_out(&setup, &table, &plan, 4, &Follow::default()).unwrap();
     assert_eq!(
         (
@@ -1024,9 +1024,9 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
     let setup = elsewhere();
     let text = shots(&mut Noise(11), 1.0);
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
-    let plan = Plan {
+    let plan = FitPlan {
         starts: 60,
-        ..Plan::read(&setup, &LAW.map(str::to_owned)).unwrap()
+        ..FitPlan::read(&setup, &LAW.map(str::to_owned)).unwrap()
     };
     let partly = (1..40).map(|k| calibrate(&setup, &table, &plan, &interrupting(25 * k)).unwrap());
     let found = partly
@@ -1035,7 +1035,11 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
         .unwrap();
     let ended = 60 - found.stopped;
     assert_eq!(found.fit.status, Status::Interrupted);
-    assert!(found.starts.1 <= ended, "{:?} of {ended}", found.starts);
+    assert!(
+        found.at_minimum <= ended,
+        "{:?} of {ended}",
+        found.at_minimum
+    );
     let report = CalibrationReport::new(&table, &found, &[]);
     let text = report
         .document(System::Us)
@@ -1069,7 +1073,7 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     let setup = elsewhere();
     let text = shots(&mut Noise(11), 1.0);
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
-    let plan = Plan::read(&setup, &LAW.map(str::to_owned)).unwrap();
+    let plan = FitPlan::read(&setup, &LAW.map(str::to_owned)).unwrap();
     let found = calibrate(&setup, &table, &plan, &Follow::default()).unwrap();
     let partly =
         (2..60).map(|after| held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap());
@@ -1347,7 +1351,7 @@ fn impossible_measured_values_are_refused_with_their_row() {
     let text = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry \
                 [m]\n60,12,2500,180\n70,11,2500,220\n";
     let read = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
-    let plan = Plan::read(&setup, &["aero.cd0".to_owned()]).unwrap();
+    let plan = FitPlan::read(&setup, &["aero.cd0".to_owned()]).unwrap();
     for (value, sigma, says) in [
         (f64::NAN, 1.0, "measured as NaN"),
         (180.0, 0.0, "uncertainty of 0"),

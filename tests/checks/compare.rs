@@ -224,7 +224,7 @@ fn exact_share_of_a_difference_in_one_parameter() {
             name,
         );
         assert_eq!(
-            found.by_parameter.shares[0].cause.is_at_once(),
+            found.by_parameter.shares[0].cause.is_discrete(),
             ![
                 "swing.speed",
                 "club.loft",

@@ -50,7 +50,7 @@ const OFF_CENTRE: [(&str, &str); 7] = [
 
 fn value(found: &Delivered, name: &str) -> f64 {
     found
-        .known
+        .posteriors
         .iter()
         .find(|known| known.unknown.parameter.name == name)
         .unwrap()
@@ -66,10 +66,10 @@ fn exact_delivery_recovered_from_its_own_prior() {
         &unknowns(&setup, &[], &[]).unwrap(),
     )
     .unwrap();
-    for known in &found.known {
+    for known in &found.posteriors {
         close(
             known.value,
-            known.unknown.before,
+            known.unknown.prior,
             known.unknown.sigma,
             1e-9,
             known.unknown.parameter.name,
@@ -83,7 +83,11 @@ fn exact_delivery_recovered_from_its_own_prior() {
         "{found:?}"
     );
     // five numbers identify at most five parameters
-    let told: f64 = found.known.iter().filter_map(|known| known.told).sum();
+    let told: f64 = found
+        .posteriors
+        .iter()
+        .filter_map(|known| known.variance_removed)
+        .sum();
     assert!((4.0..5.0).contains(&told), "{told}");
 }
 
@@ -127,11 +131,11 @@ fn exact_delivery_recovered_from_far_starts() {
     }
     assert!(
         found
-            .known
+            .posteriors
             .iter()
-            .all(|known| known.told.unwrap() > 1.0 - 1e-9)
+            .all(|known| known.variance_removed.unwrap() > 1.0 - 1e-9)
     );
-    assert!(found.untold.is_empty());
+    assert!(found.unidentified.is_empty());
 }
 
 /// The answer changes with each measured value and with each prior value. The squares of these
@@ -149,7 +153,7 @@ fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
     let mut add = |above: Delivered, below: Delivered| {
         for (variance, (above, below)) in variances
             .iter_mut()
-            .zip(above.known.iter().zip(&below.known))
+            .zip(above.posteriors.iter().zip(&below.posteriors))
         {
             let movement = (above.value - below.value) / (2.0 * part);
             *variance += movement * movement;
@@ -166,12 +170,12 @@ fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
     for i in 0..sought.len() {
         let at = |by: f64| {
             let mut sought = sought.clone();
-            sought[i].before += by * sought[i].sigma;
+            sought[i].prior += by * sought[i].sigma;
             moved(&launch, &sought)
         };
         add(at(part), at(-part));
     }
-    for (known, variance) in stated.known.iter().zip(variances) {
+    for (known, variance) in stated.posteriors.iter().zip(variances) {
         let name = known.unknown.parameter.name;
         close(
             known.sigma.unwrap(),
@@ -181,7 +185,7 @@ fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
             name,
         );
         close(
-            known.told.unwrap(),
+            known.variance_removed.unwrap(),
             1.0 - variance / known.unknown.sigma.powi(2),
             1.0,
             1e-4,
@@ -199,13 +203,13 @@ fn an_unidentified_change_does_not_change_the_launch() {
         &unknowns(&setup, &[], &[]).unwrap(),
     )
     .unwrap();
-    assert_eq!(found.untold.len(), 2, "{:?}", found.untold);
+    assert_eq!(found.unidentified.len(), 2, "{:?}", found.unidentified);
     let wrt: Vec<_> = found
-        .known
+        .posteriors
         .iter()
         .map(|known| known.unknown.parameter)
         .collect();
-    for untold in &found.untold {
+    for untold in &found.unidentified {
         for outcome in MEASURED {
             let slopes = gradient(&setup, outcome, &wrt).unwrap().gradient;
             let change: f64 = untold
@@ -218,7 +222,7 @@ fn an_unidentified_change_does_not_change_the_launch() {
             // the changes omit parts below a tenth; nothing of the whole direction is identified
             let sigma = instrument(outcome).unwrap().1;
             assert!(
-                untold.told < 1e-9 && change.abs() < 1.5 * sigma,
+                untold.variance_removed < 1e-9 && change.abs() < 1.5 * sigma,
                 "{outcome:?}: {change} of {sigma}"
             );
         }
@@ -236,12 +240,12 @@ fn a_parameter_at_its_bound_is_unidentified_and_has_no_uncertainty() {
         &unknowns(&setup, &vary, &[]).unwrap(),
     )
     .unwrap();
-    let known = &found.known[0];
+    let known = &found.posteriors[0];
     assert_eq!(
-        (known.value, known.sigma, known.told),
+        (known.value, known.sigma, known.variance_removed),
         (vary[0].high, None, None)
     );
-    assert!(found.untold.is_empty());
+    assert!(found.unidentified.is_empty());
 }
 
 #[test]

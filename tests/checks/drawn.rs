@@ -9,7 +9,7 @@ use longdrive::report::figures::{
     trajectory_figure,
 };
 use longdrive::report::plot::{Figure, Layer, Look, figure_csv, figure_svg};
-use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
+use longdrive::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
 use longdrive::study::{
     Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region, Search, Sigma,
     Vary, chart, flatness, map, optimum, with_defaults,
@@ -633,7 +633,7 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
         &setup,
         &of,
         &inputs,
-        Plan {
+        SamplePlan {
             samples: 16,
             seed: 0,
         },

@@ -97,14 +97,14 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
         nodes: 2,
         slopes: 1,
     };
-    let plan = uncertainty::Plan {
+    let plan = uncertainty::SamplePlan {
         samples: 8,
         seed: 1,
     };
     let shots = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry \
                  [m]\n60,12,2500,180\n70,11,2500,220\n";
     let shots = ShotTable::read(&setup, "shots.csv", shots.as_bytes()).unwrap();
-    let fit = calibrate::Plan {
+    let fit = calibrate::FitPlan {
         fit: vec![range],
         starts: 1,
         options: Default::default(),

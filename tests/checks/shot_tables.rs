@@ -4,7 +4,7 @@ use crate::command_line::longdrive;
 use crate::common::close;
 use crate::shots::flown;
 use longdrive::report::{ShotFormat, ShotWriter};
-use longdrive::shots::{Flown, Shots, Tally};
+use longdrive::shots::{Flown, ShotStatistics, Shots};
 use longdrive::study::calibrate::ShotTable;
 use longdrive::units::System;
 use longdrive::{Outcome, Setup};
@@ -14,7 +14,7 @@ fn bytes(name: &str) -> Vec<u8> {
     std::fs::read(format!("{}/data/cases/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
-fn case(name: &str) -> (Shots, Vec<Flown>, Tally) {
+fn case(name: &str) -> (Shots, Vec<Flown>, ShotStatistics) {
     flown(Cursor::new(bytes(name)))
 }
 

@@ -6,7 +6,7 @@ use crate::common::close;
 use crate::schema::faults;
 use longdrive::batch::Run;
 use longdrive::report::{ShotFormat, ShotWriter};
-use longdrive::shots::{Flown, Flying, Origin, Shots, Tally};
+use longdrive::shots::{Flown, Flying, Origin, ShotStatistics, Shots};
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
 use serde_json::Value;
@@ -32,7 +32,7 @@ fn path(name: &str) -> PathBuf {
 }
 
 /// All flown shots of a text.
-pub fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, Tally) {
+pub fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, ShotStatistics) {
     let setup = Setup::default();
     let mut shots = Shots::read(&setup, "shots.csv", text).unwrap();
     let flying = Flying::new(&setup, &shots, &OF).unwrap();
@@ -49,7 +49,7 @@ pub fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, Tally) {
     (shots, all, tally.unwrap())
 }
 
-fn file(name: &str) -> (Shots, Flown, Tally) {
+fn file(name: &str) -> (Shots, Flown, ShotStatistics) {
     let (shots, mut all, tally) = flown(fs::File::open(path(name)).unwrap());
     assert_eq!(all.len(), 1, "{name}");
     (shots, all.remove(0), tally)

@@ -5,7 +5,7 @@ use longdrive::batch::Status;
 use longdrive::report::{Reply, Report, UncertaintyReport};
 use longdrive::study::swings::{Rule, Scenarios, Swings};
 use longdrive::study::uncertainty::{
-    Design, Distribution, Plan, Statistics, Uncertain, delta_method, uncertainty,
+    Design, Distribution, SamplePlan, Statistics, Uncertain, delta_method, uncertainty,
 };
 use longdrive::study::{Landing, Sigma, effects, with_defaults};
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 
 fn statistics(
     inputs: &[Distribution],
-    plan: Plan,
+    plan: SamplePlan,
     f: impl Fn(&[f64]) -> Option<f64>,
 ) -> Statistics {
     let design = Design::new(inputs, plan).unwrap();
@@ -51,7 +51,7 @@ fn sampled_shares_of_ishigamis_function_lie_within_their_intervals() {
     close(variance, 13.8446, 1.0, 1e-4, "variance");
     let found = statistics(
         &[CIRCLE; 3],
-        Plan {
+        SamplePlan {
             samples: 16_384,
             seed: 1,
         },
@@ -95,7 +95,7 @@ fn sampled_shares_of_the_g_function_lie_within_their_intervals() {
     };
     let found = statistics(
         &[unit; 4],
-        Plan {
+        SamplePlan {
             samples: 16_384,
             seed: 3,
         },
@@ -132,7 +132,7 @@ fn sampled_coverage_of_95_percent_intervals_of_shares() {
     for seed in 0..60 {
         let found = statistics(
             &[CIRCLE; 3],
-            Plan {
+            SamplePlan {
                 samples: 1024,
                 seed,
             },
@@ -198,7 +198,7 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
     for seed in 0..60 {
         let design = Design::new(
             &[CIRCLE; 3],
-            Plan {
+            SamplePlan {
                 samples: 1024,
                 seed,
             },
@@ -224,7 +224,7 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
             .collect();
         let design = Design::new(
             &[line],
-            Plan {
+            SamplePlan {
                 samples: 1024,
                 seed,
             },
@@ -250,7 +250,7 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
 #[test]
 fn exact_share_of_a_single_uncertain_parameter_is_one() {
     for seed in 0..5 {
-        let found = statistics(&[CIRCLE], Plan { samples: 200, seed }, |x| {
+        let found = statistics(&[CIRCLE], SamplePlan { samples: 200, seed }, |x| {
             Some(x[0].sin() + x[0].powi(3))
         });
         let indices = found.indices[0].unwrap();
@@ -265,7 +265,7 @@ fn exact_share_of_a_single_uncertain_parameter_is_one() {
         &setup,
         &[Outcome::Carry],
         &inputs,
-        Plan {
+        SamplePlan {
             samples: 300,
             seed: 1,
         },
@@ -290,7 +290,7 @@ fn sampled_moments_are_those_of_the_distributions() {
     for distribution in [triangle, normal, CIRCLE] {
         let found = statistics(
             &[distribution],
-            Plan {
+            SamplePlan {
                 samples: 20_000,
                 seed: 5,
             },
@@ -319,7 +319,7 @@ fn sampled_moments_are_those_of_the_distributions() {
 fn missing_values_are_counted_and_not_replaced() {
     let found = statistics(
         &[CIRCLE],
-        Plan {
+        SamplePlan {
             samples: 1000,
             seed: 0,
         },
@@ -339,7 +339,7 @@ fn missing_values_are_counted_and_not_replaced() {
     );
     let design = Design::new(
         &[CIRCLE],
-        Plan {
+        SamplePlan {
             samples: 10,
             seed: 0,
         },
@@ -348,7 +348,7 @@ fn missing_values_are_counted_and_not_replaced() {
     assert!(design.statistics(&vec![vec![None; 10]; 3]).is_none());
     let constant = statistics(
         &[CIRCLE],
-        Plan {
+        SamplePlan {
             samples: 10,
             seed: 0,
         },
@@ -375,7 +375,7 @@ fn drive() -> (Setup<f64>, Vec<Uncertain>) {
 fn sampled_drives_agree_with_gradients_where_nearly_linear() {
     let (setup, inputs) = drive();
     let of = [Outcome::Carry, Outcome::Lateral];
-    let plan = Plan {
+    let plan = SamplePlan {
         samples: 2048,
         seed: 7,
     };
@@ -439,7 +439,14 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
         format!("{:?}", again.outcomes),
         format!("{:?}", found.outcomes)
     );
-    let other = uncertainty(&setup, &of, &inputs, Plan { seed: 8, ..plan }, &|_, _| ()).unwrap();
+    let other = uncertainty(
+        &setup,
+        &of,
+        &inputs,
+        SamplePlan { seed: 8, ..plan },
+        &|_, _| (),
+    )
+    .unwrap();
     assert_ne!(
         format!("{:?}", other.outcomes),
         format!("{:?}", found.outcomes)
@@ -457,7 +464,7 @@ fn drives_that_do_not_fly_are_counted() {
         &setup,
         &[Outcome::Carry],
         &inputs,
-        Plan {
+        SamplePlan {
             samples: 300,
             seed: 0,
         },
@@ -595,7 +602,7 @@ fn mistakes_in_uncertainties_are_named() {
     ));
     let (setup, inputs) = drive();
     let twice = [inputs[0], inputs[0]];
-    let plan = Plan {
+    let plan = SamplePlan {
         samples: 100,
         seed: 0,
     };
@@ -612,7 +619,7 @@ fn mistakes_in_uncertainties_are_named() {
         uncertainty(&setup, &[], &inputs, plan, &|_, _| ()),
         Err(Error::Nothing { .. })
     ));
-    let too_small = Plan {
+    let too_small = SamplePlan {
         samples: 1,
         seed: 0,
     };
@@ -628,7 +635,7 @@ fn mistakes_in_uncertainties_are_named() {
 fn an_outcome_without_uncertain_parameters_says_so() {
     let setup = Setup::default();
     let density = Uncertain::normal(&setup, &Sigma::read(&setup, "air.density=1%").unwrap());
-    let plan = Plan {
+    let plan = SamplePlan {
         samples: 300,
         seed: 0,
     };
@@ -679,7 +686,7 @@ fn an_outcome_without_uncertain_parameters_says_so() {
 fn a_constant_with_rounding_is_a_constant() {
     let constant = statistics(
         &[CIRCLE],
-        Plan {
+        SamplePlan {
             samples: 100,
             seed: 0,
         },
@@ -688,7 +695,7 @@ fn a_constant_with_rounding_is_a_constant() {
     assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
     let rounded = statistics(
         &[CIRCLE],
-        Plan {
+        SamplePlan {
             samples: 100,
             seed: 0,
         },
@@ -697,7 +704,7 @@ fn a_constant_with_rounding_is_a_constant() {
     assert!(rounded.indices[0].is_none() && rounded.deviation.value == 0.0);
     let varies = statistics(
         &[CIRCLE],
-        Plan {
+        SamplePlan {
             samples: 100,
             seed: 0,
         },
@@ -716,7 +723,7 @@ fn independent_remaining_deviation_where_one_parameter_dominates() {
     let input = |text: &str| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap());
     let others = ["swing.speed=2mph", "club.loft=1deg"].map(input);
     let all = [others[0], others[1], input("swing.face_angle=2deg")];
-    let plan = |seed| Plan {
+    let plan = |seed| SamplePlan {
         samples: 4096,
         seed,
     };
@@ -751,7 +758,7 @@ fn huge_uncertainties_give_no_infinity() {
     let setup = Setup::default();
     let sigma = Sigma::read(&setup, "wind.downrange=1e200 m/s").unwrap();
     let input = [Uncertain::normal(&setup, &sigma)];
-    let plan = Plan {
+    let plan = SamplePlan {
         samples: 10,
         seed: 0,
     };
@@ -841,7 +848,7 @@ fn an_unset_wind_is_refused_with_advice() {
 fn impossible_distributions_are_refused() {
     let setup = Setup::default();
     let speed = setup.variable("swing.speed").unwrap();
-    let plan = Plan {
+    let plan = SamplePlan {
         samples: 8,
         seed: 0,
     };
@@ -1059,7 +1066,7 @@ fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
     }; 2];
     let design = Design::new(
         &inputs,
-        Plan {
+        SamplePlan {
             samples: 3,
             seed: 0,
         },

@@ -6,7 +6,7 @@ use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
 use longdrive::parameters::{Law, Method, PRESETS, Parameter};
 use longdrive::report::{CertificateReport, Reply, Report};
-use longdrive::study::certificate::{Certificate, Plant, certify};
+use longdrive::study::certificate::{Certificate, InjectedError, certify};
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
 use proptest::prelude::*;
@@ -88,7 +88,7 @@ fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_
             preset.name
         );
         for planted in certificate.planted {
-            let least = if planted.plant == Plant::LandingTerm {
+            let least = if planted.error == InjectedError::LandingTerm {
                 40
             } else {
                 200

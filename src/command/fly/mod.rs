@@ -14,7 +14,7 @@ use crate::parameters::{Law, Preset};
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
 use crate::report::{Ending, Report, ShotWriter, ShotsReport};
-use crate::shots::{Flying, Shots, Tally};
+use crate::shots::{Flying, ShotStatistics, Shots};
 use crate::table::{ASSUMED_UNITS, CONDITIONS};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -124,7 +124,7 @@ fn read_shots(file: &Path, request: &Request, setup: &Setup<f64>) -> Result<Shot
     Ok(shots)
 }
 
-fn refuse_no_rows(tally: &Tally, file: &Path) -> Result<()> {
+fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
     if tally.rows > 0 {
         return Ok(());
     }
@@ -177,7 +177,7 @@ fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<
 }
 
 /// Error of the law for shots of clubs with more loft than a driver.
-fn of_lofted(tally: &Tally, law: &Law<f64>) -> Option<String> {
+fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
     (tally.lofted > 0 && law.name() == "launch-monitor").then(|| {
         format!(
             "{} of clubs with more loft than a driver (spin ratio above 0.12): launch monitors \
@@ -194,7 +194,7 @@ fn written(
     flying: &Flying,
     shots: &mut Shots,
     run: &Run<'_>,
-) -> Result<(Tally, Output)> {
+) -> Result<(ShotStatistics, Output)> {
     let of = flying.outcomes();
     match target.format {
         Written::Rows(format) => {
@@ -232,7 +232,7 @@ struct Missing {
     nothing: Option<String>,
 }
 
-fn stopped(tally: &Tally, target: &Target) -> String {
+fn stopped(tally: &ShotStatistics, target: &Target) -> String {
     let rows = counted(tally.rows, "row");
     match target.file() {
         Some(file) => format!("stopped after {rows}; {} is not written", file.display()),
@@ -242,7 +242,7 @@ fn stopped(tally: &Tally, target: &Target) -> String {
 
 /// The reason if no row flies: that of the first row, and the units assumed for columns without
 /// units.
-fn nothing(tally: &Tally, remarks: &[Message]) -> Option<String> {
+fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
     (tally.flown == 0 && tally.rows > 0).then(|| {
         let first = tally.refused.values().min_by_key(|refused| refused.line);
         let first = first.map_or(String::new(), |first| {
@@ -265,7 +265,7 @@ fn nothing(tally: &Tally, remarks: &[Message]) -> Option<String> {
 fn answer(
     request: &Request,
     target: &Target,
-    tally: &Tally,
+    tally: &ShotStatistics,
     source: Option<&'static str>,
     warnings: Vec<Message>,
     remarks: &[Message],

@@ -196,8 +196,8 @@ impl<'a> CalibrationReport<'a> {
                 last: found.fit.why_refused.clone(),
             },
             starts: StartsReport {
-                made: found.starts.0,
-                same: found.starts.1,
+                made: found.starts,
+                same: found.at_minimum,
                 elsewhere: elsewhere
                     .map(|(status, count)| (status.name(), *count))
                     .collect(),

@@ -388,7 +388,7 @@ impl Curve {
 impl PlantedError {
     fn new(planted: &Planted) -> Self {
         Self {
-            error: planted.plant.name(),
+            error: planted.error.name(),
             rows: planted.rows,
             caught: planted.caught,
             caught_by_num_dual: planted.caught_by_num_dual,

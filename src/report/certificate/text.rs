@@ -86,7 +86,7 @@ fn continuity(found: &Continuity, system: System) -> String {
 
 /// The detection of a planted error.
 fn planted(planted: &Planted) -> String {
-    let name = planted.plant.name();
+    let name = planted.error.name();
     if planted.rows == 0 {
         return format!(
             "not checked: the planted error \"{name}\": there is no row that passed and that it \

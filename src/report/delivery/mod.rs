@@ -13,7 +13,8 @@ use super::shown;
 use crate::error::Result;
 use crate::parameters::{Preset, Setup};
 use crate::study::delivery::{
-    Delivery, Explained, Known, Population, Recovered, Returned, Spread, Unknown, Untold,
+    Delivery, Explained, Population, Posterior, PredictedOutcome, Recovered, Spread, Unidentified,
+    Unknown,
 };
 use crate::units::{Message, System, counted, counted_of};
 use serde::Serialize;
@@ -249,14 +250,14 @@ impl DeliveryRow {
                     row,
                     status,
                     message: message.unwrap_or_else(|| delivered.message.clone()),
-                    known: delivered.known.iter().map(KnownReport::new).collect(),
+                    known: delivered.posteriors.iter().map(KnownReport::new).collect(),
                     explained: delivered
                         .explained
                         .iter()
                         .map(ExplainedReport::new)
                         .collect(),
                     unidentified: delivered
-                        .untold
+                        .unidentified
                         .iter()
                         .map(UnidentifiedReport::new)
                         .collect(),
@@ -275,14 +276,14 @@ impl DeliveryRow {
 }
 
 impl KnownReport {
-    fn new(known: &Known) -> Self {
+    fn new(known: &Posterior) -> Self {
         let unknown = &known.unknown;
         Self {
             parameter: unknown.parameter.name,
             value: known.value,
             standard_uncertainty: known.sigma,
-            identified: known.told,
-            before: unknown.before,
+            identified: known.variance_removed,
+            before: unknown.prior,
             standard_uncertainty_before: unknown.sigma,
             source: unknown.source,
             range: SearchRange {
@@ -306,10 +307,10 @@ impl ExplainedReport {
 }
 
 impl UnidentifiedReport {
-    fn new(untold: &Untold) -> Self {
+    fn new(untold: &Unidentified) -> Self {
         let changes = untold.changes.iter();
         Self {
-            identified: untold.told,
+            identified: untold.variance_removed,
             changes: changes
                 .map(|(parameter, change)| (parameter.name, *change))
                 .collect(),
@@ -319,7 +320,7 @@ impl UnidentifiedReport {
 
 impl PopulationReport {
     fn new(population: &Population) -> Self {
-        let launch = |returned: &Returned| LaunchMoments {
+        let launch = |returned: &PredictedOutcome| LaunchMoments {
             of: returned.of.name(),
             measured: returned.measured.into(),
             recovered: returned.recovered.into(),
@@ -328,14 +329,14 @@ impl PopulationReport {
             parameter: spread.parameter.name,
             mean: spread.mean,
             deviation: spread.deviation,
-            identified: spread.told,
+            identified: spread.variance_removed,
             mean_standard_uncertainty: spread.mean_error,
             deviation_standard_uncertainty: spread.deviation_error,
         };
         Self {
             shots: population.shots,
-            kept: population.kept,
-            launches: population.returned.iter().map(launch).collect(),
+            kept: population.prior_factor,
+            launches: population.predicted.iter().map(launch).collect(),
             spread: population.spreads.iter().map(spread).collect(),
             correlations: population.correlations.clone(),
         }
@@ -357,13 +358,13 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
         .collect();
     let unknowns = found
         .first()
-        .map_or(&[][..], |delivered| &delivered.known)
+        .map_or(&[][..], |delivered| &delivered.posteriors)
         .iter()
         .map(|known| known.unknown);
     let ends = unknowns.flat_map(|unknown| [(unknown, false), (unknown, true)]);
     ends.filter_map(|(unknown, is_upper)| {
         let parameter = unknown.parameter;
-        let known = found.iter().flat_map(|delivered| &delivered.known);
+        let known = found.iter().flat_map(|delivered| &delivered.posteriors);
         let at_end = known.filter(|known| {
             let Unknown { low, high, .. } = known.unknown;
             known.unknown.parameter == parameter

@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::report::shown;
-use crate::study::delivery::{Delivery, Population, Recovered, Returned};
+use crate::study::delivery::{Delivery, Population, PredictedOutcome, Recovered};
 use crate::units::{Message, System, counted, significant};
 
 /// A shot that removes less than this part of a parameter's variance does not identify it.
@@ -19,7 +19,10 @@ pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
     let mut writer = csv::Writer::from_writer(vec![]);
     for (i, delivered) in all.iter().filter_map(Delivery::explained).enumerate() {
         if i == 0 {
-            let head = delivered.known.iter().map(|known| known.unknown.parameter);
+            let head = delivered
+                .posteriors
+                .iter()
+                .map(|known| known.unknown.parameter);
             writer
                 .write_record(
                     head.map(|parameter| format!("{} [{}]", parameter.name, parameter.quantity.si)),
@@ -29,7 +32,7 @@ pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
         writer
             .write_record(
                 delivered
-                    .known
+                    .posteriors
                     .iter()
                     .map(|known| format!("{:?}", known.value)),
             )
@@ -60,13 +63,13 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
             parameter,
             mean,
             deviation,
-            told,
+            variance_removed,
             mean_error,
             deviation_error,
         } = *spread;
         let [mean, deviation] = [mean, deviation].map(|value| amount(parameter, value, 9));
         let errors = [mean_error, deviation_error].map(|value| amount(parameter, value, 2));
-        let rest = if told < HALF {
+        let rest = if variance_removed < HALF {
             ", and the rest is assumed"
         } else {
             ""
@@ -75,7 +78,7 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
             "mean ± {}, deviation ± {}; a shot tells {:.0} %{rest}",
             errors[0],
             errors[1],
-            100.0 * told
+            100.0 * variance_removed
         );
         text += &format!(
             "{} = \"normal({mean}, {deviation})\" # {told}\n",
@@ -97,8 +100,8 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
 /// not reproduce.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
-    if population.kept < 1.0 {
-        let part = significant(population.kept, 3);
+    if population.prior_factor < 1.0 {
+        let part = significant(population.prior_factor, 3);
         all.push(format!(
             "what the shots do not tell of the swings is spread by {part} of the deviation that \
              was assumed: by all of it the launches would \
@@ -106,9 +109,9 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
         ));
     }
     let off: Vec<String> = population
-        .not_returned()
+        .mispredicted()
         .map(
-            |Returned {
+            |PredictedOutcome {
                  of,
                  measured,
                  recovered,

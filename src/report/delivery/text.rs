@@ -2,13 +2,18 @@ use crate::optimize::least_squares::Status;
 use crate::parameters::Parameter;
 use crate::report::document::{Document, Line, Table};
 use crate::report::shown;
-use crate::study::delivery::{Delivered, Delivery, Known, Population, Recovered, Spread, Untold};
+use crate::study::delivery::{
+    Delivered, Delivery, Population, Posterior, Recovered, Spread, Unidentified,
+};
 use crate::units::{System, counted, fixed};
 
 /// The delivery of one shot.
 pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     let mut document = Document::default();
-    let known = delivered.known.iter().map(|known| known_row(known, system));
+    let known = delivered
+        .posteriors
+        .iter()
+        .map(|known| known_row(known, system));
     let head = [
         "most probable delivery",
         "value",
@@ -29,13 +34,13 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     });
     let head = ["launch", "measured", "±", "computed", "difference in ±"];
     document.add(Table::new(head, explained).right([1, 2, 3, 4]));
-    if !delivered.untold.is_empty() {
+    if !delivered.unidentified.is_empty() {
         let title = Line::flush(
             "The launch does not tell these changes; each leaves it nearly as it is, and what was \
              known before decides:",
         );
         let changes = delivered
-            .untold
+            .unidentified
             .iter()
             .map(|untold| Line::item(unidentified(untold, system)));
         document.list([title].into_iter().chain(changes));
@@ -47,12 +52,12 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
 }
 
 /// The cells of a parameter of a delivery.
-fn known_row(known: &Known, system: System) -> Vec<String> {
-    let Known {
+fn known_row(known: &Posterior, system: System) -> Vec<String> {
+    let Posterior {
         unknown,
         value,
         sigma,
-        told,
+        variance_removed,
     } = known;
     let parameter = unknown.parameter;
     vec![
@@ -62,7 +67,7 @@ fn known_row(known: &Known, system: System) -> Vec<String> {
             amount(parameter, sigma, system)
         }),
         amount(parameter, unknown.sigma, system),
-        told.map_or(shown::NONE.into(), |told| format!("{:.0} %", 100.0 * told)),
+        variance_removed.map_or(shown::NONE.into(), |told| format!("{:.0} %", 100.0 * told)),
     ]
 }
 
@@ -74,7 +79,7 @@ pub(super) fn amount(parameter: &Parameter, value: f64, system: System) -> Strin
 }
 
 /// A change that the launch does not determine, with the part of its variance that it removes.
-fn unidentified(untold: &Untold, system: System) -> String {
+fn unidentified(untold: &Unidentified, system: System) -> String {
     let one = |(parameter, change): &(&'static Parameter, f64)| {
         let sign = if *change < 0.0 { "-" } else { "+" };
         format!(
@@ -84,7 +89,11 @@ fn unidentified(untold: &Untold, system: System) -> String {
         )
     };
     let changes: Vec<_> = untold.changes.iter().map(one).collect();
-    format!("{} ({:.0} % told)", changes.join(", "), 100.0 * untold.told)
+    format!(
+        "{} ({:.0} % told)",
+        changes.join(", "),
+        100.0 * untold.variance_removed
+    )
 }
 
 /// The deliveries of the shots of a table, their mean and spread, and the swings behind them.
@@ -139,7 +148,7 @@ fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
     let rows = all.iter().filter_map(|delivery| {
         let delivered = delivery.found.as_ref().ok()?;
         let values = delivered
-            .known
+            .posteriors
             .iter()
             .map(|known| shown::parameter(known.unknown.parameter, known.value, system));
         let worst = delivered
@@ -177,7 +186,7 @@ fn swings(population: &Population, system: System) -> Table {
             parameter,
             mean,
             deviation,
-            told,
+            variance_removed,
             mean_error,
             deviation_error,
         } = *spread;
@@ -188,7 +197,7 @@ fn swings(population: &Population, system: System) -> Table {
             error(mean_error),
             amount(parameter, deviation, system),
             error(deviation_error),
-            format!("{:.0} %", 100.0 * told),
+            format!("{:.0} %", 100.0 * variance_removed),
         ]
     });
     let head = [
@@ -207,10 +216,10 @@ fn median_identified(all: &[Delivery], parameter: &Parameter) -> String {
     let known = all
         .iter()
         .filter_map(Delivery::explained)
-        .flat_map(|delivered| &delivered.known);
+        .flat_map(|delivered| &delivered.posteriors);
     let mut told: Vec<f64> = known
         .filter(|known| known.unknown.parameter == parameter)
-        .filter_map(|known| known.told)
+        .filter_map(|known| known.variance_removed)
         .collect();
     told.sort_by(f64::total_cmp);
     told.get(told.len() / 2)

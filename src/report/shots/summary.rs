@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line, Table};
 use crate::report::reply::{Ending, Report};
-use crate::shots::{Band, FLOOR, Sums, Tally};
+use crate::shots::{Band, FLOOR, ShotStatistics, Sums};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Serialize)]
 pub struct ShotsReport<'a> {
     #[serde(skip)]
-    tally: &'a Tally,
+    tally: &'a ShotStatistics,
     /// The end of the command.
     #[serde(skip)]
     pub ending: Ending,
@@ -111,7 +111,7 @@ fn instrument_deviation(of: Outcome) -> Option<f64> {
 impl<'a> ShotsReport<'a> {
     /// The report of a tally.
     pub fn new(
-        tally: &'a Tally,
+        tally: &'a ShotStatistics,
         source: Option<&'static str>,
         file: Option<String>,
         remarks: &[Message],
@@ -186,7 +186,7 @@ fn speeds(band: &Band, system: System) -> String {
 }
 
 /// The outcomes of the rows: counts, and the residuals of each outcome by ball speed.
-fn document(tally: &Tally, source: Option<&'static str>, system: System) -> Document {
+fn document(tally: &ShotStatistics, source: Option<&'static str>, system: System) -> Document {
     let mut lines = counts(tally, source);
     let mut rows = vec![];
     for (at, of) in tally.of.iter().enumerate() {
@@ -224,7 +224,7 @@ fn document(tally: &Tally, source: Option<&'static str>, system: System) -> Docu
 }
 
 /// Numbers of rows, by the end of the drive and by remark.
-fn counts(tally: &Tally, source: Option<&'static str>) -> Vec<Line> {
+fn counts(tally: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
     let from = source.map_or(String::new(), |source| format!(" ({source})"));
     let refused: u64 = tally.refused.values().map(|refused| refused.count).sum();
     let mut lines = vec![Line::flush(format!(
@@ -263,7 +263,12 @@ fn counts(tally: &Tally, source: Option<&'static str>) -> Vec<Line> {
 }
 
 /// The residuals of an outcome: a row for each band of ball speeds, and one for all.
-fn residual_rows(tally: &Tally, at: usize, of: Outcome, system: System) -> Vec<Vec<String>> {
+fn residual_rows(
+    tally: &ShotStatistics,
+    at: usize,
+    of: Outcome,
+    system: System,
+) -> Vec<Vec<String>> {
     let unit = system.unit(of.unit());
     let size = of.quantity().size_of(unit).unwrap_or(1.0);
     let decimals = if unit == "s" { 2 } else { 1 };

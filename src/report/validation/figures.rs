@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::parameters::Law;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::shots::FLOOR;
-use crate::study::validation::{Case, Compared, LawScores, Score, SetScores, Way};
+use crate::study::validation::{Case, Compared, Computation, LawScores, Score, SetScores};
 use crate::units::Quantity;
 
 /// The independent law that the default one is compared with.
@@ -199,7 +199,8 @@ impl crate::study::validation::Set {
     /// Its drives were measured and are flown from their launch: they are not output of models,
     /// gains or optima.
     fn is_measured(&self) -> bool {
-        self.way == Way::Launch && !["chart-launches", "simulations"].contains(&self.name)
+        self.computation == Computation::Launch
+            && !["chart-launches", "simulations"].contains(&self.name)
     }
 }
 

@@ -143,7 +143,7 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
 
 /// The main quantity of a set.
 fn first(set: &SetScores) -> Compared {
-    set.set.way.compared()[0]
+    set.set.computation.compared()[0]
 }
 
 /// Number of cases that state it.

@@ -6,12 +6,12 @@ use crate::error::{Error, Result};
 use crate::optimize::{Domain, Evaluation, Options, Status, Taylor, minimize};
 use crate::parameters::Setup;
 
-/// The report's third study: carry averaged over the attack angles 0, 1 … 10°, by loft.
+/// Third study of the report: mean carry over the attack angles 0, 1 … 10°, by loft.
 #[derive(Clone, Debug)]
 pub struct Average {
-    /// The loft that the report finds best, rad.
+    /// Best loft as printed, rad.
     pub printed: f64,
-    /// The lofts it looks at, rad, with the average carry, m.
+    /// Lofts of the report, rad, with mean carry, m.
     pub rows: Vec<(f64, f64)>,
     /// The exact optimum: loft, rad, and average carry, m.
     pub best: (f64, f64),
@@ -23,7 +23,7 @@ impl Average {
         Self::at(setup, &printed::AVERAGED_LOFTS, printed::AVERAGE_LOFT)
     }
 
-    /// The same at these lofts, deg, beside this printed best one.
+    /// The study for these lofts, deg, compared with a printed best loft, deg.
     pub(in crate::reproduce) fn at(
         setup: &Setup<f64>,
         lofts: &[f64],

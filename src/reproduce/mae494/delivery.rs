@@ -1,15 +1,15 @@
 use crate::parameters::Setup;
 
-/// The parameters that the report varies.
+/// Parameters that the report varies.
 pub(super) const LOFT: &str = "club.loft";
 pub(super) const ATTACK_ANGLE: &str = "swing.attack_angle";
 
-/// How the ball is struck, and how far it carries.
+/// Delivery with its carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Delivery {
     /// Loft, rad.
     pub loft: f64,
-    /// Attack angle, the report's swing elevation, rad.
+    /// Attack angle, rad (the report's swing elevation).
     pub attack_angle: f64,
     /// Carry, m.
     pub carry: f64,
@@ -24,7 +24,7 @@ impl Delivery {
         }
     }
 
-    /// A setup struck like this.
+    /// The setup with this delivery.
     pub(super) fn set(&self, setup: &Setup<f64>) -> Setup<f64> {
         let mut setup = *setup;
         (setup.club.loft, setup.swing.attack_angle) = (self.loft, self.attack_angle);

@@ -10,7 +10,7 @@ use crate::optimize::{
 use crate::parameters::Setup;
 use std::f64::consts::FRAC_PI_2;
 
-/// A straight launch, and how far it carries.
+/// A straight launch with its carry.
 #[derive(Clone, Copy, Debug)]
 pub struct Launched {
     /// Ball speed, m/s.
@@ -23,44 +23,45 @@ pub struct Launched {
     pub carry: f64,
 }
 
-/// Why the report's distances cannot come from its model: how fast a ball can leave, and how far it
-/// then can fly.
+/// Energy argument against the report's distances: maximum ball speed, and maximum carry at that
+/// speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Energy {
-    /// The most a ball can leave at, (1 + e)/(1 + m/M) V, m/s.
+    /// Maximum ball speed, (1 + e)/(1 + m/M) V, m/s.
     pub fastest: f64,
-    /// The farthest flight of any ball no faster than that, whatever its launch angle and spin.
+    /// Launch of maximum carry at that ball speed, over launch angle and spin.
     pub farthest: Launched,
-    /// What a m/s more would bring there, m per m/s.
+    /// Carry per additional ball speed there, m per m/s.
     pub price_of_speed: f64,
-    /// The slowest launch that carries as far as the report's longest distance.
+    /// Slowest launch with the report's longest carry.
     pub needed: Launched,
     /// The club's kinetic energy, ½ M V², J.
     pub club: f64,
-    /// The ball's kinetic energy, ½ m v², when it leaves at its fastest, J.
+    /// The ball's kinetic energy at maximum speed, ½ m v², J.
     pub ball: f64,
-    /// The same for the launch that the report's longest distance needs, J.
+    /// The ball's kinetic energy for the report's longest carry, J.
     pub ball_needed: f64,
 }
 
-/// Whether the best launch for the flight is one that the impact can give: the report's "subsystem
-/// optimum".
+/// The report's "subsystem optimum": the best launch of the flight alone compared with launches
+/// that the impact can give.
 #[derive(Clone, Debug)]
 pub struct Subsystems {
-    /// What the impact gives at the optimum of the whole.
+    /// Launch at the optimum of the whole system.
     pub whole: Launched,
-    /// The launch that the flight alone would have at that ball speed.
+    /// Best launch of the flight alone at that ball speed.
     pub flight: Launched,
-    /// What the impact alone would have, the fastest ball, at the attack angle of the optimum of
-    /// the whole: it carries so far.
+    /// Best delivery of the impact alone (maximum ball speed) at the attack angle of the optimum,
+    /// with its carry.
     pub impact: Delivery,
-    /// Carry's slopes by ball speed, launch angle and backspin at the optimum of the whole: m per
-    /// m/s, per rad, per rad/s.
+    /// Derivatives of carry by ball speed, launch angle and backspin at the optimum: m per m/s, per
+    /// rad, per rad/s.
     pub slopes: [f64; 3],
-    /// What a radian of loft changes of carry through ball speed, launch angle and backspin, m/rad:
-    /// in sum nothing at the optimum.
+    /// Derivative of carry by loft through ball speed, launch angle and backspin, m/rad. The sum is
+    /// 0 at the optimum.
     pub by_loft: [f64; 3],
-    /// The same for the attack angle: in sum the price of its bound.
+    /// Derivative of carry by attack angle through the same three, m/rad. The sum is the multiplier
+    /// of its bound.
     pub by_attack_angle: [f64; 3],
 }
 
@@ -69,11 +70,11 @@ const SLOWEST: f64 = 10.0;
 const MOST_SPEED: f64 = 300.0;
 const MOST_SPIN: f64 = 1000.0;
 
-/// Launch angles just inside the horizontal and the vertical, where no ball flies far.
+/// Launch angles just inside horizontal and vertical, which give short carries.
 const ANGLES: [f64; 2] = [0.01, FRAC_PI_2 - 0.01];
 
 impl Energy {
-    /// The argument for a setup, against a distance in m.
+    /// The argument for a setup and a distance, m.
     pub(super) fn new(setup: &Setup<f64>, distance: f64) -> Result<Self> {
         let (head, ball) = (setup.club.mass, setup.ball.mass);
         let fastest = (1.0 + setup.impact.restitution) / (1.0 + ball / head) * setup.swing.speed;
@@ -95,7 +96,7 @@ impl Energy {
 }
 
 impl Subsystems {
-    /// The two subsystems beside the optimum of the whole.
+    /// Both subsystems, and the optimum of the whole system.
     pub(super) fn new(optimum: &Row) -> Result<Self> {
         let setup = &optimum.best.setup;
         let quantities = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
@@ -140,7 +141,7 @@ impl Subsystems {
     }
 }
 
-/// A flight by its launch alone, x = (ball speed, launch angle, backspin), with nothing asked of a
+/// The flight as a function of its launch, x = (ball speed, launch angle, backspin), without a
 /// club.
 struct FlightAlone {
     carry: Evaluator,
@@ -150,7 +151,7 @@ struct FlightAlone {
 #[derive(Clone, Copy)]
 enum Wanted {
     Farthest,
-    /// The least ball speed that carries this far, m.
+    /// Minimum ball speed for this carry, m.
     SlowestBeyond(f64),
 }
 
@@ -173,7 +174,7 @@ impl FlightAlone {
         })
     }
 
-    /// The best launch with a ball speed in this range, and the prices of the upper bounds.
+    /// The best launch for a range of ball speed, with the multipliers of the upper bounds.
     fn best(&self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
         let domain = Domain::new(
             vec![speeds[0], ANGLES[0], 0.0],

@@ -1,23 +1,21 @@
-use super::sought::Sought;
+use super::objective::Objective;
 use argmin::core::{CostFunction, Error, Executor, Gradient};
 use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
 use std::cell::RefCell;
 
-/// Steps and gradients remembered.
+/// Number of stored steps and gradients.
 const MEMORY: usize = 7;
 
-/// Most iterations.
+/// Maximum number of iterations.
 const ITERATIONS: u64 = 200;
 
-/// Searches by argmin's L-BFGS from `start`: the best point seen, and how the method says that it
-/// ended.
+/// Minimizes with argmin's L-BFGS from `start`: returns the best point and the termination message.
 ///
-/// argmin's solvers know no bounds; x = middle + half the width · sin u has none in u. Nor do they
-/// know of places without a value, and give up where they come to one: there they are told a carry
-/// of nothing.
-pub(super) fn search_by_lbfgs(sought: &Sought, start: &[f64]) -> (Vec<f64>, String) {
-    let bounds = &sought.domain.variables;
+/// argmin has no bounds: the substitution x = middle + half the width · sin u removes them. It also
+/// fails where the function is undefined, so a missing flight has carry 0.
+pub(super) fn search_by_lbfgs(objective: &Objective, start: &[f64]) -> (Vec<f64>, String) {
+    let bounds = &objective.domain.variables;
     let half = |i: usize| 0.5 * (bounds.high[i] - bounds.low[i]);
     let begin = (0..start.len()).map(|i| {
         ((start[i] - bounds.low[i]) / half(i) - 1.0)
@@ -28,7 +26,7 @@ pub(super) fn search_by_lbfgs(sought: &Sought, start: &[f64]) -> (Vec<f64>, Stri
     let solver = LBFGS::new(MoreThuenteLineSearch::new(), MEMORY);
     let ended = Executor::new(
         Unbounded {
-            sought,
+            objective,
             best: &best,
         },
         solver,
@@ -43,7 +41,7 @@ pub(super) fn search_by_lbfgs(sought: &Sought, start: &[f64]) -> (Vec<f64>, Stri
     (best.into_inner().1, message)
 }
 
-/// What a flight gives, or this where there is none.
+/// Replaces a missing flight by a default value.
 fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Error> {
     match found {
         Err(crate::Error::NoFlight { .. }) => Ok(without),
@@ -51,16 +49,16 @@ fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Erro
     }
 }
 
-/// The problem in u.
+/// The problem in the unbounded variables u.
 struct Unbounded<'a, 'b> {
-    sought: &'a Sought<'b>,
-    /// The least value seen, and where.
+    objective: &'a Objective<'b>,
+    /// The smallest value so far, with its point.
     best: &'a RefCell<(f64, Vec<f64>)>,
 }
 
 impl Unbounded<'_, '_> {
     fn bounded(&self, u: &[f64]) -> Vec<f64> {
-        let bounds = &self.sought.domain.variables;
+        let bounds = &self.objective.domain.variables;
         let x = |(i, u): (usize, &f64)| {
             let (low, high) = (bounds.low[i], bounds.high[i]);
             (0.5 * (low + high) + 0.5 * (high - low) * u.sin()).clamp(low, high)
@@ -75,7 +73,7 @@ impl CostFunction for Unbounded<'_, '_> {
 
     fn cost(&self, u: &Vec<f64>) -> Result<f64, Error> {
         let x = self.bounded(u);
-        let value = flown(self.sought.value(&x), 0.0)?;
+        let value = flown(self.objective.value(&x), 0.0)?;
         let mut best = self.best.borrow_mut();
         if value < best.0 {
             *best = (value, x);
@@ -89,9 +87,9 @@ impl Gradient for Unbounded<'_, '_> {
     type Gradient = Vec<f64>;
 
     fn gradient(&self, u: &Vec<f64>) -> Result<Vec<f64>, Error> {
-        let bounds = &self.sought.domain.variables;
+        let bounds = &self.objective.domain.variables;
         let by_x = flown(
-            self.sought
+            self.objective
                 .taylor(&self.bounded(u))
                 .map(|taylor| taylor.gradient),
             vec![0.0; u.len()],

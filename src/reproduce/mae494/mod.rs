@@ -1,30 +1,32 @@
-//! The MAE 494 student report "Optimization of a Golf Driver", which redid Winfield & Tan (1994).
+//! The MAE 494 student report "Optimization of a Golf Driver", which repeated Winfield & Tan
+//! (1994).
 //!
-//! Its flight loop overshoots the ground, its optimizer got lost in the teeth that makes, and a
-//! regression took its place. Here its constants stand in Winfield & Tan's equations (the preset
-//! `mae494`), and every optimum it prints is held against the exact one.
+//! The report's flight loop overshoots the ground, which makes carry discontinuous; its optimizer
+//! failed on the resulting steps, and a regression replaced it. Here the report's constants are
+//! used in Winfield & Tan's equations (preset `mae494`), and every printed optimum is compared with
+//! the exact one.
 
 mod average;
 mod delivery;
 mod launches;
 mod lbfgs;
 mod noise;
+mod objective;
 mod parametric;
 mod printed;
 mod regression;
 mod searches;
-mod sought;
 mod tables;
 mod while_loop;
 
 pub use average::Average;
 pub use delivery::Delivery;
 pub use launches::{Energy, Launched, Subsystems};
-pub use noise::{Landings, Noise, Slopes, Teeth};
+pub use noise::{Landings, Noise, Sawtooth, Slopes};
+pub use objective::{Landing, Method};
 pub use parametric::{Constant, Parametric};
 pub use regression::{Peak, Regression};
 pub use searches::{End, Searches};
-pub use sought::{Landing, Method};
 pub use tables::Row;
 pub(super) use while_loop::fly_past_the_ground;
 
@@ -32,42 +34,42 @@ use crate::error::Result;
 use crate::parameters::Setup;
 use crate::units::System;
 
-/// The report, reproduced.
+/// Reproduction of the report.
 #[derive(Clone, Debug)]
 pub struct Mae494 {
-    /// The optimum over both angles, beside the one the report recommends.
+    /// The optimum over both angles, compared with the recommended one.
     pub optimum: Row,
-    /// Its Table 1: the best loft at each attack angle.
+    /// Table 1: best loft at each attack angle.
     pub table1: Vec<Row>,
-    /// Its Table 2: the best attack angle at each loft.
+    /// Table 2: best attack angle at each loft.
     pub table2: Vec<Row>,
-    /// Its regression.
+    /// The regression.
     pub regression: Regression,
-    /// The optimum that the slipped regression gives, with what it carries in the model.
+    /// Optimum of the regression with the wrong powers, with its carry in the model.
     pub slipped: Delivery,
-    /// Why its distances cannot be.
+    /// Energy argument against the printed distances.
     pub energy: Energy,
-    /// Its subsystems, each with its own optimum.
+    /// Optima of the subsystems.
     pub subsystems: Subsystems,
-    /// Its third study.
+    /// Third study: mean over attack angles.
     pub average: Average,
-    /// Its parametric study.
+    /// Parametric study.
     pub parametric: Parametric,
-    /// Its noise.
+    /// Discontinuities of the flight loop.
     pub noise: Noise,
-    /// What searches make of that noise, and of landings without.
+    /// Searches with discontinuous and smooth landings.
     pub searches: Vec<Searches>,
 }
 
 impl Mae494 {
-    /// The units that the report prints.
+    /// Unit system of the report.
     pub const UNITS: System = System::Metric;
 }
 
-/// Reproduces the report; `progress` is told what is computed.
+/// Reproduces the report; `progress` receives the name of each part.
 ///
 /// # Errors
-/// [`Error::NotConverged`](crate::Error::NotConverged) where a search fails.
+/// [`Error::NotConverged`](crate::Error::NotConverged) if a search fails.
 pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let setup = Setup::preset("mae494")?;
     progress("the regression");

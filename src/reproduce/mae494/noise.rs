@@ -6,72 +6,72 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
 
-/// The "noise" of the report's flight loop, seen near: carry with teeth, and slopes that are those
-/// of a tooth.
+/// The "noise" of the report's flight loop: carry has jumps, and differences give the slope of a
+/// single tooth.
 #[derive(Clone, Debug)]
 pub struct Noise {
-    /// The loop's time step, s.
+    /// Time step of the loop, s.
     pub step: f64,
-    /// The step of the forward differences, rad: what MATLAB's `fmincon` takes, √ε.
+    /// Step of forward differences, rad: √ε, as in MATLAB's `fmincon`.
     pub difference: f64,
-    /// Carry by loft at high zoom, at attack angle 0°.
+    /// Carry by loft near 10°, at attack angle 0°.
     pub zoom: Vec<Landings>,
-    /// What the zoom shows of the teeth.
-    pub teeth: Teeth,
-    /// Slopes of carry by loft at attack angle 0°.
+    /// The jumps in this range.
+    pub teeth: Sawtooth,
+    /// Derivatives of carry by loft at attack angle 0°.
     pub slopes: Vec<Slopes>,
-    /// Slopes at loft 10°, attack angle 0° with shorter time steps, s: the difference of the loop.
+    /// Forward differences of the loop at loft 10°, attack angle 0°, for shorter time steps, s.
     pub shorter_steps: Vec<(f64, f64)>,
-    /// Slopes at loft 10°, attack angle 0° by longer differences, rad: of the loop, interpolated,
-    /// smooth.
+    /// Differences with larger steps, rad, at loft 10°, attack angle 0°: of the loop, the
+    /// interpolated loop, and the smooth landing.
     pub longer_differences: Vec<(f64, [f64; 3])>,
 }
 
-/// One loft with its carry by three landings.
+/// Carry at one loft for three definitions of the landing.
 #[derive(Clone, Copy, Debug)]
 pub struct Landings {
     /// Loft, rad.
     pub loft: f64,
-    /// Where the report's loop stops, m.
+    /// End of the report's loop, m.
     pub overshot: f64,
-    /// The same interpolated between its last two steps, m.
+    /// Interpolated between the last two steps of the loop, m.
     pub interpolated: f64,
-    /// The smooth landing, m.
+    /// Smooth landing, m.
     pub smooth: f64,
 }
 
-/// Jumps of the loop's carry from one number of steps to the next.
+/// Sawtooth of the loop's carry where the number of steps changes.
 #[derive(Clone, Copy, Debug)]
-pub struct Teeth {
-    /// How many there are in the zoom.
+pub struct Sawtooth {
+    /// Number of jumps in the zoom.
     pub count: usize,
-    /// Their mean width, rad of loft.
+    /// Mean distance, rad of loft.
     pub width: f64,
-    /// Their mean height, m.
+    /// Mean height, m.
     pub height: f64,
 }
 
-/// Slopes of carry by loft, m/rad.
+/// Derivatives of carry by loft, m/rad.
 #[derive(Clone, Copy, Debug)]
 pub struct Slopes {
     /// Loft, rad.
     pub loft: f64,
-    /// Exact, at landing.
+    /// Exact derivative at landing.
     pub exact: f64,
-    /// Exact, at the fixed time at which the ball lands: carry's slope without the landing's own.
+    /// Exact derivative at the fixed landing time, without the landing term.
     pub at_fixed_time: f64,
-    /// By a forward difference of the report's loop.
+    /// Forward difference of the report's loop.
     pub overshot: f64,
-    /// By a forward difference of the interpolated loop.
+    /// Forward difference of the interpolated loop.
     pub interpolated: f64,
 }
 
-/// Points of the zoom, and how far it reaches to both sides of 10°.
+/// Number of points of the zoom, and its half-width about 10°, deg.
 const ZOOM: u32 = 400;
 const REACH: f64 = 0.5;
 
 impl Noise {
-    /// The exhibit, in the air and with the club of a setup.
+    /// The study in the air and with the club of a setup.
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
         let loop_at = |loft: f64, step: f64| fly_past_the_ground(&level(setup, loft), step);
@@ -127,7 +127,7 @@ impl Noise {
         Ok(Self {
             step,
             difference,
-            teeth: Teeth::of(&zoom),
+            teeth: Sawtooth::of(&zoom),
             zoom,
             slopes: slopes.collect::<Result<_>>()?,
             shorter_steps: shorter.into_iter().collect::<Result<_>>()?,
@@ -135,7 +135,7 @@ impl Noise {
         })
     }
 
-    /// At how many of the lofts looked at the loop's slope has the wrong sign.
+    /// Number of lofts at which the slope of the loop has the wrong sign.
     pub fn wrong_signs(&self) -> usize {
         self.slopes
             .iter()
@@ -144,9 +144,9 @@ impl Noise {
     }
 }
 
-impl Teeth {
-    /// The steps of the zoom in which the loop's carry jumps by more than the smooth one changes
-    /// over all of it in ten.
+impl Sawtooth {
+    /// Finds jumps: neighbouring points between which the loop's carry changes by more than ten
+    /// times the smooth change.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;
@@ -169,7 +169,7 @@ impl Teeth {
     }
 }
 
-/// A setup at attack angle 0° with this loft.
+/// A setup with this loft at attack angle 0°.
 fn level(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
     Delivery {
         loft,
@@ -179,7 +179,7 @@ fn level(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
     .set(setup)
 }
 
-/// d carry/d loft, and the same at fixed time: d z/dλ = d carry/dλ − ż d t/dλ.
+/// d carry/dλ, and the derivative at fixed time, ∂z/∂λ = d carry/dλ − ż dt/dλ.
 fn exact_slopes(setup: &Setup<f64>) -> Result<(f64, f64)> {
     let of = [
         Outcome::Carry,

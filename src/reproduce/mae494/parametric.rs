@@ -2,18 +2,16 @@ use super::Row;
 use crate::error::Result;
 use crate::study::{Change, Changed, Sensitivity, change, sensitivity};
 
-/// The report's parametric study, which it calls for and does not make: what its constants do to
-/// the optimum.
+/// Parametric study that the report proposes: influence of its constants on the optimum.
 #[derive(Clone, Debug)]
 pub struct Parametric {
-    /// Exact sensitivities of the optimum, the constant that matters most (per per cent of itself)
-    /// first.
+    /// Sensitivities of the optimum, in descending order of relative influence.
     pub sensitivities: Vec<Constant>,
-    /// The changes it asks about, predicted and searched anew.
+    /// Effects of the proposed changes, predicted and recomputed.
     pub changes: Vec<Changed>,
 }
 
-/// A constant of the report's model and what it does to the optimum.
+/// A constant of the model with its influence on the optimum.
 #[derive(Clone, Debug)]
 pub struct Constant {
     /// The constant's value, SI.
@@ -23,18 +21,18 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// What the best carry gains if the constant grows by one per cent, m.
+    /// Change of the best carry per 1 % of the constant, m.
     pub fn carry_per_cent(&self) -> f64 {
         0.01 * self.value * self.sensitivity.value
     }
 
-    /// How far the best loft moves if the constant grows by one per cent, rad.
+    /// Change of the best loft per 1 % of the constant, rad.
     pub fn loft_per_cent(&self) -> f64 {
         0.01 * self.value * self.sensitivity.optimum[0]
     }
 }
 
-/// The constants of its model, the law's coefficients among them.
+/// Constants of the model, including coefficients of the law.
 const CONSTANTS: [&str; 17] = [
     "swing.speed",
     "club.mass",
@@ -55,7 +53,7 @@ const CONSTANTS: [&str; 17] = [
     "aero.cl_rate",
 ];
 
-/// What it asks about, by so large a part of each.
+/// Proposed relative changes.
 const CHANGES: [(&str, f64); 4] = [
     ("ball.mass", -0.1),
     ("ball.mass", 0.1),
@@ -64,7 +62,7 @@ const CHANGES: [(&str, f64); 4] = [
 ];
 
 impl Parametric {
-    /// The study around the optimum.
+    /// The study at the optimum.
     pub(super) fn new(optimum: &Row) -> Result<Self> {
         let best = &optimum.best;
         let constant = |name: &&str| {

@@ -1,6 +1,6 @@
-//! What the MAE 494 report prints, in its units. Nothing else of a reproduction is stored.
+//! Values printed in the MAE 494 report, in its units. A reproduction stores nothing else.
 
-/// Table 1: for each swing elevation, deg, the optimum loft, deg, and the distance there, m.
+/// Table 1: swing elevation, deg; optimal loft, deg; distance, m.
 pub const TABLE_1: [[f64; 3]; 13] = [
     [-10.0, 11.5713, 131.08],
     [-5.0, 4.3575, 134.47],
@@ -17,7 +17,7 @@ pub const TABLE_1: [[f64; 3]; 13] = [
     [10.0, 4.4166, 187.59],
 ];
 
-/// Table 2: for each loft, deg, the optimum swing elevation, deg, and the distance there, m.
+/// Table 2: loft, deg; optimal swing elevation, deg; distance, m.
 pub const TABLE_2: [[f64; 3]; 9] = [
     [5.0, 7.5236, 182.3],
     [7.0, 7.4428, 194.68],
@@ -30,17 +30,17 @@ pub const TABLE_2: [[f64; 3]; 9] = [
     [15.0, 7.2053, 243.43],
 ];
 
-/// The optimum it recommends: loft and swing elevation, deg, from either table, and the longest
-/// distance of Table 1, m.
+/// Recommended optimum: loft and swing elevation, deg, from either table, and the longest distance
+/// of Table 1, m.
 pub const OPTIMUM: [f64; 3] = [17.68, 7.3, 248.48];
 
-/// The ranges it searches: loft, deg.
+/// Range of loft, deg.
 pub const LOFT: [f64; 2] = [0.0, 20.0];
 
-/// The ranges it searches: swing elevation, deg, as Table 1 spans it.
+/// Range of swing elevation, deg, as in Table 1.
 pub const ATTACK: [f64; 2] = [-10.0, 10.0];
 
-/// The data of the regression in its listing, at swing elevation 10°: lofts, deg, and distances, m.
+/// Data of the regression in the listing, at swing elevation 10°: loft, deg, and distance, m.
 pub const REGRESSION: [[f64; 2]; 5] = [
     [0.0, 9.7],
     [5.0, 191.2],
@@ -52,7 +52,7 @@ pub const REGRESSION: [[f64; 2]; 5] = [
 /// The swing elevation of these data, deg.
 pub const REGRESSION_ATTACK: f64 = 10.0;
 
-/// The attack angles that its third study averages over, deg, and the lofts it does so at.
+/// Attack angles and lofts of the third study, deg.
 pub const AVERAGED: [f64; 11] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0];
 pub const AVERAGED_LOFTS: [f64; 11] = [
     8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0,

@@ -6,32 +6,30 @@ use crate::optimize::{
 };
 use nalgebra::{SMatrix, SVector};
 
-/// The report's regression: distance as a polynomial in loft through five points at one swing
-/// elevation.
+/// The report's regression: a polynomial in loft through five distances at one swing elevation.
 ///
-/// Its listing fits 1, λ², λ³, λ⁴, λ⁵ and then evaluates the coefficients against 1, λ, λ², λ³, λ⁴.
+/// The listing fits 1, λ², λ³, λ⁴, λ⁵, but evaluates the coefficients with 1, λ, λ², λ³, λ⁴.
 #[derive(Clone, Copy, Debug)]
 pub struct Regression {
-    /// The peak of the coefficients evaluated against other powers than they were fitted to, as the
-    /// listing does.
+    /// Maximum with the wrong powers, as in the listing.
     pub slipped: Peak,
-    /// The peak of the same coefficients evaluated as they were fitted.
+    /// Maximum with the fitted powers.
     pub as_fitted: Peak,
-    /// The peak of the ordinary polynomial 1, λ, λ², λ³, λ⁴ through the same points.
+    /// Maximum of the polynomial 1, λ, λ², λ³, λ⁴ through the same points.
     pub ordinary: Peak,
 }
 
-/// The highest point of a polynomial within the report's range of loft.
+/// Maximum of a polynomial within the report's range of loft.
 #[derive(Clone, Copy, Debug)]
 pub struct Peak {
     /// Loft, rad.
     pub loft: f64,
-    /// What the polynomial takes for the distance there, m.
+    /// Value of the polynomial, m.
     pub distance: f64,
 }
 
 impl Regression {
-    /// The regression of the data in the listing.
+    /// The regression of the listing's data.
     ///
     /// # Errors
     /// [`Error::Optimizer`], [`Error::NotConverged`].
@@ -64,8 +62,7 @@ struct Polynomial {
     powers: [u32; 5],
 }
 
-/// The coefficients with which these powers of loft pass through the five points: least squares
-/// without a residual.
+/// Coefficients of a polynomial with these powers through the five points.
 fn through_the_data(powers: [u32; 5]) -> Result<SVector<f64, 5>> {
     let loft = |row: usize| printed::REGRESSION[row][0].to_radians();
     let basis = SMatrix::<f64, 5, 5>::from_fn(|row, column| {
@@ -82,7 +79,7 @@ impl Polynomial {
     fn peak(self) -> Result<Peak> {
         let [low, high] = printed::LOFT.map(f64::to_radians);
         let domain = Domain::new(vec![low], vec![high])?;
-        // the report's own start, 10°, and others: a polynomial of fifth degree may have two peaks
+        // the report's start, 10°, and others: a quintic may have two maxima
         let starts = starts(&domain, &[10.0_f64.to_radians()], 8)?;
         let found = minimize_from(
             &Exact(self),

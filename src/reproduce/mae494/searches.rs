@@ -1,39 +1,39 @@
 use super::delivery::Delivery;
 use super::lbfgs::search_by_lbfgs;
-use super::sought::{Landing, Method, Sought, domain};
+use super::objective::{Landing, Method, Objective, domain};
 use super::tables::carried_if_flown;
 use crate::error::Result;
 use crate::optimize::{Evaluation, Options, minimize, starts};
 use crate::parameters::Setup;
 
-/// Searches of one kind, from the same starts as all others.
+/// Searches with one landing and method, from common starts.
 #[derive(Clone, Debug)]
 pub struct Searches {
-    /// The landing searched on.
+    /// Definition of the landing.
     pub landing: Landing,
     /// The method.
     pub method: Method,
-    /// How each ended, in the order of the starts.
+    /// Result from each start.
     pub ends: Vec<End>,
 }
 
-/// How a search ended.
+/// Result of a search.
 #[derive(Clone, Debug)]
 pub struct End {
-    /// Where it began.
+    /// Starting point.
     pub start: Delivery,
-    /// Where it ended, with the carry of the smooth landing there.
+    /// End point, with the carry of the smooth landing.
     pub at: Delivery,
-    /// Flights asked for; one with exact derivatives counts once.
+    /// Number of flights; one with exact derivatives counts once.
     pub flights: u64,
-    /// How the method says that it ended.
+    /// Termination message of the method.
     pub message: String,
 }
 
-/// How many starts.
+/// Number of starts.
 const STARTS: usize = 20;
 
-/// What is searched, and how.
+/// Combinations of landing and method.
 const KINDS: [(Landing, Method); 7] = [
     (Landing::Overshot, Method::LimitedMemory),
     (Landing::Interpolated, Method::LimitedMemory),
@@ -44,7 +44,7 @@ const KINDS: [(Landing, Method); 7] = [
     (Landing::Smooth, Method::Exact),
 ];
 
-/// All kinds of searches from the same starts, every one of which flies.
+/// All searches from common starts, at which the ball flies.
 pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
     let domain = domain()?;
     let mut begun = vec![];
@@ -66,7 +66,7 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
     let one = |(landing, method): (Landing, Method)| {
         let ends = begun
             .iter()
-            .map(|start| search(&Sought::new(setup, landing, method)?, *start));
+            .map(|start| search(&Objective::new(setup, landing, method)?, *start));
         Ok(Searches {
             landing,
             method,
@@ -76,20 +76,20 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
     KINDS.into_iter().map(one).collect()
 }
 
-/// A search from a start.
-fn search(sought: &Sought<'_>, start: Delivery) -> Result<End> {
+/// A search from one start.
+fn search(objective: &Objective<'_>, start: Delivery) -> Result<End> {
     let x = [start.loft, start.attack_angle];
-    let (x, message) = match sought.method {
-        Method::LimitedMemory | Method::LimitedMemoryExact => search_by_lbfgs(sought, &x),
+    let (x, message) = match objective.method {
+        Method::LimitedMemory | Method::LimitedMemoryExact => search_by_lbfgs(objective, &x),
         Method::QuasiNewton | Method::Exact => {
             let problem = |x: &[f64]| {
-                let objective = sought.taylor(x).map_err(|error| error.to_string())?;
+                let objective = objective.taylor(x).map_err(|error| error.to_string())?;
                 Ok(Evaluation {
                     objective,
                     constraints: vec![],
                 })
             };
-            let found = minimize(&problem, &sought.domain, &x, &Options::default())?;
+            let found = minimize(&problem, &objective.domain, &x, &Options::default())?;
             (found.x, format!("{}: {}", found.status, found.message))
         }
     };
@@ -99,19 +99,19 @@ fn search(sought: &Sought<'_>, start: Delivery) -> Result<End> {
         carry: 0.0,
     };
     let at = Delivery {
-        carry: carried_if_flown(&at.set(sought.setup))?.unwrap_or_default(),
+        carry: carried_if_flown(&at.set(objective.setup))?.unwrap_or_default(),
         ..at
     };
     Ok(End {
         start,
         at,
-        flights: sought.flights.get(),
+        flights: objective.flights.get(),
         message,
     })
 }
 
 impl Searches {
-    /// How many ended within so many metres of the best carry.
+    /// Number of searches that end within a distance (m) of the best carry.
     pub fn within(&self, distance: f64, best: f64) -> usize {
         self.ends
             .iter()
@@ -119,14 +119,14 @@ impl Searches {
             .count()
     }
 
-    /// What the ends miss of the best carry, m, least first.
+    /// Losses relative to the best carry, m, in ascending order.
     pub fn missed(&self, best: f64) -> Vec<f64> {
         let mut missed: Vec<f64> = self.ends.iter().map(|end| best - end.at.carry).collect();
         missed.sort_by(f64::total_cmp);
         missed
     }
 
-    /// Flights asked for, all searches together.
+    /// Number of flights of all searches.
     pub fn flights(&self) -> u64 {
         self.ends.iter().map(|end| end.flights).sum()
     }

@@ -6,26 +6,26 @@ use crate::optimize::Follow;
 use crate::parameters::{Setup, Vary};
 use crate::study::{Active, Optimum, Search, optima};
 
-/// A row of one of the report's tables beside the exact optimum of its own model.
+/// A row of a printed table compared with the exact optimum of the same model.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The row as printed.
+    /// The printed row.
     pub printed: Delivery,
-    /// The exact optimum of what the row varies.
+    /// The exact optimum of the varied parameters.
     pub best: Optimum,
-    /// What holds it.
+    /// Active bounds.
     pub active: Vec<Active>,
-    /// How far the printed optimum carries in the same model, m; `None` where it does not fly.
+    /// Carry of the printed optimum in the same model, m; `None` if it does not fly.
     pub at_printed: Option<f64>,
 }
 
 impl Row {
-    /// What the printed optimum loses to the exact one, m; all of it where it does not fly.
+    /// Loss of the printed optimum, m; the whole carry if it does not fly.
     pub fn cost(&self) -> f64 {
         self.best.value().unwrap_or_default() - self.at_printed.unwrap_or_default()
     }
 
-    /// Loft and attack angle of the exact optimum, with its carry.
+    /// Delivery and carry of the exact optimum.
     pub fn exact(&self) -> Delivery {
         let setup = &self.best.setup;
         Delivery {
@@ -64,7 +64,7 @@ pub(super) fn optimum(setup: &Setup<f64>) -> Result<Row> {
     )
 }
 
-/// The exact optimum over these parameters within the report's ranges; what is not varied is as
+/// The exact optimum over the named parameters within the report's ranges; other parameters are as
 /// printed.
 fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
     let at = printed.set(setup);
@@ -76,7 +76,7 @@ fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
         vary,
         ..Search::largest(Outcome::Carry)
     };
-    // some printed optima do not fly, and carry may have more than one peak
+    // some printed optima do not fly, and carry may have several maxima
     let best = optima(&at, &search, 8, &Follow::default())?.best;
     Ok(Row {
         printed,
@@ -86,7 +86,7 @@ fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
     })
 }
 
-/// The range in which the report searches a parameter.
+/// The report's range of a parameter.
 pub(super) fn range(setup: &Setup<f64>, name: &str) -> Result<Vary> {
     let ends = if name == LOFT {
         printed::LOFT
@@ -97,12 +97,12 @@ pub(super) fn range(setup: &Setup<f64>, name: &str) -> Result<Vary> {
     Vary::new(setup.variable(name)?, low, high)
 }
 
-/// How far a drive carries, m.
+/// Carry of a drive, m.
 pub(super) fn carried(setup: &Setup<f64>) -> Result<f64> {
     Ok(Drive::new(setup)?.landed()?.carry)
 }
 
-/// How far a drive carries, m; `None` where it does not fly.
+/// Carry of a drive, m; `None` if it does not fly.
 pub(super) fn carried_if_flown(setup: &Setup<f64>) -> Result<Option<f64>> {
     match carried(setup) {
         Err(Error::NoFlight { .. }) => Ok(None),

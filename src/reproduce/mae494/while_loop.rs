@@ -1,5 +1,5 @@
-//! THE COUNTER-EXAMPLE: the flight loop of the report's listing. It is here to be shown failing; no
-//! answer of this library comes from it.
+//! Counter-example: the flight loop of the report's listing. It demonstrates its failure; no result
+//! of this library uses it.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::atmosphere::AirState;
@@ -9,22 +9,20 @@ use crate::number::Vector;
 use crate::parameters::Setup;
 use std::f64::consts::PI;
 
-/// Where the loop takes the ball to have landed.
+/// Landing point of the loop.
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct Stop {
-    /// Downrange where the loop stops, the first step below the ground, m: the report's distance.
+    /// Downrange position at the first step below the ground, m: the report's distance.
     pub overshot: f64,
-    /// Downrange where the straight line between the last two steps meets the ground, m: the cheap
-    /// cure.
+    /// Downrange position interpolated linearly between the last two steps, m.
     pub interpolated: f64,
 }
 
-/// Flies in steps of `step` s until the height is below zero, as the listing does: the forces of a
-/// step are those at its beginning (its `ode45` integrates a constant), and the position follows
-/// with the velocity at its end.
+/// Flies in steps of `step` s until the height is negative, as in the listing: explicit Euler for
+/// the velocity (its `ode45` integrates a constant), and the position moves with the new velocity.
 ///
 /// # Errors
-/// As [`strike`]; [`Error::NoFlight`] where the ball is still in the air at the time limit.
+/// The errors of [`strike`]; [`Error::NoFlight`] if the ball is airborne at the time limit.
 pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<Stop> {
     let launch = strike(setup)?.launch;
     let air = AirState::of(&setup.air);

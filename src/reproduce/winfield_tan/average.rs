@@ -5,19 +5,19 @@ use crate::reproduce::Average;
 use crate::units::Quantity;
 use nalgebra::{DMatrix, DVector};
 
-/// Carry averaged over attack angles of 0, 1 … 10°: its best loft.
+/// Mean carry over attack angles of 0, 1 … 10°, and its best loft.
 #[derive(Clone, Debug)]
 pub struct Mean {
-    /// The lofts 7, 8 … 12°, rad, with the average carry, m.
+    /// Lofts 7, 8 … 12°, rad, with mean carry, m.
     pub rows: Vec<(f64, f64)>,
-    /// The top of the polynomial of fifth order through them, as the paper takes it: loft, rad, and
-    /// average carry, m.
+    /// Maximum of the quintic polynomial through them, as in the paper: loft, rad, and mean carry,
+    /// m.
     pub by_polynomial: (f64, f64),
-    /// That polynomial from the first loft to the last, as `rows`.
+    /// Points of the polynomial between the first and last loft.
     pub polynomial: Vec<(f64, f64)>,
-    /// The exact optimum of the average.
+    /// Exact optimum of the mean: loft, rad, and carry, m.
     pub best: (f64, f64),
-    /// What the paper prints.
+    /// Printed optimum: loft, rad, and carry, m.
     pub printed: (f64, f64),
 }
 
@@ -48,11 +48,10 @@ impl Mean {
     }
 }
 
-/// Points of the polynomial's curve.
+/// Number of points of the curve.
 const CURVE: usize = 101;
 
-/// The polynomial through points, in loft from their middle, in degrees, so that the powers stay of
-/// one size.
+/// Interpolating polynomial, in degrees of loft from the middle, for well-scaled powers.
 struct Polynomial {
     middle: f64,
     coefficients: DVector<f64>,
@@ -72,7 +71,7 @@ impl Polynomial {
         })
     }
 
-    /// Value, slope and curvature at a loft, the latter two by degrees, by Horner's scheme.
+    /// Value, first and second derivative (per degree) at a loft, by Horner's scheme.
     fn at(&self, loft: f64) -> [f64; 3] {
         let x = (loft - self.middle).to_degrees();
         let further = |[v, d, dd]: [f64; 3], c: &f64| [v * x + c, d * x + v, dd * x + 2.0 * d];
@@ -83,7 +82,7 @@ impl Polynomial {
             .fold([0.0; 3], further)
     }
 
-    /// Its top near a loft.
+    /// Maximum near a loft, by Newton's method.
     fn top(&self, near: f64) -> Result<(f64, f64)> {
         let mut loft = near;
         for _ in 0..50 {

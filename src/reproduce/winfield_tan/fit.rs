@@ -1,40 +1,40 @@
-//! How the law comes out of the print.
+//! Calibrates the aerodynamic law to the printed values.
 
 use crate::error::Result;
 use crate::optimize::least_squares::Follow;
 use crate::parameters::{Method, Parameter, Setup};
-use crate::study::calibrate::{Calibration, Plan, ShotTable, calibrate};
+use crate::study::calibrate::{Calibration, FitPlan, ShotTable, calibrate};
 
-/// What the paper prints, as data for a calibration.
+/// Printed values as data for a calibration.
 const PRINTED: &str = include_str!("printed.csv");
-/// Decay rates at which the rest is fitted anew, 1/s.
+/// Decay rates of the profile, 1/s.
 const PROFILE: [f64; 6] = [0.0, 0.045, 0.1, 0.2, 0.3, 0.65];
-/// The method of the fits, whose carries are within 4e-9 m of those of the preset's own, with a
-/// sixth of the evaluations.
+/// Method of the fits: carries within 4e-9 m of the preset's own method, with a sixth of the
+/// evaluations.
 const METHOD: Method = Method::DormandPrince8;
-/// Its time step, s.
+/// Time step, s.
 const STEP: f64 = 0.2;
 const DECAY: &str = "aero.spin_decay";
 
 /// The law of the preset `winfield-tan`, fitted anew.
 #[derive(Clone, Debug)]
 pub struct Fitted {
-    /// The coefficients, with the decay rate held at the preset's.
+    /// Calibration with the decay rate of the preset.
     pub law: Calibration,
-    /// The same with the decay rate fitted too.
+    /// Calibration including the decay rate.
     pub with_decay: Calibration,
-    /// Its value and standard error, 1/s, scaled by what the fit leaves over.
+    /// Decay rate and its standard error, 1/s, scaled by the residuals.
     pub decay: (f64, f64),
-    /// The sum of squares that is left at given decay rates.
+    /// Sum of squares at given decay rates.
     pub profile: Vec<Decay>,
 }
 
-/// The best fit at a decay rate.
+/// Best fit at a decay rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decay {
     /// δ, 1/s.
     pub rate: f64,
-    /// Sum of the squared residuals, in units of the weights in the data.
+    /// Sum of squared, weighted residuals.
     pub sum: f64,
 }
 
@@ -51,7 +51,12 @@ impl Fitted {
             .collect();
         let names: Vec<String> = coefficients.iter().map(|row| row.name.to_owned()).collect();
         let fit = |from: &Setup<f64>, names: &[String]| {
-            calibrate(from, &table, &Plan::read(from, names)?, &Follow::default())
+            calibrate(
+                from,
+                &table,
+                &FitPlan::read(from, names)?,
+                &Follow::default(),
+            )
         };
         let law = fit(setup, &names)?;
         let all: Vec<String> = names.iter().cloned().chain([DECAY.to_owned()]).collect();

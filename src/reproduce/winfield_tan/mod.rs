@@ -1,9 +1,9 @@
 //! Winfield & Tan (1994), "Optimization of clubhead loft and swing elevation angles for maximum
 //! distance of a golf drive", Computers & Structures 53(1), 19–25.
 //!
-//! Their drag and lift curves are not printed. The law `winfield-tan` is what their tables say of
-//! them: its coefficients come from calibrating it to what the paper prints, and stand in the
-//! preset. Everything here flies that preset.
+//! The paper does not print its drag and lift curves. The coefficients of the law `winfield-tan`
+//! come from a calibration to the printed results, and are stored in the preset, which is used
+//! here.
 
 mod average;
 mod fit;
@@ -14,48 +14,48 @@ mod tables;
 pub use average::Mean;
 pub use fit::{Decay, Fitted};
 pub use printed::MISPRINTS;
-pub use shot::{SingleShot, Struck};
+pub use shot::{ShotComparison, SingleShot};
 pub use tables::{Best, Point};
 
 use crate::error::Result;
 use crate::parameters::Setup;
 use crate::units::System;
 
-/// The paper, reproduced.
+/// Reproduction of the paper.
 #[derive(Clone, Debug)]
 pub struct WinfieldTan {
-    /// The preset that is flown.
+    /// The preset.
     pub setup: Setup<f64>,
-    /// The single shot of 103 mph: impact and flight.
-    pub shot: Struck,
+    /// The single shot at 103 mph: impact and flight.
+    pub shot: ShotComparison,
     /// The optimum over loft and attack angle.
     pub optimum: Best,
-    /// Along the ridge that it lies on: the best loft at attack angles around it.
+    /// Best loft at attack angles around the optimum.
     pub ridge: Vec<Point>,
-    /// Table 1: the best attack angle at each loft.
+    /// Table 1: best attack angle at each loft.
     pub table1: Vec<Best>,
-    /// Table 2: the best loft at each attack angle.
+    /// Table 2: best loft at each attack angle.
     pub table2: Vec<Best>,
-    /// The average over attack angles of 0–10°.
+    /// Mean over attack angles of 0–10°.
     pub average: Mean,
-    /// How the law came out of the print.
+    /// Calibration of the law.
     pub fitted: Fitted,
 }
 
 impl WinfieldTan {
-    /// The units that the paper prints.
+    /// Unit system of the paper.
     pub const UNITS: System = System::Us;
 }
 
-/// The paper, reproduced; `progress` is told what is being computed.
+/// Reproduces the paper; `progress` receives the name of each part.
 ///
 /// # Errors
-/// Only what a change to the preset could bring about: what [`optimum`](crate::study::optimum) and
-/// [`calibrate`](crate::study::calibrate::calibrate) refuse.
+/// The errors of [`optimum`](crate::study::optimum) and
+/// [`calibrate`](crate::study::calibrate::calibrate), which only a modified preset could cause.
 pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
     let setup = Setup::preset("winfield-tan")?;
     progress("the single shot");
-    let shot = Struck::new(&setup)?;
+    let shot = ShotComparison::new(&setup)?;
     progress("the optimum and the tables");
     let optimum = tables::optimum(&setup)?;
     let (table1, table2) = (tables::table1(&setup)?, tables::table2(&setup)?);

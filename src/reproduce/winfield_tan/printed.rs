@@ -1,16 +1,16 @@
-//! What Winfield & Tan (1994) print, in their units, with the misprints corrected. Nothing else of
-//! a reproduction is stored.
+//! Values printed by Winfield & Tan (1994), in their units, with misprints corrected. A
+//! reproduction stores nothing else.
 
-/// The single shot: carry, yd; flight time, s; apex, yd; time of the apex, s.
+/// Single shot: carry, yd; flight time, s; apex, yd; time of apex, s.
 pub const SHOT: [f64; 4] = [197.31, 4.75, 14.18, 2.48];
-/// Its impact: the ball upwards and downrange, mph; backspin, rev/s; the club downrange after it,
-/// mph; launch angle, deg.
+/// Impact of the single shot: ball speed upwards and downrange, mph; backspin, rev/s; club speed
+/// downrange after impact, mph; launch angle, deg.
 pub const IMPACT: [f64; 5] = [19.84, 139.16, 38.57, 71.39, 8.29];
-/// Speed of the single shot, mph; its loft, deg; its attack angle, deg.
+/// Delivery of the single shot: speed, mph; loft, deg; attack angle, deg.
 pub const SHOT_DELIVERY: [f64; 3] = [103.0, 10.0, 0.0];
-/// The optimum: loft, deg; attack angle, deg; carry, yd.
+/// Optimum: loft, deg; attack angle, deg; carry, yd.
 pub const OPTIMUM: [f64; 3] = [2.74, 27.44, 250.09];
-/// Table 1: loft, deg; its best attack angle, deg; carry, yd.
+/// Table 1: loft, deg; best attack angle, deg; carry, yd.
 pub const TABLE_1: [[f64; 3]; 9] = [
     [5.0, 22.09, 248.48],
     [7.0, 17.53, 245.11],
@@ -22,7 +22,7 @@ pub const TABLE_1: [[f64; 3]; 9] = [
     [13.0, 6.68, 224.75],
     [15.0, 3.68, 215.74],
 ];
-/// Table 2: attack angle, deg; its best loft, deg; carry, yd.
+/// Table 2: attack angle, deg; best loft, deg; carry, yd.
 pub const TABLE_2: [[f64; 3]; 13] = [
     [-10.0, 17.14, 188.93],
     [-5.0, 14.51, 206.08],
@@ -38,15 +38,14 @@ pub const TABLE_2: [[f64; 3]; 13] = [
     [5.0, 10.22, 230.32],
     [10.0, 8.39, 238.55],
 ];
-/// The best loft on the average over attack angles of 0–10°, deg, and that average, yd.
+/// Best loft of the mean over attack angles of 0–10°, deg, and that mean, yd.
 pub const AVERAGE: [f64; 2] = [10.68, 228.01];
-/// The lofts that it is taken at, deg.
+/// Lofts of that mean, deg.
 pub const AVERAGED_LOFTS: [f64; 6] = [7.0, 8.0, 9.0, 10.0, 11.0, 12.0];
-/// The robot "Iron Byron" with the single shot's delivery: mean of twenty distances and their
-/// standard deviation, yd.
+/// Robot "Iron Byron" with the delivery of the single shot: mean and standard deviation of twenty
+/// distances, yd.
 pub const ROBOT: [f64; 2] = [200.3, 3.61];
-/// Where the print, as scanned, breaks a smooth column: table, its row (by its first number), the
-/// number scanned and the number taken instead.
+/// Corrected misprints: table, row (by its first number), number as scanned, and number used.
 pub const MISPRINTS: [(u8, f64, f64, f64); 3] = [
     (1, 8.0, 242.14, 242.74),
     (1, 13.0, 224.15, 224.75),

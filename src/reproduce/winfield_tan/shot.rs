@@ -5,16 +5,16 @@ use crate::impact::strike;
 use crate::parameters::Setup;
 use crate::units::Quantity;
 
-/// The numbers that the paper prints of its single shot, SI.
+/// Printed values of the single shot, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleShot {
-    /// The ball's speed upwards, m/s.
+    /// Upward ball speed, m/s.
     pub up: f64,
-    /// The ball's speed downrange, m/s.
+    /// Downrange ball speed, m/s.
     pub downrange: f64,
     /// Backspin, rad/s.
     pub backspin: f64,
-    /// The club's speed downrange after impact, m/s.
+    /// Downrange club speed after impact, m/s.
     pub club_after: f64,
     /// Launch angle, rad.
     pub launch_angle: f64,
@@ -24,24 +24,24 @@ pub struct SingleShot {
     pub flight_time: f64,
     /// Apex height, m.
     pub apex_height: f64,
-    /// Time of the apex, s.
+    /// Time of apex, s.
     pub apex_time: f64,
 }
 
 /// The single shot, computed and printed.
 #[derive(Clone, Copy, Debug)]
-pub struct Struck {
-    /// The club's speed before impact, m/s.
+pub struct ShotComparison {
+    /// Club speed before impact, m/s.
     pub club_speed: f64,
-    /// As it comes out.
+    /// Computed values.
     pub computed: SingleShot,
-    /// As it is printed.
+    /// Printed values.
     pub printed: SingleShot,
-    /// The robot's mean distance and its standard deviation, m.
+    /// Mean and standard deviation of the robot's distances, m.
     pub robot: (f64, f64),
 }
 
-impl Struck {
+impl ShotComparison {
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let unit = |quantity: Quantity, unit: &str| quantity.size_of(unit).unwrap_or(f64::NAN);
         let (mph, yard) = (unit(Quantity::SPEED, "mph"), unit(Quantity::LENGTH, "yd"));

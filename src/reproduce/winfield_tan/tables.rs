@@ -1,4 +1,4 @@
-//! The optima that the paper prints, searched anew.
+//! The printed optima, recomputed.
 
 use super::printed;
 use crate::drive::{Drive, Outcome};
@@ -10,11 +10,11 @@ use crate::units::Quantity;
 
 const LOFT: &str = "club.loft";
 const ATTACK_ANGLE: &str = "swing.attack_angle";
-/// Searched between these, deg: far beyond what the paper prints.
+/// Search ranges, deg, far beyond the printed values.
 const LOFTS: [f64; 2] = [-10.0, 40.0];
 const ATTACKS: [f64; 2] = [-20.0, 50.0];
 
-/// How the ball is struck, and how far it carries, SI.
+/// Delivery with its carry, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// Loft, rad.
@@ -28,11 +28,11 @@ pub struct Point {
 /// An optimum, computed and printed.
 #[derive(Clone, Copy, Debug)]
 pub struct Best {
-    /// As it comes out.
+    /// Computed optimum.
     pub computed: Point,
-    /// As it is printed, corrected.
+    /// Printed optimum, corrected.
     pub printed: Point,
-    /// How far the printed delivery carries, m.
+    /// Computed carry of the printed delivery, m.
     pub at_printed: f64,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn table2(setup: &Setup<f64>) -> Result<Vec<Best>> {
         .collect()
 }
 
-/// The best loft at attack angles from 6° below the optimum's to 6° above.
+/// Best loft at attack angles within ±6° of the optimum.
 pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Point>> {
     let steps = (-6..=6).map(|step| top.computed.attack_angle + f64::from(step).to_radians());
     let mut from = top.computed;
@@ -95,7 +95,7 @@ fn at(setup: &Setup<f64>, point: Point) -> Setup<f64> {
     at
 }
 
-/// The optimum in these parameters, from a point.
+/// The optimum over the named parameters, from a starting point.
 fn searched(setup: &Setup<f64>, from: Point, names: &[&str]) -> Result<Point> {
     let range = |name: &&str| {
         let [low, high] = if *name == LOFT { LOFTS } else { ATTACKS };

@@ -1,4 +1,4 @@
-//! What a calibration finds.
+//! Result of a calibration.
 
 use super::statistics::Statistics;
 use crate::drive::Outcome;
@@ -12,29 +12,29 @@ pub struct Estimate {
     pub parameter: &'static Parameter,
     /// Its value.
     pub value: f64,
-    /// Standard error; `None` where the data do not determine it or a bound holds it.
+    /// Standard error; `None` if the data do not determine the value or it lies on a bound.
     pub standard_error: Option<f64>,
-    /// Whether it ended on a bound of its range.
+    /// The value lies on a bound of its range.
     pub is_at_bound: bool,
-    /// Whether the data determine it; where not, its value is one of many.
+    /// The data determine the value. If not, other values fit equally well.
     pub is_determined: bool,
 }
 
-/// A residual.
+/// A residual with its origin.
 #[derive(Clone, Debug)]
 pub struct Remainder {
     /// The row of the table.
     pub row: usize,
-    /// What was measured; carry where a parameter was stationary.
+    /// The measured outcome; [`Outcome::Carry`] for a stationary parameter.
     pub outcome: Outcome,
-    /// The parameter in which carry is stationary, if it is that.
+    /// The stationary parameter, for a row that is an optimum in it.
     pub stationary: Option<&'static Parameter>,
-    /// What was measured, SI; `None` for a parameter that is stationary.
+    /// The measured value, SI; `None` for a stationary parameter.
     pub measured: Option<f64>,
-    /// Computed − measured, SI. For a stationary parameter how far its optimum lies from where the
-    /// row has it, to first order.
+    /// Computed − measured, SI. For a stationary parameter: distance of the computed optimum from
+    /// the row's value, to first order.
     pub difference: f64,
-    /// The same in units of its standard uncertainty.
+    /// `difference` divided by its standard uncertainty.
     pub residual: f64,
 }
 
@@ -43,23 +43,25 @@ pub struct Remainder {
 pub struct Calibration {
     /// The setup with the fitted values.
     pub setup: Setup<f64>,
-    /// How the search ended.
+    /// Result of the best search.
     pub fit: Fit,
-    /// Searches made, and how many of them ended at this sum (within 1e-6 of it).
-    pub starts: (usize, usize),
-    /// How the others ended, with how many of them; nothing where curvatures of optima were renewed
-    /// more than once, and the best search alone went on.
+    /// Number of searches.
+    pub starts: usize,
+    /// Number of searches that ended at the smallest sum of squares (within 1e-6 of it).
+    pub at_minimum: usize,
+    /// Statuses of the other searches with their counts. Empty if the curvatures of optima were
+    /// renewed more than once, since then only the best search continues.
     pub elsewhere: Vec<(Status, usize)>,
-    /// Searches that were stopped from outside before their end.
+    /// Number of searches that were interrupted.
     pub stopped: usize,
-    /// Whether the search that is shown had ended at a minimum, whatever became of the others.
+    /// The search shown converged to a minimum, even if others were interrupted.
     pub is_minimum: bool,
-    /// The parameters.
+    /// The fitted parameters.
     pub estimates: Vec<Estimate>,
-    /// What the data say of them.
+    /// Covariance, degrees of freedom and χ².
     pub statistics: Statistics,
-    /// What is left over, row by row.
+    /// The residuals, row by row.
     pub remainders: Vec<Remainder>,
-    /// Times that the curvatures of the optima were renewed.
+    /// Number of times the curvatures of the optima were renewed.
     pub renewals: usize,
 }

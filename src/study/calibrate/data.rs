@@ -7,25 +7,25 @@ use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
-use crate::table::{ClubColumns, Entry, Text, TextTable, Wanted};
+use crate::table::{ClubColumns, Entry, TableOptions, Text, TextTable};
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
 
 impl ShotTable {
-    /// Reads a table in a CSV file.
+    /// Reads measured shots from a CSV file.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// The errors of [`read`](Self::read).
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         Self::opened(setup, path, ClubColumns::Ignored)
     }
 
-    /// Reads a table in a CSV file whose rows may be launches alone, of which nothing more is
-    /// measured. What it states of the club beside them is read too.
+    /// Reads launches from a CSV file, together with the club columns beside them. A row needs no
+    /// measurement other than its launch.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// The errors of [`read`](Self::read).
     pub fn open_launches(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         Self::opened(setup, path, ClubColumns::Read)
     }
@@ -40,22 +40,22 @@ impl ShotTable {
         Self::read_rows(setup, &file, source, club)
     }
 
-    /// Reads a table in CSV.
+    /// Reads measured shots from CSV text. Messages of GSPro Open Connect and exports with title
+    /// lines before the head are read too.
+    ///
+    /// Rows without a measurement, or without a value that every shot needs, are ignored; a remark
+    /// lists them. In a launch monitor's export, summary rows and rows with an unusable value are
+    /// ignored too, and physically impossible measured values are not compared.
     ///
     /// # Errors
-    /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong
-    /// unit, a cell that is no number or whose decimal mark is uncertain, a sigma that is not
-    /// positive, a value outside its range, and a table without rows. Rows that lack a value that
-    /// every shot needs, or a measurement, are left out and named in the remarks. Of a launch
-    /// monitor's export so are rows that sum up others or have a value that cannot be used, and
-    /// measured values that no drive has, which are not compared. Messages of GSPro Open Connect,
-    /// and exports with title lines before their head, are read too.
+    /// [`Error::Table`] with row and column for an unknown or repeated column, a wrong unit, a cell
+    /// that is not a number, an uncertain decimal mark, a sigma ≤ 0, a value outside its range, and
+    /// a table without rows.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
         Self::read_rows(setup, file, source, ClubColumns::Ignored)
     }
 
-    /// The same; where the club beside a measured launch is read too, a row needs no measurement
-    /// beside its launch.
+    /// Reads CSV text. With [`ClubColumns::Read`] a row needs no measurement other than its launch.
     fn read_rows(
         setup: &Setup<f64>,
         file: &str,
@@ -75,8 +75,8 @@ impl ShotTable {
             return Self::of_messages(setup, Shots::of_text(setup, text)?, file, club);
         }
         let wanted = match club {
-            ClubColumns::Ignored => Wanted::MEASUREMENTS,
-            ClubColumns::Read => Wanted::DELIVERIES,
+            ClubColumns::Ignored => TableOptions::MEASUREMENTS,
+            ClubColumns::Read => TableOptions::DELIVERIES,
         };
         let (mut table, head) = TextTable::open(text, setup, &wanted)?;
         let (mut heads, mut units) = (head.heads.clone(), head.units.clone());
@@ -107,7 +107,7 @@ impl ShotTable {
         rows.table(first)
     }
 
-    /// The shots of messages of GSPro Open Connect, and of lines that `fly` wrote.
+    /// Shots from messages of GSPro Open Connect, or from lines that `fly` wrote.
     fn of_messages(
         setup: &Setup<f64>,
         shots: Shots,

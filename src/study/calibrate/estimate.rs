@@ -1,8 +1,7 @@
 use super::calibration::{Calibration, Estimate, Remainder};
 use super::refusal::no_answer;
 use super::residuals::ShotResiduals;
-use super::shot::Shot;
-use super::shot_table::ShotTable;
+use super::shot_table::{Shot, ShotTable};
 use super::statistics::{Fitted, Statistics};
 use super::verdict;
 use crate::drive::Outcome;
@@ -10,27 +9,27 @@ use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Fit, Follow, Options, Residuals, Status, fit_from};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Setup, Vary, refuse_replaced};
-use crate::study::stoppable::stopped;
+use crate::study::cancellable::stopped;
 use crate::units::counted;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What to fit, and how.
+/// Parameters to fit, and options of the fit.
 #[derive(Clone, Debug)]
-pub struct Plan {
-    /// The parameters with their ranges, whose ends may be infinite.
+pub struct FitPlan {
+    /// The parameters with their ranges; a range may be unbounded.
     pub fit: Vec<Vary>,
-    /// Searches, spread over the ranges; the first begins at the setup's own values.
+    /// Number of searches, spread over the ranges. The first starts at the setup's values.
     pub starts: usize,
-    /// Loss and limits.
+    /// Loss function and limits of the search.
     pub options: Options,
 }
 
-impl Plan {
-    /// A plan to fit these, by least squares from the setup's own values. A name without a range
-    /// has the parameter's own.
+impl FitPlan {
+    /// A plan for `NAME` or `NAME=LOW..HIGH` texts: least squares from the setup's values. A name
+    /// without a range gets the parameter's allowed range.
     ///
     /// # Errors
-    /// As [`Vary::read`]; [`Error::Nothing`] without names.
+    /// The errors of [`Vary::read`]; [`Error::Nothing`] without names.
     pub fn read(setup: &Setup<f64>, fit: &[String]) -> Result<Self> {
         if fit.is_empty() {
             return Err(Error::Nothing {
@@ -118,36 +117,7 @@ impl Plan {
             .chain(self.fit.iter().map(|vary| vary.parameter.name))
             .collect();
         refuse_replaced(&names, |_| false)?;
-        for (row, measured) in table
-            .shots
-            .iter()
-            .flat_map(|shot| shot.measured.iter().map(|one| (shot.row, one)))
-        {
-            let (of, value, sigma) = (measured.outcome, measured.value, measured.sigma);
-            if !(value.is_finite() && sigma > 0.0 && sigma.is_finite()) {
-                return refuse(format!(
-                    "row {row}: {} was measured as {} with a standard uncertainty of {}; give a \
-                     finite value, and an uncertainty above 0",
-                    of.name(),
-                    of.show(value),
-                    of.show(sigma)
-                ));
-            }
-        }
-        for (row, at) in table
-            .shots
-            .iter()
-            .flat_map(|shot| shot.stationary.iter().map(|one| (shot.row, one)))
-        {
-            if !(at.sigma > 0.0 && at.sigma.is_finite()) {
-                let sigma = at.parameter.show(Some(at.sigma));
-                return refuse(format!(
-                    "row {row} is an optimum in {} with a standard uncertainty of {sigma}; give \
-                     one above 0",
-                    at.parameter
-                ));
-            }
-        }
+        check_measurements(&table.shots)?;
         if table.residuals() < self.fit.len() {
             return refuse(format!(
                 "{} has {}, fewer than the {} to fit; add measured shots, or fit fewer parameters",
@@ -160,27 +130,57 @@ impl Plan {
     }
 }
 
-/// Fits parameters of a setup to measured shots.
+/// Refuses measured values that are not finite, and standard uncertainties that are not positive.
+fn check_measurements(shots: &[Shot]) -> Result<()> {
+    let refuse = |reason: String| Err(Error::Calibration { reason });
+    for (row, measured) in shots
+        .iter()
+        .flat_map(|shot| shot.measured.iter().map(|one| (shot.row, one)))
+    {
+        let (of, value, sigma) = (measured.outcome, measured.value, measured.sigma);
+        if !(value.is_finite() && sigma > 0.0 && sigma.is_finite()) {
+            return refuse(format!(
+                "row {row}: {} was measured as {} with a standard uncertainty of {}; give a \
+                 finite value, and an uncertainty above 0",
+                of.name(),
+                of.show(value),
+                of.show(sigma)
+            ));
+        }
+    }
+    for (row, at) in shots
+        .iter()
+        .flat_map(|shot| shot.stationary.iter().map(|one| (shot.row, one)))
+    {
+        if !(at.sigma > 0.0 && at.sigma.is_finite()) {
+            let sigma = at.parameter.show(Some(at.sigma));
+            return refuse(format!(
+                "row {row} is an optimum in {} with a standard uncertainty of {sigma}; give \
+                 one above 0",
+                at.parameter
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Fits parameters of a setup to measured shots by least squares.
 ///
-/// Rows with a stationary parameter enter with the angle by which carry's optimum is missed,
-/// −slope/|curvature|; the curvature is held while the search runs, and renewed until it stays.
+/// The residual of a stationary parameter is the angle between the computed optimum of carry and
+/// the row's value, −slope/|curvature|. The curvature stays constant during a search; it is
+/// computed anew after each search until it no longer changes.
 ///
 /// # Errors
 /// [`Error::Calibration`] for a plan that does not fit the table, and for measured values that are
 /// not finite or have no standard uncertainty above 0; [`Error::OtherLaw`] and
-/// [`Error::SearchRange`] for what is to be fitted; [`Error::NoFit`] where rows do not fly at any
-/// start, with each of them; [`Error::NotConverged`] where it is stopped before the fit has begun.
+/// [`Error::SearchRange`] for the parameters to fit; [`Error::NoFit`] with the rows that have no
+/// answer at any start; [`Error::NotConverged`] if interrupted before the fit began.
 pub fn calibrate(
     setup: &Setup<f64>,
     table: &ShotTable,
-    plan: &Plan,
+    plan: &FitPlan,
     follow: &Follow,
 ) -> Result<Calibration> {
-    /// Curvatures are renewed at most so often, until none changes by more than this part.
-    const RENEWALS: usize = 8;
-    const SAME: f64 = 1e-4;
-    /// Points tried for a start where not every row flies at those given.
-    const START_TRIALS: usize = 64;
     plan.check(table)?;
     for vary in &plan.fit {
         setup.check_variable(vary.parameter)?;
@@ -205,93 +205,153 @@ pub fn calibrate(
         rounding: table.rounding(),
         ..plan.options.clone()
     };
-    let mut from = starts(&domain, &own, plan.starts)?;
-    if !from.iter().any(|start| problem.begin(start)) {
-        let unbegun = || follow.is_interrupted().then(|| stopped("the fit began"));
-        if let Some(stopped) = unbegun() {
-            return Err(stopped);
-        }
-        // as a search does whose functions are not defined at its start, others are tried
-        let others = starts(&domain, &own, START_TRIALS)?;
-        from = others
-            .into_iter()
-            .filter(|start| problem.begin(start))
-            .take(1)
-            .collect();
-        if from.is_empty() {
-            return Err(unbegun().unwrap_or_else(|| missing(NO_START, &problem, &own)));
-        }
-    }
-    let mut renewals = 0;
-    let (mut fits, is_settled) = loop {
-        let fits = fit_from(&problem, &domain, &from, &options, follow)?;
-        let best = &fits[0];
-        if best.rows.residuals.is_empty() {
-            return Err(if follow.is_interrupted() {
-                stopped("the fit began")
-            } else {
-                missing(NO_START, &problem, &own)
-            });
-        }
-        let renewed = match problem.curvatures_at(&best.x) {
-            // without optima among the rows there is nothing to renew
-            Err(_) if follow.is_interrupted() => {
-                break (
-                    fits,
-                    table.shots.iter().all(|shot| shot.stationary.is_empty()),
-                );
-            }
-            renewed => renewed?,
-        };
-        let pairs = renewed
-            .iter()
-            .flatten()
-            .zip(problem.curvatures.iter().flatten());
-        let is_same = pairs
-            .clone()
-            .all(|(new, old)| (new / old - 1.0).abs() <= SAME);
-        if is_same || renewals == RENEWALS || follow.is_interrupted() {
-            break (fits, is_same);
-        }
-        renewals += 1;
-        from = if renewals == 1 {
-            fits.iter().map(|fit| fit.x.clone()).collect()
-        } else {
-            vec![best.x.clone()]
-        };
-        problem.curvatures = renewed;
-    };
-    let is_same =
-        |fit: &&Fit| (fit.cost - fits[0].cost).abs() <= 1e-6 * fits[0].cost.abs().max(1e-12);
-    let (at_the_sum, others): (Vec<&Fit>, Vec<_>) = fits
-        .iter()
-        .filter(|fit| fit.status != Status::Interrupted)
-        .partition(is_same);
-    let (same, mut elsewhere) = (at_the_sum.len(), vec![]);
-    for Fit { status, .. } in others {
-        match elsewhere.iter_mut().find(|(other, _)| other == status) {
-            Some((_, count)) => *count += 1,
-            None => elsewhere.push((*status, 1)),
-        }
-    }
-    let (stopped, is_minimum) =
-        verdict::of_searches(&mut fits, is_settled, follow.is_interrupted());
-    let mut found = finished(&problem, &domain, table, &own, fits, &options)?;
+    let from = starting_points(&mut problem, &domain, &own, plan.starts, follow)?;
+    let mut searches = Searches::run(&mut problem, &domain, &own, from, &options, follow)?;
+    let (at_minimum, elsewhere) = searches.by_status();
+    let (stopped, is_minimum) = verdict::of_searches(
+        &mut searches.fits,
+        searches.is_settled,
+        follow.is_interrupted(),
+    );
+    let mut found = finished(&problem, &domain, table, &own, searches.fits, &options)?;
     verdict::of_data(&mut found, options.loss, table.uncertainties);
     Ok(Calibration {
-        starts: (plan.starts, same),
+        starts: plan.starts,
+        at_minimum,
         elsewhere,
         stopped,
         is_minimum,
-        renewals,
+        renewals: searches.renewals,
         ..found
     })
 }
 
-/// What a fit lacks that cannot begin.
+/// Starting points of the searches. At one of them at least, every row has an answer.
+fn starting_points(
+    problem: &mut ShotResiduals<'_>,
+    domain: &Domain,
+    own: &[f64],
+    count: usize,
+    follow: &Follow,
+) -> Result<Vec<Vec<f64>>> {
+    /// Number of points tried if the rows have no answer at the planned ones.
+    const START_TRIALS: usize = 64;
+    let planned = starts(domain, own, count)?;
+    if planned.iter().any(|start| problem.begin(start)) {
+        return Ok(planned);
+    }
+    if follow.is_interrupted() {
+        return Err(stopped("the fit began"));
+    }
+    // the setup's values give no answer: try other starting points, as the optimizer does
+    let other = starts(domain, own, START_TRIALS)?
+        .into_iter()
+        .find(|start| problem.begin(start));
+    match other {
+        Some(start) => Ok(vec![start]),
+        None => Err(no_start(problem, own, follow)),
+    }
+}
+
+/// Error of a fit that could not begin.
+fn no_start(problem: &ShotResiduals<'_>, own: &[f64], follow: &Follow) -> Error {
+    if follow.is_interrupted() {
+        stopped("the fit began")
+    } else {
+        missing(NO_START, problem, own)
+    }
+}
+
+/// Searches from several starting points, with constant curvatures of optima at the end.
+struct Searches {
+    /// In ascending order of the sum of squares.
+    fits: Vec<Fit>,
+    /// The curvatures no longer change.
+    is_settled: bool,
+    /// Number of times the curvatures were renewed.
+    renewals: usize,
+}
+
+impl Searches {
+    /// Runs the searches; renews the curvatures at the best point until they no longer change.
+    fn run(
+        problem: &mut ShotResiduals<'_>,
+        domain: &Domain,
+        own: &[f64],
+        mut from: Vec<Vec<f64>>,
+        options: &Options,
+        follow: &Follow,
+    ) -> Result<Self> {
+        /// Maximum number of renewals.
+        const RENEWALS: usize = 8;
+        /// Relative change of a curvature that counts as none.
+        const SAME: f64 = 1e-4;
+        let mut renewals = 0;
+        loop {
+            let fits = fit_from(&*problem, domain, &from, options, follow)?;
+            let best = &fits[0];
+            if best.rows.residuals.is_empty() {
+                return Err(no_start(problem, own, follow));
+            }
+            let renewed = match problem.curvatures_at(&best.x) {
+                // an interrupted fit is settled only if no row is an optimum
+                Err(_) if follow.is_interrupted() => {
+                    let is_settled = problem.shots.iter().all(|shot| shot.stationary.is_empty());
+                    return Ok(Self {
+                        fits,
+                        is_settled,
+                        renewals,
+                    });
+                }
+                renewed => renewed?,
+            };
+            let is_settled = renewed
+                .iter()
+                .flatten()
+                .zip(problem.curvatures.iter().flatten())
+                .all(|(new, old)| (new / old - 1.0).abs() <= SAME);
+            if is_settled || renewals == RENEWALS || follow.is_interrupted() {
+                return Ok(Self {
+                    fits,
+                    is_settled,
+                    renewals,
+                });
+            }
+            renewals += 1;
+            from = if renewals == 1 {
+                fits.iter().map(|fit| fit.x.clone()).collect()
+            } else {
+                vec![best.x.clone()]
+            };
+            problem.curvatures = renewed;
+        }
+    }
+
+    /// Number of completed searches at the smallest sum of squares, and the statuses of the others
+    /// with their counts.
+    fn by_status(&self) -> (usize, Vec<(Status, usize)>) {
+        let best = self.fits[0].cost;
+        let is_same = |fit: &&Fit| (fit.cost - best).abs() <= 1e-6 * best.abs().max(1e-12);
+        let (same, others): (Vec<&Fit>, Vec<_>) = self
+            .fits
+            .iter()
+            .filter(|fit| fit.status != Status::Interrupted)
+            .partition(is_same);
+        let mut elsewhere: Vec<(Status, usize)> = vec![];
+        for Fit { status, .. } in others {
+            match elsewhere.iter_mut().find(|(other, _)| other == status) {
+                Some((_, count)) => *count += 1,
+                None => elsewhere.push((*status, 1)),
+            }
+        }
+        (same.len(), elsewhere)
+    }
+}
+
+/// First words of the error for a fit without a starting point.
 const NO_START: &str = "no start was found at which every row has an answer";
 
-/// The error for the rows that have no answer at a point.
+/// The error that lists the rows without an answer at `at`.
 fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {
     match problem.each(at) {
         Ok(each) => {
@@ -317,28 +377,11 @@ fn finished(
     fits: Vec<Fit>,
     options: &Options,
 ) -> Result<Calibration> {
-    /// A range without an end is taken to reach this many times the parameter's own size (or 0.001,
-    /// if that is more).
-    const ENDLESS: f64 = 1e6;
     let fit = fits.into_iter().next().ok_or(Error::Nothing {
         doing: "fit",
         what: "start",
     })?;
-    let bounds = &domain.variables;
-    let fitted = (0..fit.x.len()).map(|i| {
-        let (x, low, high) = (fit.x[i], bounds.low[i], bounds.high[i]);
-        let width = high - low;
-        let size = x.abs().max(own[i].abs()).max(1e-3);
-        Fitted {
-            is_free: low < x && x < high,
-            width: if width.is_finite() {
-                width
-            } else {
-                ENDLESS * size
-            },
-        }
-    });
-    let fitted: Vec<Fitted> = fitted.collect();
+    let fitted = ranges_of(&fit.x, own, domain);
     let statistics = Statistics::new(
         &fit.rows,
         &fitted,
@@ -363,7 +406,8 @@ fn finished(
     Ok(Calibration {
         setup,
         fit,
-        starts: (1, 1),
+        starts: 1,
+        at_minimum: 1,
         elsewhere: vec![],
         stopped: 0,
         is_minimum: false,
@@ -374,7 +418,28 @@ fn finished(
     })
 }
 
-/// Residuals with what they are of.
+/// Range information of the fitted parameters at `x`.
+fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
+    /// Width of an unbounded range, as a multiple of the parameter's magnitude (at least 0.001).
+    const ENDLESS: f64 = 1e6;
+    let bounds = &domain.variables;
+    let range = |i: usize| {
+        let (x, low, high) = (x[i], bounds.low[i], bounds.high[i]);
+        let width = high - low;
+        let size = x.abs().max(own[i].abs()).max(1e-3);
+        Fitted {
+            is_free: low < x && x < high,
+            width: if width.is_finite() {
+                width
+            } else {
+                ENDLESS * size
+            },
+        }
+    };
+    (0..x.len()).map(range).collect()
+}
+
+/// The residuals with their rows and outcomes.
 pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
     let of = |shot: &Shot| {
         let row = shot.row;
@@ -402,7 +467,7 @@ pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
     .collect()
 }
 
-/// The residuals of shots flown with a setup as it stands; nothing once `stop` is true.
+/// Residuals of shots flown with a given setup, without a fit; `None` once `stop` is true.
 pub(super) fn flown(
     setup: &Setup<f64>,
     shots: &[Shot],

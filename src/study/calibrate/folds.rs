@@ -1,27 +1,27 @@
-//! How well a fit tells shots that it was not made from.
+//! Cross-validation: errors of shots that a fit has not seen.
 
 use super::calibration::Remainder;
-use super::estimate::{Plan, calibrate, flown};
+use super::estimate::{FitPlan, calibrate, flown};
 use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Follow, Status};
 use crate::parameters::Setup;
 use crate::units::counted;
 
-/// Residuals of shots that each fit had not seen.
+/// Residuals of held-out shots.
 #[derive(Clone, Debug)]
 pub struct HeldOut {
-    /// Parts the shots were divided in; 0 for a setup flown as it stands.
+    /// Number of folds; 0 for a setup flown without a fit.
     pub folds: usize,
-    /// How the fit for each part ended. What was left over by one that was interrupted is not told.
+    /// Status of the fit for each fold. An interrupted fit has no residuals.
     pub ended: Vec<Status>,
-    /// What was left over of the rows held out.
+    /// Residuals of the held-out rows.
     pub remainders: Vec<Remainder>,
 }
 
 impl HeldOut {
-    /// Mean of the squared residuals, in units of the standard uncertainties; `None` where every
-    /// fit was interrupted.
+    /// Mean of the squared residuals, in standard uncertainties; `None` if every fit was
+    /// interrupted.
     pub fn mean_square(&self) -> Option<f64> {
         let sum: f64 = self
             .remainders
@@ -31,19 +31,18 @@ impl HeldOut {
         (!self.remainders.is_empty()).then(|| sum / self.remainders.len() as f64)
     }
 
-    /// How many fits ended so.
+    /// Number of fits with this status.
     pub fn count(&self, status: Status) -> usize {
         self.ended.iter().filter(|ended| **ended == status).count()
     }
 
-    /// Whether a fit was interrupted.
+    /// Reports whether a fit was interrupted.
     pub fn is_interrupted(&self) -> bool {
         self.count(Status::Interrupted) > 0
     }
 
-    /// Shots flown with a setup as it stands: of shots it was not fitted to, that is their held-out
-    /// error. Once it is interrupted, that counts as one fit that was, and nothing is told of the
-    /// rows.
+    /// Residuals of shots flown with a setup that was not fitted to them. An interruption counts as
+    /// one interrupted fit without residuals.
     ///
     /// # Errors
     /// [`Error::NoFit`] with the rows that have no answer.
@@ -62,13 +61,12 @@ impl HeldOut {
     }
 }
 
-/// Whether a plan can be cross-validated in so many parts: what [`held_out`] refuses, said before
-/// any fit.
+/// Checks a plan and a number of folds before any fit.
 ///
 /// # Errors
-/// [`Error::Calibration`] for less than 2 or more parts than rows, for a plan that does not fit the
-/// table, and where a fit would be left with fewer values than parameters.
-pub fn check_folds(table: &ShotTable, plan: &Plan, folds: usize) -> Result<()> {
+/// [`Error::Calibration`] for fewer than 2 folds or more folds than rows, for a plan that does not
+/// fit the table, and for folds that leave a fit fewer values than parameters.
+pub fn check_folds(table: &ShotTable, plan: &FitPlan, folds: usize) -> Result<()> {
     let refuse = |reason: String| Err(Error::Calibration { reason });
     let rows = table.shots.len();
     if folds < 2 || folds > rows {
@@ -103,16 +101,15 @@ pub fn check_folds(table: &ShotTable, plan: &Plan, folds: usize) -> Result<()> {
     Ok(())
 }
 
-/// k-fold cross-validation (Stone 1974): every k-th row is held out in turn, and told by a fit to
-/// the others. Once it is interrupted, the fit under way and those to come are counted as such, and
-/// their rows left out.
+/// k-fold cross-validation (Stone 1974): a fit to the other rows predicts every k-th row. After an
+/// interruption all remaining fits count as interrupted, and their rows are omitted.
 ///
 /// # Errors
-/// As [`check_folds`] and [`calibrate`].
+/// The errors of [`check_folds`] and [`calibrate`].
 pub fn held_out(
     setup: &Setup<f64>,
     table: &ShotTable,
-    plan: &Plan,
+    plan: &FitPlan,
     folds: usize,
     follow: &Follow,
 ) -> Result<HeldOut> {
@@ -123,7 +120,7 @@ pub fn held_out(
             ended.push(Status::Interrupted);
             continue;
         }
-        let (told, seen): (Vec<_>, Vec<_>) = table
+        let (held_out, seen): (Vec<_>, Vec<_>) = table
             .shots
             .iter()
             .cloned()
@@ -136,19 +133,19 @@ pub fn held_out(
             ..table.clone()
         };
         let found = match calibrate(setup, &seen, plan, follow) {
-            // before it had begun
+            // interrupted before the fit began
             Err(_) if follow.is_interrupted() => None,
             found => Some(found?).filter(|found| found.fit.status != Status::Interrupted),
         };
-        let told = match &found {
-            Some(found) => flown(&found.setup, &strip(told), &follow.interrupt)?,
+        let held_out = match &found {
+            Some(found) => flown(&found.setup, &strip(held_out), &follow.interrupt)?,
             None => None,
         };
         let status = found
-            .filter(|_| told.is_some())
+            .filter(|_| held_out.is_some())
             .map_or(Status::Interrupted, |found| found.fit.status);
         ended.push(status);
-        remainders.extend(told.into_iter().flatten());
+        remainders.extend(held_out.into_iter().flatten());
     }
     remainders.sort_by_key(|remainder| remainder.row);
     Ok(HeldOut {

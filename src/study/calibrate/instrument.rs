@@ -1,23 +1,23 @@
-//! How well launch monitors measure: the standard uncertainty that stands for a column's own where
-//! a table states none.
+//! Measurement uncertainty of launch monitors: default standard uncertainties for columns without a
+//! sigma.
 
 use crate::drive::Outcome;
 use crate::units::{Digits, Message, Quantity};
 
-/// How well an outcome is measured.
+/// Standard uncertainty of an outcome as a launch monitor measures it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instrument {
     /// The outcome.
     pub outcome: Outcome,
-    /// Its standard uncertainty as people state it: `0.3 deg`.
+    /// Its standard uncertainty with unit: `0.3 deg`.
     pub sigma: &'static str,
-    /// Where that comes from; "assumed", with the reasoning, where no source could be read. Lengths
-    /// and speeds in it stand in braces.
+    /// Source; "assumed" with the reasoning where no source was found. Lengths and speeds are in
+    /// braces.
     source: &'static str,
 }
 
 impl Instrument {
-    /// Where the uncertainty comes from, or how it is reasoned.
+    /// The source of the uncertainty, or the reasoning behind an assumption.
     pub fn source(&self) -> Message {
         let parts = self.source.split(['{', '}']).enumerate();
         parts.fold(Message::default(), |message, (i, part)| {
@@ -31,7 +31,7 @@ impl Instrument {
     }
 }
 
-/// A length or a speed.
+/// Parses a length or a speed.
 fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
     let kinds = [(Quantity::LENGTH, "yd"), (Quantity::SPEED, "mph")];
     kinds
@@ -39,27 +39,28 @@ fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
         .find_map(|(quantity, unit)| Some((quantity, unit, quantity.read(text).ok()?)))
 }
 
-/// Ball speed: two units of one kind beside each other agree to about ±0.5 % of it
+/// Ball speed: two radar units agree to about ±0.5 %
 /// (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read in a stored copy; it names no
-/// test), which is 0.8 mph of 165 mph. No maker's data sheet, and not the numbers of Leach,
-/// Forrester, Mears & Roberts (Measurement 112, 2017, 125–136), could be read.
+/// test), 0.8 mph of 165 mph. Neither a maker's data sheet nor the numbers of Leach, Forrester,
+/// Mears & Roberts (Measurement 112, 2017, 125–136) could be read.
 const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
                      no test): {0.8 mph} of {165 mph}, rounded up";
-/// Angles of the launch: no source could be read.
+/// Launch angles: no source found.
 const TENTHS: &str = "assumed: three of the tenths of a degree that exports print";
-/// Spin: no source could be read.
+/// Spin: no source found.
 const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
-/// Distances: how far monitors are apart from each other on the same launches.
+/// Distances: difference between launch monitors for the same launch.
 const APART: &str =
     "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
-/// Totals: of two monitors on the same shots (Bliss & Langdown 2026), whose grounds differ.
+/// Totals: differences of two monitors on the same shots (Bliss & Langdown 2026), whose ground
+/// models differ.
 const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
                     deviation): {8 yd} each, docs/sources.md";
-/// Chart rounding: published averages are whole yards and degrees.
+/// Charts: published averages are rounded to whole yards and degrees.
 const ROUNDED: &str = "assumed: tables print whole units of length and whole degrees, and indoors \
                        these are computed from the launch";
 
-/// All that is known or assumed.
+/// All known or assumed uncertainties.
 const INSTRUMENTS: &[Instrument] = &[
     Instrument {
         outcome: Outcome::BallSpeed,
@@ -164,8 +165,7 @@ const INSTRUMENTS: &[Instrument] = &[
     },
 ];
 
-/// How well an outcome is measured, and its standard uncertainty in SI; `None` where nothing is
-/// known.
+/// The measurement uncertainty of an outcome, with its value in SI; `None` if nothing is known.
 ///
 /// ```
 /// use longdrive::Outcome;
@@ -198,7 +198,7 @@ mod tests {
                 "{}",
                 outcome.name()
             );
-            // what stands in braces is read, and shown in the units of either system
+            // a quantity in braces parses, and prints in the units of either system
             assert!(!source.contains(['{', '}']), "{source}");
             let metric = found.source().in_units(System::Metric);
             assert!(

@@ -1,23 +1,23 @@
-//! The rows of a table of measured shots.
+//! Reads the rows of a table of measured shots.
 
 use super::instrument::instrument;
-use super::shot::{Measurement, Shot, Stationary};
+use super::shot_table::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
-    CONDITIONS, ClubColumns, Column, Fault, Head, Holds, Stated as Launch, TextTable, conditions,
+    CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable, conditions,
     contradiction, given_air, implausible, implausible_club, implausible_launch, impossible,
     in_degrees, is_sideways, is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
-/// No outcome of a drive is larger than this, in whatever SI unit.
+/// Upper limit of any outcome in its SI unit.
 const MOST: f64 = 1e9;
 
-/// Columns of a section and their use.
+/// The columns of a section, with the setup and options that say how to use them.
 #[derive(Clone)]
 pub(super) struct Reading {
     pub setup: Setup<f64>,
@@ -31,10 +31,10 @@ pub(super) struct Reading {
     pub club: ClubColumns,
 }
 
-/// A row that is read.
+/// A row that was read successfully.
 pub(super) struct Row {
     pub shot: Shot,
-    /// The column of what is not compared, since the direction or the tilt of the spin is assumed.
+    /// Head of a column that is not compared because launch direction or spin axis is assumed.
     pub not_compared: Option<String>,
     /// Message on contradictory spins.
     pub contradiction: Option<String>,
@@ -42,9 +42,44 @@ pub(super) struct Row {
     pub implausible: Vec<String>,
     /// Reason for using the air of the setup.
     pub no_air: Option<String>,
-    /// The columns of the club that state nothing usable: what is known before the shot stands for
-    /// them.
+    /// Messages on club columns without a usable value. The prior distribution replaces them.
     pub not_stated: Vec<String>,
+}
+
+impl Row {
+    fn new(row: usize) -> Self {
+        Self {
+            shot: Shot {
+                row,
+                inputs: vec![],
+                measured: vec![],
+                stationary: vec![],
+            },
+            not_compared: None,
+            contradiction: None,
+            implausible: vec![],
+            no_air: None,
+            not_stated: vec![],
+        }
+    }
+
+    /// The row, if it has anything to compare.
+    fn checked(self) -> Result<Self, RowError> {
+        if !(self.shot.measured.is_empty() && self.shot.stationary.is_empty()) {
+            return Ok(self);
+        }
+        if !self.implausible.is_empty() {
+            return Err((None, self.implausible.join("; ")).into());
+        }
+        let why = match &self.not_compared {
+            None => "nothing is measured in it; give an outcome, or take the row out".into(),
+            Some(head) => format!(
+                "nothing but {head} is measured in it, which is not compared without launch \
+                 direction and spin axis (or sidespin); give them, or take the row out"
+            ),
+        };
+        Err(RowError::incomplete(None, why))
+    }
 }
 
 /// Values of a row.
@@ -57,7 +92,7 @@ pub(super) enum Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// The text of a column; none of numbers.
+    /// The text of a column; empty for numbers.
     fn text(self, at: usize) -> &'a str {
         match self {
             Self::Cells(cells) => cells.get(at).copied().unwrap_or_default(),
@@ -74,7 +109,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// Outcomes of messages, with their heads.
+/// Outcomes that a message may contain, with their heads.
 const OF_MESSAGES: [(Outcome, &str); 13] = [
     (Outcome::BallSpeed, "Ball Speed"),
     (Outcome::LaunchAngle, "Launch Angle"),
@@ -92,15 +127,15 @@ const OF_MESSAGES: [(Outcome, &str); 13] = [
 ];
 
 /// Error in a row.
-pub(super) struct Wrong {
-    /// The column, where it is one.
+pub(super) struct RowError {
+    /// Head of the faulty column.
     pub column: Option<String>,
     pub why: String,
     /// A required value is missing; the other values are valid.
     pub is_incomplete: bool,
 }
 
-impl Wrong {
+impl RowError {
     fn incomplete(column: Option<String>, why: impl Into<String>) -> Self {
         Self {
             column,
@@ -110,8 +145,8 @@ impl Wrong {
     }
 }
 
-/// Something wrong in a column.
-impl<T: Into<String>> From<(Option<String>, T)> for Wrong {
+/// Error in a column.
+impl<T: Into<String>> From<(Option<String>, T)> for RowError {
     fn from((column, why): (Option<String>, T)) -> Self {
         Self {
             column,
@@ -125,9 +160,8 @@ impl Reading {
     /// Columns of a section and their use.
     ///
     /// # Errors
-    /// [`Error::Table`] for a column that is given twice or in a wrong unit, or whose value is
-    /// missing that it is the uncertainty of; for an export whose rows are neither launches nor
-    /// strikes.
+    /// [`Error::Table`] for a repeated column, a wrong unit, a sigma without its measurement, and
+    /// an export whose rows are neither launches nor deliveries.
     pub fn of_head(
         setup: &Setup<f64>,
         table: &TextTable,
@@ -160,16 +194,19 @@ impl Reading {
         }
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
-        let written = head.named(|column| column.holds == Holds::Written);
+        let written = head.named(|column| column.content == Content::Written);
         remarks.extend(
-            written.told("columns that a sweep writes beside what is measured are not read"),
+            written.remark("columns that a sweep writes beside what is measured are not read"),
         );
-        // where a delivery is sought, the launch is what was measured, and not given
+        // a delivery treats the launch as measured; otherwise the launch is the input of the flight
         let is_launched = head.is_launched() && club == ClubColumns::Ignored;
-        let inputs = head.columns.iter().filter_map(|column| match column.holds {
-            Holds::Input(parameter) => Some(parameter.name),
-            _ => None,
-        });
+        let inputs = head
+            .columns
+            .iter()
+            .filter_map(|column| match column.content {
+                Content::Input(parameter) => Some(parameter.name),
+                _ => None,
+            });
         setup
             .refuse_replaced(&inputs.collect::<Vec<_>>())
             .map_err(|error| refused(String::new(), error.to_string()))?;
@@ -194,7 +231,7 @@ impl Reading {
         Ok(reading)
     }
 
-    /// Columns of messages and of lines written by `fly`: values that any of them has.
+    /// Columns for messages and for lines written by `fly`: every value that at least one shot has.
     pub fn of_shots(
         setup: &Setup<f64>,
         shots: &[Stated],
@@ -208,7 +245,7 @@ impl Reading {
         };
         let outcomes = OF_MESSAGES.into_iter().filter(|(of, _)| is_stated(*of));
         let mut columns: Vec<Column> = outcomes
-            .map(|(of, head)| Column::of(Holds::Outcome(of), head))
+            .map(|(of, head)| Column::of(Content::Outcome(of), head))
             .collect();
         if club == ClubColumns::Read {
             let of_club = ClubOfShot::NAMES
@@ -223,13 +260,13 @@ impl Reading {
             columns.extend(
                 of_club
                     .filter(is_given)
-                    .map(|parameter| Column::of(Holds::Input(parameter), parameter.name)),
+                    .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
             );
         }
         columns.extend(
             further
                 .iter()
-                .map(|parameter| Column::of(Holds::Input(parameter), parameter.name)),
+                .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
         );
         let is_launched = club == ClubColumns::Ignored;
         Self {
@@ -242,11 +279,11 @@ impl Reading {
         }
     }
 
-    /// Values of a message.
+    /// Values of a message, column by column.
     pub fn numbers(&self, shot: &Stated, further: &[&'static Parameter]) -> Vec<Option<f64>> {
-        let of = |column: &Column| match column.holds {
-            Holds::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
-            Holds::Input(parameter) => {
+        let of = |column: &Column| match column.content {
+            Content::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
+            Content::Input(parameter) => {
                 let of_club = ClubOfShot::NAMES
                     .iter()
                     .position(|name| *name == parameter.name);
@@ -261,8 +298,12 @@ impl Reading {
         self.columns.iter().map(of).collect()
     }
 
-    fn cell(&self, record: Values<'_>, holds: Holds) -> Result<Option<f64>, Wrong> {
-        let Some(at) = self.columns.iter().position(|column| column.holds == holds) else {
+    fn cell(&self, record: Values<'_>, content: Content) -> Result<Option<f64>, RowError> {
+        let Some(at) = self
+            .columns
+            .iter()
+            .position(|column| column.content == content)
+        else {
             return Ok(None);
         };
         let column = &self.columns[at];
@@ -271,9 +312,9 @@ impl Reading {
             .map_err(|why| (Some(column.head.clone()), why).into())
     }
 
-    fn sigma(&self, record: Values<'_>, holds: Holds, one: f64) -> Result<f64, Wrong> {
-        let sigma = self.cell(record, holds)?;
-        let has_column = self.columns.iter().any(|column| column.holds == holds);
+    fn sigma(&self, record: Values<'_>, content: Content, one: f64) -> Result<f64, RowError> {
+        let sigma = self.cell(record, content)?;
+        let has_column = self.columns.iter().any(|column| column.content == content);
         match sigma {
             Some(sigma) if sigma > 0.0 => Ok(sigma),
             None if !has_column => Ok(one),
@@ -281,7 +322,7 @@ impl Reading {
                 let head = self
                     .columns
                     .iter()
-                    .find(|column| column.holds == holds)
+                    .find(|column| column.content == content)
                     .map(|column| column.head.clone());
                 Err((
                     head,
@@ -293,8 +334,8 @@ impl Reading {
         }
     }
 
-    /// Measured outcomes for the fit: no launch conditions of flown launches; for deliveries only
-    /// the launch.
+    /// True for outcomes that the fit compares: for launches all but the launch conditions, for
+    /// deliveries only the launch.
     fn is_used(&self, outcome: Outcome) -> bool {
         match self.club {
             ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
@@ -302,138 +343,132 @@ impl Reading {
         }
     }
 
-    /// The shot of a row.
-    pub fn shot(&self, row: usize, record: Values<'_>) -> Result<Row, Wrong> {
-        let (mut inputs, mut measured, mut not_compared, mut contradicts) =
-            (vec![], vec![], None, None);
-        let (mut beyond, mut no_air, mut not_stated) = (vec![], None, vec![]);
+    /// Reads the shot of a row.
+    pub fn shot(&self, row: usize, record: Values<'_>) -> Result<Row, RowError> {
         let stated = self.stated(record)?;
         if let Some(wrong) = self.refused(&stated) {
             return Err(wrong);
         }
         let stated = self.is_launched.then_some(stated);
         let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
-        let mut at_shot = self.setup;
         let is_still = self.club == ClubColumns::Read && self.is_still(record);
+        let mut row = Row::new(row);
+        let mut at_shot = self.setup;
         for (at, column) in self.columns.iter().enumerate() {
-            let here = || Some(column.head.clone());
-            match column.holds {
-                Holds::Input(parameter) if column.is_stated_air() => {
+            match column.content {
+                Content::Input(parameter) if column.is_stated_air() => {
                     match column.stated_air(record.text(at)) {
-                        Ok(density) => inputs.push((parameter, density)),
-                        Err(why) => no_air = Some(why),
+                        Ok(density) => row.shot.inputs.push((parameter, density)),
+                        Err(why) => row.no_air = Some(why),
                     }
                 }
-                Holds::Input(parameter) => {
-                    let stated = self.cell(record, column.holds);
-                    if self.is_of_the_club(column) {
-                        let stated = if is_still { Ok(None) } else { stated };
-                        match self.usable(column, parameter, stated) {
-                            Ok(value) => inputs.push((parameter, value)),
-                            Err(why) => not_stated.push(why),
-                        }
-                        continue;
+                Content::Input(parameter) if self.is_of_the_club(column) => {
+                    let stated = self.cell(record, column.content);
+                    let stated = if is_still { Ok(None) } else { stated };
+                    match self.usable(column, parameter, stated) {
+                        Ok(value) => row.shot.inputs.push((parameter, value)),
+                        Err(why) => row.not_stated.push(why),
                     }
-                    let Some(value) = stated? else {
+                }
+                Content::Input(parameter) => {
+                    let here = || Some(column.head.clone());
+                    let Some(value) = self.cell(record, column.content)? else {
                         let why = "the cell is empty; every row needs the shot's own inputs";
-                        return Err(Wrong::incomplete(here(), why));
+                        return Err(RowError::incomplete(here(), why));
                     };
                     at_shot
                         .set_value(parameter, Some(value))
-                        .map_err(|error| Wrong::from((here(), error.to_string())))?;
-                    inputs.push((parameter, value));
+                        .map_err(|error| RowError::from((here(), error.to_string())))?;
+                    row.shot.inputs.push((parameter, value));
                 }
-                Holds::Outcome(outcome) if self.is_used(outcome) => {
-                    let value = match self.cell(record, column.holds) {
-                        // as `fly` does: the rest of the row is a drive all the same
-                        Err(wrong) if self.is_export => {
-                            beyond.push(format!("{}: {}", column.head, wrong.why));
-                            continue;
-                        }
-                        value => value?,
-                    };
-                    if let Some(value) = value {
-                        if self.is_launched && outcome.group() == OutcomeGroup::Launch {
-                            return Err((here(), "rows of launch conditions have no club").into());
-                        }
-                        let name = || column.head.clone();
-                        if let Some(why) =
-                            implausible(outcome, value, name).filter(|_| self.is_export)
-                        {
-                            beyond.push(why);
-                            continue;
-                        }
-                        if let Some(why) =
-                            impossible(outcome, value).or_else(|| self.outside(outcome, value))
-                        {
-                            return Err((here(), why).into());
-                        }
-                        if value.abs() > MOST {
-                            let (shown, most) = (outcome.show(value), outcome.show(MOST));
-                            let why = format!(
-                                "{shown} is outside its range −{most} .. {most}; correct the cell"
-                            );
-                            return Err((here(), why).into());
-                        }
-                        if is_straight && is_sideways(outcome) {
-                            not_compared = here();
-                            continue;
-                        }
-                        let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
-                        let sigma = self.sigma(record, Holds::Sigma(outcome), assumed)?;
-                        measured.push(Measurement {
-                            outcome,
-                            value,
-                            sigma,
-                        });
-                    }
+                Content::Outcome(outcome) if self.is_used(outcome) => {
+                    self.add_measurement(&mut row, record, column, outcome, is_straight)?;
                 }
                 _ => {}
             }
         }
-        let wrong = |error: Error| Wrong::from((None, error.to_string()));
         if let Some(stated) = stated {
-            let launch = self.launch(stated)?;
-            contradicts = contradiction(stated, [launch[3].1, launch[4].1], |of| self.head(of));
-            for (name, value) in launch {
-                let parameter = self.setup.parameter(name).map_err(wrong)?;
-                at_shot.set_value(parameter, Some(value)).map_err(wrong)?;
-                inputs.push((parameter, value));
-            }
+            self.add_launch(&mut row, &mut at_shot, stated)?;
         }
-        at_shot.validate().map_err(wrong)?;
-        let stationary = self.stationary(record, &at_shot)?;
-        if measured.is_empty() && stationary.is_empty() {
-            if !beyond.is_empty() {
-                return Err((None, beyond.join("; ")).into());
-            }
-            let why = match &not_compared {
-                None => "nothing is measured in it; give an outcome, or take the row out".into(),
-                Some(head) => format!(
-                    "nothing but {head} is measured in it, which is not compared without launch \
-                     direction and spin axis (or sidespin); \
-                     give them, or take the row out"
-                ),
-            };
-            return Err(Wrong::incomplete(None, why));
-        }
-        let shot = Shot {
-            row,
-            inputs,
-            measured,
-            stationary,
-        };
-        Ok(Row {
-            shot,
-            not_compared,
-            contradiction: contradicts,
-            implausible: beyond,
-            no_air,
-            not_stated,
-        })
+        at_shot
+            .validate()
+            .map_err(|error| RowError::from((None, error.to_string())))?;
+        row.shot.stationary = self.stationary(record, &at_shot)?;
+        row.checked()
     }
 
-    /// Club column of a delivery, where rows may lack a value.
+    /// Adds the measurement of a column to a row, if the cell has one. An implausible value of an
+    /// export is not compared.
+    fn add_measurement(
+        &self,
+        row: &mut Row,
+        record: Values<'_>,
+        column: &Column,
+        outcome: Outcome,
+        is_straight: bool,
+    ) -> Result<(), RowError> {
+        let here = || Some(column.head.clone());
+        let value = match self.cell(record, column.content) {
+            // an unusable measured value does not reject an export's row, as in `fly`
+            Err(wrong) if self.is_export => {
+                row.implausible
+                    .push(format!("{}: {}", column.head, wrong.why));
+                return Ok(());
+            }
+            value => value?,
+        };
+        let Some(value) = value else {
+            return Ok(());
+        };
+        if self.is_launched && outcome.group() == OutcomeGroup::Launch {
+            return Err((here(), "rows of launch conditions have no club").into());
+        }
+        let name = || column.head.clone();
+        if let Some(why) = implausible(outcome, value, name).filter(|_| self.is_export) {
+            row.implausible.push(why);
+            return Ok(());
+        }
+        if let Some(why) = impossible(outcome, value).or_else(|| self.outside(outcome, value)) {
+            return Err((here(), why).into());
+        }
+        if value.abs() > MOST {
+            let (shown, most) = (outcome.show(value), outcome.show(MOST));
+            let why = format!("{shown} is outside its range −{most} .. {most}; correct the cell");
+            return Err((here(), why).into());
+        }
+        if is_straight && is_sideways(outcome) {
+            row.not_compared = here();
+            return Ok(());
+        }
+        let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
+        let sigma = self.sigma(record, Content::Sigma(outcome), assumed)?;
+        row.shot.measured.push(Measurement {
+            outcome,
+            value,
+            sigma,
+        });
+        Ok(())
+    }
+
+    /// Adds the launch that a row states to its inputs.
+    fn add_launch(
+        &self,
+        row: &mut Row,
+        at_shot: &mut Setup<f64>,
+        stated: Launch,
+    ) -> Result<(), RowError> {
+        let wrong = |error: Error| RowError::from((None, error.to_string()));
+        let launch = self.launch(stated)?;
+        row.contradiction = contradiction(stated, [launch[3].1, launch[4].1], |of| self.head(of));
+        for (name, value) in launch {
+            let parameter = self.setup.parameter(name).map_err(wrong)?;
+            at_shot.set_value(parameter, Some(value)).map_err(wrong)?;
+            row.shot.inputs.push((parameter, value));
+        }
+        Ok(())
+    }
+
+    /// True for a club column of a delivery, where rows may lack a value.
     fn is_of_the_club(&self, column: &Column) -> bool {
         self.club == ClubColumns::Read && column.is_of_the_strike()
     }
@@ -444,8 +479,8 @@ impl Reading {
             self.columns
                 .iter()
                 .enumerate()
-                .filter_map(|(at, column)| match column.holds {
-                    Holds::Input(parameter) if ClubOfShot::NAMES.contains(&parameter.name) => {
+                .filter_map(|(at, column)| match column.content {
+                    Content::Input(parameter) if ClubOfShot::NAMES.contains(&parameter.name) => {
                         Some((parameter.name, record.value(at, column).ok().flatten()?))
                     }
                     _ => None,
@@ -463,7 +498,7 @@ impl Reading {
         &self,
         column: &Column,
         parameter: &'static Parameter,
-        stated: Result<Option<f64>, Wrong>,
+        stated: Result<Option<f64>, RowError>,
     ) -> Result<f64, String> {
         let head = &column.head;
         let value = stated.map_err(|wrong| format!("{head}: {}", wrong.why))?;
@@ -481,7 +516,7 @@ impl Reading {
     fn has(&self, outcome: Outcome) -> bool {
         self.columns
             .iter()
-            .any(|column| column.holds == Holds::Outcome(outcome))
+            .any(|column| column.content == Content::Outcome(outcome))
     }
 
     /// True with all columns of a launch.
@@ -490,7 +525,7 @@ impl Reading {
         self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin
     }
 
-    /// The heads of a whole launch and of the columns of the club beside it, where both are there.
+    /// The heads of a whole launch and of the club columns, if the table has both.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
         let heads = |is: &dyn Fn(&Column) -> bool| {
             let heads = self
@@ -500,8 +535,9 @@ impl Reading {
                 .map(|column| column.head.as_str());
             heads.collect::<Vec<_>>().join(", ")
         };
-        let launch =
-            heads(&|column| matches!(column.holds, Holds::Outcome(of) if CONDITIONS.contains(&of)));
+        let launch = heads(
+            &|column| matches!(column.content, Content::Outcome(of) if CONDITIONS.contains(&of)),
+        );
         let club = heads(&Column::is_of_the_strike);
         (self.has_whole_launch() && !club.is_empty()).then_some([launch, club])
     }
@@ -511,23 +547,23 @@ impl Reading {
         let column = self
             .columns
             .iter()
-            .find(|column| column.holds == Holds::Outcome(of));
+            .find(|column| column.content == Content::Outcome(of));
         column
             .map_or(of.name(), |column| column.head.as_str())
             .to_owned()
     }
 
-    /// The launch conditions that a row states.
-    fn stated(&self, record: Values<'_>) -> Result<Launch, Wrong> {
+    /// The launch conditions of a row.
+    fn stated(&self, record: Values<'_>) -> Result<Launch, RowError> {
         let mut values = [None; CONDITIONS.len()];
         for (value, outcome) in values.iter_mut().zip(CONDITIONS) {
-            *value = self.cell(record, Holds::Outcome(outcome))?;
+            *value = self.cell(record, Content::Outcome(outcome))?;
         }
         Ok(values)
     }
 
-    /// Refusal of an implausible launch, as by `fly`.
-    fn refused(&self, stated: &Launch) -> Option<Wrong> {
+    /// Error for an implausible launch, by the rules of `fly`.
+    fn refused(&self, stated: &Launch) -> Option<RowError> {
         let mut looked_at = *stated;
         for (value, of) in looked_at.iter_mut().zip(CONDITIONS) {
             *value = value.filter(|value| !self.may_be_none(of, *value));
@@ -538,7 +574,7 @@ impl Reading {
         if !self.is_export {
             return None;
         }
-        // a delivery is looked for behind a whole launch, where the table has one
+        // a delivery needs a complete launch if the table has columns for one
         let is_whole = self.club == ClubColumns::Read && self.has_whole_launch();
         self.launch(*stated)
             .err()
@@ -554,19 +590,19 @@ impl Reading {
         }
     }
 
-    /// Zero spin is a value except in exports, where it means unmeasured.
+    /// Zero spin is a value, except in exports, where it means unmeasured.
     fn may_be_none(&self, of: Outcome, value: f64) -> bool {
         of == Outcome::Spin && value == 0.0 && !self.is_export
     }
 
-    /// The launch that they make, by the parameters that it is.
-    fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], Wrong> {
+    /// The launch parameters of the stated launch conditions.
+    fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], RowError> {
         conditions(stated, |of| self.has(of)).map_err(
             |Fault {
                  of,
                  why,
                  is_missing,
-             }| Wrong {
+             }| RowError {
                 column: Some(self.head(of)),
                 why: why.into(),
                 is_incomplete: is_missing,
@@ -578,11 +614,11 @@ impl Reading {
         &self,
         record: Values<'_>,
         at_shot: &Setup<f64>,
-    ) -> Result<Vec<Stationary>, Wrong> {
+    ) -> Result<Vec<Stationary>, RowError> {
         let Some(at) = self
             .columns
             .iter()
-            .position(|column| column.holds == Holds::Stationary)
+            .position(|column| column.content == Content::Stationary)
         else {
             return Ok(vec![]);
         };
@@ -598,7 +634,7 @@ impl Reading {
             }
             let parameter = at_shot
                 .variable(name)
-                .map_err(|error| Wrong::from((here(), error.to_string())))?;
+                .map_err(|error| RowError::from((here(), error.to_string())))?;
             let one = Quantity::ANGLE.size_of("deg").unwrap_or(1.0);
             if parameter.quantity != Quantity::ANGLE {
                 return Err((
@@ -609,58 +645,62 @@ impl Reading {
             }
             all.push(Stationary {
                 parameter,
-                sigma: self.sigma(record, Holds::SigmaStationary, one)?,
+                sigma: self.sigma(record, Content::SigmaStationary, one)?,
             });
         }
         Ok(all)
     }
 
-    /// Assumed standard uncertainties, and the quality of all.
+    /// Remarks on assumed standard uncertainties, and the quality of all uncertainties.
     pub fn assumed(&self, shots: &[Shot]) -> (Vec<Message>, Uncertainties) {
-        let has = |holds: Holds| self.columns.iter().any(|column| column.holds == holds);
+        let has = |content: Content| self.columns.iter().any(|column| column.content == content);
         let measured = || shots.iter().flat_map(|shot| &shot.measured);
         let is_measured = |outcome| measured().any(|measured| measured.outcome == outcome);
         let mut worth = Uncertainties::Stated;
         let mut remarks = vec![];
         for column in &self.columns {
-            match column.holds {
-                Holds::Outcome(outcome) if !self.is_used(outcome) => {}
-                // in no row compared
-                Holds::Outcome(outcome) if !is_measured(outcome) => {}
-                Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome)
-                {
-                    Some((instrument, sigma)) => {
-                        let without =
-                            format!("{} has no column 'sigma {}': ", column.head, outcome.name());
-                        let remark = Message::from(without)
-                            .quantity(
-                                outcome.quantity(),
-                                outcome.unit(),
-                                sigma,
-                                Digits::Significant(3),
-                            )
-                            .words(" is taken for each (")
-                            .message(instrument.source())
-                            .words(")");
-                        remarks.push(remark);
-                        if worth == Uncertainties::Stated {
-                            worth = Uncertainties::Instruments;
+            match column.content {
+                Content::Outcome(outcome) if !self.is_used(outcome) => {}
+                // no row has this measurement
+                Content::Outcome(outcome) if !is_measured(outcome) => {}
+                Content::Outcome(outcome) if !has(Content::Sigma(outcome)) => {
+                    match instrument(outcome) {
+                        Some((instrument, sigma)) => {
+                            let without = format!(
+                                "{} has no column 'sigma {}': ",
+                                column.head,
+                                outcome.name()
+                            );
+                            let remark = Message::from(without)
+                                .quantity(
+                                    outcome.quantity(),
+                                    outcome.unit(),
+                                    sigma,
+                                    Digits::Significant(3),
+                                )
+                                .words(" is taken for each (")
+                                .message(instrument.source())
+                                .words(")");
+                            remarks.push(remark);
+                            if worth == Uncertainties::Stated {
+                                worth = Uncertainties::Instruments;
+                            }
+                        }
+                        None => {
+                            remarks.push(
+                                format!(
+                                    "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a \
+                                 weight",
+                                    outcome.name(),
+                                    column.unit()
+                                )
+                                .into(),
+                            );
+                            worth = Uncertainties::Weights;
                         }
                     }
-                    None => {
-                        remarks.push(
-                            format!(
-                                "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a \
-                                 weight",
-                                outcome.name(),
-                                column.unit()
-                            )
-                            .into(),
-                        );
-                        worth = Uncertainties::Weights;
-                    }
-                },
-                Holds::Stationary if !has(Holds::SigmaStationary) => {
+                }
+                Content::Stationary if !has(Content::SigmaStationary) => {
                     remarks.push(
                         "stationary has no column 'sigma stationary': 1 deg is taken for each, as \
                          a weight"
@@ -675,39 +715,40 @@ impl Reading {
     }
 }
 
-/// Takes the columns of where the ball comes to rest out of an export, since its ground is not
-/// known; and says so.
+/// Removes the columns of the ball's rest position from an export, since its ground is unknown.
+/// Returns a remark.
 fn without_totals(head: &mut Head) -> Option<Message> {
-    let is_total = |column: &Column| matches!(column.holds, Holds::Outcome(of) if of.needs_run());
-    let told = head
+    let is_total =
+        |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
+    let remark = head
         .named(is_total)
-        .told("where the ball comes to rest is not compared, since the ground is not known");
+        .remark("where the ball comes to rest is not compared, since the ground is not known");
     for column in head.columns.iter_mut().filter(|column| is_total(column)) {
-        column.holds = Holds::Note;
+        column.content = Content::Note;
     }
-    told
+    remark
 }
 
-/// First faulty column with its position.
+/// The first faulty column: its position and the reason.
 fn check_columns(head: &Head) -> Result<(), (usize, String)> {
     for (at, column) in head.columns.iter().enumerate() {
         column
             .check_unit()
             .map_err(|error| (at, error.to_string()))?;
-        let is_read = !matches!(column.holds, Holds::Note | Holds::Written);
+        let is_read = !matches!(column.content, Content::Note | Content::Written);
         if is_read
             && head.columns[..at]
                 .iter()
-                .any(|other| other.holds == column.holds)
+                .any(|other| other.content == column.content)
         {
             return Err((at, format!("'{}' has two columns; keep one", column.head)));
         }
-        let of = match column.holds {
-            Holds::Sigma(outcome) => Holds::Outcome(outcome),
-            Holds::SigmaStationary => Holds::Stationary,
+        let of = match column.content {
+            Content::Sigma(outcome) => Content::Outcome(outcome),
+            Content::SigmaStationary => Content::Stationary,
             _ => continue,
         };
-        if head.columns.iter().all(|other| other.holds != of) {
+        if head.columns.iter().all(|other| other.content != of) {
             let reason = format!(
                 "'{}' is the uncertainty of what has no column; add that column, or leave this out",
                 column.head

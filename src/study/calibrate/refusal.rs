@@ -1,20 +1,20 @@
-//! Why rows have no answer where a fit is to begin: rows with the same reason in one sentence.
+//! Error for a fit without a starting point: groups rows with the same reason.
 
 use crate::error::Error;
 
-/// Rows whose reasons differ in their numbers only.
+/// Rows whose reasons differ only in their numbers.
 struct Group {
     rows: Vec<usize>,
     /// The reason of the first row.
     reason: String,
-    /// Whether all rows have that very reason.
+    /// All rows have exactly the same reason.
     is_same: bool,
-    /// Whether it is of the setup, so that taking rows out is no remedy.
+    /// The reason lies in the setup, so removing rows does not help.
     is_of_the_setup: bool,
 }
 
-/// The error for the rows that failed, each with its number and its own error: bad input where one
-/// of them is, else no answer. `what` says where they failed.
+/// The error for failed rows, each with its number and error: bad input if at least one is,
+/// otherwise no answer. `what` opens the message.
 pub(super) fn no_answer(what: &str, failed: &[(usize, Error)]) -> Error {
     let reason = format!("{what}: {}", refusal(failed));
     let Some((_, first)) = failed.first() else {
@@ -32,7 +32,7 @@ pub(super) fn no_answer(what: &str, failed: &[(usize, Error)]) -> Error {
     }
 }
 
-/// One sentence for the rows, and what to do.
+/// The reasons of all rows in one sentence, with advice.
 fn refusal(failed: &[(usize, Error)]) -> String {
     let mut groups: Vec<Group> = vec![];
     for (row, error) in failed {
@@ -56,7 +56,7 @@ fn refusal(failed: &[(usize, Error)]) -> String {
             }
         }
     }
-    let said: Vec<String> = groups.iter().map(Group::said).collect();
+    let messages: Vec<String> = groups.iter().map(Group::message).collect();
     let advice = match groups.iter().all(|group| group.is_of_the_setup) {
         true => "",
         false => {
@@ -64,11 +64,11 @@ fn refusal(failed: &[(usize, Error)]) -> String {
              NAME=LOW..HIGH`)"
         }
     };
-    said.join("; ") + advice
+    messages.join("; ") + advice
 }
 
 impl Group {
-    fn said(&self) -> String {
+    fn message(&self) -> String {
         let Self {
             rows,
             reason,
@@ -85,8 +85,8 @@ impl Group {
     }
 }
 
-/// Why a row has no residuals, without saying again that it is of a calibration, and without the
-/// moment of a flight's end.
+/// The reason of one row, without the prefix of calibration errors and without the time of
+/// divergence.
 fn reason(error: &Error) -> String {
     match error {
         Error::Calibration { reason } => reason.clone(),
@@ -95,7 +95,7 @@ fn reason(error: &Error) -> String {
     }
 }
 
-/// A reason without its numbers.
+/// The reason without its numbers, for comparison.
 fn kind(reason: &str) -> String {
     reason
         .chars()
@@ -143,29 +143,29 @@ mod tests {
             step: 2.0,
             advice: "reduce flight.step".into(),
         };
-        let told = refusal(&[(1, diverged(2.0)), (2, diverged(4.0)), (3, diverged(2.0))]);
+        let message = refusal(&[(1, diverged(2.0)), (2, diverged(4.0)), (3, diverged(2.0))]);
         assert!(
-            told.ends_with("rows 1 to 3: the flight diverges; reduce flight.step"),
-            "{told}"
+            message.ends_with("rows 1 to 3: the flight diverges; reduce flight.step"),
+            "{message}"
         );
         let no_flight = |angle: &str| Error::NoFlight {
             reason: format!("no flight: the ball leaves at {angle}")
                 .as_str()
                 .into(),
         };
-        let told = refusal(&[
+        let message = refusal(&[
             (2, no_flight("-3.5 deg")),
             (5, no_flight("-1 deg")),
             (6, diverged(1.0)),
         ]);
         assert!(
-            told.contains(
+            message.contains(
                 "rows 2, 5, for example row 2: no flight: the ball leaves at -3.5 deg; \
                            row 6: the flight"
             ),
-            "{told}"
+            "{message}"
         );
-        assert!(told.contains("take them out"), "{told}");
+        assert!(message.contains("take them out"), "{message}");
     }
 
     #[test]

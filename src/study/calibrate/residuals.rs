@@ -1,20 +1,20 @@
-//! Measured shots as residuals: (computed − measured)/σ, with exact Jacobians by the parameters
-//! that are fitted.
+//! Residuals of measured shots, (computed − measured)/σ, with exact Jacobians by the fitted
+//! parameters.
 
-use super::shot::{Measurement, Shot, Stationary};
+use super::shot_table::{Measurement, Shot, Stationary};
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Residuals, Rows};
 use crate::parameters::{Parameter, Setup};
-use crate::study::stoppable::{each_until, stopped};
+use crate::study::cancellable::{each_until, stopped};
 use crate::units::significant;
 use std::sync::atomic::AtomicBool;
 
-/// What stopped work came before.
+/// Completes "stopped before …".
 const FLOWN: &str = "all shots were flown";
 
-/// Residuals beyond this have no sum of squares.
+/// Residuals above this overflow when squared.
 const TOO_FAR: f64 = 1e150;
 
 fn too_far(measurement: &Measurement, computed: f64) -> Error {
@@ -32,12 +32,12 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     }
 }
 
-/// Why a row has no residuals at values that were tried, without saying again that it is of a
-/// calibration.
-fn why(error: Error) -> String {
+/// Reason without the prefix of calibration errors, for values that a search tried.
+fn reason(error: Error) -> String {
     match error {
         Error::Calibration { reason } => reason,
-        // the step is chosen for values that a ball may have, and no shorter one would help
+        // an unphysical parameter value diverges at any step size, so the usual advice does not
+        // help
         Error::Diverged { time, .. } => format!(
             "with these values of what is fitted the flight diverges at t = {} s: drag or lift is \
              far too large",
@@ -50,15 +50,15 @@ fn why(error: Error) -> String {
 /// The residuals of a shot, each with its row of the Jacobian.
 type OfShot = Vec<(f64, Vec<f64>)>;
 
-/// Shots, and what is fitted to them.
+/// Shots and the parameters fitted to them.
 pub(super) struct ShotResiduals<'a> {
     pub setup: Setup<f64>,
     pub shots: &'a [Shot],
     pub fitted: Vec<&'static Parameter>,
-    /// |∂²carry/∂q²| of each stationary parameter of each shot, m/rad²: what turns a slope into an angle. Held fixed during a
-    /// fit, so that Jacobians stay exact.
+    /// |∂²carry/∂q²| of each stationary parameter of each shot, m/rad², which converts a slope to
+    /// an angle. Constant during a fit, so that Jacobians stay exact.
     pub curvatures: Vec<Vec<f64>>,
-    /// Once it is true, no more shots are flown, and what needs them fails.
+    /// Cancellation flag: once true, no more shots are flown.
     pub stop: &'a AtomicBool,
 }
 
@@ -73,7 +73,7 @@ impl ShotResiduals<'_> {
         Ok(moved)
     }
 
-    /// |∂²carry/∂q²| at `x`, as [`curvatures`](Self::curvatures) are.
+    /// |∂²carry/∂q²| at `x`, in the layout of [`curvatures`](Self::curvatures).
     pub fn curvatures_at(&self, x: &[f64]) -> Result<Vec<Vec<f64>>> {
         let moved = self.moved(x)?;
         let of = |shot: &Shot| {
@@ -156,10 +156,10 @@ impl ShotResiduals<'_> {
         Ok(rows)
     }
 
-    /// The residuals of each shot with a setup, or why it has none.
+    /// The residuals of each shot with a setup, or its error.
     fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<OfShot>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
-        // where no curvatures are known yet, it is asked only whether there is an answer
+        // before the curvatures are known, only success matters
         let of = |&(at, shot): &(usize, &Shot)| {
             self.of(
                 moved,
@@ -178,7 +178,7 @@ impl ShotResiduals<'_> {
             .into_iter()
             .zip(self.shots);
         let named = |(rows, shot): (Result<_>, &Shot)| {
-            rows.map_err(|error| format!("row {}: {}", shot.row, why(error)))
+            rows.map_err(|error| format!("row {}: {}", shot.row, reason(error)))
         };
         let shots = rows
             .map(named)
@@ -190,7 +190,7 @@ impl ShotResiduals<'_> {
         })
     }
 
-    /// Takes the curvatures from `x` where every row has an answer there; says whether it has.
+    /// Computes the curvatures at `x` and checks every row there; true if all rows have an answer.
     pub fn begin(&mut self, x: &[f64]) -> bool {
         let Ok(curvatures) = self.curvatures_at(x) else {
             return false;
@@ -199,7 +199,7 @@ impl ShotResiduals<'_> {
         self.evaluate(x).is_ok()
     }
 
-    /// The residuals of each shot by itself at `x`, or why it has none.
+    /// The residuals of each shot at `x`, or its error.
     pub fn each(&self, x: &[f64]) -> Result<Vec<Result<Vec<f64>>>> {
         let moved = self.moved(x)?;
         let of =
@@ -214,7 +214,7 @@ impl Residuals for ShotResiduals<'_> {
     }
 }
 
-/// The setup of a shot.
+/// The setup with the inputs of a shot.
 pub(super) fn at_shot(setup: &Setup<f64>, shot: &Shot) -> Result<Setup<f64>> {
     let mut setup = *setup;
     for (parameter, value) in &shot.inputs {

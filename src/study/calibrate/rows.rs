@@ -1,13 +1,12 @@
-//! Collects the rows of a table of measured shots: shots, and messages about rejected rows.
+//! Collects the rows of a table: shots, and messages about rejected rows.
 
-use super::reading::{Reading, Row, Values, Wrong};
-use super::shot::Shot;
-use super::shot_table::ShotTable;
+use super::reading::{Reading, Row, RowError, Values};
+use super::shot_table::{Shot, ShotTable};
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot as Stated;
 use crate::table::{
-    ClubColumns, DecimalMarks, NonShot, NonShotRows, Record, air_of_rows, air_of_setup, cells,
+    ClubColumns, DecimalMarkCheck, NonShot, NonShotRows, Record, air_of_rows, air_of_setup, cells,
     miscounted,
 };
 use crate::units::{Message, counted};
@@ -26,7 +25,7 @@ pub(super) struct Rows {
     messages: Vec<String>,
     incomplete: Vec<String>,
     unreadable: Vec<String>,
-    /// Lateral columns that are not compared because the direction or the tilt is assumed.
+    /// Lateral columns that are not compared because launch direction or spin axis is assumed.
     sideways: RowsByMessage,
     /// Columns of the club without a usable value.
     not_stated: RowsByMessage,
@@ -34,9 +33,9 @@ pub(super) struct Rows {
     implausible: Vec<String>,
     airless: Vec<String>,
     of_sections: Vec<Message>,
-    /// Error of the first incomplete row of a table that is no export.
-    lacking: Option<Error>,
-    marks: DecimalMarks,
+    /// Error of the first incomplete row of a table that is not an export.
+    first_incomplete: Option<Error>,
+    marks: DecimalMarkCheck,
 }
 
 impl Rows {
@@ -55,8 +54,8 @@ impl Rows {
             implausible: vec![],
             airless: vec![],
             of_sections: vec![],
-            lacking: None,
-            marks: DecimalMarks::default(),
+            first_incomplete: None,
+            marks: DecimalMarkCheck::default(),
         }
     }
 
@@ -70,17 +69,17 @@ impl Rows {
 
     /// Begins a section with another head.
     pub fn begin(&mut self, line: u64, reading: &Reading) {
-        let told = |remark: &Message| {
+        let located = |remark: &Message| {
             Message::from(format!("from line {line} on: ")).message(remark.clone())
         };
-        self.of_sections.extend(reading.remarks.iter().map(told));
+        self.of_sections.extend(reading.remarks.iter().map(located));
     }
 
-    /// Takes a row of text.
+    /// Adds a row of text.
     ///
     /// # Errors
-    /// [`Error::Table`] for what is wrong in a table of one's own, and for a number whose decimal
-    /// mark is uncertain.
+    /// [`Error::Table`] for an error in a table that is not an export, and for a number whose
+    /// decimal mark is uncertain.
     pub fn take(&mut self, reading: &Reading, record: &Record, separator: u8) -> Result<()> {
         self.row += 1;
         let row = cells(&record.text, separator);
@@ -107,7 +106,7 @@ impl Rows {
         self.add(reading, reading.shot(self.row, Values::Cells(&row)))
     }
 
-    /// Takes a message.
+    /// Adds a message.
     pub fn take_shot(&mut self, reading: &Reading, shot: &Stated, further: &[&'static Parameter]) {
         self.row += 1;
         if let Some(refusal) = shot.refusal() {
@@ -118,77 +117,76 @@ impl Rows {
             return;
         }
         let numbers = reading.numbers(shot, further);
-        // what is wrong in an export stops nothing
+        // an error in an export rejects only its row
         let _ = self.add(reading, reading.shot(self.row, Values::Numbers(&numbers)));
     }
 
-    fn add(&mut self, reading: &Reading, read: std::result::Result<Row, Wrong>) -> Result<()> {
-        let row = self.row;
-        let wrong = match read {
-            Ok(Row {
-                shot,
-                not_compared,
-                contradiction,
-                implausible,
-                no_air,
-                not_stated,
-            }) => {
-                self.airless
-                    .extend(no_air.map(|why| format!("row {row}: {}", air_of_setup(&why))));
-                self.implausible.extend(
-                    implausible
-                        .into_iter()
-                        .map(|why| format!("row {row}: not compared: {why}")),
-                );
-                if let Some(head) = not_compared.filter(|_| reading.club == ClubColumns::Ignored) {
-                    self.sideways
-                        .entry(head)
-                        .or_default()
-                        .push(format!("row {row}"));
-                }
-                for why in not_stated {
-                    self.not_stated
-                        .entry(why)
-                        .or_default()
-                        .push(format!("row {row}"));
-                }
-                self.contradictions
-                    .extend(contradiction.map(|told| format!("row {row}: {told}")));
-                self.shots.push(shot);
-                return Ok(());
+    fn add(&mut self, reading: &Reading, read: std::result::Result<Row, RowError>) -> Result<()> {
+        match read {
+            Ok(row) => {
+                self.add_row(reading, row);
+                Ok(())
             }
-            Err(wrong) => wrong,
-        };
+            Err(wrong) => self.reject(reading, wrong),
+        }
+    }
+
+    fn add_row(&mut self, reading: &Reading, row: Row) {
+        let number = format!("row {}", self.row);
+        self.airless.extend(
+            row.no_air
+                .map(|why| format!("{number}: {}", air_of_setup(&why))),
+        );
+        let implausible = row.implausible.into_iter();
+        self.implausible
+            .extend(implausible.map(|why| format!("{number}: not compared: {why}")));
+        if let Some(head) = row
+            .not_compared
+            .filter(|_| reading.club == ClubColumns::Ignored)
+        {
+            self.sideways.entry(head).or_default().push(number.clone());
+        }
+        for why in row.not_stated {
+            self.not_stated.entry(why).or_default().push(number.clone());
+        }
+        self.contradictions
+            .extend(row.contradiction.map(|why| format!("{number}: {why}")));
+        self.shots.push(row.shot);
+    }
+
+    /// Rejects an incomplete row, or any faulty row of an export.
+    ///
+    /// # Errors
+    /// An error in a table that is not an export.
+    fn reject(&mut self, reading: &Reading, wrong: RowError) -> Result<()> {
+        let row = self.row;
+        let place = wrong
+            .column
+            .as_ref()
+            .map_or(String::new(), |name| format!(", column {name}"));
         if wrong.is_incomplete {
             if !reading.is_export {
-                let column = wrong
-                    .column
-                    .as_ref()
-                    .map_or(String::new(), |name| format!(", column {name}"));
-                let lacking = self.refused(&column, wrong.why);
-                self.lacking.get_or_insert(lacking);
+                let error = self.refused(&place, wrong.why);
+                self.first_incomplete.get_or_insert(error);
             }
             let column = wrong.column.unwrap_or_else(|| "nothing is measured".into());
             self.incomplete.push(format!("row {row} ({column})"));
             return Ok(());
         }
-        if reading.is_export {
-            let column = wrong
-                .column
-                .map_or(String::new(), |name| format!("{name}: "));
-            self.unreadable
-                .push(format!("row {row} ({column}{})", wrong.why));
-            return Ok(());
+        if !reading.is_export {
+            return Err(self.refused(&place, wrong.why));
         }
         let column = wrong
             .column
-            .map_or(String::new(), |name| format!(", column {name}"));
-        Err(self.refused(&column, wrong.why))
+            .map_or(String::new(), |name| format!("{name}: "));
+        self.unreadable
+            .push(format!("row {row} ({column}{})", wrong.why));
+        Ok(())
     }
 
     /// Messages about rejected rows.
-    fn left_out(&self) -> Vec<String> {
-        let mut told = self.no_shots.messages();
+    fn rejected(&self) -> Vec<String> {
+        let mut messages = self.no_shots.messages();
         let others = [
             (
                 &self.incomplete,
@@ -197,13 +195,45 @@ impl Rows {
             (&self.unreadable, "rows left out, since they cannot be used"),
             (&self.messages, "messages that are no shots are left out"),
         ];
-        told.extend(
+        messages.extend(
             others
                 .into_iter()
                 .filter(|(rows, _)| !rows.is_empty())
                 .map(|(rows, what)| format!("{what}: {}", rows.join(", "))),
         );
-        told
+        messages
+    }
+
+    /// Warning for the first row with contradictory spins, and the number of others.
+    fn contradiction_warning(&self) -> Option<Message> {
+        let first = self.contradictions.first()?;
+        let others = self.contradictions.len() - 1;
+        let others = if others > 0 {
+            format!(" (so in {})", counted(others as u64, "other row"))
+        } else {
+            String::new()
+        };
+        Some(format!("{first}{others}").into())
+    }
+
+    /// Remarks on columns and rows, in this order: columns, rejected rows, values that are not
+    /// compared or replaced.
+    fn remarks(&mut self, reading: &Reading, left_out: Vec<Message>) -> Vec<Message> {
+        let mut remarks = reading.remarks.clone();
+        remarks.append(&mut self.of_sections);
+        remarks.extend(left_out);
+        for (head, rows) in std::mem::take(&mut self.sideways) {
+            let why = "in rows without a measured launch direction or spin axis (or sidespin)";
+            remarks.push(format!("{head} is not compared {why}: {}", rows.join(", ")).into());
+        }
+        for (why, rows) in std::mem::take(&mut self.not_stated) {
+            let rows = rows.join(", ");
+            remarks
+                .push(format!("{why}; what is known before the shot stands for it: {rows}").into());
+        }
+        let messages = self.implausible.iter().chain(&self.contradictions);
+        remarks.extend(messages.cloned().map(Message::from));
+        remarks
     }
 
     /// Builds the table; `reading` belongs to the first section.
@@ -211,10 +241,10 @@ impl Rows {
     /// # Errors
     /// [`Error::Table`] without a shot.
     pub fn table(mut self, reading: Reading) -> Result<ShotTable> {
-        let left_out = self.left_out();
+        let left_out = self.rejected();
         if self.shots.is_empty() {
-            // of a table of one's own the first row says best what is wanted
-            if let Some(first) = self.lacking {
+            // the first incomplete row explains best what is missing, except in an export
+            if let Some(first) = self.first_incomplete {
                 return Err(first);
             }
             let reason = match left_out.is_empty() {
@@ -230,37 +260,17 @@ impl Rows {
                 reason,
             });
         }
-        let left_out = left_out.into_iter().map(Message::from);
-        let mut warnings: Vec<Message> = if reading.is_export {
+        let left_out: Vec<Message> = left_out.into_iter().map(Message::from).collect();
+        let warnings = if reading.is_export {
             vec![]
         } else {
-            left_out.clone().collect()
+            left_out
+                .iter()
+                .cloned()
+                .chain(self.contradiction_warning())
+                .collect()
         };
-        if let Some(first) = self.contradictions.first().filter(|_| !reading.is_export) {
-            let others = self.contradictions.len() - 1;
-            let others = if others > 0 {
-                format!(" (so in {})", counted(others as u64, "other row"))
-            } else {
-                String::new()
-            };
-            warnings.push(format!("{first}{others}").into());
-        }
-        let mut remarks = reading.remarks.clone();
-        remarks.append(&mut self.of_sections);
-        remarks.extend(left_out);
-        remarks.extend(self.sideways.into_iter().map(|(head, rows)| {
-            let why = "in rows without a measured launch direction or spin axis (or sidespin)";
-            format!("{head} is not compared {why}: {}", rows.join(", ")).into()
-        }));
-        remarks.extend(self.not_stated.into_iter().map(|(why, rows)| {
-            format!(
-                "{why}; what is known before the shot stands for it: {}",
-                rows.join(", ")
-            )
-            .into()
-        }));
-        remarks.extend(self.implausible.into_iter().map(Message::from));
-        remarks.extend(self.contradictions.into_iter().map(Message::from));
+        let mut remarks = self.remarks(&reading, left_out);
         let stated_air = reading
             .columns
             .iter()

@@ -1,54 +1,53 @@
 //! A table of measured shots.
 
-use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::parameters::Parameter;
+use crate::drive::Outcome;
+use crate::parameters::{Parameter, Vary};
 use crate::table::{air_as_given, air_of_rows};
 use crate::units::Message;
 
-/// Measured shots, a row each.
+/// Measured shots, one per row.
 ///
-/// The head names parameters (inputs of the shot), outcomes (what was measured), `sigma OUTCOME`
-/// (its standard uncertainty), `stationary` (names of parameters, separated by spaces, in which
-/// carry is at its largest there), `sigma stationary`, and `note`; with its unit in brackets.
-/// Heads, units, separators and sides may also be those of a launch monitor's export; carry is the
-/// distance to the landing point, [`Outcome::CarryDistance`](crate::Outcome::CarryDistance). Where
-/// `ball_speed`, `launch_angle` and `spin` or `backspin` stand beside no parameter of swing, club,
-/// strike or impact, the rows are launch conditions, and the ball flies from them without an
-/// impact.
+/// A head is the name of a parameter (input), an outcome (measured), `sigma OUTCOME` (its standard
+/// uncertainty), `stationary` (parameters in which the row's carry is maximal, separated by
+/// spaces), `sigma stationary` or `note`, with its unit in brackets. Heads, units, separators and
+/// sides of launch monitors' exports are read too; their carry is the distance to the landing
+/// point, [`Outcome::CarryDistance`](crate::Outcome::CarryDistance).
+///
+/// Rows with `ball_speed`, `launch_angle` and `spin` or `backspin`, but no parameter of swing,
+/// club, strike or impact, are launch conditions: the ball flies from them without an impact.
 #[derive(Clone, Debug)]
 pub struct ShotTable {
-    /// Where it was read from, for messages.
+    /// Name of the source, for messages.
     pub file: String,
     /// The shots.
     pub shots: Vec<Shot>,
     /// Rows are launch conditions.
     pub is_launched: bool,
-    /// Notes: outcomes without a sigma column.
+    /// Notes, such as outcomes without a sigma column.
     pub remarks: Vec<Message>,
-    /// What deserves more than that, of a table that is no launch monitor's export: rows that were
-    /// left out, and spins of which one is not used.
+    /// Warnings for a table that is not an export: rejected rows, and contradictory spins.
     pub warnings: Vec<Message>,
-    /// The heads of a measured launch, and of the columns of the club beside it, where both are
-    /// there: the rows are then deliveries.
+    /// Heads of the launch and of the club columns, if the table has both. The rows are then
+    /// deliveries.
     pub(super) launch_beside_club: Option<[String; 2]>,
     /// Quality of the standard uncertainties.
     pub uncertainties: Uncertainties,
-    /// The head of the column of each row's air, of an export that states it.
+    /// Head of the air column of an export.
     pub(super) stated_air: Option<String>,
 }
 
 impl ShotTable {
-    /// Leaves the air out that an export states of each row, where it is given otherwise.
+    /// Discards the air that an export states, because the setup gives it explicitly.
     pub fn in_given_air(&mut self) {
         let Some(head) = self.stated_air.take() else {
             return;
         };
-        let told = air_of_rows(&head);
+        let replaced = air_of_rows(&head);
         for remark in self
             .remarks
             .iter_mut()
-            .filter(|remark| remark.to_string() == told)
+            .filter(|remark| remark.to_string() == replaced)
         {
             *remark = air_as_given(&head).into();
         }
@@ -58,12 +57,12 @@ impl ShotTable {
         }
     }
 
-    /// How many residuals there are.
+    /// Number of residuals.
     pub fn residuals(&self) -> usize {
         self.shots.iter().map(Shot::residuals).sum()
     }
 
-    /// Residuals up to this size are rounding: 1e-12 of the largest measured value in units of its
+    /// Residuals up to this size are rounding: 1e-12 of the largest measured value divided by its
     /// standard uncertainty.
     pub fn rounding(&self) -> f64 {
         let measured = self.shots.iter().flat_map(|shot| &shot.measured);
@@ -79,4 +78,73 @@ impl ShotTable {
             .iter()
             .any(|shot| shot.inputs.iter().any(|(row, _)| *row == parameter))
     }
+}
+
+/// A measured shot: its inputs and its measured outcomes.
+#[derive(Clone, Debug)]
+pub struct Shot {
+    /// Row of the table, from 1.
+    pub row: usize,
+    /// Parameters given in this row, SI: of the launch if the row has one and no club. The setup
+    /// gives all others.
+    pub inputs: Vec<(&'static Parameter, f64)>,
+    /// The measured outcomes.
+    pub measured: Vec<Measurement>,
+    /// Parameters in which the carry of this shot is at its maximum.
+    pub stationary: Vec<Stationary>,
+}
+
+/// A measured outcome, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement {
+    /// The outcome.
+    pub outcome: Outcome,
+    /// The value.
+    pub value: f64,
+    /// Its standard uncertainty, or the reciprocal of its weight if none is known.
+    pub sigma: f64,
+}
+
+/// A parameter in which carry is stationary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stationary {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// Standard uncertainty of the optimum's position, SI.
+    pub sigma: f64,
+}
+
+impl Shot {
+    /// Number of residuals.
+    pub fn residuals(&self) -> usize {
+        self.measured.len() + self.stationary.len()
+    }
+}
+
+/// The ranges of the shots' inputs and of the fitted parameters. A parameter fitted without a range
+/// of its own enters with the setup's value.
+pub fn ranges(table: &ShotTable, fit: &[Vary]) -> Vec<Vary> {
+    let mut ranges: Vec<Vary> = vec![];
+    let mut widen = |parameter, value: f64| match ranges
+        .iter_mut()
+        .find(|range| range.parameter == parameter)
+    {
+        Some(range) => (range.low, range.high) = (range.low.min(value), range.high.max(value)),
+        None => ranges.push(Vary {
+            parameter,
+            low: value,
+            high: value,
+        }),
+    };
+    for shot in &table.shots {
+        for (parameter, value) in &shot.inputs {
+            widen(*parameter, *value);
+        }
+    }
+    let is_given = |vary: &&Vary| {
+        let own = &vary.parameter.range;
+        (vary.low, vary.high) != (own.low, own.high) && (vary.high - vary.low).is_finite()
+    };
+    ranges.extend(fit.iter().filter(is_given));
+    ranges
 }

@@ -1,77 +1,75 @@
-//! What a fit's Jacobian says of its parameters.
+//! Covariance and identifiability of fitted parameters from the Jacobian.
 
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal, StudentsT};
 
-/// Singular values below this part of the largest, of the Jacobian with columns of length 1, are
-/// none: what the data then say of that direction is rounding.
+/// Relative threshold of singular values of the Jacobian with unit columns. Smaller ones count as
+/// 0, since rounding dominates them.
 const SINGULAR: f64 = 1e-8;
-/// Parts of a direction below this, of its length 1, are rounding.
+/// Components of a unit direction below this are rounding.
 const PART: f64 = 1e-3;
 
-/// What the standard uncertainties of the measured values are worth.
+/// Quality of the standard uncertainties of the measured values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Uncertainties {
-    /// All are stated in the table.
+    /// The table states all of them.
     Stated,
-    /// Some are not: the instruments' known ones stand for them
+    /// The table lacks some; the known uncertainties of instruments replace them
     /// ([`instrument`](super::instrument())).
     Instruments,
-    /// Some are not known at all: one unit of the column stands for each, as a weight.
+    /// Some are unknown: one unit of the column serves as a weight.
     Weights,
 }
 
-/// What is known of a fitted parameter beside the Jacobian.
+/// Range information of a fitted parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitted {
-    /// Whether it lies inside its range; else a bound holds it.
+    /// The value lies inside its range; otherwise on a bound.
     pub is_free: bool,
-    /// How far it can go at all, SI: a standard error larger than that says that the data do not
-    /// determine it.
+    /// Width of its range, SI. A larger standard error means that the data do not determine the
+    /// parameter.
     pub width: f64,
 }
 
-/// What the data say of the parameters, all in SI and in their order.
+/// Statistics of the fitted parameters, SI, in their order.
 #[derive(Clone, Debug)]
 pub struct Statistics {
-    /// Covariance; `None` where a parameter is not determined or is held by a bound, and everywhere
-    /// without a scale.
+    /// Covariance; `None` if a parameter is undetermined or lies on a bound, and everywhere without
+    /// a scale.
     pub covariance: Vec<Vec<Option<f64>>>,
     /// Directions that the data do not determine.
     pub undetermined: Vec<Undetermined>,
     /// Σ rᵢ², with Huber's loss Σ wᵢ rᵢ².
     pub chi_square: f64,
-    /// Residuals less parameters that were free and determined.
+    /// Number of residuals minus the rank of the free parameters' Jacobian.
     pub degrees_of_freedom: usize,
-    /// How likely a sum this large or larger is if the standard uncertainties are right; `None`
-    /// where they are not stated, or no value is left over to tell it by.
+    /// Probability of a χ² at least this large if the standard uncertainties are right; `None` if
+    /// the table does not state them, or without degrees of freedom.
     pub probability: Option<f64>,
-    /// Whether nothing is left over but rounding.
+    /// All residuals are rounding.
     pub is_exact: bool,
-    /// What standard errors were multiplied by: √(χ²/ν) where not every uncertainty is stated and
-    /// something is left over to tell it by; else 1. `None` where no uncertainty is known and
-    /// nothing is left over.
+    /// Factor applied to standard errors: √(χ²/ν) if not every uncertainty is stated and ν > 0,
+    /// otherwise 1. `None` if uncertainties are unknown and ν = 0.
     pub scale: Option<f64>,
     /// Whether the scale is √(χ²/ν).
     pub is_scaled: bool,
-    /// How many standard errors a 95 % interval reaches to each side.
+    /// Half-width of a 95 % interval in standard errors.
     pub reach: f64,
 }
 
-/// A combination of parameters that can change without the data noticing, or by more than the
-/// parameters' ranges before they do.
+/// A combination of parameters that can vary without changing the residuals, or by more than the
+/// parameters' ranges within one standard error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undetermined {
-    /// Places of the parameters, and how much each changes, SI.
+    /// Index and change (SI) of each parameter.
     pub parts: Vec<(usize, f64)>,
-    /// How many times these changes make one standard error; `None` where the data do not notice
-    /// them at all.
+    /// Standard error in multiples of these changes; `None` if the residuals do not change at all.
     pub standard_error: Option<f64>,
 }
 
-/// The singular values of the columns of some parameters, each divided by its length.
+/// Singular value decomposition of the columns of some parameters, scaled to unit length.
 struct Columns {
     at: Vec<usize>,
     lengths: Vec<f64>,
@@ -125,7 +123,7 @@ impl Columns {
         (0..self.at.len()).filter(|&k| !self.is_singular(k)).count()
     }
 
-    /// The change of each parameter along a direction, SI.
+    /// The change of each parameter along direction `k`, SI.
     fn parts(&self, k: usize) -> Vec<(usize, f64)> {
         let is_part = |i: &usize| self.directions[(k, *i)].abs() > PART;
         let parts = (0..self.at.len()).filter(is_part);
@@ -134,9 +132,9 @@ impl Columns {
             .collect()
     }
 
-    /// A direction, where the data do not determine it: they do not notice it at all, or one
-    /// standard error along it is more than a parameter's whole range, or it has the largest part
-    /// in a standard error that is.
+    /// Direction `k` if the data do not determine it: its singular value is 0; or one standard
+    /// error along it exceeds a parameter's range; or it is the largest component of a standard
+    /// error that does.
     fn undetermined(
         &self,
         k: usize,
@@ -169,7 +167,7 @@ impl Columns {
             })
     }
 
-    /// The covariance of two parameters, by their places here, of residuals with unit uncertainty.
+    /// The covariance of two parameters (indices into `at`) for residuals of unit variance.
     fn covariance(&self, a: usize, b: usize) -> f64 {
         let part =
             |k: usize| self.directions[(k, a)] * self.directions[(k, b)] / self.values[k].powi(2);
@@ -182,22 +180,21 @@ impl Columns {
 }
 
 impl Statistics {
-    /// The root mean square of the residuals in units of their standard uncertainties, over the
-    /// degrees of freedom; `None` without any.
+    /// √(χ²/ν), the root mean square of the residuals in standard uncertainties; `None` for ν = 0.
     pub fn misfit(&self) -> Option<f64> {
         (self.degrees_of_freedom > 0)
             .then(|| (self.chi_square / self.degrees_of_freedom as f64).sqrt())
     }
 
-    /// Of residuals and their Jacobian at the end of a fit. Residuals no larger than `rounding` are
-    /// rounding.
+    /// Statistics from the residuals and their Jacobian at the end of a fit. Residuals up to
+    /// `rounding` count as rounding.
     ///
     /// # Errors
-    /// [`Error::Calibration`] for a residual or derivative that is not finite, and where the
-    /// singular values do not come out.
+    /// [`Error::Calibration`] for a residual or derivative that is not finite, and if the singular
+    /// value decomposition fails.
     ///
     /// # Panics
-    /// Where the Jacobian has not a row for each residual and a column for each parameter.
+    /// If the Jacobian has not one row for each residual and one column for each parameter.
     pub fn new(
         rows: &Rows,
         fitted: &[Fitted],
@@ -205,23 +202,8 @@ impl Statistics {
         rounding: f64,
         loss: Loss,
     ) -> Result<Self> {
+        check(rows, fitted.len())?;
         let (m, n) = (rows.residuals.len(), fitted.len());
-        let columns: Vec<usize> = rows.jacobian.iter().map(Vec::len).collect();
-        assert!(
-            columns.len() == m && columns.iter().all(|length| *length == n),
-            "{m} residuals of {n} parameters need a Jacobian of {m} rows of {n}; its rows have \
-             {columns:?}"
-        );
-        if let Some(number) = rows
-            .residuals
-            .iter()
-            .chain(rows.jacobian.iter().flatten())
-            .find(|d| !d.is_finite())
-        {
-            let reason =
-                format!("a residual or one of its derivatives is {number}; all must be finite");
-            return Err(Error::Calibration { reason });
-        }
         let weights: Vec<f64> = rows.residuals.iter().map(|r| loss.weight(*r)).collect();
         let jacobian = DMatrix::from_fn(m, n, |i, k| weights[i].sqrt() * rows.jacobian[i][k]);
         let chi_square: f64 = rows
@@ -241,8 +223,8 @@ impl Statistics {
             Uncertainties::Weights => None,
             _ => Some(1.0),
         };
-        // a bound holds a parameter only if the data press it there: one that they say nothing of
-        // has merely run to its end
+        // a bound holds a parameter only if the gradient presses it there; a parameter without
+        // influence may have drifted to its bound
         let slope = |i: usize| -> f64 {
             (0..m)
                 .map(|row| weights[row] * rows.residuals[row] * rows.jacobian[row][i])
@@ -258,18 +240,7 @@ impl Statistics {
         let undetermined: Vec<_> = (0..loose.at.len())
             .filter_map(|k| loose.undetermined(k, scale, fitted))
             .collect();
-        let is_determined = |at: usize| {
-            !undetermined
-                .iter()
-                .any(|u| u.parts.iter().any(|(part, _)| *part == at))
-        };
-        let mut covariance = vec![vec![None; n]; n];
-        for a in (0..free.at.len()).filter(|&a| is_determined(free.at[a])) {
-            for b in (0..free.at.len()).filter(|&b| is_determined(free.at[b])) {
-                covariance[free.at[a]][free.at[b]] =
-                    scale.map(|scale| scale * scale * free.covariance(a, b));
-            }
-        }
+        let covariance = covariance(&free, n, &undetermined, scale);
         let is_stated = uncertainties == Uncertainties::Stated;
         Ok(Self {
             covariance,
@@ -288,7 +259,7 @@ impl Statistics {
         })
     }
 
-    /// Whether a parameter is part of no direction that the data do not determine.
+    /// Reports whether no undetermined direction contains the parameter.
     pub fn determines(&self, at: usize) -> bool {
         !self
             .undetermined
@@ -296,10 +267,10 @@ impl Statistics {
             .any(|undetermined| undetermined.parts.iter().any(|(part, _)| *part == at))
     }
 
-    /// Standard error of the parameter at a place.
+    /// Standard error of a parameter.
     ///
     /// # Panics
-    /// Where there is no parameter at this place.
+    /// If the index is out of range.
     pub fn standard_error(&self, at: usize) -> Option<f64> {
         self.covariance[at][at].map(f64::sqrt)
     }
@@ -307,10 +278,54 @@ impl Statistics {
     /// Correlation of two parameters.
     ///
     /// # Panics
-    /// Where there is no parameter at one of these places.
+    /// If an index is out of range.
     pub fn correlation(&self, a: usize, b: usize) -> Option<f64> {
         Some(self.covariance[a][b]? / (self.standard_error(a)? * self.standard_error(b)?))
     }
+}
+
+/// Checks the size of the Jacobian, and that all numbers are finite.
+fn check(rows: &Rows, n: usize) -> Result<()> {
+    let m = rows.residuals.len();
+    let columns: Vec<usize> = rows.jacobian.iter().map(Vec::len).collect();
+    assert!(
+        columns.len() == m && columns.iter().all(|length| *length == n),
+        "{m} residuals of {n} parameters need a Jacobian of {m} rows of {n}; its rows have \
+         {columns:?}"
+    );
+    if let Some(number) = rows
+        .residuals
+        .iter()
+        .chain(rows.jacobian.iter().flatten())
+        .find(|d| !d.is_finite())
+    {
+        let reason =
+            format!("a residual or one of its derivatives is {number}; all must be finite");
+        return Err(Error::Calibration { reason });
+    }
+    Ok(())
+}
+
+/// Covariance of all `n` parameters; `None` for those not in `free`, or undetermined.
+fn covariance(
+    free: &Columns,
+    n: usize,
+    undetermined: &[Undetermined],
+    scale: Option<f64>,
+) -> Vec<Vec<Option<f64>>> {
+    let is_determined = |at: usize| {
+        !undetermined
+            .iter()
+            .any(|u| u.parts.iter().any(|(part, _)| *part == at))
+    };
+    let mut covariance = vec![vec![None; n]; n];
+    for a in (0..free.at.len()).filter(|&a| is_determined(free.at[a])) {
+        for b in (0..free.at.len()).filter(|&b| is_determined(free.at[b])) {
+            covariance[free.at[a]][free.at[b]] =
+                scale.map(|scale| scale * scale * free.covariance(a, b));
+        }
+    }
+    covariance
 }
 
 fn upper_tail(chi_square: f64, degrees_of_freedom: usize) -> Option<f64> {
@@ -319,8 +334,7 @@ fn upper_tail(chi_square: f64, degrees_of_freedom: usize) -> Option<f64> {
         .map(|distribution| distribution.sf(chi_square))
 }
 
-/// The 97.5 % point of the normal distribution, or of Student's where the scale is itself
-/// estimated.
+/// The 97.5 % quantile of the normal distribution, or of Student's t if the scale is estimated.
 fn reach(degrees_of_freedom: usize, is_scaled: bool) -> f64 {
     let normal = Normal::standard().inverse_cdf(0.975);
     if !is_scaled {
@@ -346,9 +360,9 @@ mod tests {
         }
     }
 
-    /// A line through 0, 1, 2 with unit uncertainties: (JᵀJ)⁻¹ of the normal equations, by hand; a
-    /// third column that repeats the second cannot be told from it, and spoils neither the first
-    /// nor the sum.
+    /// A line through 0, 1, 2 with unit uncertainties: (JᵀJ)⁻¹ of the normal equations, by hand. A
+    /// third column proportional to the second is confounded with it, and affects neither the first
+    /// parameter nor χ².
     #[test]
     fn exact_covariance_of_a_line_and_confounded_columns_named() {
         let jacobian: Vec<Vec<f64>> = [0.0, 1.0, 2.0].iter().map(|t| vec![1.0, *t]).collect();
@@ -391,8 +405,7 @@ mod tests {
         assert!((both.standard_error(0).unwrap() - (5.0_f64 / 6.0).sqrt()).abs() < 1e-9);
         assert_eq!((both.standard_error(1), both.degrees_of_freedom), (None, 1));
     }
-    /// Two points and a line: nothing is left over, which is another thing than a direction that
-    /// the data do not determine.
+    /// Two points and a line: zero degrees of freedom, but every direction is determined.
     #[test]
     fn parameters_with_as_many_values_are_determined() {
         let rows = Rows {
@@ -413,7 +426,7 @@ mod tests {
                 (line.scale, line.degrees_of_freedom, line.probability),
                 (scale, 0, None)
             );
-            // the slope's variance is that of the difference of two values
+            // variance of the slope: that of a difference of two values
             assert_eq!(
                 line.covariance[1][1].map(|variance| (variance - 2.0).abs() < 1e-12),
                 scale.map(|_| true)
@@ -422,9 +435,8 @@ mod tests {
         }
     }
 
-    /// Columns that differ by 1e-4: a standard error of 1e4, which only a range wider than that can
-    /// hold. And a parameter that no residual depends on is not determined on a bound of its range
-    /// either.
+    /// Columns that differ by 1e-4 give a standard error of 1e4, which exceeds a narrow range. A
+    /// parameter without influence is undetermined on a bound too.
     #[test]
     fn standard_errors_beyond_the_range_are_no_answers() {
         let rows = Rows {
@@ -453,7 +465,7 @@ mod tests {
             (None, None)
         );
 
-        // correlated by 0.6: 1.12 and 0.56 along the two directions make a standard error of 1.25
+        // correlation 0.6: 1.12 and 0.56 along the two directions give a standard error of 1.25
         let rows = Rows {
             residuals: vec![0.3, -0.3],
             jacobian: vec![vec![1.0, 0.6], vec![0.0, 0.8]],
@@ -479,7 +491,7 @@ mod tests {
         };
         let found = of(&blind, &[free(1e9), held], Uncertainties::Stated);
         assert!(found.determines(0) && !found.determines(1), "{found:?}");
-        // pressed against its bound it is held there
+        // the gradient presses this parameter against its bound
         let pressed = Rows {
             residuals: vec![0.5, -0.5],
             jacobian: vec![vec![1.0, 40.0], vec![1.0, -40.0]],

@@ -1,14 +1,13 @@
-//! What a fit's end is called once the data have been looked at: a search that has converged may
-//! still have no answer.
+//! Final status of a fit after a look at the data: a converged search may still have no answer.
 
 use super::calibration::{Calibration, Remainder};
 use super::statistics::{Uncertainties, Undetermined};
 use crate::optimize::least_squares::{Fit, Loss, Status};
 use crate::units::{counted, significant};
 
-/// The verdict of the best of several searches, by what became of all of them: `is_settled` tells
-/// whether the curvatures of optima stayed where they were. How many searches were stopped before
-/// their end is returned, and whether the best of all had ended at a minimum.
+/// Sets the status of the best of several searches. `is_settled`: the curvatures of optima no
+/// longer change. Returns the number of interrupted searches, and whether the best one converged to
+/// a minimum.
 pub(super) fn of_searches(
     fits: &mut [Fit],
     is_settled: bool,
@@ -47,14 +46,14 @@ pub(super) fn of_searches(
     (stopped, is_minimum)
 }
 
-/// A fit that its values miss by so many of their standard uncertainties (root mean square) is
-/// none.
+/// Root mean square of the residuals in standard uncertainties above which the fit counts as a
+/// misfit.
 const MISFIT: f64 = 6.0;
 
-/// The verdict where the data do not determine the parameters, where one row leaves the others no
-/// say, or where the model does not describe them.
+/// Sets the status for undetermined parameters, a dominating row, or a model that does not describe
+/// the data.
 pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncertainties) {
-    // a search also stalls where the data say too little for a step to show in the sum
+    // a search also stalls if the data hardly depend on the parameters
     if !matches!(found.fit.status, Status::Converged | Status::Stalled) {
         return;
     }
@@ -74,7 +73,7 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
     if !undetermined.is_empty() {
         let all: Vec<String> = undetermined
             .iter()
-            .map(|direction| names(found, direction))
+            .map(|direction| parameter_names(found, direction))
             .collect();
         found.fit.status = Status::Undetermined;
         found.fit.message = format!(
@@ -86,7 +85,7 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
         );
         return;
     }
-    // Huber's loss is for data with rows that the model does not describe
+    // Huber's loss expects rows that the model does not describe
     let is_judged = loss == Loss::Squares && uncertainties != Uncertainties::Weights;
     if let Some(off) = found
         .statistics
@@ -105,13 +104,13 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
     }
 }
 
-/// The row that pulls so hard that all others together have less than a millionth of its square.
-/// Its residual is then more than 1000 standard uncertainties, which is no noise. With Huber's loss
-/// no row pulls harder than its limit.
+/// The row that dominates the fit: all others together have less than 1e-6 of its squared gradient,
+/// so its residual exceeds 1000 standard uncertainties. Huber's loss limits the gradient of each
+/// row.
 fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
-    /// The part of the sum that the others have at most.
+    /// Largest share of the other rows.
     const PART: f64 = 1e-6;
-    /// Part of a sum that its rounding hides, whatever the loss.
+    /// Share that rounding hides, whatever the loss.
     const ROUNDING: f64 = 1e-15;
     let most = remainders
         .iter()
@@ -127,7 +126,7 @@ fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
     (outweighs(PART, &pull) || outweighs(ROUNDING, &|residual| loss.of(residual))).then_some(most)
 }
 
-fn names(found: &Calibration, direction: &Undetermined) -> String {
+fn parameter_names(found: &Calibration, direction: &Undetermined) -> String {
     let names: Vec<&str> = direction
         .parts
         .iter()

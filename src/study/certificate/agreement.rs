@@ -1,5 +1,5 @@
-//! First derivatives computed again over `num_dual::Dual64`, in one flight per parameter. It shares
-//! no rule of differentiation with the jets, nor their lanes, nor the chain rule across the launch.
+//! First derivatives over `num_dual::Dual64`, one flight per parameter. They share no
+//! differentiation rule, no lane and no chain rule with the jets.
 
 use crate::derivative::check::Ladder;
 use crate::drive::{Drive, Outcome};
@@ -7,26 +7,26 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use num_dual::Dual64;
 
-/// Allowed difference, relative to the derivative.
+/// Relative tolerance.
 const RELATIVE: f64 = 1e-9;
 
-/// Allowed difference, in units of rounding of the numbers that the outcome is computed from over
-/// the parameter's scale.
+/// Rounding tolerance, in units of the numbers that the outcome is computed from, divided by the
+/// parameter's scale.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A first derivative over the jets beside the same over num-dual.
+/// A first derivative over jets compared with num-dual.
 #[derive(Clone, Copy, Debug)]
 pub struct Agreement {
     /// The derivative over `num_dual::Dual64`.
     pub num_dual: f64,
     /// |jet − num-dual|.
     pub difference: f64,
-    /// The largest difference that rounding explains.
+    /// Largest difference that rounding explains.
     pub tolerance: f64,
 }
 
 impl Agreement {
-    /// Compares a derivative over the jets with that over num-dual.
+    /// Compares a derivative over jets with one over num-dual.
     pub(super) fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
         let size = num_dual.abs().max(ladder.next_to_nothing());
         let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;
@@ -37,16 +37,16 @@ impl Agreement {
         }
     }
 
-    /// Whether the two agree; a derivative that is not a number agrees with none.
+    /// Reports agreement; false for NaN.
     pub fn holds(&self) -> bool {
         self.difference <= self.tolerance
     }
 }
 
-/// The derivatives of some outcomes by a parameter, over num-dual.
+/// Derivatives of several outcomes by one parameter, over num-dual.
 ///
 /// # Errors
-/// As [`Drive::new`] and [`Outcome::of`].
+/// The errors of [`Drive::new`] and [`Outcome::of`].
 pub(super) fn by_num_dual(
     setup: &Setup<f64>,
     of: &[Outcome],

@@ -5,49 +5,48 @@ use crate::error::Result;
 use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 
-/// How far a change of the number of steps is looked for, in parts of the parameter's scale …
+/// Search range for a change of the number of steps, in units of the parameter's scale.
 const FARTHEST: f64 = 0.1;
 
-/// … from this many times half as far on, each time twice as far.
+/// Number of doublings that lead to the end of the search range.
 const DOUBLED: i32 = 9;
 
-/// Values of the parameter to each side of a change over which outcomes scatter by rounding …
+/// Samples on each side of the change, to estimate the scatter by rounding.
 const NEIGHBOURS: usize = 8;
 
-/// … and how far apart they are, in parts of the parameter's scale. Adjacent floating-point numbers
-/// may be the same to all that follows: a decay over a step, e^(−δ h), is rounded to 1e-16, and
-/// outcomes are stairs in δ. What the outcome itself goes by over so little is taken off.
+/// Distance of the samples in units of the parameter's scale. Adjacent floating-point numbers can
+/// give identical results (a decay e^(−δ h) is rounded to 1e-16, so outcomes are step functions of
+/// δ). The outcome's own change over this distance is subtracted.
 const SPACING: f64 = 1e-12;
 
-/// The jump that may be left, in scatters to either side.
+/// Tolerance of a jump in scatters of either side.
 const BAR: f64 = 4.0;
 
-/// The relative jumps of value, gradient and Hessian that are promised not to be exceeded: rounding
-/// that the scatter over a few neighbours may miss.
+/// Relative tolerances of jumps of value, gradient and Hessian, for rounding that a few samples may
+/// miss.
 const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
-/// An outcome where the number of time steps of the flight changes: on adjacent floating-point
-/// values of a parameter.
+/// Smoothness of an outcome where the number of time steps changes: the jump between adjacent
+/// floating-point values of a parameter.
 #[derive(Clone, Debug)]
 pub struct Continuity {
     /// The outcome.
     pub of: Outcome,
-    /// The parameter that is moved.
+    /// The parameter that varies.
     pub parameter: &'static Parameter,
-    /// Its value just before the change, SI.
+    /// Value just before the change, SI.
     pub at: f64,
-    /// The numbers of steps before and after.
+    /// Number of steps before and after.
     pub steps: [usize; 2],
-    /// The jumps of the value, the gradient and the Hessian by parameters in units of their scales,
-    /// relative to the largest entry or the numbers that the value is made of.
+    /// Jumps of value, gradient and Hessian by scaled parameters, relative to the largest entry or
+    /// the magnitude of the value's terms.
     pub jumps: [f64; 3],
-    /// The jumps that may be: those promised, or what rounding makes by the scatter beside the
-    /// change.
+    /// Tolerances: the promised ones, or larger ones from the scatter by rounding.
     pub bars: [f64; 3],
 }
 
 impl Continuity {
-    /// Whether no jump is more than rounding.
+    /// No jump exceeds its tolerance.
     pub fn passed(&self) -> bool {
         self.jumps
             .iter()
@@ -56,11 +55,12 @@ impl Continuity {
     }
 }
 
-/// The nearest change of the number of steps along `wrt[0]`, if there is one near by; derivatives
-/// are by all of `wrt`. Nothing once `goes_on` says so.
+/// Finds the nearest change of the number of steps along `wrt[0]` and measures the jumps of
+/// outcomes and derivatives by all of `wrt`. Empty if there is no change nearby, or once `goes_on`
+/// is false.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The errors of [`evaluate`].
 pub(super) fn continuity(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -76,7 +76,7 @@ pub(super) fn continuity(
     let spacing = SPACING * scale(setup, parameter);
     let neighbours = |from: f64, sign: f64| {
         let offsets = (0..NEIGHBOURS).map(|k| sign * spacing * k as f64);
-        // at the end of a range there are none beyond it
+        // discard samples outside the allowed range
         let offsets = offsets.filter(|offset| parameter.range.contains(from + offset));
         offsets
             .take_while(|_| goes_on())
@@ -85,7 +85,7 @@ pub(super) fn continuity(
                 let taylors = evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second)?;
                 Ok(taylors
                     .iter()
-                    .map(|taylor| brought_back(taylor, value - from))
+                    .map(|taylor| extrapolated_back(taylor, value - from))
                     .collect())
             })
             .collect::<Result<Vec<Vec<Taylor>>>>()
@@ -122,9 +122,9 @@ pub(super) fn continuity(
     Ok(of.iter().enumerate().map(continuity).collect())
 }
 
-/// Value and gradient as they would be at an offset less of the first parameter, by the next
+/// Extrapolates value and gradient back by an offset of the first parameter, with the next
 /// derivative.
-fn brought_back(taylor: &Taylor, offset: f64) -> Taylor {
+fn extrapolated_back(taylor: &Taylor, offset: f64) -> Taylor {
     let slope = taylor.gradient.first().copied().unwrap_or_default();
     let gradient = taylor
         .gradient
@@ -138,7 +138,7 @@ fn brought_back(taylor: &Taylor, offset: f64) -> Taylor {
     }
 }
 
-/// The value, the gradient or the Hessian, of parameters in units of their scales.
+/// Entries of the value, gradient or Hessian (by order) for scaled parameters.
 fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     match order {
         0 => vec![taylor.value],
@@ -160,9 +160,8 @@ fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     }
 }
 
-/// How far the means of two sides are apart, of the largest entry or the size of the numbers that
-/// the outcome is made of, which rounding is a part of, and how far they may be by the scatter of
-/// each side.
+/// Jump between the means of two sides and its tolerance from their scatter, both relative to the
+/// largest entry or to `size`, the magnitude of the outcome's terms.
 fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, promised: f64) -> (f64, f64) {
     let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, size);
     for entry in 0..before[0].len() {
@@ -201,8 +200,8 @@ fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Optio
     }
 }
 
-/// Adjacent values of the parameter, the lower first, that differ in the number of steps; none is
-/// looked for once `goes_on` is false.
+/// Adjacent values of the parameter, in ascending order, with different numbers of steps. The
+/// search stops once `goes_on` is false.
 fn change(
     setup: &Setup<f64>,
     parameter: &'static Parameter,

@@ -7,8 +7,8 @@ use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
-/// Levels of steps: what is read off one time step has errors that change with its place in the
-/// step, and neighbours show how much.
+/// Step sizes. An outcome evaluated within a single step (the apex) has errors that vary with its
+/// position in the step; neighbouring step sizes average that.
 const LEVELS: Levels = Levels {
     coarsest: 16,
     count: 6,
@@ -16,9 +16,9 @@ const LEVELS: Levels = Levels {
     octaves: 0.36,
 };
 
-/// Levels for a law with joins. A step across a join is off by h^(k+2) times a function of the
-/// join's place in the step. Their sum changes its size and sign from flight to flight, so that
-/// only the largest of many falls with a power of h, and it does so once a step hardly ever crosses
+/// Step sizes for a law with joins. A step across a join has an error of h^(k+2) times a function
+/// of the join's position in the step. The sum varies irregularly between flights, so only the
+/// largest error of many flights decreases with a power of h, and only once a step rarely crosses
 /// two joins.
 pub(super) const LEVELS_ACROSS_JOINS: Levels = Levels {
     coarsest: 64,
@@ -27,29 +27,29 @@ pub(super) const LEVELS_ACROSS_JOINS: Levels = Levels {
     octaves: 1.0,
 };
 
-/// Steps to the flight that is the reference.
+/// Number of steps of the reference flight.
 const REFERENCE: u32 = 4096;
 
-/// Steps to a flight that differs from the reference by little but the rounding of so many steps:
-/// errors that do not stand out of this difference by a factor are rounding too.
+/// Number of steps of a flight that differs from the reference mainly by rounding. Errors below
+/// `ROUNDING_FACTOR` times this difference are rounding.
 const BESIDE_THE_REFERENCE: u32 = 2048;
-const OUT_OF_IT: f64 = 10.0;
+const ROUNDING_FACTOR: f64 = 10.0;
 
-/// Errors of value and gradient smaller than this, relative, are rounding.
+/// Relative errors of value and gradient below these are rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
-/// How far below the expected order the slope of the errors may be without a look at why. The
-/// error's next term still shows at steps like these; a mistake in a method costs a whole order.
-const SHORT_OF: f64 = 0.75;
+/// Allowed deficit of the error slope before a lower-order term is looked for. The next term of the
+/// error still matters at these steps; a mistake in a method costs a whole order.
+const ALLOWED_DEFICIT: f64 = 0.75;
 
-/// Numbers of steps to a flight, in levels that double.
+/// Numbers of steps per flight, in levels that double.
 pub(super) struct Levels {
-    /// The first number of the coarsest level.
+    /// First number of steps of the coarsest level.
     coarsest: u32,
     pub count: usize,
-    /// Flights per level, whose numbers of steps are spread evenly (in logarithms) …
+    /// Flights per level, with logarithmically spaced numbers of steps.
     neighbours: u32,
-    /// … over so many octaves.
+    /// Octaves that one level covers.
     octaves: f64,
 }
 
@@ -61,43 +61,40 @@ impl Levels {
     }
 }
 
-/// How an outcome converges with the time step.
+/// Convergence of an outcome with the time step.
 #[derive(Clone, Debug)]
 pub struct Convergence {
     /// The outcome.
     pub of: Outcome,
-    /// Steps, s, with the errors of value and gradient there, relative to the numbers they are made
-    /// of.
+    /// Step (s) with the errors of value and gradient, relative to the magnitude of their terms.
     pub errors: Vec<(f64, [f64; 2])>,
-    /// The measured orders of value and gradient; `None` where too few errors stand out of the
-    /// rounding.
+    /// Measured orders of value and gradient; `None` if too few errors exceed rounding.
     pub orders: [Option<f64>; 2],
-    /// The orders expected of them.
+    /// Expected orders of value and gradient.
     pub expected: [u32; 2],
     /// Number of continuous derivatives of the law, where its joins limit an expected order.
     pub limited_by_law: Option<u32>,
-    /// Whether they fall short of these: an order may be measured lower where the error's first two
-    /// terms have opposite signs and it passes through 0.
+    /// The order is lower than expected. A low slope alone does not count: it also occurs where the
+    /// first two error terms cancel.
     pub falls_short: [bool; 2],
-    /// Whether a method of one order less would be found short: held to one order more than
-    /// expected, these errors are.
+    /// Sensitivity of the test: these errors would fail if the expected order were one higher.
     pub would_show: [bool; 2],
 }
 
 impl Convergence {
-    /// Whether the orders are the method's.
+    /// Both orders are as expected.
     pub fn passed(&self) -> bool {
         self.falls_short == [false; 2]
     }
 }
 
-/// How the outcomes of the flight, and their derivatives by `wrt`, converge with the step. A
-/// logarithmic wind is left out: it changes over half a metre of height, and no order shows at
-/// steps that cross this at once. Steps within which the spin fades show none either; where too few
-/// are left, nothing is measured, nor once `goes_on` is false.
+/// Convergence of outcomes and their derivatives by `wrt` with the step. A logarithmic wind is
+/// omitted, because it varies within half a metre of height, which these steps cross at once. Steps
+/// longer than the spin decay time are omitted too. Empty if too few steps remain, or once
+/// `goes_on` is false.
 ///
 /// # Errors
-/// As [`jacobian`].
+/// The errors of [`jacobian`].
 pub(super) fn convergence(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -114,10 +111,9 @@ pub(super) fn convergence(
     let fading = fading(setup, &drive);
     let at = |steps: u32| {
         let mut setup = *setup;
-        // a little more than a whole number of steps, so that none ends just before or just after
-        // the landing
+        // half a step more, so that no step ends just before or after the landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
-        // too coarse a step may not follow the flight: an error at that step there is none
+        // a flight that fails at too coarse a step is skipped
         let is_short = setup.flight.step <= 1.0 && setup.flight.step * fading <= 1.0;
         let taylors = (is_short && goes_on())
             .then(|| jacobian(&setup, of, wrt).ok())
@@ -129,69 +125,105 @@ pub(super) fn convergence(
         return Ok(vec![]);
     };
     let has_joins = setup.law.continuous_derivatives().is_some();
-    let (levels, measure) = if has_joins {
-        (
-            LEVELS_ACROSS_JOINS,
-            measure_largest as fn(&[Errors], u32, f64, f64) -> Option<Measured>,
-        )
+    let levels = if has_joins {
+        LEVELS_ACROSS_JOINS
     } else {
-        (
-            LEVELS,
-            measure as fn(&[Errors], u32, f64, f64) -> Option<Measured>,
-        )
+        LEVELS
     };
     let flown: Vec<_> = (0..levels.count)
         .flat_map(|level| levels.steps(level).map(move |steps| (level, steps)))
-        .filter_map(|(level, steps)| Some((level, at(steps)?)))
+        .filter_map(|(level, steps)| {
+            let (step, taylors) = at(steps)?;
+            Some(Flown {
+                level,
+                step,
+                taylors,
+            })
+        })
         .collect();
     let coarsest = flown
         .iter()
-        .map(|(level, _)| *level)
+        .map(|flown| flown.level)
         .min()
         .unwrap_or(levels.count);
     if coarsest + MEASURED > levels.count || !goes_on() {
         return Ok(vec![]);
     }
-    let scales: Vec<f64> = wrt
-        .iter()
-        .map(|parameter| scale(setup, parameter))
-        .collect();
-    let convergence = |(i, of): (usize, &Outcome)| {
-        let size = size(*of, setup, &drive);
-        let sample = |(level, (step, taylors)): &(usize, (f64, Vec<Taylor>))| {
-            let errors = errors(&taylors[i], &reference[i], size, &scales);
-            errors.map(|errors| Errors {
-                level: *level,
-                step: *step,
+    let comparison = Comparison {
+        setup,
+        drive: &drive,
+        scales: wrt
+            .iter()
+            .map(|parameter| scale(setup, parameter))
+            .collect(),
+        reference,
+        beside,
+        flown,
+        measure: if has_joins { measure_largest } else { measure },
+    };
+    Ok((0..of.len())
+        .map(|i| comparison.convergence(i, of[i]))
+        .collect())
+}
+
+/// Outcomes with derivatives, computed with one time step.
+struct Flown {
+    level: usize,
+    /// Time step, s.
+    step: f64,
+    taylors: Vec<Taylor>,
+}
+
+/// Flights with several time steps, and the reference flights.
+struct Comparison<'a> {
+    setup: &'a Setup<f64>,
+    drive: &'a Drive<f64>,
+    scales: Vec<f64>,
+    reference: Vec<Taylor>,
+    /// A flight that differs from the reference mainly by rounding.
+    beside: Vec<Taylor>,
+    flown: Vec<Flown>,
+    measure: fn(&[Errors], u32, f64, f64) -> Option<Measured>,
+}
+
+impl Comparison<'_> {
+    /// Convergence of outcome `i`.
+    fn convergence(&self, i: usize, of: Outcome) -> Convergence {
+        let size = size(of, self.setup, self.drive);
+        let errors_of =
+            |taylors: &[Taylor]| errors(&taylors[i], &self.reference[i], size, &self.scales);
+        let sample = |flown: &Flown| {
+            errors_of(&flown.taylors).map(|errors| Errors {
+                level: flown.level,
+                step: flown.step,
                 errors,
             })
         };
-        let samples: Vec<[Errors; 2]> = flown.iter().map(sample).collect();
+        let samples: Vec<[Errors; 2]> = self.flown.iter().map(sample).collect();
         let largest = |errors: &Vec<f64>| {
             errors
                 .iter()
-                .fold(0.0_f64, |most, error| most.max(error.abs()))
+                .fold(0.0_f64, |largest, error| largest.max(error.abs()))
         };
-        let rounding = errors(&beside[i], &reference[i], size, &scales)
-            .map(|errors| OUT_OF_IT * largest(&errors));
+        let rounding = errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest(&errors));
         let Expected {
             orders: expected,
             limited_by_law,
-        } = expected(setup, *of);
-        let held_to = |more: u32| {
+        } = expected(self.setup, of);
+        let measure_with = |more: u32| {
             [0, 1].map(|which: usize| {
                 let samples: Vec<Errors> = samples.iter().map(|pair| pair[which].clone()).collect();
-                measure(
+                (self.measure)(
                     &samples,
                     expected[which] + more,
-                    SHORT_OF,
+                    ALLOWED_DEFICIT,
                     ROUNDING[which].max(rounding[which]),
                 )
             })
         };
-        let measured = held_to(0);
+        let measured = measure_with(0);
         Convergence {
-            of: *of,
+            of,
             errors: samples
                 .iter()
                 .map(|pair| {
@@ -205,42 +237,42 @@ pub(super) fn convergence(
             expected,
             limited_by_law,
             falls_short: measured.map(|measured| measured.is_some_and(|it| it.falls_short)),
-            would_show: held_to(1).map(|measured| measured.is_some_and(|it| it.falls_short)),
+            would_show: measure_with(1).map(|measured| measured.is_some_and(|it| it.falls_short)),
         }
-    };
-    Ok(of.iter().enumerate().map(convergence).collect())
+    }
 }
 
-/// The flight time in steps as short as the reference's. That of a long step of the setup may be
-/// off by a part of the steps compared here, which then end just before or after the landing.
+/// Flight time at the reference step. The setup's own step may leave an error comparable with the
+/// steps compared here, which would then end at the landing.
 fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     let mut setup = *setup;
     setup.flight.step = about / f64::from(REFERENCE);
     Some(Drive::new(&setup).ok()?.landed().ok()?.flight_time)
 }
 
-/// The orders that an outcome is held to.
+/// Expected orders of an outcome.
 struct Expected {
-    /// Of value and gradient.
+    /// Orders of value and gradient.
     orders: [u32; 2],
-    /// As [`Convergence::limited_by_law`].
+    /// See [`Convergence::limited_by_law`].
     limited_by_law: Option<u32>,
 }
 
-/// The orders of value and gradient: the method's, as far as the polynomial of degree 7 between the
-/// steps goes: h⁸ in a position and h⁷ in its derivatives, one less in a velocity and in the root
-/// of one. A step adds to the position what it adds to the velocity only up to h^(p+1), so that a
-/// velocity within it is off by h^p times a function of the place in the step; the apex moves
-/// through the step as a parameter changes, at a rate of 1/h, and its derivatives are off by
-/// h^(p−1). (The landing lies in the middle of a step here, where that function is flat.) Across a
-/// join of a law with k continuous derivatives a step is off by h^(k+2) times a function of the
-/// join's place in the step, which moves at a rate of 1/h: its derivative is off by h^(k+1).
+/// Expected orders p of value and gradient: those of the method, limited by interpolation and
+/// joins.
+///
+/// - Dense output of degree 7: h⁸ in a position and h⁷ in its derivatives, one less in a velocity
+/// and in the root of one.
+/// - Apex: within a step, the velocity error is h^p times a function of the position in the step.
+/// The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). The
+/// landing lies in the middle of a step here, where that function is flat.
+/// - Join of a law with k continuous derivatives: error h^(k+2) times a function of the join's
+/// position in the step, which also moves at a rate 1/h; the derivative has an error h^(k+1).
 fn expected(setup: &Setup<f64>, of: Outcome) -> Expected {
     use Outcome::{ApexDownrange, ApexTime, DescentAngle, LandingSpeed};
     let is_of_a_velocity = matches!(of, DescentAngle | LandingSpeed | ApexTime | ApexDownrange);
     let interpolated = match of {
-        // the spin at the landing is interpolated by degree 5 where it is damped by the way through
-        // the air
+        // with spin damping the spin at landing is interpolated with degree 5
         _ if of.needs_run() => [6, 5],
         _ if is_of_a_velocity => [7, 6],
         _ => [8, 7],
@@ -266,14 +298,14 @@ fn expected(setup: &Setup<f64>, of: Outcome) -> Expected {
     }
 }
 
-/// How fast the spin fades as the ball leaves, 1/s: δ + κ |v|/R (docs/model.md, eq. 13).
+/// Initial decay rate of spin, 1/s: δ + κ |v|/R (docs/model.md, eq. 13).
 fn fading(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let by_way = setup.aero.spin_damping.unwrap_or_default() / setup.ball.radius;
     setup.aero.spin_decay + by_way * drive.launch.ball_speed()
 }
 
-/// The errors of the value and of each entry of the gradient, relative to the size of the outcome;
-/// those of a gradient that is more than next to nothing relative to its largest entry.
+/// Errors of the value, relative to the outcome's magnitude, and of each gradient entry, relative
+/// to the largest entry unless the gradient is negligible.
 fn errors(found: &Taylor, reference: &Taylor, size: f64, scales: &[f64]) -> [Vec<f64>; 2] {
     let entries = reference
         .gradient

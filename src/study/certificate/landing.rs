@@ -1,6 +1,5 @@
-//! The landing as an implicit function, without its being looked for: the state at the fixed time T
-//! of the landing, moved to the ground along the velocity there, has the derivatives that the
-//! landing has.
+//! Implicit function test of the landing: the state at the fixed time T of the landing,
+//! extrapolated to the ground along its velocity, has the same derivatives as the landing itself.
 //!
 //! ```text
 //!   height(T + dt, p + dp) = ground   ⇒   dt = −(∂height/∂p − ∂ground/∂p) dp / ẋ,   d carry = ∂z/∂p dp + ż dt
@@ -18,33 +17,33 @@ use crate::launch::Launch;
 use crate::number::Vector;
 use crate::parameters::{Parameter, Setup};
 
-/// The outcomes that the landing gives its derivative to.
+/// Outcomes whose derivative contains a landing term.
 pub(super) const AT_LANDING: [Outcome; 3] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime];
 
-/// The ground is put so far down, m, that every flight of a ladder is still in the air at T.
-const WAY_DOWN: f64 = 2000.0;
+/// Depth to which the ground is lowered, m, so that all sampled flights are airborne at T.
+const LOWERED_BY: f64 = 2000.0;
 
-/// A derivative at the landing beside differences at a fixed time.
+/// A derivative at the landing compared with differences at a fixed time.
 #[derive(Clone, Debug)]
 pub struct AtLanding {
     /// `carry`, `lateral` or `flight_time`.
     pub of: Outcome,
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The derivative beside differences of the state at the time of landing, moved to the ground.
+    /// The derivative compared with differences of the extrapolated state.
     pub check: Check,
-    /// What of the derivative is the landing's: the rest is the derivative at a fixed time.
+    /// Part of the derivative due to the change of landing time; the rest is the derivative at
+    /// fixed time.
     pub landing_term: f64,
 }
 
-/// The derivatives of a landing by each of some parameters. In a logarithmic wind, which counts its
-/// height from the ground, there are none of them: the ground cannot be taken away from under the
-/// ball.
+/// Tests the derivatives of a landing by each parameter. Empty in a logarithmic wind, which depends
+/// on the height above ground, so the ground cannot be lowered.
 ///
 /// # Errors
-/// As [`jacobian`].
+/// The errors of [`jacobian`].
 pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Result<Vec<AtLanding>> {
-    if setup.wind.roughness.is_some() || setup.ground.height - WAY_DOWN < -1e4 {
+    if setup.wind.roughness.is_some() || setup.ground.height - LOWERED_BY < -1e4 {
         return Ok(vec![]);
     }
     let (setup, landed) = ending_with_a_step(setup)?;
@@ -64,8 +63,8 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
             let mut moved = setup;
             moved.set_value(parameter, Some(value)).ok()?;
             let ground = moved.ground.height;
-            moved.ground.height -= WAY_DOWN;
-            // no further than T
+            moved.ground.height -= LOWERED_BY;
+            // stop at T
             moved.flight.time_limit = time - 0.5 * setup.flight.step;
             let launch = match Launch::given(&moved) {
                 Some(launch) => launch,
@@ -108,12 +107,11 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
     Ok(all)
 }
 
-/// The setup with a step of which one ends at the landing, and that landing. Another step moves the
-/// landing by its own error of truncation: the step is made anew until it does so by no more than
-/// rounding, for away from the ground the differences are those of another place. The way there is
-/// short, since the landing changes by a part of h^p only.
+/// Adjusts the time step so that a step ends at the landing; returns the setup with this landing.
+/// The step changes the landing by its truncation error, so this iterates until the change is
+/// rounding. It converges fast, since the landing changes only by a fraction of h^p.
 fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
-    /// Steps that are tried.
+    /// Maximum number of iterations.
     const TRIALS: usize = 16;
     let mut setup = *setup;
     let mut landed = *Drive::new(&setup)?.landed()?;
@@ -129,8 +127,7 @@ fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
     Ok((setup, landed))
 }
 
-/// Carry, lateral and flight time of a ball that is here at a time, by the straight way to the
-/// ground.
+/// Carry, lateral and flight time of a state extrapolated along a straight line to the ground.
 fn to_ground(position: Vector<f64>, velocity: Vector<f64>, ground: f64, time: f64) -> [f64; 3] {
     let more = -(position.x - ground) / velocity.x;
     [

@@ -1,13 +1,14 @@
-//! A certificate of a drive's derivatives: each beside differences and beside num-dual's, the
-//! landing as an implicit function, smoothness where the number of steps changes, convergence with
-//! the step, and errors planted to see that they are caught.
+//! Certificate of a drive's derivatives: comparison with finite differences and with num-dual, an
+//! implicit function test of the landing, smoothness where the number of steps changes, convergence
+//! with the time step, and detection tests with injected errors.
 
 mod agreement;
 mod continuity;
 mod convergence;
+mod detection;
 mod landing;
 mod order;
-mod planted;
+
 mod rows;
 mod scale;
 mod step;
@@ -15,9 +16,9 @@ mod step;
 pub use agreement::Agreement;
 pub use continuity::Continuity;
 pub use convergence::Convergence;
+use detection::LandingTerms;
+pub use detection::{DetectionTest, InjectedError};
 pub use landing::AtLanding;
-use planted::LandingTerms;
-pub use planted::{Plant, Planted};
 pub use rows::Row;
 pub use step::StepError;
 
@@ -30,57 +31,55 @@ use crate::units::Message;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// So many of what failed in a part are named.
+/// Maximum number of failures named per part.
 const NAMED: usize = 3;
 
-/// An outcome without derivatives, and why.
+/// An outcome without derivatives, with the reason.
 pub type Missing = (Outcome, Message);
 
-/// A check that was not made.
+/// A check that was not run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotExamined {
-    /// The check: "convergence with the time step".
+    /// Name of the check: "convergence with the time step".
     pub check: String,
-    /// Why not.
+    /// Reason.
     pub reason: &'static str,
 }
 
-/// What was found of the derivatives of a drive.
+/// Results of all checks of a drive's derivatives.
 #[derive(Clone, Debug)]
 pub struct Certificate {
-    /// Each outcome by each parameter, the worst first.
+    /// Each outcome by each parameter, in descending order of severity.
     pub rows: Vec<Row>,
-    /// Derivatives at the landing beside differences at a fixed time; empty where there is no
-    /// landing that can be held so.
+    /// Derivatives at the landing compared with differences at a fixed time; empty without a
+    /// suitable landing.
     pub landing: Vec<AtLanding>,
-    /// Each outcome of the flight where the number of steps changes.
+    /// Smoothness of each flight outcome where the number of steps changes.
     pub continuity: Vec<Continuity>,
-    /// How each outcome of the flight converges with the step.
+    /// Convergence of each flight outcome with the time step.
     pub convergence: Vec<Convergence>,
-    /// What the time step leaves of an error in each outcome of the flight and its derivatives:
-    /// measured, and not judged.
+    /// Truncation error of each flight outcome and its derivatives; reported without verdict.
     pub step: Vec<StepError>,
-    /// The checks that were not made of this drive, and why.
+    /// Checks that were not run.
     pub not_examined: Vec<NotExamined>,
-    /// The planted errors.
-    pub planted: [Planted; 3],
-    /// Outcomes that the drive has no derivatives of, and why.
+    /// Detection tests: injected errors.
+    pub planted: [DetectionTest; 3],
+    /// Outcomes of which the drive has no derivatives, with the reason.
     pub missing: Vec<Missing>,
-    /// Corners that the drive lies on, in words.
+    /// Non-differentiable points that the drive lies on.
     pub corners: Vec<String>,
-    /// Where it was stopped before its end: by how many parameters of how many there are rows.
+    /// For an interrupted certificate: number of finished parameters, and of all.
     pub stopped: Option<[usize; 2]>,
 }
 
 impl Certificate {
-    /// Whether there was something to certify, it was looked at to the end, nothing failed, and
-    /// every planted error was caught.
+    /// The certificate is complete and not empty, nothing failed, and every injected error was
+    /// detected.
     pub fn passed(&self) -> bool {
         !self.rows.is_empty() && self.stopped.is_none() && self.failures().is_empty()
     }
 
-    /// The parts that failed, in words: "convergence with the time step (landing_speed)"; empty
-    /// where none did.
+    /// The failed checks: "convergence with the time step (landing_speed)"; empty if none failed.
     pub fn failures(&self) -> Vec<String> {
         fn part(name: &str, failed: impl Iterator<Item = String>) -> Option<String> {
             let all: Vec<String> = failed.collect();
@@ -138,25 +137,25 @@ impl Certificate {
                 self.planted
                     .iter()
                     .filter(|it| !it.is_caught())
-                    .map(|it| format!("\"{}\"", it.plant.name())),
+                    .map(|it| format!("\"{}\"", it.error.name())),
             ),
         ];
         parts.into_iter().flatten().collect()
     }
 
-    /// Whether every planted error was caught wherever it was planted.
+    /// Every injected error was detected in every row.
     pub fn caught(&self) -> bool {
-        self.planted.iter().all(Planted::is_caught)
+        self.planted.iter().all(DetectionTest::is_caught)
     }
 }
 
-/// Certifies the derivatives of some outcomes by some parameters, telling `progress`, again and
-/// again, how many parameters of how many are done. It ends with what there is once `progress` says
-/// that it is not to go on: between any two drives.
+/// Certifies the derivatives of outcomes by parameters. `progress` receives the number of finished
+/// and of all parameters; once it returns false, the work stops between two drives and the results
+/// so far are returned.
 ///
 /// # Errors
-/// What [`evaluate`] refuses. Outcomes that the drive does not have are listed as missing; where it
-/// has none of them, the first says why.
+/// The errors of [`evaluate`]. Outcomes that the drive does not have are listed as missing; if it
+/// has none of them, the error of the first is returned.
 pub fn certify(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -171,30 +170,16 @@ pub fn certify(
     }
     let (of, missing) = present(setup, of, wrt)?;
     let drive = Drive::new(setup)?;
-    let exact = evaluate(setup, &of, wrt, Order::First)?;
     let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
     let is_stopped = |done: usize| {
-        // once it is to stop, it stays so
+        // once stopped, stay stopped
         if !stopped.load(Ordering::Relaxed) && !progress(done, wrt.len()) {
             stopped.store(true, Ordering::Relaxed);
         }
         stopped.load(Ordering::Relaxed)
     };
-    let by_parameter = wrt.par_iter().enumerate().map(|(k, parameter)| {
-        let slopes: Vec<f64> = exact.iter().map(|taylor| taylor.gradient[k]).collect();
-        if is_stopped(done.load(Ordering::Relaxed)) {
-            return Ok(vec![]);
-        }
-        let is_stopped_now = || is_stopped(done.load(Ordering::Relaxed));
-        let Some(rows) = rows::rows(setup, &drive, &of, parameter, &slopes, &is_stopped_now)?
-        else {
-            return Ok(vec![]);
-        };
-        is_stopped(done.fetch_add(1, Ordering::Relaxed) + 1);
-        Ok(rows)
-    });
-    let mut rows = by_parameter.collect::<Result<Vec<_>>>()?.concat();
-    let planted = planted::planted(setup, &rows, LandingTerms::new(setup, wrt).as_ref());
+    let mut rows = rows_by_parameter(setup, &drive, &of, wrt, &done, &is_stopped)?;
+    let planted = detection::detection_tests(setup, &rows, LandingTerms::new(setup, wrt).as_ref());
     rows.sort_by(|a, b| {
         a.verdict()
             .cmp(&b.verdict())
@@ -207,8 +192,7 @@ pub fn certify(
         .copied()
         .filter(|of| of.group() == OutcomeGroup::Flight)
         .collect();
-    // at a corner of the model nothing is smooth, and what is said of each parameter is said in its
-    // row
+    // at a corner nothing is smooth; the row of each parameter reports it
     let is_smooth = !flown.is_empty() && !has_corner;
     let done = done.into_inner();
     let goes_on = || is_smooth && !is_stopped(done);
@@ -233,49 +217,22 @@ pub fn certify(
     } else {
         step::step_errors(setup, &flown, wrt)?
     };
-    let (is_interrupted, has_log_wind) = (
-        stopped.load(Ordering::Relaxed),
-        setup.wind.roughness.is_some(),
-    );
-    let why = |otherwise: &'static str| match (is_interrupted, has_corner, has_log_wind) {
-        (true, ..) => "it was interrupted before",
-        (_, true, _) => "an outcome has a corner here",
-        (_, _, true) => {
-            "the logarithmic wind changes over half a metre of height above the ground, which most \
-             of the time steps compared cross at once"
-        }
-        _ => otherwise,
+    let is_interrupted = stopped.load(Ordering::Relaxed);
+    let conditions = Conditions {
+        is_interrupted,
+        has_corner,
+        has_log_wind: setup.wind.roughness.is_some(),
     };
-    let mut not_examined = vec![];
-    let mut skipped = |is_skipped: bool, check: String, reason: &'static str| {
-        if is_skipped && !flown.is_empty() {
-            not_examined.push(NotExamined { check, reason });
-        }
-    };
-    skipped(
+    let empty = [
         landing.is_empty(),
-        "the landing as an implicit function".into(),
-        why("the ground is too far down"),
-    );
-    let unchanged = "the number does not change within a tenth of the first parameter's size";
-    let reason = if has_corner || is_interrupted {
-        why("")
-    } else {
-        unchanged
-    };
-    skipped(
         continuity.is_empty(),
-        "smoothness where the number of time steps changes".into(),
-        reason,
-    );
-    skipped(
         convergence.is_empty(),
-        "convergence with the time step".into(),
-        why(
-            "the flight cannot be followed, or the spin fades, within the steps that an order \
-             shows at",
-        ),
-    );
+    ];
+    let not_examined = if flown.is_empty() {
+        vec![]
+    } else {
+        conditions.not_examined(empty)
+    };
     Ok(Certificate {
         stopped: is_interrupted.then_some([done, wrt.len()]),
         step,
@@ -290,7 +247,94 @@ pub fn certify(
     })
 }
 
-/// The outcomes that the drive has derivatives of, at least one, and those that it has not.
+/// The rows of all parameters, in parallel; `done` counts the finished parameters.
+fn rows_by_parameter(
+    setup: &Setup<f64>,
+    drive: &Drive<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    done: &AtomicUsize,
+    is_stopped: &(dyn Fn(usize) -> bool + Sync),
+) -> Result<Vec<Row>> {
+    let exact = evaluate(setup, of, wrt, Order::First)?;
+    let is_stopped_now = || is_stopped(done.load(Ordering::Relaxed));
+    let by_parameter = wrt.par_iter().enumerate().map(|(k, parameter)| {
+        if is_stopped_now() {
+            return Ok(vec![]);
+        }
+        let slopes: Vec<f64> = exact.iter().map(|taylor| taylor.gradient[k]).collect();
+        let rows = rows::rows(setup, drive, of, parameter, &slopes, &is_stopped_now)?;
+        let Some(rows) = rows else {
+            return Ok(vec![]);
+        };
+        is_stopped(done.fetch_add(1, Ordering::Relaxed) + 1);
+        Ok(rows)
+    });
+    Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())
+}
+
+/// Conditions that prevent the checks of the flight.
+struct Conditions {
+    is_interrupted: bool,
+    has_corner: bool,
+    has_log_wind: bool,
+}
+
+impl Conditions {
+    /// The checks without a result, with the reason; `empty` is in the order landing, continuity,
+    /// convergence.
+    fn not_examined(&self, empty: [bool; 3]) -> Vec<NotExamined> {
+        let checks = [
+            (
+                "the landing as an implicit function",
+                self.reason("the ground is too far down"),
+            ),
+            (
+                "smoothness where the number of time steps changes",
+                self.interruption_or_corner().unwrap_or(
+                    "the number does not change within a tenth of the first parameter's size",
+                ),
+            ),
+            (
+                "convergence with the time step",
+                self.reason(
+                    "the flight cannot be followed, or the spin fades, within the steps that an \
+                     order shows at",
+                ),
+            ),
+        ];
+        checks
+            .into_iter()
+            .zip(empty)
+            .filter(|(_, is_empty)| *is_empty)
+            .map(|((check, reason), _)| NotExamined {
+                check: check.into(),
+                reason,
+            })
+            .collect()
+    }
+
+    fn reason(&self, otherwise: &'static str) -> &'static str {
+        match self.interruption_or_corner() {
+            Some(reason) => reason,
+            None if self.has_log_wind => {
+                "the logarithmic wind changes over half a metre of height above the ground, which \
+                 most of the time steps compared cross at once"
+            }
+            None => otherwise,
+        }
+    }
+
+    fn interruption_or_corner(&self) -> Option<&'static str> {
+        match (self.is_interrupted, self.has_corner) {
+            (true, _) => Some("it was interrupted before"),
+            (_, true) => Some("an outcome has a corner here"),
+            _ => None,
+        }
+    }
+}
+
+/// Separates outcomes with derivatives from missing ones; at least one must exist.
 fn present(
     setup: &Setup<f64>,
     of: &[Outcome],

@@ -1,45 +1,43 @@
-//! The order at which errors fall with the time step, and whether it is the one expected.
+//! Measures the order of convergence and compares it with the expected order p.
 //!
 //! ```text
 //!   e(h) = d h^(p−1) + a h^p + b h^(p+1) + …        d must be 0
 //! ```
 //!
-//! The slope of log |e| alone does not tell: where a and b h have opposite signs e passes through 0
-//! at some step, and at the steps below it falls more slowly than h^p; what is read off one time
-//! step (the apex) has factors that change with where in that step it lies. So the term of the
-//! lower order is fitted to the errors with their signs, and must be as good as none.
+//! The slope of log |e| is not sufficient: if a and b h have opposite signs, e passes through 0 at
+//! some step and decreases more slowly than h^p below it; and for an outcome read within one step
+//! (the apex) a varies with its position in the step. So the lower-order term d is fitted to the
+//! signed errors, and must be negligible.
 
 use crate::derivative::check::line_slope;
 use nalgebra::{DMatrix, DVector};
 
-/// An order is measured over at least so many levels of steps.
+/// Minimum number of levels.
 pub(super) const MEASURED: usize = 3;
 
-/// The term of the lower order is fitted to so many of the finest levels: coarser ones are not in
-/// the range where few terms say it all.
+/// Number of finest levels used to fit the lower-order term; coarser ones need more terms.
 const FITTED: usize = 4;
 
-/// It is as good as none where it is at most this part of the error at the finest level; where the
-/// order is lower it is nearly all of it …
+/// Largest negligible share of the lower-order term in the error at the finest level. A method of
+/// lower order has a share near 1.
 const SHARE: f64 = 0.25;
 
-/// … or at most so many of its standard errors, where errors scatter by where in a step something
-/// lies.
+/// Largest negligible lower-order term in its standard errors, for scattering errors.
 const DEVIATIONS: f64 = 4.0;
 
-/// The errors at one step, with their signs: of each entry of a gradient, or of one value.
+/// Signed errors at one step: of a value, or of each entry of a gradient.
 #[derive(Clone, Debug)]
 pub(super) struct Errors {
-    /// The group of neighbouring steps that it belongs to, the coarsest 0.
+    /// Level (group of neighbouring steps); 0 is the coarsest.
     pub level: usize,
-    /// The step.
+    /// Step, s.
     pub step: f64,
-    /// The errors.
+    /// Errors.
     pub errors: Vec<f64>,
 }
 
 impl Errors {
-    /// The largest of them.
+    /// Largest absolute error.
     pub fn largest(&self) -> f64 {
         self.errors
             .iter()
@@ -47,18 +45,16 @@ impl Errors {
     }
 }
 
-/// What errors tell of an order.
+/// A measured order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Measured {
-    /// The slope of the errors at the finest levels that stand out of the rounding.
+    /// Slope of the errors at the finest levels above rounding.
     pub order: f64,
-    /// Whether it falls short of what is expected: the slope is lower than it may be, and a term of
-    /// the lower order explains it.
+    /// The slope is too low, and a lower-order term explains it.
     pub falls_short: bool,
 }
 
-/// Measures the order of errors that stand out of the rounding, `floor`, and holds it against the
-/// expected one; `None` where too few do.
+/// Measures the order from errors above the rounding `floor`; `None` if there are too few.
 pub(super) fn measure(
     samples: &[Errors],
     expected: u32,
@@ -66,42 +62,40 @@ pub(super) fn measure(
     floor: f64,
 ) -> Option<Measured> {
     let power = i32::try_from(expected).ok()?;
-    let standing = standing(samples, power, floor)?;
-    let first_fitted = standing.len().saturating_sub(FITTED);
-    let order = line_slope(&standing[first_fitted..]);
+    let levels = levels_above_rounding(samples, power, floor)?;
+    let first_fitted = levels.len().saturating_sub(FITTED);
+    let order = line_slope(&levels[first_fitted..]);
     let fitted: Vec<&Errors> = samples
         .iter()
-        .filter(|sample| (first_fitted..standing.len()).contains(&sample.level))
+        .filter(|sample| (first_fitted..levels.len()).contains(&sample.level))
         .collect();
     let falls_short = order < f64::from(expected) - short_of && has_lower_term(&fitted, power);
     Some(Measured { order, falls_short })
 }
 
-/// As [`measure`], for errors that change their size and sign from step to step: no fit finds their
-/// terms, and only the largest of a level falls with a power of the step. It falls short over all
-/// levels and still over the finest two: at coarse steps, which cross several joins at once, it
-/// falls more slowly.
+/// Measures the order of irregular errors, for which no fit works: only the largest error per level
+/// decreases with a power of the step. It must fall short over all levels and over the finest two,
+/// since coarse steps cross several joins at once and converge more slowly.
 pub(super) fn measure_largest(
     samples: &[Errors],
     expected: u32,
     short_of: f64,
     floor: f64,
 ) -> Option<Measured> {
-    let standing = standing(samples, i32::try_from(expected).ok()?, floor)?;
-    let order = line_slope(&standing);
-    let of_finest = line_slope(&standing[standing.len() - 2..]);
+    let levels = levels_above_rounding(samples, i32::try_from(expected).ok()?, floor)?;
+    let order = line_slope(&levels);
+    let of_finest = line_slope(&levels[levels.len() - 2..]);
     Some(Measured {
         order,
         falls_short: order.max(of_finest) < f64::from(expected) - short_of,
     })
 }
 
-/// Logarithms of step and largest error of each level whose errors stand out of the rounding;
-/// `None` where there are too few.
-fn standing(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)>> {
-    let levels = samples.iter().map(|sample| sample.level).max()? + 1;
+/// Logarithms of step and largest error of each level above rounding; `None` if there are too few.
+fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)>> {
+    let count = samples.iter().map(|sample| sample.level).max()? + 1;
     let of_level = |level: usize| samples.iter().filter(move |sample| sample.level == level);
-    // as if at the first step of the level: an error that happens to be 0 says nothing
+    // scale to the first step of the level, because single errors can vanish
     let level = |level: usize| {
         let first = of_level(level).next()?.step;
         let largest = of_level(level)
@@ -109,16 +103,15 @@ fn standing(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)
             .fold(0.0, f64::max);
         (largest > floor).then_some((first, largest))
     };
-    let standing: Vec<(f64, f64)> = (0..levels)
+    let levels: Vec<(f64, f64)> = (0..count)
         .map_while(level)
         .map(|(h, e)| (h.ln(), e.ln()))
         .collect();
-    (standing.len() >= MEASURED).then_some(standing)
+    (levels.len() >= MEASURED).then_some(levels)
 }
 
-/// Whether e/h^p = d/h + a + b h + c h² has a d that matters, for any entry: one that also explains
-/// the errors better than a further term in h does, for at coarse steps these matter too, and have
-/// no place in the fit.
+/// Fits e/h^p = d/h + a + b h + c h² and tests d for each entry. A significant d must also explain
+/// the errors better than a further term in h, because the fit omits such terms.
 fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
     let Some(last) = samples.last() else {
         return false;
@@ -134,7 +127,7 @@ fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
         .filter(|it| it.level == last.level)
         .flat_map(|it| (0..entries).map(move |entry| scaled(it, entry).abs()))
         .fold(0.0, f64::max);
-    // one term fewer where there are only three levels
+    // one term fewer with only three levels
     let terms = if samples.iter().any(|it| it.level + MEASURED <= last.level) {
         4
     } else {
@@ -199,8 +192,8 @@ mod tests {
             .falls_short
     }
 
-    /// An error of order 5 whose next terms are as large at the coarse steps, and which is rounding
-    /// at all but three levels.
+    /// An error of order 5 whose next terms dominate at coarse steps, and which is rounding at all
+    /// but three levels.
     #[test]
     fn higher_order_terms_at_coarse_steps_are_no_lower_order() {
         let e = |h: f64| h.powi(5) * (1.1 - 15.0 * h - 80.0 * h * h);
@@ -240,7 +233,7 @@ mod tests {
 
     #[test]
     fn order_of_an_error_that_passes_through_zero() {
-        // h⁴ (1 − h/h₀), with its zero anywhere from far above the steps to far below them
+        // h⁴ (1 − h/h₀) with a zero anywhere from far above the steps to far below
         for k in 0..60 {
             let zero = 10.0_f64.powf(-3.0 + 0.05 * f64::from(k));
             assert!(!falls_short(|h| h.powi(4) * (1.0 - h / zero), 4), "{zero}");
@@ -265,8 +258,8 @@ mod tests {
         }
     }
 
-    /// Error of Simpson's rule over a step of 1 for (t − θ)³/6 from θ on: its Peano kernel, and
-    /// that of one continuous derivative less.
+    /// Peano kernel of Simpson's rule over a unit step for (t − θ)³/6 from θ on, and for one
+    /// continuous derivative less.
     fn kernels(theta: f64) -> [f64; 2] {
         let (left, half) = (1.0 - theta, (0.5 - theta).max(0.0));
         [
@@ -275,8 +268,8 @@ mod tests {
         ]
     }
 
-    /// Joins of two continuous derivatives keep order 4; those of one, order 3, are found short of
-    /// 4 by about half of the sets of joins.
+    /// Joins with two continuous derivatives keep order 4; joins with one give order 3, which about
+    /// half of the sets detect.
     #[test]
     fn order_of_the_largest_errors_across_joins() {
         let mut found = 0;

@@ -7,28 +7,28 @@ use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
-/// The derivatives of an outcome by a parameter, beside differences.
+/// Derivatives of an outcome by a parameter, compared with differences.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The outcome.
     pub of: Outcome,
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The samples of the outcome.
+    /// Samples of the outcome.
     pub ladder: Ladder,
-    /// ∂/∂p beside differences of values.
+    /// ∂/∂p compared with differences of values.
     pub first: Check,
-    /// ∂/∂p beside the same over num-dual.
+    /// ∂/∂p compared with num-dual.
     pub num_dual: Agreement,
-    /// ∂²/∂p² beside differences of ∂/∂p; `None` where it does not exist, or is not continuous.
+    /// ∂²/∂p² compared with differences of ∂/∂p; `None` if it does not exist or is discontinuous.
     pub second: Option<Check>,
-    /// The slopes of Taylor's remainders: 1, 2 and 3, or more.
+    /// Orders of the Taylor remainders: at least 1, 2 and 3.
     pub slopes: [Option<f64>; 3],
 }
 
 impl Row {
-    /// The verdict on both derivatives. A second derivative that jumps (a corner of the first) is
-    /// no corner of the outcome.
+    /// Verdict on both derivatives. A discontinuous second derivative is not a corner of the
+    /// outcome.
     pub fn verdict(&self) -> Verdict {
         if self.num_dual_fails() {
             return Verdict::Fail;
@@ -40,18 +40,18 @@ impl Row {
         }
     }
 
-    /// Whether the derivative over num-dual shows the jet's to be wrong. At a corner each may be
-    /// the slope to either side.
+    /// num-dual shows the derivative to be wrong. At a corner both methods may return either
+    /// one-sided slope.
     pub fn num_dual_fails(&self) -> bool {
         self.first.verdict != Verdict::Corner && !self.num_dual.holds()
     }
 
-    /// Whether differences of gradients show the second derivative to be wrong.
+    /// Differences of gradients show the second derivative to be wrong.
     pub fn second_fails(&self) -> bool {
         self.second.as_ref().is_some_and(Check::failed)
     }
 
-    /// The error in bars: above 1 a derivative is wrong.
+    /// Error divided by tolerance: above 1 the derivative is wrong.
     pub fn severity(&self) -> f64 {
         let bars = |error: f64, bar: f64| if error == 0.0 { 0.0 } else { error / bar };
         let of = |check: &Check| bars(check.error, check.bar);
@@ -62,10 +62,9 @@ impl Row {
     }
 }
 
-/// Accuracy asked of differences of outcomes. Where third derivatives jump as stages of the steps
-/// cross joins of the law, or change fast as the last steps end elsewhere in a logarithmic wind,
-/// extrapolation does not cancel all that differences over many such places leave: they are trusted
-/// to a tenth of the error that must be seen.
+/// Required accuracy of differences of outcomes. Extrapolation does not cancel all errors if third
+/// derivatives jump where stages cross joins of the law, or if the last steps end at different
+/// heights in a logarithmic wind. Differences are then trusted to a tenth of the detectable error.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     let is_rough = setup.wind.roughness.is_some() || setup.law.continuous_derivatives().is_some();
     if is_rough {
@@ -78,12 +77,11 @@ pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     }
 }
 
-/// The rows of some outcomes of a drive by one parameter; `None` once `is_stopped` says so. `exact`
-/// are the outcomes' derivatives by it, as they come of the question that is certified.
+/// The rows of several outcomes by one parameter; `None` once `is_stopped` is true. `exact` are the
+/// derivatives to certify, from the original evaluation.
 ///
 /// # Errors
-/// What [`Evaluator::new`] refuses. Where a drive around the setup has no outcome there is no
-/// sample.
+/// The errors of [`Evaluator::new`]. A neighbouring drive without an outcome gives no sample.
 pub(super) fn rows(
     setup: &Setup<f64>,
     drive: &Drive<f64>,
@@ -114,7 +112,7 @@ pub(super) fn rows(
         .iter()
         .map(|of| of.value(drive).unwrap_or_default())
         .collect();
-    let told = |evaluator: &Evaluator, x: f64, f: &dyn Fn(usize, &Taylor) -> f64| {
+    let sample = |evaluator: &Evaluator, x: f64, f: &dyn Fn(usize, &Taylor) -> f64| {
         if is_stopped() {
             return vec![];
         }
@@ -125,8 +123,8 @@ pub(super) fn rows(
                 .collect()
         })
     };
-    let beside = |i: usize, taylor: &Taylor| of[i].unwrap_angle(taylor.value, own[i]);
-    let of_values = Ladder::sample(at, scale, STEPS, &mut |x| told(&values, x, &beside));
+    let unwrapped = |i: usize, taylor: &Taylor| of[i].unwrap_angle(taylor.value, own[i]);
+    let of_values = Ladder::sample(at, scale, STEPS, &mut |x| sample(&values, x, &unwrapped));
     let of_values: Vec<Ladder> = of_values
         .into_iter()
         .zip(of)
@@ -136,7 +134,7 @@ pub(super) fn rows(
     let seconds = in_few_steps(
         |steps| {
             Ladder::sample(at, scale, steps, &mut |x| {
-                told(&gradients, x, &|_, taylor| taylor.gradient[0])
+                sample(&gradients, x, &|_, taylor| taylor.gradient[0])
             })
         },
         |(i, gradients)| {
@@ -174,8 +172,8 @@ pub(super) fn rows(
     ))
 }
 
-/// What is judged by the few steps that mostly suffice; where any of it fails by these, by all
-/// steps: an outcome may turn within the least of the few.
+/// Judges with the usual few steps first. If any judgement fails, repeats with all steps, because
+/// the outcome may turn within the smallest of the few.
 pub(super) fn in_few_steps<T>(
     sample: impl Fn(Vec<i32>) -> Vec<Ladder>,
     judge: impl Fn((usize, Ladder)) -> T,

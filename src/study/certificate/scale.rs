@@ -3,8 +3,8 @@ use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 use crate::units::Quantity;
 
-/// The size of a parameter, of which the steps of differences are parts: its value, or for one that
-/// may be 0 or of either sign what is usual of it, whichever is larger.
+/// Characteristic size of a parameter, which scales the steps of differences: its value, or a
+/// typical value if that is larger.
 pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     let value = setup.value(parameter).unwrap_or_default().abs();
     let default = parameter
@@ -25,10 +25,10 @@ pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     }
 }
 
-/// What is usual of parameters that are 0 by default, SI.
+/// Typical size of parameters with default 0, SI.
 fn usual(parameter: &Parameter) -> f64 {
     let units = match (parameter.name, parameter.unit) {
-        // what its row gives as published: a thousandth of it already changes a flight
+        // published value; a thousandth of it already changes a flight
         ("aero.spin_damping", _) => 2e-5,
         ("air.altitude", _) => 1000.0,
         (_, "deg") => 5.0,
@@ -40,10 +40,9 @@ fn usual(parameter: &Parameter) -> f64 {
     units * parameter.quantity.size_of(parameter.unit).unwrap_or(1.0)
 }
 
-/// The size of the numbers that an outcome of a drive is made of, SI: its rounding is a part of
-/// them, not of what they leave. The lateral distance is made of numbers as large as the carry; an
-/// angle of directions, of size 1; the spin that an impact leaves, where contributions cancel, of
-/// what an impulse that gives the ball its speed turns it by at the length of its radius.
+/// Magnitude of the terms that an outcome is computed from, SI; its rounding error is relative to
+/// them. Lateral distance: the carry. Angle of a direction: 1. Spin from an impact: the ball speed
+/// divided by the ball radius.
 pub(super) fn size(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {

@@ -1,6 +1,5 @@
-//! What the time step leaves of an error in the outcomes and their derivatives: a certificate holds
-//! the derivatives of the flight as it is integrated, which differ from those of the exact flight
-//! by as much.
+//! Truncation error of outcomes and derivatives. The certificate checks derivatives of the
+//! integrated flight, which differs from the exact flight by this error.
 
 use super::scale::{scale, size};
 use crate::derivative::jacobian;
@@ -9,36 +8,33 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 
-/// The drive is held against one with a step this many times shorter: of an error of order 4 that
-/// leaves a part in 4096.
+/// Step ratio of the comparison flight; order 4 leaves 1/4096 of the error.
 const SHORTER: f64 = 8.0;
 
-/// A derivative that moves the outcome by less than this part of it over the whole scale of its
-/// parameter is not told from none.
+/// A derivative counts as 0 if it changes the outcome by less than this fraction over the
+/// parameter's scale.
 const LEAST: f64 = 1e-6;
 
-/// Relative errors of a derivative above this deserve a warning.
+/// Relative derivative error that triggers a warning.
 const WORTH_A_WORD: f64 = 1e-6;
 
-/// The error that the time step leaves in an outcome and its derivatives, by a flight with steps of
-/// an eighth.
+/// Truncation error of an outcome and its derivatives, by comparison with steps of an eighth.
 #[derive(Clone, Copy, Debug)]
 pub struct StepError {
     /// The outcome.
     pub of: Outcome,
-    /// The step, s, and the shorter one that it is held against.
+    /// The step (s) and the shorter step of the comparison.
     pub steps: [f64; 2],
-    /// The error of the value, relative to the numbers that it is made of.
+    /// Error of the value, relative to the magnitude of its terms.
     pub value: f64,
-    /// The parameter by which the derivative has the largest error, relative to itself, and that
-    /// error.
+    /// The derivative with the largest relative error: its parameter and this error.
     pub derivative: Option<(&'static Parameter, f64)>,
-    /// The largest error of a derivative, relative to the outcome per size of the parameter.
+    /// Largest derivative error relative to outcome per parameter scale.
     pub of_outcome: f64,
 }
 
 impl StepError {
-    /// What is to be said where a derivative is off by more than a millionth.
+    /// Warning for a relative derivative error above 1e-6.
     pub fn warning(&self) -> Option<Message> {
         let (parameter, error) = self.derivative.filter(|(_, error)| *error > WORTH_A_WORD)?;
         let (of, by, step) = (self.of.name(), parameter.name, 1e3 * self.steps[0]);
@@ -51,11 +47,11 @@ impl StepError {
     }
 }
 
-/// The errors of some outcomes of the flight, and of their derivatives by `wrt`; empty where a step
-/// of an eighth is too short to be allowed.
+/// Truncation errors of flight outcomes and their derivatives by `wrt`; empty if a step of an
+/// eighth is not allowed.
 ///
 /// # Errors
-/// As [`jacobian`].
+/// The errors of [`jacobian`].
 pub(super) fn step_errors(
     setup: &Setup<f64>,
     of: &[Outcome],

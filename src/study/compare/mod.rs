@@ -1,75 +1,73 @@
-//! Two drives beside each other, and what their difference is made of.
+//! Compares two drives, and attributes their difference to the parameters.
 
+mod path;
 mod quadrature;
 mod split;
-mod way;
 
-pub use way::{Cause, Share};
+pub use path::{Cause, Share};
 
 use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
-use split::{Found, Split};
+use path::{Path, value};
+use split::{OutcomeShares, Split};
 use std::f64::consts::FRAC_PI_2;
-use way::{Way, value};
 
-/// The names of the two drives in messages, and of those between them.
+/// Names of the two drives in messages.
 const NAMES: [&str; 2] = ["drive a", "drive b"];
 const BETWEEN: &str = "a drive between a and b";
 
-/// The rounding of a share, a sum of derivatives, as a part of the outcome.
+/// Relative rounding error of a share, which is a sum of derivatives.
 const OF_SHARES: f64 = 1e-11;
 
-/// Differences below this part of a launch condition are rounding.
+/// Relative differences of launch conditions below this are rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Two drives, a and b.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// Their setups, both integrated in the same way.
+    /// The setups, with equal integration settings.
     pub setups: [Setup<f64>; 2],
     /// The drives.
     pub drives: [Drive<f64>; 2],
-    /// Whether one of them is integrated otherwise than its setup says.
+    /// The integration settings of one setup were changed to match the other.
     pub is_refined: bool,
-    way: Way,
-    /// The way between the balls as they leave; `None` where that is the first way already.
-    launches: Option<Way>,
+    path: Path,
+    /// Path between the launches; `None` if the first path is that already.
+    launches: Option<Path>,
 }
 
-/// The difference of an outcome between two drives.
+/// Difference of an outcome between two drives.
 #[derive(Clone, Debug)]
 pub struct Difference {
     /// The outcome.
     pub of: Outcome,
-    /// Its values in a and b, SI.
+    /// Values of a and b, SI.
     pub values: [f64; 2],
-    /// Split into the parameters that differ.
+    /// Shares of the differing parameters.
     pub by_parameter: Shares,
-    /// An outcome of the flight split into the launch conditions and what else the flight depends
-    /// on; `None` where both launches are given, so that these are the parameters that differ.
+    /// For an outcome of the flight: shares of the launch conditions and of the flight's
+    /// parameters. `None` if both launches are given, which makes this equal to `by_parameter`.
     pub by_launch: Option<Shares>,
 }
 
-/// A difference split into its causes.
+/// Shares of a difference by cause.
 #[derive(Clone, Debug)]
 pub struct Shares {
-    /// The setups between which it is split.
+    /// The setups at the ends of the path.
     pub setups: [Setup<f64>; 2],
-    /// Each cause with its share, in the order of the table of parameters; what is changed at once
-    /// stands last.
+    /// Each cause with its share, in the order of the parameter table; discrete changes come last.
     pub shares: Vec<Share>,
-    /// What the shares are short of the difference, SI: no more than `error`, unless there is a
-    /// corner on the way.
+    /// Difference minus the sum of the shares, SI. At most `error`, unless a derivative is
+    /// discontinuous on the path.
     pub remainder: f64,
-    /// How far a share may be off, SI, estimated: rounding, 1e-11 of the outcome, for a smooth law
-    /// of drag and lift, and up to 1e-8 for one of pieces.
+    /// Error estimate of a share, SI: rounding, 1e-11 of the outcome, for a smooth aerodynamic law,
+    /// up to 1e-8 for a piecewise one.
     pub error: f64,
 }
 
 impl Difference {
-    /// What the outcome of b has more than that of a, SI; a direction is turned by less than half a
-    /// turn.
+    /// Outcome of b minus outcome of a, SI; directions differ by less than half a turn.
     pub fn amount(&self) -> f64 {
         let [a, b] = self.values;
         self.of.unwrap_angle(b, a) - a
@@ -77,8 +75,7 @@ impl Difference {
 }
 
 impl Comparison {
-    /// Two drives side by side. Both are integrated by the method of the higher order of the two,
-    /// in the shorter step of the two.
+    /// Compares two drives. Both use the higher-order method and the shorter step of the two.
     ///
     /// ```
     /// use longdrive::{Outcome, Setup, study::Comparison};
@@ -90,7 +87,8 @@ impl Comparison {
     /// ```
     ///
     /// # Errors
-    /// [`OfDrive`](crate::Error::OfDrive) with what [`Setup::validate`] and [`Drive::new`] refuse.
+    /// [`OfDrive`](crate::Error::OfDrive) with the errors of [`Setup::validate`] and
+    /// [`Drive::new`].
     pub fn new(a: &Setup<f64>, b: &Setup<f64>) -> Result<Self> {
         let setups = integrated_alike([*a, *b]);
         let drive = |side: usize| {
@@ -103,39 +101,38 @@ impl Comparison {
         let launches = [0, 1].map(|side| (&setups[side], &drives[side]));
         let are_given = setups.map(|setup| setup.launch.is_given()) == [true, true];
         let are_alike = setups[0].launch.spin.is_some() == setups[1].launch.spin.is_some();
-        let (way, launches) = match (are_given, are_alike) {
-            (true, true) => (Way::new(setups), None),
-            // the spin in two forms
-            (true, false) => (Way::new(as_launched(launches)), None),
-            (false, _) => (Way::new(setups), Some(Way::new(as_launched(launches)))),
+        let (path, launches) = match (are_given, are_alike) {
+            (true, true) => (Path::new(setups), None),
+            // equal launches with the spin in two forms
+            (true, false) => (Path::new(as_launched(launches)), None),
+            (false, _) => (Path::new(setups), Some(Path::new(as_launched(launches)))),
         };
         Ok(Self {
             setups,
             drives,
             is_refined: setups != [*a, *b],
-            way,
+            path,
             launches,
         })
     }
 
-    /// Whether the two drives differ in anything.
+    /// Reports whether the setups differ.
     pub fn differs(&self) -> bool {
-        self.way.is_any()
+        self.path.is_different()
     }
 
-    /// The difference of an outcome, and the share of each cause. The share of a number p is ∫
-    /// ∂f/∂p dp on the straight way from a to b, by exact derivatives, so that the shares add up to
-    /// the difference. What has no values between a and b is changed at once, halfway.
+    /// Difference of an outcome, with the share of each cause. The share of a parameter p is ∫
+    /// ∂f/∂p dp on the straight line from a to b, by exact derivatives, so that the shares add up
+    /// to the difference. Discrete changes happen at the middle.
     ///
     /// # Errors
-    /// [`OfDrive`](crate::Error::OfDrive) where one of the drives, or one between them, has no such
-    /// outcome.
+    /// [`OfDrive`](crate::Error::OfDrive) if an end or a drive between has no such outcome.
     pub fn of(&self, of: Outcome) -> Result<Difference> {
         self.difference(of, &mut self.splits(&[of]))
     }
 
-    /// The same of several outcomes, in their order: a drive between a and b is flown once for all
-    /// of them.
+    /// Differences of several outcomes, in their order. Each intermediate drive is flown once for
+    /// all of them.
     ///
     /// ```
     /// use longdrive::{Outcome, Setup, study::Comparison};
@@ -147,7 +144,7 @@ impl Comparison {
     /// ```
     ///
     /// # Errors
-    /// Those of [`of`](Self::of), for each outcome.
+    /// The errors of [`of`](Self::of), for each outcome.
     pub fn of_each(&self, of: &[Outcome]) -> Vec<Result<Difference>> {
         let mut splits = self.splits(of);
         of.iter()
@@ -155,8 +152,8 @@ impl Comparison {
             .collect()
     }
 
-    /// The shares by the parameters, and those by the launch where that is another way, of the
-    /// outcomes that both drives have.
+    /// Shares by parameter and, if that path differs, by launch condition, for the outcomes that
+    /// both drives have.
     fn splits(&self, of: &[Outcome]) -> (Split<'_>, Option<Split<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();
@@ -169,8 +166,8 @@ impl Comparison {
         let by_launch = self
             .launches
             .as_ref()
-            .map(|way| Split::new(way, of_flight()));
-        (Split::new(&self.way, of), by_launch)
+            .map(|path| Split::new(path, of_flight()));
+        (Split::new(&self.path, of), by_launch)
     }
 
     fn difference(
@@ -187,40 +184,39 @@ impl Comparison {
             .iter()
             .fold(unit, |most, value| most.max(value.abs()));
         let amount = of.unwrap_angle(values[1], values[0]) - values[0];
-        let shares = |split: &mut Split<'_>, way: &Way| -> Result<Shares> {
-            let Found { shares, error } = split
+        let shares = |split: &mut Split<'_>, path: &Path| -> Result<Shares> {
+            let OutcomeShares { shares, error } = split
                 .shares(of, size)
                 .map_err(|error| error.of_drive(BETWEEN))?;
             let remainder = amount - shares.iter().map(|share| share.amount).sum::<f64>();
             Ok(Shares {
-                setups: way.ends,
+                setups: path.ends,
                 shares,
                 remainder,
                 error: error + OF_SHARES * size,
             })
         };
         let by_launch = match (by_launch, &self.launches) {
-            (Some(split), Some(way)) if of.group() == OutcomeGroup::Flight => {
-                Some(shares(split, way)?)
+            (Some(split), Some(path)) if of.group() == OutcomeGroup::Flight => {
+                Some(shares(split, path)?)
             }
             _ => None,
         };
         Ok(Difference {
             of,
             values,
-            by_parameter: shares(by_parameter, &self.way)?,
+            by_parameter: shares(by_parameter, &self.path)?,
             by_launch,
         })
     }
 }
 
-/// In what two setups differ.
+/// The differences between two setups.
 pub fn causes(a: &Setup<f64>, b: &Setup<f64>) -> Vec<Cause> {
-    Way::new([*a, *b]).causes()
+    Path::new([*a, *b]).causes()
 }
 
-/// The setups with the method of the higher order, in the shorter step, and with the longer time
-/// limit.
+/// Gives both setups the higher-order method, the shorter step, and the longer time limit.
 fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
     let [a, b] = setups;
     let method = if a.method.order() < b.method.order() {
@@ -236,9 +232,8 @@ fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
     setups
 }
 
-/// The same balls, given by their launch: spin and its axis or, where that is turned by more than a
-/// right angle or there is no spin, backspin and sidespin, which go straight from one to the other
-/// there too.
+/// The balls by their launch conditions. Spin and spin axis if the axis turns by less than a right
+/// angle; otherwise backspin and sidespin, which stay linear there and for zero spin.
 fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
     let [from, to] = drives.map(|(_, drive)| drive.launch.spin_axis());
     let has_axis = (from - to).abs() < FRAC_PI_2;
@@ -256,7 +251,7 @@ fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
             spin[1],
         ]
     });
-    // conditions that rounding alone tells apart are the same
+    // remove differences of rounding
     for (b, a) in b.iter_mut().zip(a) {
         if (*b - a).abs() < ROUNDING * a.abs().max(1.0) {
             *b = a;

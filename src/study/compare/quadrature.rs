@@ -1,7 +1,7 @@
 use crate::error::Result;
 
-/// The positive nodes of Gauss and Legendre's rule with 8 nodes on [−1, 1], with their weights:
-/// exact for polynomials of degree 15 (Abramowitz & Stegun 1964, table 25.4).
+/// Positive nodes and weights of the 8-point Gauss–Legendre rule on [−1, 1], exact for polynomials
+/// of degree 15 (Abramowitz & Stegun 1964, table 25.4).
 const RULE: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_3),
@@ -9,44 +9,42 @@ const RULE: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
-/// Errors below this part of the size of the integrals are rounding …
+/// Relative error that counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// … which so many halvings reach: of a smooth function, and of one with a corner.
+/// Bisections that reach rounding for a smooth function, or one with a single kink.
 const USUAL: usize = 100;
 
-/// Functions with a corner in each of hundreds of places are integrated to this part of the size: a
-/// law of drag and lift that is C² in pieces gives its derivatives one wherever a stage of a time
-/// step comes to the end of a piece.
+/// Relative tolerance for functions with hundreds of kinks: a piecewise C² law gives its
+/// derivatives one wherever a stage of a time step reaches the end of a piece.
 const ENOUGH: f64 = 1e-8;
 
-/// Parts that are halved at most.
+/// Maximum number of bisections.
 const MOST: usize = 1000;
 
-/// The integrals of some functions.
+/// Integrals of several functions.
 pub(super) struct Integrals {
-    /// Their values.
+    /// The values.
     pub values: Vec<f64>,
-    /// How far off they may be: what the last halving of each part changes the integral by that it
-    /// changes most.
+    /// Error estimate: change by the last bisection of each interval, for the integral that changes
+    /// most.
     pub error: f64,
 }
 
-/// A part of the range.
+/// An interval of the adaptive quadrature.
 struct Part {
     range: [f64; 2],
-    /// The integrals by the rule over the whole of it.
+    /// Rule over the whole interval.
     whole: Vec<f64>,
-    /// The same over each half of it; `None` as long as it is not halved.
+    /// Rule over each half; `None` before bisection.
     halves: Option<[Vec<f64>; 2]>,
-    /// How far `whole` is from `halves` or, as long as there are none, half of that error of the
-    /// part that this is a half of.
+    /// Difference of `whole` and `halves`; before bisection, half the error of the parent interval.
     error: f64,
 }
 
-/// The integrals of some functions over a range; `f` is the value of each. The part with the
-/// largest error is halved, until the sum of all errors is rounding, or for functions with very
-/// many corners no more than [`ENOUGH`]: of `size` or the largest of the integrals.
+/// Adaptive integrals of several functions over a range; `f` returns all values. Bisects the
+/// interval with the largest error until the sum of errors is rounding, or after many bisections at
+/// most [`ENOUGH`], relative to `size` or the largest integral.
 pub(super) fn integrals(
     range: [f64; 2],
     size: f64,
@@ -106,7 +104,7 @@ pub(super) fn integrals(
     }
 }
 
-/// The integrals over all parts.
+/// The integrals over all intervals.
 fn sum(parts: &[Part]) -> Integrals {
     let mut values = vec![];
     for part in parts {
@@ -133,7 +131,7 @@ fn by_rule([low, high]: [f64; 2], f: &mut impl FnMut(f64) -> Result<Vec<f64>>) -
     Ok(sums)
 }
 
-/// Adds values, times a weight, to sums; to none yet, as to zeros.
+/// Adds weighted values to sums, which start empty.
 fn add(sums: &mut Vec<f64>, values: &[f64], weight: f64) {
     sums.resize(values.len(), 0.0);
     sums.iter_mut()
@@ -169,7 +167,8 @@ mod tests {
         assert!(found.error < 1e-11, "{}", found.error);
     }
 
-    /// |x − c|³ at hundreds of places c: each second derivative has a corner, as the derivatives of a drive have.
+    /// |x − c|³ at hundreds of places c: its second derivative has kinks, as the derivatives of a
+    /// drive have.
     #[test]
     fn exact_integral_with_hundreds_of_corners_is_within_the_error_estimate() {
         let places: Vec<f64> = (0..300)

@@ -1,57 +1,56 @@
+use super::path::{Cause, Path, Share};
 use super::quadrature::{Integrals, integrals};
-use super::way::{Cause, Share, Way};
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::Result;
 use std::collections::HashMap;
 
-/// The derivatives of some outcomes at a place of the way, times the lengths of it; `None` where
-/// not all of the outcomes have any there.
+/// Derivatives of the outcomes at a point of the path, times the parameter differences; `None` if
+/// an outcome does not exist there.
 type Slopes = Option<Vec<Vec<f64>>>;
 
-/// The shares of some outcomes along a way. A place of it is flown once, with the derivatives of
-/// all outcomes.
+/// Shares of several outcomes along a path. Each point is flown once, with the derivatives of all
+/// outcomes.
 pub(super) struct Split<'a> {
-    way: &'a Way,
+    path: &'a Path,
     of: Vec<Outcome>,
-    /// With all that is changed at once as in each of the drives.
+    /// With the discrete parameters of drive a, and of drive b.
     sides: [Side; 2],
 }
 
-/// What has been flown with all that is changed at once as in one of the drives.
+/// Drives along the path with the discrete parameters of one end.
 #[derive(Default)]
 struct Side {
     evaluator: Option<Evaluator>,
-    /// By the bits of the place.
+    /// Derivatives by the bits of the position on the path.
     flown: HashMap<u64, Slopes>,
 }
 
-/// The shares of an outcome, and how far one may be off by the quadrature.
-pub(super) struct Found {
+/// Shares of an outcome with the error of the quadrature.
+pub(super) struct OutcomeShares {
     pub shares: Vec<Share>,
     pub error: f64,
 }
 
 impl<'a> Split<'a> {
-    /// Of these outcomes, which both ends of the way have.
-    pub fn new(way: &'a Way, of: Vec<Outcome>) -> Self {
+    /// Prepares the outcomes, which both ends must have.
+    pub fn new(path: &'a Path, of: Vec<Outcome>) -> Self {
         Self {
-            way,
+            path,
             of,
             sides: Default::default(),
         }
     }
 
-    /// The share of each cause in the difference of one of the outcomes; `size` is that of the
-    /// outcome, of which rounding is a part. An outcome has the same shares whatever the others
-    /// are.
-    pub fn shares(&mut self, of: Outcome, size: f64) -> Result<Found> {
-        let halves: &[(usize, [f64; 2])] = if self.way.has_any_at_once() {
+    /// Share of each cause in the difference of one outcome; `size` is the outcome's magnitude, for
+    /// rounding. Shares do not depend on the other outcomes.
+    pub fn shares(&mut self, of: Outcome, size: f64) -> Result<OutcomeShares> {
+        let halves: &[(usize, [f64; 2])] = if self.path.has_discrete() {
             &[(0, [0.0, 0.5]), (1, [0.5, 1.0])]
         } else {
             &[(0, [0.0, 1.0])]
         };
-        let mut amounts = vec![0.0; self.way.numbers.len()];
+        let mut amounts = vec![0.0; self.path.continuous.len()];
         let mut error = 0.0;
         for (side, range) in halves {
             let found = self.along(*side, *range, of, size)?;
@@ -61,21 +60,21 @@ impl<'a> Split<'a> {
                 .for_each(|(sum, more)| *sum += more);
             error += found.error;
         }
-        let numbers = self.way.numbers.iter().zip(amounts);
-        let mut shares: Vec<Share> = numbers
+        let continuous = self.path.continuous.iter().zip(amounts);
+        let mut shares: Vec<Share> = continuous
             .map(|(parameter, amount)| Share {
-                cause: Cause::Number(parameter),
+                cause: Cause::Continuous(parameter),
                 amount,
             })
             .collect();
-        shares.extend(self.way.halfway(of)?);
-        Ok(Found { shares, error })
+        shares.extend(self.path.halfway(of)?);
+        Ok(OutcomeShares { shares, error })
     }
 
-    /// The shares of the numbers along a part of the way, with all else as in one of the drives: ∫
-    /// ∂f/∂p dp.
+    /// Shares of the continuous parameters along part of the path, ∫ ∂f/∂p dp, with the discrete
+    /// parameters of one end.
     fn along(&mut self, side: usize, range: [f64; 2], of: Outcome, size: f64) -> Result<Integrals> {
-        if self.way.numbers.is_empty() {
+        if self.path.continuous.is_empty() {
             return Ok(Integrals {
                 values: vec![],
                 error: 0.0,
@@ -85,10 +84,10 @@ impl<'a> Split<'a> {
     }
 
     fn slopes(&mut self, side: usize, of: Outcome, at: f64) -> Result<Vec<f64>> {
-        let way = self.way;
-        let [from, to] = [0.0, 1.0].map(|end| way.values(end));
+        let path = self.path;
+        let [from, to] = [0.0, 1.0].map(|end| path.values(end));
         let evaluator =
-            |of: &[Outcome]| Evaluator::new(&way.ends[side], of, &way.numbers, Order::First);
+            |of: &[Outcome]| Evaluator::new(&path.ends[side], of, &path.continuous, Order::First);
         let flown = |evaluator: &Evaluator| -> Result<Vec<Vec<f64>>> {
             let times_lengths = |slopes: &[f64]| {
                 slopes
@@ -98,7 +97,7 @@ impl<'a> Split<'a> {
                     .collect()
             };
             Ok(evaluator
-                .at(&way.values(at))?
+                .at(&path.values(at))?
                 .iter()
                 .map(|taylor| times_lengths(&taylor.gradient))
                 .collect())
@@ -117,7 +116,7 @@ impl<'a> Split<'a> {
         let place = self.of.iter().position(|one| *one == of);
         match (here, place) {
             (Some(all), Some(place)) => Ok(all[place].clone()),
-            // another of the outcomes does not exist here
+            // another outcome does not exist here
             _ => Ok(flown(&evaluator(&[of])?)?.swap_remove(0)),
         }
     }

@@ -1,22 +1,20 @@
-//! Which delivery and strike explain a measured launch: bounded least squares with exact Jacobians
-//! of the impact, with what the launch tells of each parameter, and what it does not.
+//! Inverse impact: the delivery and strike that explain a measured launch, by bounded least squares
+//! with exact Jacobians.
 //!
-//! A launch has five numbers, a delivery and its strike more. What is known of the golfer before,
-//! each parameter's value with a standard uncertainty, enters as measurements do: the answer is the
-//! most probable delivery, and never one of many by chance.
+//! A launch has five numbers, a delivery with its strike has more. Prior knowledge of the golfer (a
+//! value and standard uncertainty for each parameter) enters as additional measurements, so the
+//! solution is unique: the most probable delivery.
 
-mod found;
-mod launches;
-mod likely;
+mod expectation_maximization;
+mod linearized;
 mod population;
+mod result;
 mod shots;
 mod solve;
 mod unknown;
-mod untold;
 
-pub use found::{Delivered, Explained, Known};
-pub use population::{LEAST_SHOTS, Population, Recovered, Returned};
+pub use population::{LEAST_SHOTS, Population, PredictedOutcome, Recovered};
+pub use result::{Delivered, Explained, Posterior, Unidentified};
 pub use shots::{Delivery, Spread, deliveries, launches};
 pub use solve::delivery;
 pub use unknown::{Unknown, unknowns};
-pub use untold::Untold;

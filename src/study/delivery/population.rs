@@ -1,6 +1,6 @@
-use super::found::Delivered;
-use super::launches::{Launches, moments};
-use super::likely::Told;
+use super::expectation_maximization::SwingInformation;
+use super::linearized::{LinearizedLaunches, moments};
+use super::result::Delivered;
 use super::shots::Delivery;
 use super::unknown::Unknown;
 use crate::drive::Outcome;
@@ -10,86 +10,84 @@ use crate::study::calibrate::Measurement;
 use crate::units::counted;
 use nalgebra::{DMatrix, DVector};
 
-/// How the swings behind many shots are spread: a joint normal distribution, without what the
-/// launch monitor's errors add to the scatter.
+/// Joint normal distribution of the swings behind many shots, without the launch monitor's errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Population {
-    /// The parameters that were sought.
+    /// The unknowns.
     pub spreads: Vec<Recovered>,
-    /// Their correlations, a row for each.
+    /// Their correlation matrix, row by row.
     pub correlations: Vec<Vec<f64>>,
-    /// The shots it was found from.
+    /// Number of shots it was estimated from.
     pub shots: usize,
-    /// What part of the deviation assumed before is kept where the shots do not tell one.
-    pub kept: f64,
-    /// The measured outcomes of the launch beside those of swings so distributed.
-    pub returned: Vec<Returned>,
+    /// Factor on the prior standard deviation along directions that the shots do not identify.
+    pub prior_factor: f64,
+    /// Outcomes of the launch: measured, and predicted by this distribution.
+    pub predicted: Vec<PredictedOutcome>,
 }
 
-/// A parameter over the swings, SI.
+/// Distribution of one parameter over the swings, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recovered {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The mean over the swings.
+    /// Mean over the swings.
     pub mean: f64,
-    /// The standard deviation from swing to swing.
+    /// Standard deviation over the swings.
     pub deviation: f64,
-    /// What part of the variance before a single shot removes at the mean swing, 0 to 1; the rest
-    /// is what was known before.
-    pub told: f64,
-    /// The standard uncertainty of the mean.
+    /// Fraction of the prior variance that a single shot removes at the mean swing; the rest comes
+    /// from the prior.
+    pub variance_removed: f64,
+    /// Standard uncertainty of the mean.
     pub mean_error: f64,
-    /// The standard uncertainty of the standard deviation.
+    /// Standard uncertainty of the standard deviation.
     pub deviation_error: f64,
 }
 
-/// Means and standard deviations of an outcome of the launch, measured and of the swings recovered,
-/// SI.
+/// Mean and standard deviation of a launch outcome over the shots, measured and predicted, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Returned {
+pub struct PredictedOutcome {
     /// The outcome.
     pub of: Outcome,
-    /// Mean and standard deviation over the shots.
+    /// Measured mean and standard deviation.
     pub measured: [f64; 2],
-    /// The same of the swings recovered, with the errors of the launch monitor.
+    /// Predicted mean and standard deviation, with the launch monitor's errors.
     pub recovered: [f64; 2],
 }
 
-/// Fewer shots than this tell no distribution.
+/// Minimum number of shots for a distribution.
 pub const LEAST_SHOTS: usize = 10;
-/// A change of parameters together is told where a shot removes more than half of its variance:
-/// where its information is above this, in units of what was known before.
-const TOLD: f64 = 1.0;
-/// The parts of the deviation assumed that are tried where the shots do not tell one.
-const KEPT: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
-/// The mean swings at most at which impacts are looked at.
-const ROUNDS: usize = 30;
-/// A round that changes mean and covariance by less than this part of what was known before is the
-/// last.
-const SETTLED: f64 = 1e-5;
-/// Launches are given back where mean and deviation are off by less than this part of the measured
-/// deviation.
-const GIVEN_BACK: f64 = 0.25;
+/// A direction is identified if its information exceeds this, in units of the prior: a shot then
+/// removes more than half of its variance.
+const IDENTIFIED: f64 = 1.0;
+/// Factors on the prior deviation of unidentified directions, tried in this order.
+const PRIOR_FACTORS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
+/// Maximum number of linearization points.
+const ITERATIONS: usize = 30;
+/// Stopping tolerance of mean and covariance, in prior standard uncertainties.
+const TOLERANCE: f64 = 1e-5;
+/// Largest acceptable discrepancy of mean or deviation, relative to the measured deviation.
+const ACCEPTED_DISCREPANCY: f64 = 0.25;
 
-impl Returned {
-    /// The larger one of the differences of mean and deviation, in parts of the measured deviation.
-    pub fn off(&self) -> f64 {
+impl PredictedOutcome {
+    /// The larger difference of mean and deviation, relative to the measured deviation.
+    pub fn discrepancy(&self) -> f64 {
         let ([mean, deviation], [found, spread]) = (self.measured, self.recovered);
         (found - mean).abs().max((spread - deviation).abs()) / deviation
     }
 }
 
 impl Population {
-    /// The most likely normal distribution of the swings behind shots whose delivery was found.
-    /// Changes of several parameters that leave the launch nearly as it is stay as they were known
-    /// before. Where launches would scatter more than the shots by it, as an impact is no straight
-    /// line, less of that spread is kept. `is_measured` says which parameters the rows state; these
-    /// are known by a measurement, the others by the swings alone.
+    /// Estimates the normal distribution of the swings behind shots with an explained launch, by
+    /// maximum likelihood.
+    ///
+    /// Unidentified directions keep their prior distribution. If that makes the predicted launches
+    /// scatter more than the shots, since an impact is nonlinear, a smaller prior deviation is
+    /// used. Rows measure the parameters for which `is_measured` is true; the prior of all others
+    /// describes the swings.
     ///
     /// # Errors
-    /// [`Error::Delivery`] of fewer than [`LEAST_SHOTS`] shots, and where most of such swings would
-    /// be no strike.
+    /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
+    /// distribution are not strikes.
     pub fn of(
         setup: &Setup<f64>,
         all: &[Delivery],
@@ -106,18 +104,24 @@ impl Population {
             return Err(Error::Delivery { reason });
         }
         let mut best: Option<(f64, Self)> = None;
-        for kept in KEPT {
-            let found = settled(setup, &shots, unknowns, &is_measured, kept);
+        for prior_factor in PRIOR_FACTORS {
+            let found = converged(setup, &shots, unknowns, &is_measured, prior_factor);
             let found = match (found, &best) {
                 (Ok(found), _) => found,
-                (Err(error), None) if kept == KEPT[KEPT.len() - 1] => return Err(error),
+                (Err(error), None) if prior_factor == PRIOR_FACTORS[PRIOR_FACTORS.len() - 1] => {
+                    return Err(error);
+                }
                 (Err(_), _) => continue,
             };
-            let off = found.returned.iter().map(Returned::off).fold(0.0, f64::max);
+            let off = found
+                .predicted
+                .iter()
+                .map(PredictedOutcome::discrepancy)
+                .fold(0.0, f64::max);
             if best.as_ref().is_none_or(|(least, _)| off < *least) {
                 best = Some((off, found));
             }
-            if off <= GIVEN_BACK {
+            if off <= ACCEPTED_DISCREPANCY {
                 break;
             }
         }
@@ -127,22 +131,61 @@ impl Population {
         best.map(|(_, found)| found).ok_or_else(refuse)
     }
 
-    /// The outcomes of the launch that swings so distributed do not give back: off by more than a
-    /// quarter of their scatter.
-    pub fn not_returned(&self) -> impl Iterator<Item = &Returned> {
-        self.returned
+    /// Launch outcomes whose prediction disagrees with the measurement by more than a quarter of
+    /// the measured scatter.
+    pub fn mispredicted(&self) -> impl Iterator<Item = &PredictedOutcome> {
+        self.predicted
             .iter()
-            .filter(|returned| returned.off() > GIVEN_BACK)
+            .filter(|predicted| predicted.discrepancy() > ACCEPTED_DISCREPANCY)
     }
 }
 
-/// The distribution with a part of the spread that was assumed, looked at from its own mean.
-fn settled(
+/// Directions of parameter space, by what the shots say of them.
+struct Directions {
+    /// Orthonormal basis of the identified directions, in columns.
+    identified: DMatrix<f64>,
+    /// Projector on the unidentified directions.
+    unidentified: DMatrix<f64>,
+}
+
+impl Directions {
+    fn new(information: &DMatrix<f64>) -> Self {
+        let n = information.nrows();
+        let eigen = information.clone().symmetric_eigen();
+        let basis = |is_identified: bool| {
+            let columns: Vec<_> = (0..n)
+                .filter(|&k| (eigen.eigenvalues[k] > IDENTIFIED) == is_identified)
+                .collect();
+            DMatrix::from_fn(n, columns.len(), |i, k| eigen.eigenvectors[(i, columns[k])])
+        };
+        let unidentified = basis(false);
+        Self {
+            identified: basis(true),
+            unidentified: &unidentified * unidentified.transpose(),
+        }
+    }
+}
+
+/// A distribution at the end of the iteration, in prior standard uncertainties.
+struct Solution {
+    mean: DVector<f64>,
+    covariance: DMatrix<f64>,
+    /// Launches linearized about the mean.
+    launches: LinearizedLaunches,
+    information: SwingInformation,
+    directions: Directions,
+    /// Covariance in the basis of the identified directions.
+    spread: DMatrix<f64>,
+    prior_factor: f64,
+}
+
+/// The distribution for one prior factor, linearized about its own mean.
+fn converged(
     setup: &Setup<f64>,
     shots: &[&Delivered],
     unknowns: &[Unknown],
     is_measured: &impl Fn(&'static Parameter) -> bool,
-    kept: f64,
+    prior_factor: f64,
 ) -> Result<Population> {
     let n = unknowns.len();
     let mut of: Vec<Outcome> = vec![];
@@ -152,105 +195,133 @@ fn settled(
         }
     }
     let (mut mean, mut covariance) = (DVector::zeros(n), DMatrix::zeros(n, n));
-    let mut round = 0;
+    let mut iteration = 0;
     loop {
-        let launches = Launches::of(setup, &of, unknowns, &mean, &covariance)?;
-        let told = Told::new(shots, &of, unknowns, is_measured, &mean, &launches)?;
-        let eigen = told.information.clone().symmetric_eigen();
-        let directions = |is_told: bool| {
-            let columns: Vec<_> = (0..n)
-                .filter(|&k| (eigen.eigenvalues[k] > TOLD) == is_told)
-                .collect();
-            DMatrix::from_fn(n, columns.len(), |i, k| eigen.eigenvectors[(i, columns[k])])
-        };
-        let (along, untold) = (directions(true), directions(false));
-        let untold = &untold * untold.transpose();
-        let assumed = &untold * (kept * kept);
-        let moved = -(&untold * &mean);
-        let begin = match round {
+        let launches = LinearizedLaunches::of(setup, &of, unknowns, &mean, &covariance)?;
+        let information =
+            SwingInformation::new(shots, &of, unknowns, is_measured, &mean, &launches)?;
+        let directions = Directions::new(&information.information);
+        let (along, unidentified) = (&directions.identified, &directions.unidentified);
+        let assumed = unidentified * (prior_factor * prior_factor);
+        let moved = -(unidentified * &mean);
+        let begin = match iteration {
             0 => DMatrix::identity(along.ncols(), along.ncols()),
-            _ => along.transpose() * &covariance * &along,
+            _ => along.transpose() * &covariance * along,
         };
-        let (centre, spread) = told.most_likely(&along, &assumed, &moved, begin);
-        let found = &along * &spread * along.transpose();
-        let next = (&mean + &along * centre + moved, &found + &assumed);
+        let (centre, spread) = information.maximize_likelihood(along, &assumed, &moved, begin);
+        let found = along * &spread * along.transpose();
+        let next = (&mean + along * centre + moved, &found + &assumed);
         let change = (&next.0 - &mean).amax().max((&next.1 - &covariance).amax());
-        round += 1;
-        if round < ROUNDS && change >= SETTLED {
+        iteration += 1;
+        if iteration < ITERATIONS && change >= TOLERANCE {
             (mean, covariance) = next;
             continue;
         }
-        let errors = errors(&told, &along, &spread, shots.len() as f64);
-        let left = (DMatrix::identity(n, n) + &told.information).try_inverse();
+        let solution = Solution {
+            mean,
+            covariance,
+            launches,
+            information,
+            directions,
+            spread,
+            prior_factor,
+        };
+        return Ok(solution.population(shots, &of, unknowns));
+    }
+}
+
+impl Solution {
+    fn population(&self, shots: &[&Delivered], of: &[Outcome], unknowns: &[Unknown]) -> Population {
+        let n = unknowns.len();
+        let (covariance, unidentified) = (&self.covariance, &self.directions.unidentified);
+        let errors = self.errors(shots.len() as f64);
+        let left = (DMatrix::identity(n, n) + &self.information.information).try_inverse();
         let left = left.unwrap_or_else(|| DMatrix::zeros(n, n));
         let deviation = |i: usize| covariance[(i, i)].max(0.0).sqrt();
         let one = |(i, unknown): (usize, &Unknown)| {
             let variance = covariance[(i, i)];
-            // what is assumed of the mean may be off by itself, and what is assumed of the
-            // deviation may be there or not
-            let by_deviation = (variance + errors[i][1]).max(0.0).sqrt() - variance.max(0.0).sqrt();
+            let Errors {
+                of_mean,
+                of_variance,
+            } = errors[i];
+            // along unidentified directions the prior mean may be wrong, and the prior deviation
+            // may or may not be present
+            let by_deviation = (variance + of_variance).max(0.0).sqrt() - variance.max(0.0).sqrt();
             Recovered {
                 parameter: unknown.parameter,
-                mean: unknown.before + unknown.sigma * mean[i],
+                mean: unknown.prior + unknown.sigma * self.mean[i],
                 deviation: unknown.sigma * deviation(i),
-                told: (1.0 - left[(i, i)]).clamp(0.0, 1.0),
-                mean_error: unknown.sigma * (errors[i][0] + untold[(i, i)]).max(0.0).sqrt(),
+                variance_removed: (1.0 - left[(i, i)]).clamp(0.0, 1.0),
+                mean_error: unknown.sigma * (of_mean + unidentified[(i, i)]).max(0.0).sqrt(),
                 deviation_error: unknown.sigma
-                    * (by_deviation * by_deviation + untold[(i, i)].max(0.0)).sqrt(),
+                    * (by_deviation * by_deviation + unidentified[(i, i)].max(0.0)).sqrt(),
             }
         };
         let correlation = |i: usize, j: usize| match i == j {
             true => 1.0,
             false => covariance[(i, j)] / (deviation(i) * deviation(j)),
         };
-        return Ok(Population {
+        Population {
             spreads: unknowns.iter().enumerate().map(one).collect(),
             correlations: (0..n)
                 .map(|i| (0..n).map(|j| correlation(i, j)).collect())
                 .collect(),
             shots: shots.len(),
-            kept: if untold.amax() > 0.0 { kept } else { 1.0 },
-            returned: returned(shots, &of, &told, &launches),
-        });
+            prior_factor: if unidentified.amax() > 0.0 {
+                self.prior_factor
+            } else {
+                1.0
+            },
+            predicted: predicted(shots, of, &self.information, &self.launches),
+        }
+    }
+
+    /// Sampling errors of each parameter's mean and variance over `count` shots, along the
+    /// identified directions.
+    fn errors(&self, count: f64) -> Vec<Errors> {
+        let along = &self.directions.identified;
+        let size = along.ncols();
+        let of_instruments =
+            (along.transpose() * self.information.mean_information() * along).try_inverse();
+        let of_instruments = of_instruments.unwrap_or_else(|| DMatrix::zeros(size, size));
+        let seen = along * (&self.spread + of_instruments) * along.transpose();
+        (0..along.nrows())
+            .map(|i| Errors {
+                of_mean: seen[(i, i)] / count,
+                // standard uncertainty of a sample variance (Wishart distribution)
+                of_variance: seen[(i, i)] * (2.0 / (count - 1.0)).sqrt(),
+            })
+            .collect()
     }
 }
 
-/// The variance of the mean and the standard uncertainty of the variance that so many shots leave
-/// along what they tell, of each parameter.
-fn errors(told: &Told, along: &DMatrix<f64>, spread: &DMatrix<f64>, count: f64) -> Vec<[f64; 2]> {
-    let of_instruments = (along.transpose() * told.information_beyond() * along).try_inverse();
-    let of_instruments =
-        of_instruments.unwrap_or_else(|| DMatrix::zeros(spread.nrows(), spread.ncols()));
-    let seen = along * (spread + of_instruments) * along.transpose();
-    // of a variance over so many (Wishart)
-    (0..along.nrows())
-        .map(|i| {
-            [
-                seen[(i, i)] / count,
-                seen[(i, i)] * (2.0 / (count - 1.0)).sqrt(),
-            ]
-        })
-        .collect()
+/// Sampling errors of a parameter's distribution, in units of the prior.
+#[derive(Clone, Copy)]
+struct Errors {
+    /// Variance of the mean.
+    of_mean: f64,
+    /// Standard uncertainty of the variance.
+    of_variance: f64,
 }
 
-/// Each outcome as measured, and as the swings give it.
-fn returned(
+/// Measured and predicted moments of each outcome.
+fn predicted(
     shots: &[&Delivered],
     of: &[Outcome],
-    told: &Told,
-    launches: &Launches,
-) -> Vec<Returned> {
+    information: &SwingInformation,
+    launches: &LinearizedLaunches,
+) -> Vec<PredictedOutcome> {
     let one = |(place, of): (usize, &Outcome)| {
         let mut rows = vec![];
-        for (shot, off) in shots.iter().zip(&told.off) {
+        for (shot, off) in shots.iter().zip(&information.off) {
             for (explained, (at, off)) in shot.explained.iter().zip(off) {
                 if *at == place {
                     let Measurement { value, sigma, .. } = explained.measured;
-                    // of a direction all within half a turn of the mean swing's
+                    // unwrap directions to within half a turn of the mean swing's
                     let computed = of.unwrap_angle(value - off, launches.at[place]);
                     rows.push(DVector::from_vec(vec![
                         computed + off,
-                        off - launches.bend[place],
+                        off - launches.bias[place],
                         sigma * sigma,
                     ]));
                 }
@@ -261,7 +332,7 @@ fn returned(
         let spread = (launches.covariance[(place, place)] + mean[2])
             .max(0.0)
             .sqrt();
-        Returned {
+        PredictedOutcome {
             of: *of,
             measured: [mean[0], deviation],
             recovered: [mean[0] - mean[1], spread],

@@ -1,4 +1,4 @@
-use super::found::Delivered;
+use super::result::Delivered;
 use super::solve::delivery;
 use super::unknown::Unknown;
 use crate::drive::{Outcome, OutcomeGroup};
@@ -8,17 +8,17 @@ use crate::study::calibrate::{Measurement, Shot, ShotTable, instrument};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The delivery of a row of shots, or why there is none.
+/// The delivery of one row, or its error.
 #[derive(Debug)]
 pub struct Delivery {
     /// The row of the table, from 1.
     pub row: usize,
-    /// What was found.
+    /// The result for this row.
     pub found: Result<Delivered>,
 }
 
 impl Delivery {
-    /// What was found, where the search converged and explains the launch.
+    /// The result, if the search converged and explains the launch.
     pub fn explained(&self) -> Option<&Delivered> {
         self.found
             .as_ref()
@@ -27,19 +27,19 @@ impl Delivery {
     }
 }
 
-/// A parameter over all shots, SI.
+/// Distribution of a parameter's estimates over all shots, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The mean of the most probable values.
+    /// Mean of the most probable values.
     pub mean: f64,
-    /// Their standard deviation; `None` of a single shot.
+    /// Their standard deviation; `None` for a single shot.
     pub deviation: Option<f64>,
 }
 
-/// The measured launch that a setup gives as its launch conditions, with the uncertainties of
-/// instruments; none where no launch is given.
+/// The launch conditions of a setup as measurements with instrument uncertainties; empty if no
+/// launch is given.
 pub fn launches(setup: &Setup<f64>) -> Vec<Measurement> {
     let given = setup.given_launch_conditions();
     given
@@ -58,8 +58,7 @@ fn measured(condition: &Parameter, value: f64) -> Option<Measurement> {
     })
 }
 
-/// The delivery of each shot of a table; rows that were not reached before `interrupt` are left
-/// out.
+/// The delivery of each shot of a table. An interruption omits the remaining rows.
 pub fn deliveries(
     setup: &Setup<f64>,
     table: &ShotTable,
@@ -72,14 +71,14 @@ pub fn deliveries(
         }
         Some(Delivery {
             row: shot.row,
-            found: of_shot(setup, shot, unknowns),
+            found: shot_delivery(setup, shot, unknowns),
         })
     };
     table.shots.par_iter().filter_map(of).collect()
 }
 
-fn of_shot(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Result<Delivered> {
-    let (mut own, mut sought) = (*setup, unknowns.to_vec());
+fn shot_delivery(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Result<Delivered> {
+    let (mut own, mut unknowns) = (*setup, unknowns.to_vec());
     let mut launch: Vec<Measurement> = shot
         .measured
         .iter()
@@ -91,11 +90,11 @@ fn of_shot(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Result<Deli
             launch.extend(measured(parameter, value));
             continue;
         }
-        match sought
+        match unknowns
             .iter_mut()
             .find(|unknown| unknown.parameter == parameter)
         {
-            // a measured delivery is known before, and not exactly
+            // a measured club value is uncertain: it becomes the prior
             Some(unknown) => *unknown = unknown.measured_as(value),
             None => own.set_value(parameter, Some(value))?,
         }
@@ -106,11 +105,11 @@ fn of_shot(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Result<Deli
                 .into();
         return Err(Error::Delivery { reason });
     }
-    delivery(&own, &launch, &sought)
+    delivery(&own, &launch, &unknowns)
 }
 
 impl Spread {
-    /// Each parameter sought over the shots whose delivery was found.
+    /// One entry per unknown, over the shots with an explained launch.
     pub fn of(all: &[Delivery]) -> Vec<Self> {
         let found: Vec<&Delivered> = all.iter().filter_map(Delivery::explained).collect();
         let Some(first) = found.first() else {
@@ -118,16 +117,16 @@ impl Spread {
         };
         let count = found.len() as f64;
         let one = |i: usize| {
-            let values = || found.iter().map(|delivered| delivered.known[i].value);
+            let values = || found.iter().map(|delivered| delivered.posteriors[i].value);
             let mean = values().sum::<f64>() / count;
             let squares: f64 = values().map(|value| (value - mean) * (value - mean)).sum();
             let deviation = (found.len() > 1).then(|| (squares / (count - 1.0)).sqrt());
             Self {
-                parameter: first.known[i].unknown.parameter,
+                parameter: first.posteriors[i].unknown.parameter,
                 mean,
                 deviation,
             }
         };
-        (0..first.known.len()).map(one).collect()
+        (0..first.posteriors.len()).map(one).collect()
     }
 }

@@ -1,6 +1,5 @@
-use super::found::{Delivered, Explained, Known};
+use super::result::{Delivered, Explained, Posterior, unidentified};
 use super::unknown::Unknown;
-use super::untold::untold;
 use crate::derivative::{Evaluator, Order, Taylor};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
@@ -10,42 +9,23 @@ use crate::parameters::Setup;
 use crate::study::calibrate::Measurement;
 use nalgebra::DMatrix;
 
-/// The delivery and strike that explain a measured launch: the least sum of squares of what is
-/// measured and of what was known before, each in units of its standard uncertainty, within the
-/// bounds of the unknowns (Rodgers 2000, Inverse Methods for Atmospheric Sounding, ch. 2 and 5;
-/// docs/model.md).
+/// The most probable delivery and strike for a measured launch: bounded least squares of the
+/// measurements and the priors, each divided by its standard uncertainty (Rodgers 2000, Inverse
+/// Methods for Atmospheric Sounding, ch. 2 and 5; docs/model.md).
 ///
 /// # Errors
-/// [`Error::Delivery`] without measurements or unknowns, for an outcome that is not of the launch,
-/// and where the setup's own values are no strike; as [`Evaluator::new`].
+/// [`Error::Delivery`] without measurements or unknowns, for an outcome that does not belong to the
+/// launch, and if the setup's own values are not a strike; the errors of [`Evaluator::new`].
 pub fn delivery(
     setup: &Setup<f64>,
     measured: &[Measurement],
     unknowns: &[Unknown],
 ) -> Result<Delivered> {
+    check(measured, unknowns)?;
     let refuse = |reason: String| Error::Delivery { reason };
-    if measured.is_empty() || unknowns.is_empty() {
-        let what = if measured.is_empty() {
-            "nothing is measured"
-        } else {
-            "nothing is sought"
-        };
-        return Err(refuse(format!(
-            "{what}; give a launch, and parameters to find"
-        )));
-    }
-    if let Some(other) = measured
-        .iter()
-        .find(|measurement| measurement.outcome.group() != OutcomeGroup::Launch)
-    {
-        return Err(refuse(format!(
-            "{} is not of the launch; leave it out",
-            other.outcome.name()
-        )));
-    }
     let mut own = *setup;
     for unknown in unknowns {
-        own.set_value(unknown.parameter, Some(unknown.before))?;
+        own.set_value(unknown.parameter, Some(unknown.prior))?;
     }
     let of: Vec<Outcome> = measured
         .iter()
@@ -61,7 +41,7 @@ pub fn delivery(
         unknowns.iter().map(|unknown| unknown.low).collect(),
         unknowns.iter().map(|unknown| unknown.high).collect(),
     )?;
-    let start: Vec<f64> = unknowns.iter().map(|unknown| unknown.before).collect();
+    let start: Vec<f64> = unknowns.iter().map(|unknown| unknown.prior).collect();
     let found = fit(&rows, &domain, &start, &Options::default())?;
     if found.rows.residuals.is_empty() {
         return Err(refuse(format!(
@@ -84,27 +64,12 @@ pub fn delivery(
     let free: Vec<usize> = (0..unknowns.len())
         .filter(|&i| (unknowns[i].low < found.x[i]) && (found.x[i] < unknowns[i].high))
         .collect();
-    // each parameter in units of its uncertainty before
+    // derivatives by parameters in units of the prior standard uncertainty
     let jacobian = DMatrix::from_fn(measured.len(), free.len(), |row, column| {
         found.rows.jacobian[row][free[column]] * unknowns[free[column]].sigma
     });
-    let information = jacobian.transpose() * &jacobian + DMatrix::identity(free.len(), free.len());
-    let covariance = information.try_inverse().ok_or_else(|| {
-        refuse("the uncertainties of the measurements are too far apart to be computed with".into())
-    })?;
-    let known = unknowns.iter().enumerate().map(|(i, unknown)| {
-        let variance = free
-            .iter()
-            .position(|at| *at == i)
-            .map(|at| covariance[(at, at)]);
-        Known {
-            unknown: *unknown,
-            value: found.x[i],
-            sigma: variance.map(|variance| unknown.sigma * variance.max(0.0).sqrt()),
-            told: variance.map(|variance| (1.0 - variance).clamp(0.0, 1.0)),
-        }
-    });
-    let sought: Vec<_> = free
+    let posteriors = posteriors(&jacobian, &free, unknowns, &found.x)?;
+    let free_parameters: Vec<_> = free
         .iter()
         .map(|&i| (unknowns[i].parameter, unknowns[i].sigma))
         .collect();
@@ -112,14 +77,67 @@ pub fn delivery(
         setup: moved,
         status: found.status,
         message: found.message.clone(),
-        known: known.collect(),
+        posteriors,
         explained: explained.collect(),
         jacobian: found.rows.jacobian[..measured.len()].to_vec(),
-        untold: untold(&jacobian, &sought),
+        unidentified: unidentified(&jacobian, &free_parameters),
     })
 }
 
-/// The residuals of the measured outcomes, then those of what was known before.
+/// Refuses a search without measurements or unknowns, or with an outcome of the flight.
+fn check(measured: &[Measurement], unknowns: &[Unknown]) -> Result<()> {
+    let refuse = |reason: String| Error::Delivery { reason };
+    if measured.is_empty() || unknowns.is_empty() {
+        let what = if measured.is_empty() {
+            "nothing is measured"
+        } else {
+            "nothing is sought"
+        };
+        return Err(refuse(format!(
+            "{what}; give a launch, and parameters to find"
+        )));
+    }
+    if let Some(other) = measured
+        .iter()
+        .find(|measurement| measurement.outcome.group() != OutcomeGroup::Launch)
+    {
+        return Err(refuse(format!(
+            "{} is not of the launch; leave it out",
+            other.outcome.name()
+        )));
+    }
+    Ok(())
+}
+
+/// Posterior of each unknown at `x`: covariance (JᵀJ + I)⁻¹ of the `free` ones, in units of the
+/// prior.
+fn posteriors(
+    jacobian: &DMatrix<f64>,
+    free: &[usize],
+    unknowns: &[Unknown],
+    x: &[f64],
+) -> Result<Vec<Posterior>> {
+    let information = jacobian.transpose() * jacobian + DMatrix::identity(free.len(), free.len());
+    let covariance = information.try_inverse().ok_or_else(|| Error::Delivery {
+        reason: "the uncertainties of the measurements are too far apart to be computed with"
+            .into(),
+    })?;
+    let posterior = |(i, unknown): (usize, &Unknown)| {
+        let variance = free
+            .iter()
+            .position(|at| *at == i)
+            .map(|at| covariance[(at, at)]);
+        Posterior {
+            unknown: *unknown,
+            value: x[i],
+            sigma: variance.map(|variance| unknown.sigma * variance.max(0.0).sqrt()),
+            variance_removed: variance.map(|variance| (1.0 - variance).clamp(0.0, 1.0)),
+        }
+    };
+    Ok(unknowns.iter().enumerate().map(posterior).collect())
+}
+
+/// The residuals of the measurements, then those of the priors.
 fn rows(taylors: &[Taylor], measured: &[Measurement], unknowns: &[Unknown], x: &[f64]) -> Rows {
     let (mut residuals, mut jacobian) = (vec![], vec![]);
     for (taylor, measurement) in taylors.iter().zip(measured) {
@@ -137,7 +155,7 @@ fn rows(taylors: &[Taylor], measured: &[Measurement], unknowns: &[Unknown], x: &
         );
     }
     for (i, (unknown, value)) in unknowns.iter().zip(x).enumerate() {
-        residuals.push((value - unknown.before) / unknown.sigma);
+        residuals.push((value - unknown.prior) / unknown.sigma);
         jacobian.push(
             (0..unknowns.len())
                 .map(|k| if k == i { 1.0 / unknown.sigma } else { 0.0 })

@@ -2,20 +2,20 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::{Sigma, given_twice};
 
-/// A parameter of the delivery that is sought, SI.
+/// An unknown parameter of the delivery with its prior, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unknown {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Its value as far as it is known before the shot.
-    pub before: f64,
-    /// The standard uncertainty of that.
+    /// Prior mean.
+    pub prior: f64,
+    /// Prior standard uncertainty.
     pub sigma: f64,
-    /// Where the uncertainty comes from; `None` where it was given.
+    /// Source of the uncertainty; `None` if the user gave it.
     pub source: Option<&'static str>,
-    /// Least value.
+    /// Lower bound.
     pub low: f64,
-    /// Greatest value.
+    /// Upper bound.
     pub high: f64,
 }
 
@@ -24,8 +24,8 @@ const STRIKES: &str = "assumed: how far amateurs strike from the middle of the f
 const EVENLY: &str = "assumed: spread evenly over its range";
 const CLUB: &str = "assumed: what launch monitors state of a club";
 
-/// What is sought where nothing else is named, with how far it may be from the setup's value.
-const SOUGHT: [(&str, &str, &str); 7] = [
+/// Default unknowns with their prior standard uncertainties.
+const DEFAULT_UNKNOWNS: [(&str, &str, &str); 7] = [
     ("swing.speed", "15 mph", GOLFERS),
     ("swing.attack_angle", "3 deg", GOLFERS),
     ("swing.shaft_lean", "3 deg", GOLFERS),
@@ -35,20 +35,20 @@ const SOUGHT: [(&str, &str, &str); 7] = [
     ("strike.high", "8 mm", STRIKES),
 ];
 
-/// How well a launch monitor measures what it states of the club.
-const MEASURED: [(&str, &str); 4] = [
+/// Measurement uncertainties of a launch monitor's club values.
+const CLUB_UNCERTAINTIES: [(&str, &str); 4] = [
     ("swing.speed", "1.5 mph"),
     ("swing.attack_angle", "1 deg"),
     ("swing.path", "1 deg"),
     ("swing.face_angle", "1 deg"),
 ];
 
-/// A parameter is sought within so many standard uncertainties of its value before.
+/// Half-width of the search range in prior standard uncertainties.
 const REACH: f64 = 4.0;
 
 impl Unknown {
-    /// The same parameter where a launch monitor has measured it, with the monitor's uncertainty;
-    /// one that was given stays.
+    /// The unknown after a launch monitor measured it, with the monitor's uncertainty unless the
+    /// user gave one.
     pub fn measured_as(self, value: f64) -> Self {
         let Self {
             parameter,
@@ -58,22 +58,24 @@ impl Unknown {
             high,
             ..
         } = self;
-        let monitor = MEASURED.iter().find(|(name, _)| *name == parameter.name);
+        let monitor = CLUB_UNCERTAINTIES
+            .iter()
+            .find(|(name, _)| *name == parameter.name);
         let stated = monitor.and_then(|(_, sigma)| parameter.quantity.read_difference(sigma).ok());
         let (sigma, source) = match (source, stated) {
             (Some(_), Some(stated)) => (stated, Some(CLUB)),
             _ => (sigma, source),
         };
-        let Some([least, most]) = around(parameter, value, sigma) else {
+        let Some([least, most]) = search_range(parameter, value, sigma) else {
             return Self {
-                before: value,
+                prior: value,
                 sigma,
                 source,
                 ..self
             };
         };
         Self {
-            before: value,
+            prior: value,
             sigma,
             source,
             low: low.min(least),
@@ -83,14 +85,14 @@ impl Unknown {
     }
 }
 
-/// The values within reach of one.
-fn around(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2]> {
+/// Search range around a value.
+fn search_range(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2]> {
     let range = parameter.range;
     let (low, high) = (
         (value - REACH * sigma).max(range.low),
         (value + REACH * sigma).min(range.high),
     );
-    // an end that does not belong to the range is left by a part of the way
+    // move an excluded end inside the range
     let inside = |end: f64| {
         if range.contains(end) {
             end
@@ -102,18 +104,13 @@ fn around(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2]> {
     (low < high && range.contains(low) && range.contains(high)).then_some([low, high])
 }
 
-/// What is sought: of `vary`, or of the usual parameters of a delivery and its strike where that is
-/// empty, with the uncertainties that `sigmas` give.
+/// The unknowns with their priors: those of `vary`, or the default ones if it is empty. `sigmas`
+/// overrides the default uncertainties.
 ///
 /// # Errors
-/// [`Error::Delivery`] for a parameter on which no launch depends, or without room to move;
-/// [`Error::Unreadable`] for an uncertainty given twice or of a parameter that is not sought.
+/// [`Error::Delivery`] for a parameter that does not affect the launch, or an empty search range;
+/// [`Error::Unreadable`] for an uncertainty given twice, or for a parameter that is not unknown.
 pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<Vec<Unknown>> {
-    let refuse = |reason: String| Error::Delivery { reason };
-    let usual = |parameter: &Parameter| {
-        let found = SOUGHT.iter().find(|(name, ..)| *name == parameter.name)?;
-        Some((parameter.quantity.read_difference(found.1).ok()?, found.2))
-    };
     for (i, sigma) in sigmas.iter().enumerate() {
         if sigmas[..i]
             .iter()
@@ -122,41 +119,81 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
             return Err(given_twice(sigma.parameter));
         }
     }
-    let given = |parameter: &Parameter| sigmas.iter().find(|sigma| sigma.parameter == parameter);
-    let mut all = vec![];
-    if vary.is_empty() {
-        for (name, ..) in SOUGHT {
-            let parameter = setup.variable(name)?;
-            let before = setup.value(parameter).unwrap_or_default();
-            let (sigma, source) = match (given(parameter), usual(parameter)) {
-                (Some(sigma), _) => (sigma.value, None),
-                (None, Some((sigma, source))) => (sigma, Some(source)),
-                (None, None) => continue,
-            };
-            let [low, high] = around(parameter, before, sigma).ok_or_else(|| {
-                let (name, value) = (parameter.name, parameter.show(Some(before)));
-                refuse(format!(
-                    "{name} = {value} leaves no room to move; set it to another value"
-                ))
-            })?;
-            all.push(Unknown {
-                parameter,
-                before,
-                sigma,
-                source,
-                low,
-                high,
-            });
-        }
+    let all = if vary.is_empty() {
+        default_unknowns(setup, sigmas)?
+    } else {
+        varied_unknowns(setup, vary, sigmas)?
+    };
+    let is_missing = |sigma: &&Sigma| {
+        !all.iter()
+            .any(|unknown| unknown.parameter == sigma.parameter)
+    };
+    if let Some(unused) = sigmas.iter().find(is_missing) {
+        let names: Vec<_> = all.iter().map(|unknown| unknown.parameter.name).collect();
+        let source = format!(
+            "it is not sought, so that this has no effect; sought are {}",
+            names.join(", ")
+        );
+        return Err(Error::Unreadable {
+            name: format!("`sigma` {}", unused.parameter.name),
+            source: source.into(),
+        });
     }
-    for (
-        i,
-        &Vary {
+    Ok(all)
+}
+
+fn refuse(reason: String) -> Error {
+    Error::Delivery { reason }
+}
+
+/// Prior standard uncertainty of a parameter with its source: given, or the default one.
+fn prior_sigma(
+    parameter: &'static Parameter,
+    sigmas: &[Sigma],
+) -> Option<(f64, Option<&'static str>)> {
+    if let Some(given) = sigmas.iter().find(|sigma| sigma.parameter == parameter) {
+        return Some((given.value, None));
+    }
+    let (_, sigma, source) = DEFAULT_UNKNOWNS
+        .iter()
+        .find(|(name, ..)| *name == parameter.name)?;
+    let sigma = parameter.quantity.read_difference(sigma).ok()?;
+    Some((sigma, Some(*source)))
+}
+
+fn default_unknowns(setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Vec<Unknown>> {
+    let mut all = vec![];
+    for (name, ..) in DEFAULT_UNKNOWNS {
+        let parameter = setup.variable(name)?;
+        let prior = setup.value(parameter).unwrap_or_default();
+        let Some((sigma, source)) = prior_sigma(parameter, sigmas) else {
+            continue;
+        };
+        let [low, high] = search_range(parameter, prior, sigma).ok_or_else(|| {
+            let (name, value) = (parameter.name, parameter.show(Some(prior)));
+            refuse(format!(
+                "{name} = {value} leaves no room to move; set it to another value"
+            ))
+        })?;
+        all.push(Unknown {
             parameter,
+            prior,
+            sigma,
+            source,
             low,
             high,
-        },
-    ) in vary.iter().enumerate()
+        });
+    }
+    Ok(all)
+}
+
+fn varied_unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<Vec<Unknown>> {
+    let mut all: Vec<Unknown> = vec![];
+    for &Vary {
+        parameter,
+        low,
+        high,
+    } in vary
     {
         let name = parameter.name;
         if !parameter.is_of_strike() {
@@ -164,7 +201,7 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
                 "no launch depends on {name}; vary parameters of swing, strike, club or impact"
             )));
         }
-        if vary[..i].iter().any(|other| other.parameter == parameter) {
+        if all.iter().any(|other| other.parameter == parameter) {
             return Err(refuse(format!(
                 "{name} is to be varied twice; name it once"
             )));
@@ -174,10 +211,10 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
                 "the range of {name} is a single value; give a wider one, or `set` it"
             )));
         }
-        let before = setup.value(parameter).unwrap_or(0.5 * (low + high));
-        if !(low..=high).contains(&before) {
+        let prior = setup.value(parameter).unwrap_or(0.5 * (low + high));
+        if !(low..=high).contains(&prior) {
             let (value, ends) = (
-                parameter.show(Some(before)),
+                parameter.show(Some(prior)),
                 [low, high].map(|end| parameter.show(Some(end))),
             );
             return Err(refuse(format!(
@@ -186,34 +223,16 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
                 ends[0], ends[1]
             )));
         }
-        let (sigma, source) = match (given(parameter), usual(parameter)) {
-            (Some(sigma), _) => (sigma.value, None),
-            (None, Some((sigma, source))) => (sigma, Some(source)),
-            // the standard deviation of a uniform distribution
-            (None, None) => ((high - low) / 12.0_f64.sqrt(), Some(EVENLY)),
-        };
+        // standard deviation of a uniform distribution
+        let uniform = || ((high - low) / 12.0_f64.sqrt(), Some(EVENLY));
+        let (sigma, source) = prior_sigma(parameter, sigmas).unwrap_or_else(uniform);
         all.push(Unknown {
             parameter,
-            before,
+            prior,
             sigma,
             source,
             low,
             high,
-        });
-    }
-    let is_sought = |sigma: &&Sigma| {
-        !all.iter()
-            .any(|unknown| unknown.parameter == sigma.parameter)
-    };
-    if let Some(unused) = sigmas.iter().find(is_sought) {
-        let names: Vec<_> = all.iter().map(|unknown| unknown.parameter.name).collect();
-        let source = format!(
-            "it is not sought, so that this has no effect; sought are {}",
-            names.join(", ")
-        );
-        return Err(Error::Unreadable {
-            name: format!("`sigma` {}", unused.parameter.name),
-            source: source.into(),
         });
     }
     Ok(all)

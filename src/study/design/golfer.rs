@@ -1,11 +1,11 @@
-//! A golfer to design for where none is given.
+//! The default golfer of a design study.
 
 use crate::error::Result;
 use crate::parameters::Setup;
 use crate::study::swings::{Correlation, Swings};
 use crate::study::uncertainty::{Distribution, Uncertain};
 
-/// Standard deviations from swing to swing, about what the setup has.
+/// Standard deviations from swing to swing; the setup gives the means.
 const SCATTER: [(&str, &str); 6] = [
     ("swing.speed", "3.29 mph"),
     ("swing.attack_angle", "2.05 deg"),
@@ -15,23 +15,23 @@ const SCATTER: [(&str, &str); 6] = [
     ("strike.high", "6 mm"),
 ];
 
-/// Of path and face: with it the face to the path scatters by the 4.07° that were measured.
+/// Correlation of path and face angle, which gives the measured scatter of face to path, 4.07°.
 const PATH_WITH_FACE: f64 = 0.317;
 
-/// Standard deviations: swings beyond hit the ball into the ground or far beside the fairway.
+/// Truncation in standard deviations. Swings beyond hit the ground, or far off the fairway.
 const WITHIN: f64 = 2.0;
 
-/// Where the scatter comes from.
+/// Source of the scatter.
 pub const GOLFER: &str = "one golfer's 58 drives (Bliss & Langdown 2026: speed 3.29 mph, attack \
                           2.05°, path 2.28°, face 4.17°, face to path 4.07°), and \
                           strikes with standard deviations of 8.2 mm to heel and toe and 6 mm up \
                           and down (8 drives of another golfer), each within two standard \
                           deviations";
 
-/// The swings of a golfer whose drives were measured, about those of a setup.
+/// Swings with the scatter of a measured golfer, about the swing of a setup.
 ///
 /// # Errors
-/// As [`Swings::distributed`] for a setup without a club.
+/// The errors of [`Swings::distributed`] for a setup without a club.
 pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     let inputs = SCATTER.iter().map(|(name, deviation)| {
         let parameter = setup.variable(name)?;
@@ -52,8 +52,8 @@ pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     Swings::distributed(inputs, &[Correlation::new(between, PATH_WITH_FACE)?])
 }
 
-/// The normal distribution of which what lies within [`WITHIN`] times this standard deviation has
-/// this standard deviation: it is itself wider.
+/// A truncated normal distribution with this standard deviation. The untruncated one is wider;
+/// bisection finds its deviation.
 fn cut(mean: f64, deviation: f64) -> Distribution {
     let of = |mean: f64, deviation: f64, wider: f64| {
         let [low, high] = [mean - WITHIN * deviation, mean + WITHIN * deviation];
@@ -64,7 +64,8 @@ fn cut(mean: f64, deviation: f64) -> Distribution {
             high,
         }
     };
-    // the wider the whole, the wider what is left of it, up to WITHIN/√3 of a uniform distribution
+    // the truncated deviation increases with the untruncated one, up to WITHIN/√3 of a uniform
+    // distribution
     let (mut narrow, mut wide) = (1.0, 4.0);
     for _ in 0..f64::MANTISSA_DIGITS {
         let middle = 0.5 * (narrow + wide);

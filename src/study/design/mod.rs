@@ -1,18 +1,18 @@
-//! The design of a head and its face for swings that vary, under the Rules of Golf and what a rigid
-//! body can be.
+//! Design of a driver head and its face for varying swings, under the Rules of Golf and the limits
+//! of a rigid body.
 //!
-//! A design is a search over many swings ([`swings`](super::swings)) with more limits: rules about
-//! a parameter become bounds of it where it is varied and are checked where it is not; rules about
-//! the head become limits of its outcomes.
+//! A design is an optimization over many swings ([`swings`](super::swings)) with further
+//! constraints. A rule on a parameter becomes a bound if the parameter varies, otherwise a check; a
+//! rule on the head becomes a constraint on an outcome.
 
+mod constraints;
 mod golfer;
-mod held;
-mod parts;
-mod pose;
+mod improvements;
+mod problem;
 mod rules;
 
+pub use constraints::{ConstraintState, DesignConstraint, Enforcement};
 pub use golfer::{GOLFER, golfer};
-pub use held::{By, Held, Standing};
-pub use parts::{Part, parts};
-pub use pose::{Design, usual_vary};
+pub use improvements::{Improvement, improvements};
+pub use problem::{Design, usual_vary};
 pub use rules::{Limited, RULES, Rule};

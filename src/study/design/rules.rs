@@ -1,42 +1,42 @@
-//! What the Rules of Golf say of a head and a ball, in numbers.
+//! Numerical limits of the Rules of Golf for head and ball.
 
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::units::Quantity;
 
-/// A rule: a limit of one number.
+/// A rule: a limit on one number.
 #[derive(Debug)]
 pub struct Rule {
-    /// What it is called.
+    /// Name.
     pub name: &'static str,
-    /// What it limits.
+    /// The limited quantity.
     pub of: Limited,
-    /// Whether the limit is the greatest value that conforms, and not the least.
+    /// The limit is a maximum; otherwise a minimum.
     pub is_greatest: bool,
-    /// The limit.
+    /// The limit, with unit.
     pub limit: &'static str,
-    /// What the test allows beyond it; nothing where the rule has no tolerance.
+    /// Tolerance of the test, if any.
     pub tolerance: Option<&'static str>,
-    /// The change of the limit that its price is told for.
+    /// Change of the limit for which the price is stated.
     pub step: &'static str,
-    /// Where it stands.
+    /// Source.
     pub source: &'static str,
-    /// What else to know where a setup breaks it.
+    /// Advice for a setup that breaks the rule.
     pub hint: &'static str,
 }
 
-/// What a rule limits.
+/// The quantity that a rule limits.
 #[derive(Clone, Copy, Debug)]
 pub enum Limited {
-    /// A parameter, by its name.
+    /// A parameter, by name.
     Parameter(&'static str),
     /// An outcome of the head.
     Outcome(Outcome),
-    /// A relation that the user states under this name: no parameter has it.
+    /// A user's relation with this name, for a quantity without parameter.
     Relation(&'static str, Quantity),
 }
 
-/// Rules are statics: one is equal to itself only.
+/// Rules are statics: equality is identity.
 impl PartialEq for Rule {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
@@ -104,7 +104,7 @@ pub static RULES: [Rule; 5] = [
 ];
 
 impl Rule {
-    /// What kind of number it limits.
+    /// Physical quantity of the limited number.
     pub fn quantity(&self) -> Quantity {
         match self.of {
             Limited::Outcome(of) => of.quantity(),
@@ -115,7 +115,7 @@ impl Rule {
         }
     }
 
-    /// The name of what it limits: `head_moi`.
+    /// Name of the limited quantity: `head_moi`.
     pub fn limited(&self) -> &'static str {
         match self.of {
             Limited::Outcome(of) => of.name(),
@@ -123,7 +123,7 @@ impl Rule {
         }
     }
 
-    /// The greatest or least value that conforms, with the tolerance, SI.
+    /// Limit with tolerance, SI.
     pub fn bound(&self) -> f64 {
         let read = |text: &str| self.quantity().read(text).unwrap_or(f64::NAN);
         let tolerance = self.tolerance.map_or(0.0, read);
@@ -135,9 +135,18 @@ impl Rule {
             }
     }
 
-    /// Whether a value conforms.
+    /// Lower and upper limit with tolerance, SI.
+    pub(super) fn range(&self) -> [f64; 2] {
+        if self.is_greatest {
+            [f64::NEG_INFINITY, self.bound()]
+        } else {
+            [self.bound(), f64::INFINITY]
+        }
+    }
+
+    /// Reports whether a value conforms.
     pub fn allows(&self, value: f64) -> bool {
-        // a value that was given in other units is rounded
+        // allow for the rounding of a unit conversion
         let rounding = 1e-12 * self.bound().abs();
         if self.is_greatest {
             value <= self.bound() + rounding
@@ -146,7 +155,7 @@ impl Rule {
         }
     }
 
-    /// The rule as an expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
+    /// Expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
     pub fn expression(&self) -> String {
         let sign = if self.is_greatest { "<=" } else { ">=" };
         let tolerance = self
@@ -155,7 +164,7 @@ impl Rule {
         format!("{} {sign} {}{tolerance}", self.limited(), self.limit)
     }
 
-    /// A value as people read it.
+    /// A value in the unit of the limit.
     pub fn show(&self, value: f64) -> String {
         let unit = self.limit.split_once(' ').map_or("", |(_, unit)| unit);
         self.quantity().show(value, unit)

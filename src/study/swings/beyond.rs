@@ -8,7 +8,7 @@ use super::scenarios::Scenarios;
 use crate::drive::{CheckScope, Drive, ExceededCount, ExceededLimits, ExceededShare, Outcome};
 use crate::parameters::Setup;
 use crate::study::Optimum;
-use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
+use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 

@@ -6,7 +6,7 @@ use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::study::stoppable::{each_until, stopped};
+use crate::study::cancellable::{each_until, stopped};
 use std::sync::atomic::AtomicBool;
 
 /// Swings of a batch, which a thread flies.

@@ -5,9 +5,9 @@ use crate::optimize::{
     starts,
 };
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
+use crate::study::cancellable::stopped;
 use crate::study::optimum::{local_optima, stopped_of};
 use crate::study::problem::SearchProblem;
-use crate::study::stoppable::stopped;
 use crate::study::{Optimum, Search};
 use std::sync::atomic::{AtomicBool, Ordering};
 

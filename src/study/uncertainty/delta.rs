@@ -10,9 +10,10 @@ pub struct Moments {
     pub deviation: f64,
 }
 
-/// The moments of a function of independent numbers from its derivatives at their means: by the
-/// tangent, exact for a linear function, and by the parabola, exact for a quadratic one. The second
-/// is `None` without a Hessian.
+/// Mean and standard deviation of a function of independent random variables by the delta method,
+/// from derivatives at their means: first order (exact for linear functions) and second order
+/// (exact for quadratic functions without mixed terms of higher order). The second is `None`
+/// without a Hessian.
 ///
 /// ```text
 ///   mean = f + ½ Σ H_ii μ₂ᵢ
@@ -20,7 +21,7 @@ pub struct Moments {
 /// ```
 ///
 /// # Panics
-/// Where there are not as many derivatives as distributions.
+/// If the number of derivatives differs from the number of distributions.
 pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Option<Moments>) {
     at_means.expect_derivatives_by(inputs.len(), "distributions");
     let moments: Vec<[f64; 3]> = inputs.iter().map(Distribution::central_moments).collect();
@@ -30,7 +31,7 @@ pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Opt
         .zip(&moments)
         .map(|(g, [second, ..])| g * g * second)
         .sum();
-    // squares of very large deviations are no numbers where the deviations are
+    // squares may overflow where the deviations themselves do not
     let by_size = || {
         gradient
             .iter()
@@ -59,7 +60,7 @@ pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Opt
             variance += at_means.hessian[i][j].powi(2) * second * other;
         }
     }
-    // a parabola's variance is none below 0, but for rounding
+    // clamp: rounding may make the variance negative
     (
         first,
         Some(Moments {

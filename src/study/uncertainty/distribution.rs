@@ -5,41 +5,41 @@ use crate::study::sigma::amount_of;
 use crate::units::Quantity;
 use statrs::distribution::{Continuous, ContinuousCDF, Normal, Triangular, Uniform};
 
-/// How an uncertain number is distributed.
+/// Distribution of an uncertain number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Distribution {
-    /// Normal, with its mean and standard deviation.
+    /// Normal distribution.
     Normal {
         /// Mean.
         mean: f64,
         /// Standard deviation.
         deviation: f64,
     },
-    /// Every value between two ends alike.
+    /// Uniform distribution between two bounds.
     Uniform {
-        /// Lower end.
+        /// Lower bound.
         low: f64,
-        /// Upper end.
+        /// Upper bound.
         high: f64,
     },
-    /// Rising from one end to the likeliest value, and falling to the other.
+    /// Triangular distribution.
     Triangular {
-        /// Lower end.
+        /// Lower bound.
         low: f64,
-        /// The likeliest value.
+        /// Most probable value.
         mode: f64,
-        /// Upper end.
+        /// Upper bound.
         high: f64,
     },
-    /// Normal, of which only what lies between two ends is left.
+    /// Normal distribution truncated to an interval.
     Truncated {
-        /// Mean of the whole.
+        /// Mean before truncation.
         mean: f64,
-        /// Standard deviation of the whole.
+        /// Standard deviation before truncation.
         deviation: f64,
-        /// Lower end.
+        /// Lower bound.
         low: f64,
-        /// Upper end.
+        /// Upper bound.
         high: f64,
     },
 }
@@ -48,12 +48,11 @@ pub enum Distribution {
 const FIRST_ZERO_OF_J0: f64 = 2.404_825_557_695_773;
 
 impl Distribution {
-    /// Whether it is a distribution.
+    /// Checks the numbers of the distribution.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for numbers that are not finite or do not rise from the lower end to
-    /// the upper, a standard deviation that is not above 0, and ends between which nothing of a
-    /// normal distribution is left.
+    /// [`Error::Unreadable`] for numbers that are not finite or not in ascending order, a standard
+    /// deviation ≤ 0, and a truncation that leaves no probability.
     pub fn check(&self) -> Result<()> {
         let name = || format!("the distribution {self:?}");
         self.why_none().map_or(Ok(()), |why| {
@@ -64,7 +63,7 @@ impl Distribution {
         })
     }
 
-    /// Why it is no distribution.
+    /// Reason for an invalid distribution.
     fn why_none(&self) -> Option<&'static str> {
         let (numbers, deviation) = match *self {
             Self::Normal { mean, deviation } => (vec![mean], Some(deviation)),
@@ -96,17 +95,17 @@ impl Distribution {
         )
     }
 
-    /// The value below which a share `p` of all lies, 0 < p < 1, of what [`check`](Self::check)
+    /// Quantile for a probability 0 < p < 1, for a distribution that [`check`](Self::check)
     /// accepts.
     ///
     /// # Panics
-    /// Where `p` is no share from 0 to 1.
+    /// If `p` is not a probability.
     pub fn quantile(&self, p: f64) -> f64 {
         assert!(
             (0.0..=1.0).contains(&p),
             "a share of all is from 0 to 1; it is {p}"
         );
-        // widths are above 0, which is all that is asked of them
+        // a checked width is positive, so the constructors below succeed
         match *self {
             Self::Normal { mean, deviation } => {
                 Normal::new(mean, deviation).map_or(f64::NAN, |d| d.inverse_cdf(p))
@@ -138,7 +137,7 @@ impl Distribution {
         }
     }
 
-    /// The ends that no value lies beyond, infinite where there are none.
+    /// Bounds of the support; may be infinite.
     pub fn ends(&self) -> [f64; 2] {
         match *self {
             Self::Normal { .. } => [f64::NEG_INFINITY, f64::INFINITY],
@@ -166,7 +165,7 @@ impl Distribution {
         }
     }
 
-    /// The second, third and fourth moments about the mean.
+    /// Central moments of order 2, 3 and 4.
     pub fn central_moments(&self) -> [f64; 3] {
         match *self {
             Self::Normal { deviation, .. } => [deviation.powi(2), 0.0, 3.0 * deviation.powi(4)],
@@ -179,7 +178,7 @@ impl Distribution {
                 let (a, c, b) = (low, mode, high);
                 let second = (a * a + b * b + c * c - a * b - a * c - b * c) / 18.0;
                 let third = (a + b - 2.0 * c) * (2.0 * a - b - c) * (a - 2.0 * b + c) / 270.0;
-                // every triangular distribution has the kurtosis 12/5
+                // the kurtosis of a triangular distribution is 12/5
                 [second, third, 2.4 * second * second]
             }
             Self::Truncated {
@@ -210,10 +209,9 @@ impl Distribution {
         }
     }
 
-    /// Poincaré's constant C, or a little more: the variance of any f is at most C times the mean
-    /// of f′². σ² of a normal distribution, (width/π)² of a uniform one, and (longer side/j₀,₁)² of
-    /// a triangular one (Roustant, Barthe & Iooss 2017); of a normal one between two ends the
-    /// smaller of the first two (Bakry & Émery 1985; Payne & Weinberger 1960).
+    /// Upper bound of the Poincaré constant C: Var f ≤ C · E f′² for any f. Normal: σ². Uniform:
+    /// (width/π)². Triangular: (longer side/j₀,₁)² (Roustant, Barthe & Iooss 2017). Truncated
+    /// normal: the smaller of the first two (Bakry & Émery 1985; Payne & Weinberger 1960).
     pub fn poincare(&self) -> f64 {
         match *self {
             Self::Normal { deviation, .. } => deviation.powi(2),
@@ -231,9 +229,8 @@ impl Distribution {
     }
 }
 
-/// The ends of what is left of a standard normal distribution, mirrored about its mean where both
-/// lie above it, and the sign of what was mirrored: shares of the lower tail are small numbers,
-/// those of the upper differ from 1 by rounding only.
+/// Mirrors the bounds of a truncated standard normal distribution to below the mean, with the sign
+/// of the mirror: lower-tail probabilities keep full relative precision, upper-tail ones cancel.
 fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
     if low > 0.0 {
         ([-high, -low], -1.0)
@@ -242,8 +239,7 @@ fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
     }
 }
 
-/// The moments 0 to 4 about 0 of what a standard normal distribution has between two ends, by their
-/// recurrence.
+/// Raw moments 0 to 4 of a truncated standard normal distribution, by recurrence.
 fn truncated_moments(ends: [f64; 2]) -> [f64; 5] {
     let ([low, high], sign) = below_the_mean(ends);
     let normal = Normal::standard();
@@ -264,12 +260,12 @@ fn truncated_moments(ends: [f64; 2]) -> [f64; 5] {
 pub struct Uncertain {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// How it is distributed, SI.
+    /// Its distribution, SI.
     pub distribution: Distribution,
 }
 
 impl Uncertain {
-    /// Normally distributed about the setup's own value.
+    /// Normal distribution about the setup's value.
     pub fn normal(setup: &Setup<f64>, sigma: &Sigma) -> Self {
         let mean = setup.value(sigma.parameter).unwrap_or_default();
         Self {
@@ -281,7 +277,7 @@ impl Uncertain {
         }
     }
 
-    /// The range that all but one in a thousand of its values lie in.
+    /// Range of 99.9 % of the values.
     pub fn range(&self) -> Vary {
         let [low, high] = [0.0005, 0.9995].map(|share| self.distribution.quantile(share));
         Vary {
@@ -291,21 +287,21 @@ impl Uncertain {
         }
     }
 
-    /// Reads `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)`,
-    /// `NAME=triangular(LOW,MODE,HIGH)` or `NAME=truncated(MEAN,DEVIATION,LOW,HIGH)`, a normal
-    /// distribution between two ends.
+    /// Parses `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)`,
+    /// `NAME=triangular(LOW,MODE,HIGH)` or `NAME=truncated(MEAN,DEVIATION,LOW,HIGH)`, a truncated
+    /// normal distribution.
     ///
     /// ```
     /// use longdrive::{Setup, study::uncertainty::{Distribution, Uncertain}};
-    /// let speed = Uncertain::read(&Setup::default(), "swing.speed=uniform(45 m/s, 50 m/s)").unwrap();
+    /// let setup = Setup::default();
+    /// let speed = Uncertain::read(&setup, "swing.speed=uniform(45 m/s, 50 m/s)").unwrap();
     /// assert_eq!(speed.distribution, Distribution::Uniform { low: 45.0, high: 50.0 });
-    /// assert!(Uncertain::read(&Setup::default(), "swing.speed=uniform(50 m/s, 45 m/s)").is_err());
+    /// assert!(Uncertain::read(&setup, "swing.speed=uniform(50 m/s, 45 m/s)").is_err());
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for what is no distribution; [`Error::OutOfRange`] where an end or the
-    /// mean is none the parameter may have; as [`Setup::column`]: a parameter needs no value in the
-    /// setup.
+    /// [`Error::Unreadable`] for invalid text; [`Error::OutOfRange`] if a bound or the mean is not
+    /// an allowed value; the errors of [`Setup::column`]: the setup need not have a value.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the distribution {}", text.trim()),
@@ -335,7 +331,7 @@ impl Uncertain {
                 format!("there is no distribution \"{}\"; {how}", kind.trim()).into(),
             ));
         }
-        // the second number of a normal distribution is a difference
+        // the standard deviation is a difference: it has no offset
         let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
         let amounts = inside.split(',').enumerate().map(|(at, part)| {
             let read = if is_difference(at) {
@@ -370,11 +366,11 @@ impl Uncertain {
         }
     }
 
-    /// Whether it is a distribution of values that the parameter may have.
+    /// Checks the distribution and the allowed values of the parameter.
     ///
     /// # Errors
-    /// As [`Distribution::check`]; [`Error::OutOfRange`] where an end or the mean is none the
-    /// parameter may have.
+    /// The errors of [`Distribution::check`]; [`Error::OutOfRange`] if a bound or the mean is not
+    /// an allowed value.
     pub fn check(&self) -> Result<()> {
         if let Some(why) = self.distribution.why_none() {
             let name = format!("the distribution of {}", self.parameter);

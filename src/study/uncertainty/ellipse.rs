@@ -1,24 +1,23 @@
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// An ellipse is flat where its variances across and along are in this ratio, or a smaller one:
-/// what rounding leaves.
+/// Variance ratio below which an ellipse is a line, up to rounding.
 const FLAT: f64 = 1e-14;
 
-/// An ellipse that holds a share of the landings.
+/// An ellipse that contains a share of the landings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LandingEllipse {
-    /// The share, where landings are normally distributed.
+    /// Share for normally distributed landings.
     pub share: f64,
-    /// Its centre: lateral and carry, m.
+    /// Centre: lateral and carry, m.
     pub centre: [f64; 2],
-    /// Its half-axes by their components of lateral and carry, m, the longer first.
+    /// Half-axes as vectors of lateral and carry, m, the longer first.
     pub half_axes: [[f64; 2]; 2],
 }
 
 impl LandingEllipse {
-    /// The ellipse of a mean and a covariance of lateral and carry. A share p of a normal
-    /// distribution lies within −2 ln(1 − p) squared deviations of two numbers, within the
-    /// quantiles (1 ± p)/2 of one: landings that spread along one line only have a flat ellipse.
+    /// Ellipse for mean and covariance of lateral and carry. Share p of a bivariate normal
+    /// distribution has a squared Mahalanobis distance up to −2 ln(1 − p). Landings on a line are
+    /// univariate: quantiles (1 ± p)/2.
     pub fn new(share: f64, centre: [f64; 2], covariance: [[f64; 2]; 2]) -> Self {
         let [[xx, xy], [_, yy]] = covariance;
         let eigen = nalgebra::Matrix2::new(xx, xy, xy, yy).symmetric_eigen();
@@ -30,7 +29,7 @@ impl LandingEllipse {
             (-2.0 * (1.0 - share).ln()).sqrt()
         };
         let axis = |k: usize| {
-            // rounding may leave a flat one a little below 0
+            // clamp: rounding may make the variance negative
             let length = radius * eigen.eigenvalues[k].max(0.0).sqrt();
             [0, 1].map(|row| length * eigen.eigenvectors[(row, k)])
         };
@@ -46,7 +45,7 @@ impl LandingEllipse {
         }
     }
 
-    /// Whether a landing lies within it.
+    /// Reports whether the ellipse contains a landing.
     pub fn contains(&self, landing: [f64; 2]) -> bool {
         let off = [landing[0] - self.centre[0], landing[1] - self.centre[1]];
         let (mut squares, mut left) = (0.0, off);
@@ -58,7 +57,7 @@ impl LandingEllipse {
                 left = [left[0] - part * axis[0], left[1] - part * axis[1]];
             }
         }
-        // a flat ellipse holds nothing beside it
+        // a degenerate ellipse contains only points of its line, up to rounding
         let rounding = 1e-12 * (off[0].hypot(off[1]) + self.centre[0].hypot(self.centre[1]));
         squares <= 1.0 && left[0].hypot(left[1]) <= rounding
     }
@@ -73,7 +72,7 @@ mod tests {
         let flat = LandingEllipse::new(0.95, [0.0, 200.0], [[0.0, 0.0], [0.0, 4.0]]);
         // 95 % of a normal distribution lie within 1.960 standard deviations, here 2
         assert!(flat.contains([0.0, 203.919]) && !flat.contains([0.0, 203.921]));
-        // and of one in the plane within √(−2 ln 0.05) = 2.448
+        // and of a bivariate one within √(−2 ln 0.05) = 2.448
         let round = LandingEllipse::new(0.95, [0.0, 200.0], [[4.0, 0.0], [0.0, 4.0]]);
         assert!(round.contains([0.0, 204.89]) && !round.contains([0.0, 204.91]));
         assert!(!flat.contains([0.1, 200.0]));

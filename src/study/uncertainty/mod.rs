@@ -1,9 +1,10 @@
-//! What is uncertain about a drive whose parameters are: by its derivatives, and by many drives.
+//! Uncertainty propagation: outcomes of a drive with uncertain parameters, by derivatives and by
+//! sampling.
 //!
 //! ```text
 //!   distributions ──▶ delta method: exact gradient and Hessian at the means
-//!                 └─▶ sample, flown ──▶ moments, Sobol' shares, landing ellipses
-//!                                   └─▶ exact gradients at the sample ──▶ bounds on the total shares
+//!                 └─▶ sample, flown ──▶ moments, Sobol' indices, landing ellipses
+//!                                   └─▶ exact gradients at the sample ──▶ bounds of total indices
 //! ```
 
 mod delta;
@@ -14,9 +15,9 @@ mod model;
 pub use delta::{Moments, delta_method};
 pub use distribution::{Distribution, Uncertain};
 pub use ellipse::LandingEllipse;
-pub use model::{Design, Indices, Interval, Plan, Statistics};
+pub use model::{Design, Indices, Interval, SamplePlan, Statistics};
 
-use crate::batch::{Batch, CHUNK, Status, Tally};
+use crate::batch::{Batch, Block, CHUNK, Status, Tally};
 use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
@@ -25,34 +26,34 @@ use crate::units::{Message, counted, significant};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The shares of the landings that ellipses are drawn for.
+/// Shares of the landings with an ellipse.
 pub const SHARES: [f64; 2] = [0.5, 0.95];
 
-/// What is uncertain about a drive.
+/// Uncertainty of a drive.
 #[derive(Clone, Debug)]
 pub struct Uncertainty {
     /// The uncertain parameters.
     pub inputs: Vec<Uncertain>,
-    /// Each outcome.
+    /// Uncertainty of each outcome.
     pub outcomes: Vec<OutcomeUncertainty>,
-    /// How the drives of the sample ended, all N (d + 2) of them.
+    /// Statuses of all N (d + 2) drives of the sample.
     pub tally: Tally,
-    /// How the sample was taken.
-    pub plan: Plan,
-    /// Ellipses of the landings; empty unless carry and lateral are asked for.
+    /// Size and seed of the sample.
+    pub plan: SamplePlan,
+    /// Landing ellipses; empty unless carry and lateral are requested.
     pub ellipses: Vec<SampledEllipse>,
 }
 
 impl Uncertainty {
-    /// The part of the drives of the sample that do not land, though their values are allowed.
+    /// Share of drives with allowed values that do not land.
     pub fn part_without_landing(&self) -> f64 {
         self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
     }
 
-    /// Warns where many values are such as no drive has, or many drives do not land: the others are
-    /// no sample of the distributions any more.
+    /// Warnings if many sampled values are not allowed or many drives do not land: the remaining
+    /// drives are not a sample of the distributions.
     pub fn warnings(&self) -> Vec<Message> {
-        /// A normal distribution that is cut at two standard deviations leaves out as much.
+        /// Share outside ±2 standard deviations of a normal distribution, rounded.
         const MANY: f64 = 0.02;
         let percent = |part: f64| significant(100.0 * part, 2);
         let outside = self.part_of(|status| status == Status::OutOfRange);
@@ -96,58 +97,56 @@ impl Uncertainty {
     }
 }
 
-/// What is uncertain about an outcome.
+/// Uncertainty of an outcome.
 #[derive(Clone, Debug)]
 pub struct OutcomeUncertainty {
     /// The outcome.
     pub of: Outcome,
-    /// Its value, gradient and Hessian by the uncertain parameters at their means; `None` where the
-    /// drive there has none.
+    /// Value, gradient and Hessian by the uncertain parameters at their means; `None` if they do
+    /// not exist.
     pub at_means: Option<Taylor>,
-    /// By the gradient, and by gradient and Hessian, at the means; `None` where the drive there has
-    /// none.
+    /// Delta method, first and second order; `None` if the derivatives do not exist.
     pub delta: Option<(Moments, Option<Moments>)>,
-    /// By flying; `None` where no drive of the sample has the outcome.
+    /// Statistics of the sample; `None` if no drive has the outcome.
     pub sampled: Option<Statistics>,
-    /// An estimate of an upper bound of each uncertain parameter's total share, by exact gradients
-    /// (Sobol' & Kucherenko 2009; Lamboni et al. 2013).
+    /// Estimated upper bound of each parameter's total Sobol' index, from exact gradients (Sobol' &
+    /// Kucherenko 2009; Lamboni et al. 2013).
     pub slopes: Vec<Option<Slopes>>,
 }
 
-/// A derivative-based global sensitivity measure.
+/// Derivative-based global sensitivity measure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slopes {
-    /// The mean of (∂f/∂p)², SI.
+    /// Mean of (∂f/∂p)², SI.
     pub mean_square: f64,
-    /// C mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution. With the true mean
-    /// and variance the total share is at most this; here both are those of the sample, so that it
-    /// is an estimate, with its interval.
+    /// C · mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution. It bounds the
+    /// total index for the true mean and variance; this is an estimate from the sample, with its
+    /// interval.
     pub bound: Interval,
 }
 
-/// A landing ellipse by the gradients, with the share of the flown landings in it.
+/// A landing ellipse, with the share of sampled landings inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampledEllipse {
     /// The ellipse.
     pub ellipse: LandingEllipse,
-    /// Whether it is of the gradients at the means, or of the sample.
+    /// From the gradients at the means; otherwise from the sample.
     pub by_gradient: bool,
-    /// The share of the landings flown that lie in it.
+    /// Share of the sampled landings inside.
     pub holds: f64,
 }
 
 impl OutcomeUncertainty {
-    /// Whether the outcome varies by more than rounding; where it does not, it is the same in every
-    /// drive of the sample.
+    /// The outcome varies by more than rounding.
     pub fn varies(&self) -> bool {
         self.sampled
             .as_ref()
             .is_none_or(|sampled| sampled.deviation.value > 0.0)
     }
 
-    /// The parameter to measure first: the one whose knowledge takes most off the variance, and the
-    /// standard deviation that is left on average. `None` where the outcome does not vary, or no
-    /// parameter's knowledge alone takes anything off.
+    /// The parameter to measure first: the one with the largest first-order index, with the mean
+    /// standard deviation that remains once it is known. `None` if the outcome does not vary, or no
+    /// index is positive.
     pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<(&'static Parameter, f64)> {
         let sampled = self.sampled.as_ref()?;
         let share = |(at, indices): (usize, &Option<Indices>)| Some((at, indices.as_ref()?.first));
@@ -166,8 +165,8 @@ impl OutcomeUncertainty {
         let totals: Option<f64> = others
             .map(|(_, indices)| Some(indices.as_ref()?.total.value))
             .sum();
-        // no more is left than the others' total shares together: next to a share of nearly all
-        // these are far better known
+        // the sum of the other total indices is an upper bound; it is far better known if one index
+        // is close to 1
         let left = totals
             .filter(|most| *most < 1.0 - share.low)
             .unwrap_or(1.0 - share.value);
@@ -178,34 +177,21 @@ impl OutcomeUncertainty {
     }
 }
 
-/// What is uncertain about some outcomes where these parameters are, independently of each other;
-/// `progress` is told how many drives of how many are done.
+/// Uncertainty of outcomes for independent uncertain parameters; `progress` receives the number of
+/// finished and of all drives.
 ///
 /// # Errors
 /// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a
-/// parameter given twice; [`Error::Together`] for a sample of fewer than 2 points; what
-/// [`Uncertain::check`] and [`Batch::new`] refuse.
+/// parameter given twice; [`Error::Together`] for a sample of fewer than 2 points; the errors of
+/// [`Uncertain::check`] and [`Batch::new`].
 pub fn uncertainty(
     setup: &Setup<f64>,
     of: &[Outcome],
     inputs: &[Uncertain],
-    plan: Plan,
+    plan: SamplePlan,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Uncertainty> {
-    if plan.samples < 2 {
-        let given = format!("a sample of {}", counted(plan.samples as u64, "point"));
-        return Err(Error::Together {
-            given,
-            reason: "it needs 2 points or more".into(),
-        });
-    }
-    if inputs.is_empty() {
-        return Err(Error::Nothing {
-            doing: "take samples of",
-            what: "uncertain parameter",
-        });
-    }
-    inputs.iter().try_for_each(Uncertain::check)?;
+    check(inputs, plan)?;
     let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();
     let distributions: Vec<_> = inputs.iter().map(|input| input.distribution).collect();
     let values = Batch::new(setup, &parameters, of, &[])?;
@@ -227,87 +213,127 @@ pub fn uncertainty(
         });
         blocks.collect::<Vec<_>>()
     };
-    let sets: Vec<_> = design.points.iter().enumerate().map(fly).collect();
+    let blocks: Vec<_> = design.points.iter().enumerate().map(fly).collect();
     let mut tally = Tally::default();
-    sets.iter().flatten().for_each(|block| tally.add(block));
-
-    let at_means = at_means(setup, of, inputs);
-    let column = |blocks: &[crate::batch::Block], i: usize| {
-        blocks
-            .iter()
-            .flat_map(|block| block.result(i))
-            .collect::<Vec<_>>()
+    blocks.iter().flatten().for_each(|block| tally.add(block));
+    let sample = Sample {
+        of,
+        inputs,
+        distributions,
+        design,
+        at_means: at_means(setup, of, inputs),
+        blocks,
     };
-    // directions within half a turn of the one at the means or, where there is none, of the first
-    // of the sample
-    let column_of = |blocks: &[crate::batch::Block], i: usize| {
-        let first = || column(&sets[0], i).into_iter().flatten().next();
-        let reference = at_means[i]
+    Ok(Uncertainty {
+        inputs: inputs.to_vec(),
+        outcomes: (0..of.len()).map(|i| sample.outcome(i)).collect(),
+        tally,
+        plan,
+        ellipses: sample.ellipses(),
+    })
+}
+
+/// Refuses a sample of fewer than 2 points, and invalid or missing inputs.
+fn check(inputs: &[Uncertain], plan: SamplePlan) -> Result<()> {
+    if plan.samples < 2 {
+        let given = format!("a sample of {}", counted(plan.samples as u64, "point"));
+        return Err(Error::Together {
+            given,
+            reason: "it needs 2 points or more".into(),
+        });
+    }
+    if inputs.is_empty() {
+        return Err(Error::Nothing {
+            doing: "take samples of",
+            what: "uncertain parameter",
+        });
+    }
+    inputs.iter().try_for_each(Uncertain::check)
+}
+
+/// The flown sample of a design.
+struct Sample<'a> {
+    of: &'a [Outcome],
+    inputs: &'a [Uncertain],
+    distributions: Vec<Distribution>,
+    design: Design,
+    at_means: Vec<Option<Taylor>>,
+    /// Results of each set of points.
+    blocks: Vec<Vec<Block>>,
+}
+
+impl Sample<'_> {
+    /// A column of results of a set: outcomes come first, then derivatives.
+    fn column(&self, set: usize, column: usize) -> Vec<Option<f64>> {
+        self.blocks[set]
+            .iter()
+            .flat_map(|block| block.result(column))
+            .collect()
+    }
+
+    /// Values of outcome `i` in a set, with directions unwrapped to within half a turn of the value
+    /// at the means, or of the first sample.
+    fn unwrapped(&self, set: usize, i: usize) -> Vec<Option<f64>> {
+        let first = || self.column(0, i).into_iter().flatten().next();
+        let reference = self.at_means[i]
             .as_ref()
             .map(|taylor| taylor.value)
             .or_else(first)
             .unwrap_or_default();
-        column(blocks, i)
+        self.column(set, i)
             .into_iter()
-            .map(|value| Some(of[i].unwrap_angle(value?, reference)))
-            .collect::<Vec<_>>()
-    };
-    let of_len = of.len();
-    let outcome = |(i, of): (usize, &Outcome)| {
-        let values: Vec<_> = sets.iter().map(|blocks| column_of(blocks, i)).collect();
+            .map(|value| Some(self.of[i].unwrap_angle(value?, reference)))
+            .collect()
+    }
+
+    fn outcome(&self, i: usize) -> OutcomeUncertainty {
+        let values: Vec<_> = (0..self.blocks.len())
+            .map(|set| self.unwrapped(set, i))
+            .collect();
         let squared = |slope: Option<f64>| slope.map(|slope| slope * slope);
-        // the outcomes' columns, then those of their derivatives
-        let squares = (0..inputs.len()).map(|k| column(&sets[0], of_len + i * inputs.len() + k));
-        let squares: Vec<Vec<_>> = squares
+        let inputs = self.inputs.len();
+        let squares: Vec<Vec<_>> = (0..inputs)
+            .map(|k| self.column(0, self.of.len() + i * inputs + k))
             .map(|slopes| slopes.into_iter().map(squared).collect())
             .collect();
         OutcomeUncertainty {
-            of: *of,
-            at_means: at_means[i].clone(),
-            delta: at_means[i]
+            of: self.of[i],
+            at_means: self.at_means[i].clone(),
+            delta: self.at_means[i]
                 .as_ref()
-                .map(|taylor| delta_method(taylor, &distributions))
+                .map(|taylor| delta_method(taylor, &self.distributions))
                 .and_then(existing),
-            slopes: slopes(&design, &values, &squares, &distributions),
-            sampled: design.statistics(&values),
+            slopes: slopes(&self.design, &values, &squares, &self.distributions),
+            sampled: self.design.statistics(&values),
         }
-    };
-    let outcomes: Vec<_> = of.iter().enumerate().map(outcome).collect();
-    let place = |wanted: Outcome| of.iter().position(|of| *of == wanted);
-    let ellipses = match (place(Outcome::Lateral), place(Outcome::Carry)) {
-        (Some(lateral), Some(carry)) => {
-            let landings = |i: usize| {
-                sets[..2]
-                    .iter()
-                    .flat_map(|blocks| column(blocks, i))
-                    .collect::<Vec<_>>()
-            };
-            let landings = landings(lateral)
-                .into_iter()
-                .zip(landings(carry))
-                .filter_map(|(y, z)| Some([y?, z?]));
-            let by_gradient = at_means[lateral].as_ref().zip(at_means[carry].as_ref());
-            ellipses(&landings.collect::<Vec<_>>(), by_gradient, &distributions)
-        }
-        _ => vec![],
-    };
-    Ok(Uncertainty {
-        inputs: inputs.to_vec(),
-        outcomes,
-        tally,
-        plan,
-        ellipses,
-    })
+    }
+
+    /// Landing ellipses, if lateral and carry are among the outcomes.
+    fn ellipses(&self) -> Vec<SampledEllipse> {
+        let place = |wanted: Outcome| self.of.iter().position(|of| *of == wanted);
+        let (Some(lateral), Some(carry)) = (place(Outcome::Lateral), place(Outcome::Carry)) else {
+            return vec![];
+        };
+        let values = |i: usize| (0..2).flat_map(move |set| self.column(set, i));
+        let landings: Vec<_> = values(lateral)
+            .zip(values(carry))
+            .filter_map(|(y, z)| Some([y?, z?]))
+            .collect();
+        let by_gradient = self.at_means[lateral]
+            .as_ref()
+            .zip(self.at_means[carry].as_ref());
+        ellipses(&landings, by_gradient, &self.distributions)
+    }
 }
 
-/// The moments that are numbers: an uncertainty beyond all measure has squares that are none.
+/// Discards moments that overflow.
 fn existing((first, second): (Moments, Option<Moments>)) -> Option<(Moments, Option<Moments>)> {
     let exists = |moments: &Moments| moments.mean.is_finite() && moments.deviation.is_finite();
     exists(&first).then(|| (first, second.filter(exists)))
 }
 
-/// Each outcome with gradient and Hessian where all uncertain parameters have their means; `None`
-/// where there is none.
+/// Each outcome with gradient and Hessian at the means of all uncertain parameters; `None` if it
+/// does not exist.
 fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Option<Taylor>> {
     let mut at = *setup;
     let is_set = inputs.iter().all(|input| {
@@ -325,8 +351,7 @@ fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Opt
     of.iter().map(taylor).collect()
 }
 
-/// The measure of each parameter from the squares of its derivatives at the first set of points,
-/// those that exist.
+/// Sensitivity measure of each parameter from the squared derivatives at the first set of points.
 fn slopes(
     design: &Design,
     values: &[Vec<Option<f64>>],
@@ -363,8 +388,7 @@ fn slopes(
         .collect()
 }
 
-/// The covariance of two outcomes of independent parameters with these variances, by their
-/// gradients: JΣJᵀ.
+/// Covariance JΣJᵀ of two outcomes of independent parameters.
 pub(super) fn covariance(of: [&Taylor; 2], variances: &[f64]) -> [[f64; 2]; 2] {
     let product = |i: usize, j: usize| {
         let terms = of[i].gradient.iter().zip(&of[j].gradient).zip(variances);
@@ -378,7 +402,7 @@ pub(super) fn covariance(of: [&Taylor; 2], variances: &[f64]) -> [[f64; 2]; 2] {
     ]
 }
 
-/// The ellipses of landings [lateral, carry], by the sample and by the gradients at the means.
+/// Ellipses of landings [lateral, carry] from the sample and from the gradients at the means.
 fn ellipses(
     landings: &[[f64; 2]],
     by_gradient: Option<(&Taylor, &Taylor)>,

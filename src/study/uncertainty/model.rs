@@ -1,5 +1,5 @@
-//! Statistics of any function of uncertain numbers: moments, and the share of each in the variance,
-//! with confidence intervals.
+//! Statistics of a function of independent random variables: moments, and Sobol' indices with
+//! confidence intervals.
 
 use super::Distribution;
 use crate::error::Result;
@@ -7,16 +7,16 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
 
-/// How a sample is taken.
+/// Size and seed of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Plan {
-    /// Points of the base sample, N; N (d + 2) evaluations for d uncertain numbers.
+pub struct SamplePlan {
+    /// Points N of the base sample; N (d + 2) evaluations for d variables.
     pub samples: usize,
-    /// Another seed, other points; the same one, the same to the last bit.
+    /// Seed of the random numbers; equal seeds give bitwise equal results.
     pub seed: u64,
 }
 
-/// Resamples of the bootstrap that intervals are read from.
+/// Bootstrap resamples for confidence intervals.
 const RESAMPLES: usize = 400;
 
 /// A number with its 95 % confidence interval.
@@ -24,63 +24,63 @@ const RESAMPLES: usize = 400;
 pub struct Interval {
     /// The estimate.
     pub value: f64,
-    /// The interval's lower end.
+    /// Lower end.
     pub low: f64,
-    /// The interval's upper end.
+    /// Upper end.
     pub high: f64,
 }
 
 impl Interval {
-    /// Whether a number lies in it.
+    /// Reports whether the interval contains a value.
     pub fn contains(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
     }
 }
 
-/// The shares of an uncertain number in the variance of an output (Sobol' 1993; Homma & Saltelli
-/// 1996). They are estimates with the scatter of the sample, so that one may lie below 0 or above
-/// 1; of a single uncertain number both are 1.
+/// Sobol' indices of a variable: shares of the output's variance (Sobol' 1993; Homma & Saltelli
+/// 1996). Sampling noise can make an estimate negative or larger than 1. A single variable has both
+/// indices 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indices {
-    /// What of the variance goes on average once this number is known.
+    /// First-order index: mean share of variance removed by knowing this variable.
     pub first: Interval,
-    /// What of it is left on average once all others are.
+    /// Total index: mean share of variance left after knowing all other variables.
     pub total: Interval,
 }
 
-/// What a sample tells of an output.
+/// Statistics of an output.
 #[derive(Clone, Debug)]
 pub struct Statistics {
     /// The mean.
     pub mean: Interval,
-    /// The standard deviation; 0 where the output is the same at every point but for rounding.
+    /// Standard deviation; 0 if the output varies only by rounding.
     pub deviation: Interval,
-    /// The values below which 2.5, 50 and 97.5 % of the sample lie.
+    /// Quantiles 2.5, 50 and 97.5 %.
     pub quantiles: [f64; 3],
-    /// The shares of each uncertain number, in order; `None` where the output does not vary.
+    /// Indices of each variable, in order; `None` if the output does not vary.
     pub indices: Vec<Option<Indices>>,
-    /// Rows of the sample without a value somewhere, which the shares are taken without.
+    /// Rows without a value at some point, which the indices omit.
     pub left_out: usize,
 }
 
-/// The sample: two independent sets of points, A and B, and for each uncertain number A with that
-/// number from B.
+/// Sample of Saltelli's design: two independent sets A and B, and for each variable A with that
+/// variable from B.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// A, B, then A with the first number from B, A with the second …; a row is a point.
+    /// A, B, then A with variable 1 from B, A with variable 2 from B …; one row per point.
     pub points: Vec<Vec<Vec<f64>>>,
     seed: u64,
 }
 
 impl Design {
-    /// The points of a plan.
+    /// Samples the points.
     ///
     /// # Errors
-    /// As [`Distribution::check`].
-    pub fn new(inputs: &[Distribution], plan: Plan) -> Result<Self> {
+    /// The errors of [`Distribution::check`].
+    pub fn new(inputs: &[Distribution], plan: SamplePlan) -> Result<Self> {
         inputs.iter().try_for_each(Distribution::check)?;
         let mut random = Xoshiro256PlusPlus::seed_from_u64(plan.seed);
-        // the middle of one of 2⁵³ cells: never 0 or 1
+        // midpoint of one of 2⁵³ cells: never 0 or 1
         let mut unit = || ((random.next_u64() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64;
         let mut set = || -> Vec<Vec<f64>> {
             let mut point = || inputs.iter().map(|input| input.quantile(unit())).collect();
@@ -102,11 +102,11 @@ impl Design {
         })
     }
 
-    /// The statistics of an output from its values at the points, in the same order; `None` with
-    /// fewer than two values. A value that is not finite is none.
+    /// Statistics of an output from its values at the points, in the same order; `None` with fewer
+    /// than two finite values.
     ///
     /// # Panics
-    /// Where there are not as many values as points, set by set.
+    /// If the number of values differs from the number of points in a set.
     pub fn statistics(&self, values: &[Vec<Option<f64>>]) -> Option<Statistics> {
         let lengths = |sets: &mut dyn Iterator<Item = usize>| sets.collect::<Vec<_>>();
         let [asked, given] = [
@@ -118,7 +118,7 @@ impl Design {
             "the sets of the design have {asked:?} points, and there are {given:?} values"
         );
         let is_finite = |value: &f64| value.is_finite();
-        // moments of every value of A and B, which are independent
+        // A and B are independent: use all their values for the moments
         let mut all: Vec<f64> = values[..2]
             .iter()
             .flatten()
@@ -131,7 +131,7 @@ impl Design {
         }
         let varies = varies(&all);
         if !varies {
-            // what is left of a constant is rounding, and no number's share in it means anything
+            // a constant varies only by rounding, and has no meaningful indices
             let constant = all[0];
             all.fill(constant);
         }
@@ -145,7 +145,7 @@ impl Design {
         };
         let (means, deviations): (Vec<f64>, Vec<f64>) =
             (0..RESAMPLES as u64).into_par_iter().map(resample).unzip();
-        // rows that have every value, centred: an offset would add to the noise of the products
+        // use complete rows only, centred: an offset would add noise to the products
         let rows: Vec<Vec<f64>> = (0..values[0].len())
             .filter_map(|row| {
                 values
@@ -176,9 +176,8 @@ impl Design {
         })
     }
 
-    /// The mean of each of these numbers over the points of A, in units of the variance of an
-    /// output with these values, and the intervals: mean and variance are of the same resamples.
-    /// `None` where a number has no value, or the output does not vary.
+    /// Means over the points of A divided by the variance of an output, with bootstrap intervals
+    /// from joint resamples. `None` if a value is missing, or the output does not vary.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],
@@ -234,7 +233,7 @@ impl Design {
 
     fn indices(&self, rows: &[Vec<f64>], inputs: usize) -> Vec<Option<Indices>> {
         if inputs == 1 {
-            // all variance is of the one number, whatever the function: nothing is to be estimated
+            // a single variable has all the variance
             let whole = Interval {
                 value: 1.0,
                 low: 1.0,
@@ -275,7 +274,7 @@ impl Design {
         (0..inputs).map(both).collect()
     }
 
-    /// A stream of random numbers of its own for each resample, whatever thread it runs on.
+    /// An independent random stream for each resample, whatever its thread.
     fn random(&self, stream: u64) -> Xoshiro256PlusPlus {
         Xoshiro256PlusPlus::seed_from_u64(
             self.seed ^ (stream + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
@@ -283,8 +282,8 @@ impl Design {
     }
 }
 
-/// The first-order and total shares of each number from some of the rows: f_A, f_B, f_AB1 … The
-/// first after Saltelli et al. (2010), table 2 (b), the second after Jansen (1999), (f).
+/// First-order and total index of each variable from rows f_A, f_B, f_AB1 …: estimators of Saltelli
+/// et al. (2010), table 2 (b), and Jansen (1999), (f).
 fn shares(rows: &[Vec<f64>], drawn: &[usize], inputs: usize) -> Vec<[f64; 2]> {
     let n = drawn.len() as f64;
     let (mut sum, mut squares) = (0.0, 0.0);
@@ -306,15 +305,14 @@ fn shares(rows: &[Vec<f64>], drawn: &[usize], inputs: usize) -> Vec<[f64; 2]> {
 }
 
 fn index(random: &mut Xoshiro256PlusPlus, below: usize) -> usize {
-    // the high half of a product: as even as 2⁶⁴ allows
+    // multiply-shift: uniform up to 2⁻⁶⁴
     ((u128::from(random.next_u64()) * below as u128) >> 64) as usize
 }
 
-/// Values that differ by no more than this, relative to the largest, are one number with its
-/// rounding.
+/// Values that differ by less than this, relative to the largest, are equal up to rounding.
 const SAME: f64 = 64.0 * f64::EPSILON;
 
-/// Whether values differ by more than rounding.
+/// Reports whether values differ by more than rounding.
 fn varies(values: &[f64]) -> bool {
     let (low, high) = values
         .iter()
@@ -326,7 +324,7 @@ fn varies(values: &[f64]) -> bool {
 
 pub(super) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
     let (n, one) = (values.len() as f64, values[0]);
-    // the mean of equal numbers is that number, to the last bit
+    // relative to the first value, so that equal values give their exact mean
     let mean = one + values.iter().map(|value| value - one).sum::<f64>() / n;
     let squares: f64 = values
         .iter()
@@ -335,7 +333,7 @@ pub(super) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
     (mean, (squares / (n - 1.0)).sqrt())
 }
 
-/// The value below which a share of sorted values lies.
+/// Quantile of sorted values by linear interpolation.
 fn quantile(sorted: &[f64], p: f64) -> f64 {
     let place = p * (sorted.len() - 1) as f64;
     let (below, part) = (place.floor() as usize, place.fract());
@@ -343,7 +341,7 @@ fn quantile(sorted: &[f64], p: f64) -> f64 {
     sorted[below] + part * (sorted[above] - sorted[below])
 }
 
-/// The 95 % interval of an estimate from those of the resamples, as wide as they scatter.
+/// 95 % interval of an estimate from its resamples, widened to their scatter.
 fn interval(value: f64, mut drawn: Vec<f64>) -> Interval {
     drawn.retain(|value| value.is_finite());
     if drawn.is_empty() {

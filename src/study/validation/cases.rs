@@ -2,38 +2,38 @@ use super::compared::Compared;
 use crate::error::{Error, Result};
 use crate::units::Quantity;
 
-/// The published drives, each with its source. Heads name the units; an empty cell is not stated.
+/// Published drives with sources. Heads contain units; an empty cell means not stated.
 const CASES: &str = include_str!("cases.csv");
 
-/// A published drive: what is stated of it, in SI.
+/// A published drive: stated values in SI.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// Which of the set.
+    /// Name within its set.
     pub name: String,
-    /// Where it is published.
+    /// Publication.
     pub source: String,
-    /// The preset whose club strikes the ball.
+    /// Preset of the club.
     pub preset: Option<String>,
-    /// Speed of the club, m/s.
+    /// Club speed, m/s.
     pub club_speed: Option<f64>,
     /// Attack angle, rad.
     pub attack_angle: Option<f64>,
-    /// Direction of the face less that of the swing, rad.
+    /// Face angle minus path, rad.
     pub face_to_path: Option<f64>,
-    /// Ball speed at launch, m/s.
+    /// Ball speed, m/s.
     pub ball_speed: Option<f64>,
     /// Launch angle, rad.
     pub launch_angle: Option<f64>,
-    /// Spin at launch, rad/s.
+    /// Spin, rad/s.
     pub spin: Option<f64>,
-    /// Density of the air, kg/m³.
+    /// Air density, kg/m³.
     pub density: Option<f64>,
-    /// What may be compared.
+    /// Published values, in the order of [`Compared::ALL`].
     published: [Option<f64>; Compared::ALL.len()],
 }
 
 impl Case {
-    /// What is published of a quantity, SI.
+    /// Published value of a quantity, SI.
     pub fn published(&self, of: Compared) -> Option<f64> {
         Compared::ALL
             .iter()
@@ -42,7 +42,7 @@ impl Case {
     }
 }
 
-/// The cases of a set, in the order of the data.
+/// Cases of a set, in the order of the data file.
 pub(super) fn cases(set: &str) -> Result<Vec<Case>> {
     let unreadable = |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable {
         name: format!("the published drives of {set}"),

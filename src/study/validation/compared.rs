@@ -1,26 +1,26 @@
 use crate::units::Quantity;
 
-/// A quantity of a published drive that a law is compared by.
+/// A quantity in which laws are compared with published drives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compared {
-    /// Distance from the tee to where the ball lands.
+    /// Distance from tee to landing point.
     Carry,
-    /// Height of the highest point above the tee.
+    /// Maximum height above the tee.
     Apex,
     /// Angle of descent below horizontal.
     Descent,
-    /// Distance at landing from the line along which the ball started, + right.
+    /// Lateral distance of the landing point from the initial direction, + right.
     Curve,
-    /// Carry beyond that of the first drive of the set.
+    /// Carry minus that of the first drive of the set.
     Gain,
-    /// Launch angle of the optimum.
+    /// Launch angle at the optimum.
     LaunchAngle,
-    /// Spin of the optimum.
+    /// Spin at the optimum.
     Spin,
 }
 
 impl Compared {
-    /// All of them.
+    /// All quantities.
     pub const ALL: [Self; 7] = [
         Self::Carry,
         Self::Apex,
@@ -31,7 +31,7 @@ impl Compared {
         Self::Spin,
     ];
 
-    /// Its name, which is that of its column in the data.
+    /// Name, also of its data column.
     pub fn name(self) -> &'static str {
         match self {
             Self::Carry => "carry",
@@ -44,7 +44,7 @@ impl Compared {
         }
     }
 
-    /// What it is called in words.
+    /// Name in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::LaunchAngle => "launch angle",
@@ -53,7 +53,7 @@ impl Compared {
         }
     }
 
-    /// Its quantity, and the unit that people read it in.
+    /// Physical quantity and display unit.
     pub fn unit(self) -> (Quantity, &'static str) {
         match self {
             Self::Carry | Self::Apex | Self::Curve | Self::Gain => (Quantity::LENGTH, "yd"),

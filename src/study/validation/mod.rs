@@ -1,5 +1,4 @@
-//! Every law of drag and lift beside published drives: how far off each is, in bias and mean
-//! absolute error.
+//! Validation of all aerodynamic laws against published drives: bias and mean absolute error.
 
 mod cases;
 mod compared;
@@ -9,49 +8,48 @@ mod sets;
 pub use cases::Case;
 pub use compared::Compared;
 pub use predicted::SCATTER;
-pub use sets::{SETS, Set, Way};
+pub use sets::{Computation, SETS, Set};
 
 use crate::error::Result;
 use crate::parameters::Law;
 
-/// The temperatures between which the air of a drive is varied where it is not stated, K: 15 and 35
-/// °C.
+/// Temperature range for drives without a stated air, K: 15 and 35 °C.
 pub const SWEPT: [f64; 2] = [288.15, 308.15];
 
-/// A computed quantity beside the published one, SI.
+/// A computed and a published value, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
-    /// Which case of its set.
+    /// Index of the case in its set.
     pub case: usize,
-    /// As computed.
+    /// Computed value.
     pub predicted: f64,
-    /// As published.
+    /// Published value.
     pub published: f64,
 }
 
 impl Residual {
-    /// Computed less published.
+    /// Computed − published.
     pub fn difference(&self) -> f64 {
         self.predicted - self.published
     }
 }
 
-/// How a law does on one quantity of a set.
+/// Errors of a law in one quantity of a set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Score {
     /// The quantity.
     pub of: Compared,
-    /// The cases of which it is published and computed.
+    /// Cases with both a published and a computed value.
     pub residuals: Vec<Residual>,
 }
 
 impl Score {
-    /// Mean of computed less published; `None` without a case.
+    /// Mean of computed − published; `None` without cases.
     pub fn bias(&self) -> Option<f64> {
         self.mean(|residual| residual.difference())
     }
 
-    /// Mean of its size.
+    /// Mean absolute difference.
     pub fn mean_absolute(&self) -> Option<f64> {
         self.mean(|residual| residual.difference().abs())
     }
@@ -62,33 +60,33 @@ impl Score {
     }
 }
 
-/// How a law does on a set.
+/// Errors of a law on a set.
 #[derive(Clone, Debug)]
 pub struct LawScores {
     /// The law.
     pub law: &'static str,
-    /// Each quantity that the set states, the most important first.
+    /// All quantities of the set, the most important first.
     pub scores: Vec<Score>,
-    /// The bias of the first quantity at the temperatures of [`SWEPT`]; `None` where the air is
-    /// stated, and for optima.
+    /// Bias of the first quantity at the temperatures of [`SWEPT`]; `None` if the air is stated,
+    /// and for optima.
     pub swept: Option<[Option<f64>; 2]>,
-    /// The bias of carry with the mean of drives that scatter by [`SCATTER`] in place of the drive
-    /// of the average launch; `None` where the cases are no averages.
+    /// Bias of carry for the mean of scattered drives ([`SCATTER`]) instead of the average launch;
+    /// `None` unless the cases are averages.
     pub averaged: Option<f64>,
 }
 
-/// A set with what each law makes of it.
+/// A set with the errors of all laws.
 #[derive(Clone, Debug)]
 pub struct SetScores {
     /// The set.
     pub set: &'static Set,
     /// Its cases.
     pub cases: Vec<Case>,
-    /// The laws, in the order of [`Law::NAMES`], and then a user's own.
+    /// The laws in the order of [`Law::NAMES`], then a user's own.
     pub laws: Vec<LawScores>,
 }
 
-/// Every law on every set, as published, and one more where `own` is a user's own table.
+/// Validates every published law on every set, and optionally a user's own table.
 ///
 /// ```
 /// let found = longdrive::study::validation::validation(None).unwrap();
@@ -98,14 +96,14 @@ pub struct SetScores {
 /// ```
 ///
 /// # Errors
-/// [`Error::Unreadable`](crate::Error::Unreadable) where the data cannot be read.
+/// [`Error::Unreadable`](crate::Error::Unreadable) if the data cannot be read.
 pub fn validation(own: Option<Law<f64>>) -> Result<Vec<SetScores>> {
     SETS.iter().map(|set| scores(set, own)).collect()
 }
 
 fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
     let mut cases = cases::cases(set.rows)?;
-    let base = set.way.has_base().then(|| cases.remove(0));
+    let base = set.computation.has_base().then(|| cases.remove(0));
     let is_stated = cases.iter().all(|case| case.density.is_some());
     let laws = Law::NAMES
         .iter()
@@ -134,7 +132,7 @@ fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
                 let is_published =
                     |of: &&Compared| cases.iter().any(|case| case.published(**of).is_some());
                 Ok(set
-                    .way
+                    .computation
                     .compared()
                     .iter()
                     .filter(is_published)
@@ -151,7 +149,7 @@ fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
                 Some(bias + less.iter().sum::<f64>() / less.len() as f64)
             };
             let averaged = if set.is_averaged { averaged() } else { None };
-            let swept = if is_stated || set.way == Way::Optimum {
+            let swept = if is_stated || set.computation == Computation::Optimum {
                 None
             } else {
                 let [cold, warm] = SWEPT.map(|temperature| at(Some(temperature)));

@@ -1,6 +1,6 @@
 use super::cases::Case;
 use super::compared::Compared;
-use super::sets::{Set, Way};
+use super::sets::{Computation, Set};
 use crate::derivative;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
@@ -8,11 +8,11 @@ use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Method, Setup, Vary};
 use crate::study::{Search, optimum};
 
-/// What is computed of a case, SI.
+/// Computed values of a case, SI.
 pub(super) struct Predicted(Vec<(Compared, f64)>);
 
 impl Predicted {
-    /// A quantity; `None` where there is none, as where nothing flies or no optimum was found.
+    /// A computed quantity; `None` if nothing flies or no optimum was found.
     pub fn of(&self, of: Compared) -> Option<f64> {
         self.0
             .iter()
@@ -20,8 +20,8 @@ impl Predicted {
     }
 }
 
-/// A case as a law has it, in the air stated or at a temperature, at sea level; at 25 °C where
-/// neither is given.
+/// Computes a case with a law, in the stated air, or else at sea level at `temperature` (25 °C by
+/// default).
 pub(super) fn predicted(
     set: &Set,
     case: &Case,
@@ -33,13 +33,13 @@ pub(super) fn predicted(
         Some(preset) => Setup::preset(preset)?,
         None => Setup::default(),
     };
-    // the published coefficients, also where the preset has others
+    // the published coefficients, even if the preset has others
     setup.law = law;
-    // carry is within a micrometre; with the laws in pieces `usga-itr` and `nathan` within 4 and 40
+    // carry error at this step: 1 µm; for the piecewise laws `usga-itr` and `nathan` 4 and 40 µm
     (setup.method, setup.flight.step) = (Method::DormandPrince8, 0.1);
     let setup = in_air_of(case, setup, temperature);
-    let found = match set.way {
-        Way::Launch => flown(&setup, case).map_or(vec![], |drive| {
+    let found = match set.computation {
+        Computation::Launch => flown(&setup, case).map_or(vec![], |drive| {
             let of = [
                 (Compared::Carry, Outcome::CarryDistance),
                 (Compared::Apex, Outcome::ApexHeight),
@@ -50,8 +50,12 @@ pub(super) fn predicted(
                     .chain([(Compared::Descent, Outcome::DescentAngle)]),
             )
         }),
-        Way::Altitude | Way::AltitudeAlone => base.map_or(vec![], |base| {
-            let launched = if set.way == Way::Altitude { case } else { base };
+        Computation::Altitude | Computation::AltitudeAlone => base.map_or(vec![], |base| {
+            let launched = if set.computation == Computation::Altitude {
+                case
+            } else {
+                base
+            };
             let below = in_air_of(base, setup, temperature);
             let carry = |setup, case| Outcome::CarryDistance.value(&flown(setup, case)?);
             let gain = carry(&setup, launched)
@@ -61,11 +65,11 @@ pub(super) fn predicted(
                 .into_iter()
                 .collect()
         }),
-        Way::FaceToPath => curve(setup, case)
+        Computation::FaceToPath => curve(setup, case)
             .map(|curve| (Compared::Curve, curve))
             .into_iter()
             .collect(),
-        Way::Optimum => best(setup, case)?,
+        Computation::Optimum => best(setup, case)?,
     };
     Ok(Predicted(found))
 }
@@ -92,9 +96,8 @@ fn launched(mut setup: Setup<f64>, case: &Case) -> Setup<f64> {
     setup
 }
 
-/// How drives of an average are taken to scatter, as standard deviations, SI: ball speed by 5.5
-/// mph, launch angle by 2°, spin by 400 rpm, its axis by 9°, and wind of 4 m/s from any direction.
-/// Assumed.
+/// Assumed standard deviations of drives behind an average, SI: ball speed 5.5 mph, launch angle
+/// 2°, spin 400 rpm, spin axis 9°, and wind 4 m/s from any direction.
 pub const SCATTER: [(&str, f64); 6] = [
     ("launch.ball_speed", 5.5 * 0.44704),
     ("launch.launch_angle", 2.0 * DEGREE),
@@ -106,8 +109,8 @@ pub const SCATTER: [(&str, f64); 6] = [
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Mean carry of drives that scatter by [`SCATTER`] less that of the drive of the average launch,
-/// to second order: half the second derivatives times the variances.
+/// Mean carry of drives scattered by [`SCATTER`], minus the carry of the average launch: to second
+/// order, half the second derivatives times the variances.
 pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
     let mut setup = launched(
         Setup {
@@ -131,7 +134,7 @@ pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
     )
 }
 
-/// Distance at landing from the line along which the ball started.
+/// Lateral distance of the landing point from the initial direction.
 fn curve(mut setup: Setup<f64>, case: &Case) -> Option<f64> {
     setup.swing.face_angle = case.face_to_path?;
     let drive = Drive::new(&setup).ok()?;
@@ -141,7 +144,7 @@ fn curve(mut setup: Setup<f64>, case: &Case) -> Option<f64> {
     Some(lateral? * cos - carry? * sin)
 }
 
-/// The longest carry by loft, and its launch.
+/// Longest carry by loft, with its launch.
 fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
     if let (Some(speed), Some(attack)) = (case.club_speed, case.attack_angle) {
         (setup.swing.speed, setup.swing.attack_angle) = (speed, attack);

@@ -1,22 +1,22 @@
 use super::compared::Compared;
 
-/// How the drives of a set are computed.
+/// Method that computes the drives of a set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum Computation {
     /// From the published launch.
     Launch,
-    /// From the published launch, in the air of each case, beside the first case.
+    /// From the published launch, in each case's air, relative to the first case.
     Altitude,
-    /// From the launch of the first case, in the air of each case, beside the first case.
+    /// From the launch of the first case, in each case's air, relative to the first case.
     AltitudeAlone,
-    /// With the club of a preset whose face is open by the face-to-path angle.
+    /// Club of a preset with its face open by the face-to-path angle.
     FaceToPath,
-    /// With the club of a preset, at the loft of the longest carry.
+    /// Club of a preset at the loft of longest carry.
     Optimum,
 }
 
-impl Way {
-    /// What is compared, the most important first.
+impl Computation {
+    /// Compared quantities, the most important first.
     pub fn compared(self) -> &'static [Compared] {
         match self {
             Self::Launch => &[Compared::Carry, Compared::Apex, Compared::Descent],
@@ -26,7 +26,7 @@ impl Way {
         }
     }
 
-    /// Whether the first case is what the others are compared with.
+    /// Differences are relative to the first case.
     pub(super) fn has_base(self) -> bool {
         matches!(self, Self::Altitude | Self::AltitudeAlone)
     }
@@ -35,23 +35,23 @@ impl Way {
 /// Published drives of one kind.
 #[derive(Debug)]
 pub struct Set {
-    /// Its name.
+    /// Name.
     pub name: &'static str,
-    /// What it is.
+    /// Title.
     pub title: &'static str,
-    /// How it was measured, and how it is computed.
+    /// Measurement and computation.
     pub about: &'static str,
-    /// The air of the published drives.
+    /// Air of the published drives.
     pub air: &'static str,
-    /// What no law can meet, or what is not known.
+    /// Limits of the data, and what no law can reproduce.
     pub misses: &'static str,
-    /// How it is computed.
-    pub way: Way,
-    /// Whether its cases are averages of many drives.
+    /// Method of computation.
+    pub computation: Computation,
+    /// Cases are averages of many drives.
     pub is_averaged: bool,
-    /// The preset whose club strikes the ball, where it is the same for all cases.
+    /// Preset of the club, if all cases share it.
     pub preset: Option<&'static str>,
-    /// The name of its rows in the data.
+    /// Name of its rows in the data file.
     pub(super) rows: &'static str,
 }
 
@@ -81,7 +81,7 @@ const CHART: &str = "Output of a vendor's model of 2010. The chart also states t
                      2420 rpm, and that average is 2506 rpm. Launch angle and spin at the best \
                      loft are known less well than its carry, which changes little about it.";
 
-/// The sets, the most telling first.
+/// The sets, the most informative first.
 pub static SETS: [Set; 14] = [
     Set {
         name: "pga-driver",
@@ -89,7 +89,7 @@ pub static SETS: [Set; 14] = [
         about: "TrackMan's averages of 2023 and 2019, and those of 2010, flown from their launch.",
         air: NOT_STATED,
         misses: AVERAGES,
-        way: Way::Launch,
+        computation: Computation::Launch,
         is_averaged: true,
         preset: None,
         rows: "pga-driver",
@@ -100,7 +100,7 @@ pub static SETS: [Set; 14] = [
         about: "TrackMan's averages of 2023 and 2019, flown from their launch.",
         air: NOT_STATED,
         misses: AVERAGES,
-        way: Way::Launch,
+        computation: Computation::Launch,
         is_averaged: true,
         preset: None,
         rows: "lpga-driver",
@@ -114,7 +114,7 @@ pub static SETS: [Set; 14] = [
         misses: "Elevation and wind are not taken out. The time of flight is not compared: the \
                  published 6.2 to 6.4 s is 0.4 to 0.8 s less than with any \
                  law that meets the apex, and how it is defined is not known.",
-        way: Way::Launch,
+        computation: Computation::Launch,
         is_averaged: true,
         preset: None,
         rows: "pga-radar",
@@ -126,7 +126,7 @@ pub static SETS: [Set; 14] = [
                 launch.",
         air: NOT_STATED,
         misses: OTHER_CLUBS,
-        way: Way::Launch,
+        computation: Computation::Launch,
         is_averaged: false,
         preset: None,
         rows: "pga-clubs",
@@ -138,7 +138,7 @@ pub static SETS: [Set; 14] = [
                 launch.",
         air: NOT_STATED,
         misses: OTHER_CLUBS,
-        way: Way::Launch,
+        computation: Computation::Launch,
         is_averaged: false,
         preset: None,
         rows: "lpga-clubs",
@@ -153,7 +153,7 @@ pub static SETS: [Set; 14] = [
                  The robot's four do not agree with each other: 136.8 mph, \
                  11.2°, 2468 rpm carries 220.9 yd, and 137.8 mph, 9.9°, 3182 rpm carries 213.9 yd; \
                  its launch monitor is not named.",
-        way: Way::Launch,
+        computation: Computation::Launch,
         is_averaged: false,
         preset: None,
         rows: "robots",
@@ -167,7 +167,7 @@ pub static SETS: [Set; 14] = [
         misses: "The launch at sea level is taken as the season's average. At altitude players \
                  launch up to 3° higher, and with that launch laws gain \
                  more than is measured.",
-        way: Way::Altitude,
+        computation: Computation::Altitude,
         is_averaged: false,
         preset: None,
         rows: "altitude",
@@ -178,7 +178,7 @@ pub static SETS: [Set; 14] = [
         about: "The same events with the launch of sea level.",
         air: "stated, as a part of the density at 25 °C and sea level",
         misses: "The measured gain contains that of the higher launch.",
-        way: Way::AltitudeAlone,
+        computation: Computation::AltitudeAlone,
         is_averaged: false,
         preset: None,
         rows: "altitude",
@@ -190,7 +190,7 @@ pub static SETS: [Set; 14] = [
                 lpga-average, its face open by the angle.",
         air: NOT_STATED,
         misses: "Output of a vendor's model.",
-        way: Way::FaceToPath,
+        computation: Computation::FaceToPath,
         is_averaged: false,
         preset: None,
         rows: "face-to-path",
@@ -202,7 +202,7 @@ pub static SETS: [Set; 14] = [
                 are.",
         air: NOT_STATED,
         misses: "Output of a vendor's model.",
-        way: Way::Launch,
+        computation: Computation::Launch,
         is_averaged: false,
         preset: None,
         rows: "chart-launches",
@@ -215,7 +215,7 @@ pub static SETS: [Set; 14] = [
                 its launch is compared.",
         air: NOT_STATED,
         misses: CHART,
-        way: Way::Optimum,
+        computation: Computation::Optimum,
         is_averaged: false,
         preset: Some("tour-average"),
         rows: "chart-optima",
@@ -226,7 +226,7 @@ pub static SETS: [Set; 14] = [
         about: "The same with the club of modern-driver, which is struck on the sweet spot.",
         air: NOT_STATED,
         misses: CHART,
-        way: Way::Optimum,
+        computation: Computation::Optimum,
         is_averaged: false,
         preset: Some("modern-driver"),
         rows: "chart-optima",
@@ -238,7 +238,7 @@ pub static SETS: [Set; 14] = [
                 angle and spin in the chart's ratio.",
         air: NOT_STATED,
         misses: CHART,
-        way: Way::Optimum,
+        computation: Computation::Optimum,
         is_averaged: false,
         preset: Some("lpga-average"),
         rows: "chart-optima",
@@ -250,7 +250,7 @@ pub static SETS: [Set; 14] = [
                 patent, Nathan's calculator.",
         air: "stated for two, which are flown in it; not stated for the others",
         misses: "Models, each with a law of its own; the ball is that of modern-driver for all.",
-        way: Way::Launch,
+        computation: Computation::Launch,
         is_averaged: false,
         preset: None,
         rows: "simulations",

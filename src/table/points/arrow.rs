@@ -6,11 +6,11 @@ use arrow_array::{Array, RecordBatch, downcast_integer};
 use arrow_schema::DataType;
 use std::path::Path;
 
-/// An Arrow IPC file or stream (Feather of version 2 is such a file), read a record batch at a
-/// time; batches may be compressed by ZSTD or LZ4.
+/// Reads an Arrow IPC file or stream (Feather version 2 is such a file) by record batches, which
+/// may be compressed with ZSTD or LZ4.
 pub(super) struct ArrowPieces {
     batches: RecordBatches,
-    /// The record batch that is being read, and how many of its rows have been.
+    /// Current record batch, and number of its rows already read.
     batch: Option<RecordBatch>,
     passed: usize,
 }
@@ -52,7 +52,7 @@ impl Pieces for ArrowPieces {
                 Some(batch) if batch.num_rows() > self.passed => {
                     return Ok(batch.num_rows() - self.passed);
                 }
-                // its memory is free before the next one's is taken
+                // free the old batch before reading the next
                 _ => (self.batch, self.passed) = (None, 0),
             }
             self.batch = self.batches.next()?;
@@ -77,7 +77,7 @@ impl Pieces for ArrowPieces {
     }
 }
 
-/// The values of a column; nothing of one that is not of numbers.
+/// Values of a numeric column; `None` for another type.
 fn numbers(column: &dyn Array) -> Option<Vec<Option<f64>>> {
     macro_rules! read {
         ($kind:ty) => {

@@ -1,9 +1,9 @@
-//! The columns that every table of points has, whatever its format.
+//! Columns of a table of points, independent of its format.
 
 use crate::batch::refuse_repeated;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::table::{CONDITIONS, Column, Head, Holds, given_air, in_degrees, near_known};
+use crate::table::{CONDITIONS, Column, Content, Head, given_air, in_degrees, near_known};
 use crate::units::Message;
 use std::path::Path;
 
@@ -15,10 +15,10 @@ pub(super) fn refused(path: &Path, place: String, reason: impl Into<String>) -> 
     }
 }
 
-/// The columns of a table that drives are computed from.
+/// Columns that are parameters of the drives.
 #[derive(Debug)]
 pub(super) struct Columns {
-    /// Their places in the table, from 0.
+    /// Positions in the table, from 0.
     pub at: Vec<usize>,
     pub parameters: Vec<&'static Parameter>,
     /// Remarks on the other columns.
@@ -26,12 +26,12 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// The columns of parameters and, where the table has no club, of launch conditions.
+    /// Selects parameters and, without a club, launch conditions.
     pub fn new(setup: &Setup<f64>, path: &Path, head: &Head) -> Result<Self> {
         let is_struck = head.has_strike();
-        let parameter = |column: &Column| match column.holds {
-            Holds::Input(parameter) => Some(parameter),
-            Holds::Outcome(outcome) if !is_struck && CONDITIONS.contains(&outcome) => {
+        let parameter = |column: &Column| match column.content {
+            Content::Input(parameter) => Some(parameter),
+            Content::Outcome(outcome) if !is_struck && CONDITIONS.contains(&outcome) => {
                 setup.launch_condition(outcome.name())
             }
             _ => None,
@@ -82,10 +82,10 @@ impl Columns {
         })
     }
 
-    /// The places of the columns of these parameters.
+    /// Positions of the columns of these parameters.
     ///
     /// # Errors
-    /// The name of one that has none.
+    /// The name of a parameter without a column.
     pub fn places_of(
         &self,
         parameters: &[&'static Parameter],
@@ -101,21 +101,21 @@ impl Columns {
     }
 }
 
-/// The columns that are not read, but for those of which the head itself says so.
+/// Remark on ignored columns, except those that the head reports.
 fn not_read(head: &Head, read: &[usize]) -> Option<Message> {
     let is_read = |column: &Column| {
         read.iter()
             .any(|at| std::ptr::eq(&head.columns[*at], column))
     };
     let not_read = head.named(|column| {
-        !is_read(column) && (column.holds != Holds::Note || !head.format.is_export)
+        !is_read(column) && (column.content != Content::Note || !head.format.is_export)
     });
     let of = if head.has_strike() && !head.format.is_export {
         "parameters of the club"
     } else {
         "parameters"
     };
-    not_read.told(&format!(
+    not_read.remark(&format!(
         "columns not read, since they are results or remarks and not {of}"
     ))
 }

@@ -2,36 +2,36 @@ use super::columns::{Columns, refused};
 use super::rows::Rows;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::table::cells::cells;
 use crate::table::column::Column;
-use crate::table::decimal_marks::DecimalMarks;
-use crate::table::head::{Head, Wanted};
-use crate::table::non_shot_rows::{NonShot, NonShotRows};
+use crate::table::decimal_mark::DecimalMarkCheck;
+use crate::table::head::{Head, TableOptions};
+use crate::table::records::cells;
+use crate::table::refusal::{NonShot, NonShotRows};
 use crate::table::text::{Entry, Text, TextTable, miscounted};
 use crate::units::Message;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-/// The rows of a CSV file. Its head names the parameters with their units, `club.loft [deg]`,
-/// `impact.restitution`, or is that of a launch monitor's export, `Ball Speed [mph]`; cells are
-/// separated by commas, semicolons or tabs.
+/// Reads the rows of a CSV file. Heads are parameters with units (`club.loft [deg]`,
+/// `impact.restitution`) or those of a launch monitor (`Ball Speed [mph]`). Commas, semicolons or
+/// tabs separate cells.
 pub(super) struct CsvRows {
     path: PathBuf,
     setup: Setup<f64>,
     table: TextTable,
     columns: Columns,
     section: Section,
-    /// The number of the row in the file, and of those that are no drives.
+    /// Number of the row in the file.
     row: u64,
     no_shots: NonShotRows,
-    marks: DecimalMarks,
+    marks: DecimalMarkCheck,
 }
 
-/// Columns read up to the next head.
+/// Columns of a section.
 struct Section {
-    /// How many cells a row has.
+    /// Number of cells of a row.
     width: usize,
-    /// The columns that are read, with their places.
+    /// Columns to read, with their positions.
     read: Vec<(usize, Column)>,
     /// Export of a launch monitor: averages and titles are skipped.
     is_export: bool,
@@ -39,9 +39,9 @@ struct Section {
 
 impl CsvRows {
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read or without a column of
-    /// a parameter, for a column that is unknown or given twice, and a unit of another kind. Of its
-    /// rows: a cell that is no number or whose decimal mark is uncertain.
+    /// [`Error::Table`](crate::Error::Table) for an unreadable file, an unknown or repeated column,
+    /// no column of a parameter, and a unit of the wrong dimension; for rows, a cell that is not a
+    /// number or whose decimal mark is uncertain.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let (table, head) = opened(setup, path)?;
         let columns = Columns::new(setup, path, &head)?;
@@ -55,17 +55,19 @@ impl CsvRows {
             section,
             row: 0,
             no_shots: NonShotRows::default(),
-            marks: DecimalMarks::default(),
+            marks: DecimalMarkCheck::default(),
         })
     }
 
-    /// The cells of the next row that is a drive.
+    /// Cells of the next row with a shot.
     fn cells(&mut self) -> Result<Option<Vec<String>>> {
         loop {
             let record = match self.table.next_entry()? {
                 None => return Ok(None),
                 Some(Entry::Head(record)) => {
-                    let head = self.table.head(&record, &self.setup, &Wanted::POINTS)?;
+                    let head = self
+                        .table
+                        .head(&record, &self.setup, &TableOptions::POINTS)?;
                     let again = Columns::new(&self.setup, &self.path, &head)?;
                     let at = again
                         .places_of(&self.columns.parameters)
@@ -108,7 +110,7 @@ fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, Head)> {
             crate::external_errors::read_error_text(&error),
         )
     })?;
-    TextTable::open(Text::open(&name, file)?, setup, &Wanted::POINTS)
+    TextTable::open(Text::open(&name, file)?, setup, &TableOptions::POINTS)
 }
 
 impl Section {
@@ -140,7 +142,7 @@ impl Rows for CsvRows {
     }
 
     fn rewind(&mut self) -> Result<()> {
-        // a text in another encoding has no places to go back to
+        // reopen: a decoded text is not seekable
         let (table, head) = opened(&self.setup, &self.path)?;
         self.section = Section::new(
             &self.path,

@@ -1,5 +1,5 @@
-//! Points that stand in a file, as [`Points`] of a batch: a column for each parameter, a row for
-//! each drive. [`open_table`] reads CSV, Parquet and Arrow.
+//! Tables of points, as [`Points`] of a batch: one column per parameter, one row per drive.
+//! [`open_table`] reads CSV, Parquet and Arrow.
 
 #[cfg(feature = "arrow")]
 mod arrow;
@@ -24,17 +24,16 @@ use pieces::PieceRows;
 use rows::Table;
 use std::path::Path;
 
-/// The table in a file, by the ending of its name: CSV (`.csv`; a launch monitor's export too, with
-/// cells separated by commas, semicolons or tabs), Parquet (`.parquet`), or Arrow IPC (`.arrow`,
-/// `.arrows`, `.feather`; a file or a stream, whichever its first bytes say). Columns are named by
-/// parameters, with their units in CSV, and are in SI in the others. All of it is read once here,
-/// so that a value that is missing is told before any work.
+/// Opens a table by its file name extension: CSV (`.csv`, including exports of launch monitors
+/// separated by commas, semicolons or tabs), Parquet (`.parquet`), or Arrow IPC file or stream
+/// (`.arrow`, `.arrows`, `.feather`). Columns are parameters, with units in CSV and in SI
+/// otherwise. The whole table is read once, so that errors appear before any work.
 ///
 /// # Errors
-/// [`Error::Table`](crate::Error::Table) for a name without a known ending; a file that cannot be
-/// read, is damaged or cut short, or has no column of a parameter; a column that is unknown, given
-/// twice or not of numbers; a unit of another kind; and a value that is missing, no number, not
-/// finite where it must be, or whose decimal mark is uncertain.
+/// [`Error::Table`](crate::Error::Table) for an unknown extension; an unreadable, damaged or
+/// truncated file; no column of a parameter; an unknown, repeated or non-numeric column; a unit of
+/// the wrong dimension; and a value that is missing, not a number, infinite, or whose decimal mark
+/// is uncertain.
 pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Send>> {
     let ending = path
         .extension()

@@ -9,18 +9,18 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// A Parquet file, read a row group at a time.
+/// Reads a Parquet file by row groups.
 pub(super) struct ParquetPieces {
     file: SerializedFileReader<File>,
-    /// The row group that is being read, and how many of its rows have been.
+    /// Current row group, and number of its rows already read.
     group: usize,
     passed: usize,
-    /// The columns of it that have been begun.
+    /// Open column readers of the group.
     columns: BTreeMap<usize, ColumnReader>,
 }
 
 impl ParquetPieces {
-    /// The next values of a column.
+    /// Next values of a column.
     fn next(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, ParquetError> {
         macro_rules! read {
             ($column:expr, $into:expr) => {{
@@ -35,7 +35,7 @@ impl ParquetPieces {
                     read += records;
                 }
                 let mut present = values.into_iter().map($into);
-                // a column of which every value must be there has no levels
+                // a required column has no definition levels
                 match levels.is_empty() {
                     true => present.map(Some).collect(),
                     false => levels
@@ -68,8 +68,8 @@ impl ParquetPieces {
 
 impl Pieces for ParquetPieces {
     fn open(path: &Path) -> Result<Self, String> {
-        let file =
-            SerializedFileReader::new(whole(path)?).map_err(|error| parquet_error_text(&error))?;
+        let file = SerializedFileReader::new(open_checked(path)?)
+            .map_err(|error| parquet_error_text(&error))?;
         Ok(Self {
             file,
             group: 0,
@@ -134,8 +134,8 @@ impl Pieces for ParquetPieces {
     }
 }
 
-/// The file, where its first and last bytes are those of a Parquet file; or what is wrong with it.
-fn whole(path: &Path) -> Result<File, String> {
+/// Opens a file and checks the first and last bytes of the Parquet format.
+fn open_checked(path: &Path) -> Result<File, String> {
     const MAGIC: &[u8; 4] = b"PAR1";
     const ENCRYPTED: &[u8; 4] = b"PARE";
     let unreadable = |error: std::io::Error| read_error_text(&error);
@@ -173,7 +173,7 @@ fn whole(path: &Path) -> Result<File, String> {
     Ok(file)
 }
 
-/// The name of a compression that this program does not read.
+/// Name of an unsupported compression.
 fn not_read(compression: Compression) -> Option<&'static str> {
     match compression {
         Compression::UNCOMPRESSED | Compression::SNAPPY | Compression::ZSTD(_) => None,

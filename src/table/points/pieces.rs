@@ -5,13 +5,13 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::Head;
 use std::path::{Path, PathBuf};
 
-/// A file of columns of numbers, SI, named by parameters, which stand in it a piece of rows after
-/// the other.
+/// A file of numeric columns in SI, named by parameters, read in pieces (row groups, record
+/// batches).
 pub(super) trait Pieces: Sized {
-    /// The file, or what is wrong with it.
+    /// Opens the file; the error is a sentence.
     fn open(path: &Path) -> Result<Self, String>;
 
-    /// The names of its columns.
+    /// Column names.
     fn names(&self) -> Vec<String>;
 
     /// Message for columns without readable numbers.
@@ -19,18 +19,17 @@ pub(super) trait Pieces: Sized {
 
     fn rewind(&mut self);
 
-    /// How many rows are left of the piece that is being read; where none are, of the next one; 0
-    /// at the end.
+    /// Remaining rows of the current piece, or of the next one; 0 at the end.
     fn left(&mut self) -> Result<usize, String>;
 
-    /// The next values of a column, at most as many as rows are left.
+    /// Next values of a column, at most the remaining rows.
     fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String>;
 
-    /// Goes past rows of which all values have been read.
+    /// Advances by rows whose values were read.
     fn pass(&mut self, rows: usize);
 }
 
-/// The rows of such a file.
+/// Rows of a file read in pieces.
 pub(super) struct PieceRows<P> {
     path: PathBuf,
     columns: Columns,
@@ -40,9 +39,9 @@ pub(super) struct PieceRows<P> {
 
 impl<P: Pieces> PieceRows<P> {
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, is cut short, a column
-    /// that is no parameter, given twice or not of numbers. Of its rows: an infinite one of a
-    /// parameter that must be finite.
+    /// [`Error::Table`](crate::Error::Table) for an unreadable or truncated file, and a column that
+    /// is not a parameter, repeated or not numeric; for rows, an infinite value that the parameter
+    /// does not allow.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let pieces = P::open(path).map_err(|reason| refused(path, String::new(), reason))?;
         let names = pieces.names();
@@ -80,7 +79,7 @@ impl<P: Pieces> Rows for PieceRows<P> {
         let Columns { at, parameters, .. } = &self.columns;
         let refused = |place: String, reason: String| refused(&self.path, place, reason);
         let mut rows = 0;
-        // a chunk may reach over the end of a piece
+        // a chunk may span several pieces
         while rows < most {
             let place = || {
                 if self.next == 0 {
@@ -104,7 +103,7 @@ impl<P: Pieces> Rows for PieceRows<P> {
                     let rows = format!(", rows {} to {}", self.next + 1, self.next + wanted as u64);
                     refused(format!("{rows}, column {}", parameter.name), reason)
                 })?;
-                // what a damaged file leaves out is missing too
+                // a damaged file may return too few values: the rest is missing
                 let values = values.into_iter().chain(std::iter::repeat(None));
                 for (row, value) in values.take(wanted).enumerate() {
                     into[first + row * parameters.len() + i] =
@@ -122,8 +121,7 @@ impl<P: Pieces> Rows for PieceRows<P> {
     }
 }
 
-/// A value that may stand in a column: an infinite one only where the parameter may be that (a flat
-/// face). NaN is one that is missing.
+/// Checks a value: infinity only where the parameter allows it (a flat face); NaN means missing.
 fn sound(parameter: &Parameter, value: Option<f64>) -> Result<f64, String> {
     let Some(value) = value else {
         return Ok(f64::NAN);

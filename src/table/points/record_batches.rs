@@ -15,38 +15,37 @@ use std::sync::Arc;
 
 const MAGIC: &[u8; 6] = b"ARROW1";
 const FEATHER_1: &[u8; 4] = b"FEA1";
-/// Stands before the length of a message since version 0.15 of Arrow.
+/// Precedes the length of a message since Arrow 0.15.
 const CONTINUATION: [u8; 4] = [0xff; 4];
-/// The length of the foot, and the magic once more.
+/// Bytes after the footer: its length, and the magic number.
 const TAIL: usize = 10;
 
-/// The record batches of an Arrow IPC file or stream, one after the other. Lengths and places that
-/// the bytes claim are held against the size of the file before arrow-ipc sees them: it would panic
-/// where they lie.
+/// Reads the record batches of an Arrow IPC file or stream. Lengths and offsets are checked against
+/// the file size first, because arrow-ipc panics on wrong ones.
 pub(super) struct RecordBatches {
     file: File,
     schema: Arc<Schema>,
-    /// No message reaches beyond: the end of a stream, the foot of a file.
+    /// End of the messages: end of the stream, or footer of the file.
     end: u64,
     order: Order,
 }
 
-/// How the next record batch is found.
+/// Order of the record batches.
 enum Order {
-    /// The foot of a file lists where they begin.
+    /// A file lists their offsets in its footer.
     Listed { starts: Vec<u64>, next: usize },
-    /// One follows the other, to the mark of the end.
+    /// In a stream they follow one another, up to the end marker.
     Following { first: u64, next: u64 },
 }
 
-/// The head of a message, and where its body stands.
+/// Header of a message, with the location of its body.
 struct Head {
     metadata: Vec<u8>,
     body: Range<u64>,
 }
 
 impl RecordBatches {
-    /// Those of a file, or the reason why there are none.
+    /// Opens a file or stream; the error is a sentence.
     pub(super) fn open(path: &Path) -> Result<Self, String> {
         let unreadable = |error: std::io::Error| read_error_text(&error);
         let mut file = File::open(path).map_err(unreadable)?;
@@ -110,7 +109,7 @@ impl RecordBatches {
             end: length,
             order: Order::Following { first: 0, next: 0 },
         };
-        // whatever else may stand in a file, it does not begin with such a message
+        // another kind of file does not begin with such a message
         let neither =
             "it is neither an Arrow IPC file nor a stream, or it was cut short in its first bytes";
         let head = stream.head(0).ok().flatten().ok_or(neither)?;
@@ -127,7 +126,7 @@ impl RecordBatches {
         &self.schema
     }
 
-    /// Back to the first.
+    /// Back to the first record batch.
     pub(super) fn rewind(&mut self) {
         match &mut self.order {
             Order::Listed { next, .. } => *next = 0,
@@ -135,7 +134,7 @@ impl RecordBatches {
         }
     }
 
-    /// The next record batch; none after the last.
+    /// The next record batch; `None` after the last.
     pub(super) fn next(&mut self) -> Result<Option<RecordBatch>, String> {
         let at = match &self.order {
             Order::Listed { starts, next } => match starts.get(*next) {
@@ -159,7 +158,7 @@ impl RecordBatches {
         self.read(&head).map(Some)
     }
 
-    /// The record batch with this head.
+    /// The record batch with this header.
     fn read(&mut self, head: &Head) -> Result<RecordBatch, String> {
         let message = head.message(MessageHeader::RecordBatch)?;
         let batch = message
@@ -178,7 +177,7 @@ impl RecordBatches {
                 part.and_then(|(offset, length)| body.get(offset..offset.checked_add(length)?));
             let part = part.ok_or("a record batch is damaged (a column reaches beyond it)")?;
             if let (true, Some(length)) = (is_compressed, part.first_chunk()) {
-                // -1 says that this part is not compressed
+                // −1 marks an uncompressed part
                 let length = usize::try_from(i64::from_le_bytes(*length)).unwrap_or(0);
                 let room = Vec::<u8>::new().try_reserve_exact(length);
                 room.map_err(|_| {
@@ -195,7 +194,7 @@ impl RecordBatches {
             .map_err(|error| arrow_error_text(&error))
     }
 
-    /// The message at a place; none at the mark of the end.
+    /// The message at an offset; `None` at the end marker.
     fn head(&mut self, at: u64) -> Result<Option<Head>, String> {
         let cut_short = || {
             "it ends too early: it was cut short, or the program that wrote it did not close it"
@@ -265,7 +264,7 @@ fn read_schema(schema: Option<arrow_ipc::Schema>) -> Result<Arc<Schema>, String>
         .map_err(|_| format!("its schema is damaged; {DAMAGED}"))
 }
 
-/// A part of a file that is known to lie within it.
+/// Reads a range that lies within the file.
 fn bytes(file: &mut File, part: Range<u64>) -> Result<Vec<u8>, String> {
     let length =
         usize::try_from(part.end - part.start).map_err(|_| "it is too large for this machine")?;

@@ -5,14 +5,14 @@ use crate::fingerprint::Fingerprint;
 use crate::parameters::{Parameter, Vary};
 use crate::units::Message;
 
-/// The rows of a table in some format, from the first to the last.
+/// Rows of a table in any format.
 pub(super) trait Rows {
     fn columns(&self) -> &Columns;
 
-    /// Goes back to the first row.
+    /// Back to the first row.
     fn rewind(&mut self) -> Result<()>;
 
-    /// As [`Points::read`]; NaN stands for a value that is missing.
+    /// See [`Points::read`]; a missing value is NaN.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
     /// Remarks after the last row.
@@ -21,11 +21,11 @@ pub(super) trait Rows {
     }
 }
 
-/// So many rows that are no drives are told one by one.
-const TOLD: usize = 5;
+/// Number of invalid rows that are listed individually.
+const LISTED: usize = 5;
 
-/// A table of points. All of it is read once when it is opened, so that what cannot be read is told
-/// before any work, and which rows are no drives.
+/// A table of points. It is read once on opening, to report unreadable and invalid rows before any
+/// work.
 pub(super) struct Table<R> {
     rows: R,
     count: u64,
@@ -37,7 +37,7 @@ pub(super) struct Table<R> {
 
 impl<R: Rows> Table<R> {
     /// # Errors
-    /// For what cannot be read.
+    /// Errors of an unreadable table.
     pub fn new(mut rows: R) -> Result<Self> {
         let none = |parameter: &&'static Parameter| Vary {
             parameter,
@@ -46,7 +46,7 @@ impl<R: Rows> Table<R> {
         };
         let mut ranges: Vec<Vary> = rows.columns().parameters.iter().map(none).collect();
         let (mut count, mut fingerprint, mut values) = (0, Fingerprint::new(), vec![]);
-        let (mut row_number, mut told, mut untold) = (0_u64, vec![], 0_u64);
+        let (mut row_number, mut listed, mut others) = (0_u64, vec![], 0_u64);
         rows.rewind()?;
         loop {
             match rows.read(CHUNK, &mut values)? {
@@ -60,10 +60,10 @@ impl<R: Rows> Table<R> {
                     .zip(row)
                     .find_map(|(range, value)| wrong(range.parameter, *value));
                 match wrong {
-                    Some(wrong) if told.len() < TOLD => {
-                        told.push(format!("row {row_number}: {wrong}"))
+                    Some(wrong) if listed.len() < LISTED => {
+                        listed.push(format!("row {row_number}: {wrong}"))
                     }
-                    Some(_) => untold += 1,
+                    Some(_) => others += 1,
                     None => {}
                 }
                 for (range, value) in ranges.iter_mut().zip(row) {
@@ -77,15 +77,15 @@ impl<R: Rows> Table<R> {
         }
         ranges.retain(|range| range.low <= range.high);
         let mut notes = rows.notes();
-        if untold > 0 {
-            told.push(format!("and {untold} more"));
+        if others > 0 {
+            listed.push(format!("and {others} more"));
         }
-        if !told.is_empty() {
+        if !listed.is_empty() {
             let status = Status::OutOfRange;
             notes.push(
                 format!(
                     "rows that are no drives, with the status {status}: {}",
-                    told.join("; ")
+                    listed.join("; ")
                 )
                 .into(),
             );
@@ -144,7 +144,7 @@ impl<R: Rows> Points for Table<R> {
     }
 
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
-        // rows that someone adds meanwhile are none of these
+        // ignore rows appended meanwhile
         let left = usize::try_from(self.count - self.next).unwrap_or(most);
         let rows = self.rows.read(most.min(left), values)?;
         self.next += rows as u64;
@@ -155,7 +155,7 @@ impl<R: Rows> Points for Table<R> {
         self.notes.clone()
     }
 
-    /// Identical text for identical rows in any format.
+    /// Identical for equal rows in any format.
     fn identity(&self) -> String {
         let names: Vec<_> = self
             .parameters()

@@ -6,22 +6,22 @@ use crate::derivative::gradient;
 use crate::drive::{Drive, Outcome};
 use crate::parameters::{Parameter, Setup};
 
-/// A wrong derivative, planted where a right one stood.
+/// A wrong derivative injected in place of the right one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Plant {
-    /// The sign is turned.
+pub enum InjectedError {
+    /// Sign changed.
     Sign,
-    /// It is a millionth too large.
+    /// Too large by 1e-6.
     Millionth,
-    /// The landing stays at its time: the derivative of a flight loop that stops at a fixed step.
+    /// Landing time treated as constant, like a flight loop that stops after a fixed step.
     LandingTerm,
 }
 
-impl Plant {
-    /// All of them.
+impl InjectedError {
+    /// All injected errors.
     pub const ALL: [Self; 3] = [Self::Sign, Self::Millionth, Self::LandingTerm];
 
-    /// Its name in JSON: `sign`.
+    /// JSON name: `sign`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign",
@@ -31,35 +31,35 @@ impl Plant {
     }
 }
 
-/// What became of a planted error.
+/// Detection rate of an injected error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Planted {
-    /// The error.
-    pub plant: Plant,
-    /// The rows it was planted in: derivatives that passed and are more than next to nothing, and
-    /// that it changes.
+pub struct DetectionTest {
+    /// The injected error.
+    pub error: InjectedError,
+    /// Number of rows with the error injected: passing rows with a significant derivative that the
+    /// error changes.
     pub rows: usize,
-    /// In how many of them differences caught it.
+    /// Number of rows where differences detected the error.
     pub caught: usize,
-    /// In how many of them the derivative over num-dual did.
+    /// Number of rows where num-dual detected the error.
     pub caught_by_num_dual: usize,
 }
 
-impl Planted {
-    /// Whether both caught it wherever it was planted.
+impl DetectionTest {
+    /// Both methods detected the error in every row.
     pub fn is_caught(&self) -> bool {
         self.caught == self.rows && self.caught_by_num_dual == self.rows
     }
 }
 
-/// How the landing answers to each parameter: velocity there, and the derivative of its time.
+/// Velocity at landing, and derivative of the landing time by each parameter.
 pub(super) struct LandingTerms {
     per_time: [f64; 3],
     times: Vec<(&'static Parameter, f64)>,
 }
 
 impl LandingTerms {
-    /// The terms of a drive by some parameters; `None` where it does not land.
+    /// Landing terms of a drive by parameters; `None` without a landing.
     pub fn new(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Option<Self> {
         let velocity = Drive::new(setup).ok()?.landed().ok()?.velocity;
         let time = gradient(setup, Outcome::FlightTime, wrt).ok()?;
@@ -70,7 +70,7 @@ impl LandingTerms {
         })
     }
 
-    /// What of a derivative is the landing's.
+    /// Landing term of a derivative.
     fn of(&self, row: &Row) -> Option<f64> {
         let place = AT_LANDING.iter().position(|of| *of == row.of)?;
         let (_, time) = self
@@ -81,15 +81,15 @@ impl LandingTerms {
     }
 }
 
-/// Plants each error in every row that passed, and judges again.
-pub(super) fn planted(
+/// Injects each error into every passing row and repeats the verdict.
+pub(super) fn detection_tests(
     setup: &Setup<f64>,
     rows: &[Row],
     landing: Option<&LandingTerms>,
-) -> [Planted; 3] {
-    Plant::ALL.map(|plant| {
-        let mut planted = Planted {
-            plant,
+) -> [DetectionTest; 3] {
+    InjectedError::ALL.map(|error| {
+        let mut test = DetectionTest {
+            error,
             rows: 0,
             caught: 0,
             caught_by_num_dual: 0,
@@ -98,25 +98,25 @@ pub(super) fn planted(
             .iter()
             .filter(|row| row.first.verdict == Verdict::Pass && row.num_dual.holds())
         {
-            let Some(wrong) = wrong(plant, row, landing).filter(|wrong| *wrong != row.first.exact)
+            let Some(wrong) = wrong(error, row, landing).filter(|wrong| *wrong != row.first.exact)
             else {
                 continue;
             };
-            planted.rows += 1;
-            planted.caught += usize::from(row.ladder.judge(wrong, demand(setup)).failed());
-            planted.caught_by_num_dual +=
+            test.rows += 1;
+            test.caught += usize::from(row.ladder.judge(wrong, demand(setup)).failed());
+            test.caught_by_num_dual +=
                 usize::from(!Agreement::new(wrong, row.num_dual.num_dual, &row.ladder).holds());
         }
-        planted
+        test
     })
 }
 
-fn wrong(plant: Plant, row: &Row, landing: Option<&LandingTerms>) -> Option<f64> {
+fn wrong(error: InjectedError, row: &Row, landing: Option<&LandingTerms>) -> Option<f64> {
     let exact = row.first.exact;
-    let (size, wrong) = match plant {
-        Plant::Sign => (exact, -exact),
-        Plant::Millionth => (exact, exact * (1.0 + 1e-6)),
-        Plant::LandingTerm => {
+    let (size, wrong) = match error {
+        InjectedError::Sign => (exact, -exact),
+        InjectedError::Millionth => (exact, exact * (1.0 + 1e-6)),
+        InjectedError::LandingTerm => {
             let term = landing?.of(row)?;
             (term, exact - term)
         }

@@ -1,5 +1,4 @@
-//! How well shots are predicted: bias and mean absolute error by ball speed, and the rows that
-//! could not be flown.
+//! Statistics of predictions: bias and mean absolute error by ball speed, and refused rows.
 
 use super::flown::Flown;
 use super::shot::Origin;
@@ -10,14 +9,14 @@ use crate::table::Refusal;
 use crate::units::Message;
 use std::collections::BTreeMap;
 
-/// The ends of the bands of ball speed, mph.
+/// Limits of the ball speed bands, mph.
 pub const BANDS: [f64; 6] = [80.0, 100.0, 120.0, 140.0, 160.0, 180.0];
 
 /// One mile per hour, m/s.
 const MPH: f64 = 0.44704;
 
-/// What two instruments differ by on the same drives: the standard deviation of the differences of
-/// a TrackMan 4 and a FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026), in the unit.
+/// Difference of two instruments for the same drives: standard deviation between a TrackMan 4 and a
+/// FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026), with its unit.
 pub const FLOOR: [(Outcome, f64, &str); 5] = [
     (Outcome::CarryDistance, 6.72, "yd"),
     (Outcome::Lateral, 10.7, "yd"),
@@ -29,7 +28,7 @@ pub const FLOOR: [(Outcome, f64, &str); 5] = [
 /// Sums of residuals, SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sums {
-    /// How many.
+    /// Number of residuals.
     pub count: u64,
     sum: f64,
     absolute: f64,
@@ -51,17 +50,17 @@ impl Sums {
         self.squares += other.squares;
     }
 
-    /// Their mean; `None` of none.
+    /// Mean; `None` without residuals.
     pub fn bias(&self) -> Option<f64> {
         (self.count > 0).then(|| self.sum / self.count as f64)
     }
 
-    /// The mean of their sizes.
+    /// Mean absolute value.
     pub fn mean_absolute(&self) -> Option<f64> {
         (self.count > 0).then(|| self.absolute / self.count as f64)
     }
 
-    /// Their standard deviation; `None` of fewer than two.
+    /// Standard deviation; `None` for fewer than two residuals.
     pub fn deviation(&self) -> Option<f64> {
         let count = self.count as f64;
         let mean = self.bias()?;
@@ -70,59 +69,59 @@ impl Sums {
     }
 }
 
-/// A band of ball speed, with the sums of each outcome.
+/// A band of ball speed with the sums of each outcome.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
-    /// Its lower end, m/s; `None` where it has none.
+    /// Lower limit, m/s; `None` for the first band.
     pub from: Option<f64>,
-    /// Its upper end, m/s.
+    /// Upper limit, m/s; `None` for the last band.
     pub to: Option<f64>,
     /// The sums, in the order of the outcomes.
     pub sums: Vec<Sums>,
 }
 
-/// Rows that were refused for one kind of reason.
+/// Rows refused for one kind of reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refused {
-    /// How many.
+    /// Number of rows.
     pub count: u64,
-    /// The line of the first.
+    /// Line of the first one.
     pub line: u64,
-    /// The reason of the first.
+    /// Reason of the first one.
     pub reason: String,
 }
 
 /// Statistics of flown shots.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tally {
+pub struct ShotStatistics {
     /// The outcomes.
     pub of: Vec<Outcome>,
-    /// All rows.
+    /// Number of rows.
     pub rows: u64,
-    /// Those whose ball landed.
+    /// Number of rows whose ball landed.
     pub flown: u64,
-    /// The others, by the kind of reason.
+    /// Other rows, by kind of reason.
     pub refused: BTreeMap<&'static str, Refused>,
-    /// The residuals by ball speed.
+    /// Residuals by ball speed.
     pub bands: Vec<Band>,
-    /// Those of all rows.
+    /// Residuals of all rows.
     pub all: Vec<Sums>,
-    /// Rows whose spin is estimated or modelled, as the export says.
+    /// Number of rows whose export states an estimated or modelled spin.
     pub spin_not_measured: u64,
-    /// Rows whose values are normalized, as the export says.
+    /// Number of rows whose export states normalized values.
     pub normalized: u64,
-    /// Rows with something assumed or not compared.
+    /// Number of rows with notes on assumed or unused values.
     pub noted: u64,
-    /// Those that landed beyond what the law was fitted to.
+    /// Landed drives outside the validity limits of the model.
     pub beyond: ExceededCount,
-    /// Rows that landed whose spin ratio is above that of drives.
+    /// Number of landed drives with a spin ratio above that of drivers.
     pub lofted: u64,
-    /// Predicted beside measured values.
+    /// Predicted and measured values, for checks of units and signs.
     comparison: Comparison,
 }
 
-/// Whether a launch (ball speed and direction, backspin and sidespin, SI) is one of a club with
-/// more loft than a driver: spin ratio rω/v above 0.12.
+/// True for a launch (ball speed, angle, direction, backspin and sidespin, SI) of a club with more
+/// loft than a driver: spin ratio rω/v above 0.12.
 fn is_lofted(launch: &[f64]) -> bool {
     const RADIUS: f64 = 0.021_335;
     const OF_DRIVES: f64 = 0.12;
@@ -132,7 +131,7 @@ fn is_lofted(launch: &[f64]) -> bool {
     RADIUS * back.hypot(*side) > OF_DRIVES * speed
 }
 
-impl Tally {
+impl ShotStatistics {
     /// Empty statistics.
     pub fn new(of: &[Outcome]) -> Self {
         let ends = |at: usize| BANDS.get(at).map(|mph| mph * MPH);
@@ -201,13 +200,13 @@ impl Tally {
         }
     }
 
-    /// Warnings about columns whose unit or sign is likely to be another; `name` is the head of an
-    /// outcome's.
+    /// Warnings about columns with a likely wrong unit or sign; `name` gives the head of an
+    /// outcome.
     pub fn unit_warnings(&self, name: impl Fn(Outcome) -> String) -> Vec<Message> {
         self.comparison.warnings(&self.of, name)
     }
 
-    /// Adds what was found of later shots.
+    /// Adds the statistics of later shots.
     pub fn merge(&mut self, other: Self) {
         self.rows += other.rows;
         self.flown += other.flown;

@@ -1,4 +1,4 @@
-//! What searches look for on the report's problem, and how.
+//! Objective of the searches on the report's problem.
 
 use super::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use super::printed;
@@ -11,19 +11,19 @@ use crate::optimize::{Domain, Taylor};
 use crate::parameters::Setup;
 use std::cell::Cell;
 
-/// Where the ball is taken to land.
+/// Definition of the landing point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Landing {
-    /// Where the report's loop stops, below the ground.
+    /// End of the report's loop, below the ground.
     Overshot,
-    /// Interpolated between the last two steps of that loop.
+    /// Interpolated between the last two steps of the loop.
     Interpolated,
     /// The smooth landing.
     Smooth,
 }
 
 impl Landing {
-    /// Its name in JSON.
+    /// JSON name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Overshot => "loop",
@@ -33,22 +33,21 @@ impl Landing {
     }
 }
 
-/// How the best drive is searched for.
+/// Optimization method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// argmin's L-BFGS with the line search of Moré and Thuente; gradients by forward differences.
+    /// argmin's L-BFGS with the Moré–Thuente line search; gradients by forward differences.
     LimitedMemory,
-    /// The same with exact gradients.
+    /// argmin's L-BFGS with exact gradients.
     LimitedMemoryExact,
-    /// This library's optimizer with a Hessian of its own making (BFGS); gradients by forward
-    /// differences.
+    /// This library's optimizer with a BFGS Hessian; gradients by forward differences.
     QuasiNewton,
     /// This library's optimizer with exact gradients and Hessians.
     Exact,
 }
 
 impl Method {
-    /// Its name in JSON.
+    /// JSON name.
     pub fn name(self) -> &'static str {
         match self {
             Self::LimitedMemory => "lbfgs-differences",
@@ -65,8 +64,8 @@ pub(super) fn domain() -> Result<Domain> {
     Domain::new(vec![loft[0], attack[0]], vec![loft[1], attack[1]])
 }
 
-/// −carry over loft and attack angle, counting the flights.
-pub(super) struct Sought<'a> {
+/// −carry as a function of loft and attack angle, with a count of the flights.
+pub(super) struct Objective<'a> {
     pub setup: &'a Setup<f64>,
     landing: Landing,
     pub method: Method,
@@ -75,7 +74,7 @@ pub(super) struct Sought<'a> {
     pub flights: Cell<u64>,
 }
 
-impl<'a> Sought<'a> {
+impl<'a> Objective<'a> {
     pub fn new(setup: &'a Setup<f64>, landing: Landing, method: Method) -> Result<Self> {
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
         let order = if method == Method::Exact {
@@ -110,7 +109,7 @@ impl<'a> Sought<'a> {
         })
     }
 
-    /// −carry with the derivatives that the method asks for.
+    /// −carry with the derivatives of the method.
     pub fn taylor(&self, x: &[f64]) -> Result<Taylor> {
         if matches!(self.method, Method::Exact | Method::LimitedMemoryExact) {
             self.flights.set(self.flights.get() + 1);
@@ -119,7 +118,7 @@ impl<'a> Sought<'a> {
         }
         let value = self.value(x)?;
         let slope = |i: usize| {
-            // forward as fmincon's, backward where that would leave the range
+            // forward difference as in fmincon, backward at the upper bound
             let step = f64::EPSILON.sqrt();
             let step = if x[i] + step <= self.domain.variables.high[i] {
                 step

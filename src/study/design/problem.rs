@@ -1,6 +1,6 @@
-//! The search for a design with all that holds it.
+//! Builds the optimization problem of a design.
 
-use super::held::{By, Held, Standing};
+use super::constraints::{ConstraintState, DesignConstraint, Enforcement};
 use super::rules::{Limited, RULES, Rule};
 use crate::drive::{Outcome, is_outside_any_face};
 use crate::error::{Error, Result};
@@ -11,51 +11,51 @@ use crate::study::swings::flown::moved;
 use crate::study::{Constraint, Optimum, Search};
 use crate::units::{Amount, Quantity, counted};
 
-/// What is varied where nothing is asked for: the face.
+/// Default variables: the face.
 const USUAL: [&str; 3] = [
     "club.bulge_radius=150mm..1000mm",
     "club.roll_radius=150mm..1000mm",
     "club.loft=6deg..16deg",
 ];
 
-/// Bulge, roll and loft with usual ranges.
+/// Bulge, roll and loft with default ranges.
 ///
 /// # Errors
-/// As [`Vary::read`], for a face that is flat or a launch that is given.
+/// The errors of [`Vary::read`], for a flat face or a given launch.
 pub fn usual_vary(setup: &Setup<f64>) -> Result<Vec<Vary>> {
     USUAL.iter().map(|text| Vary::read(setup, text)).collect()
 }
 
-/// What the swings, or the ends of their distributions, come to.
+/// Subject of messages on extreme swings.
 const REACHED: &str = "the swings reach";
 
-/// A search for a design, and what holds it.
+/// An optimization problem with the constraints of a design.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// The search with the bounds and limits of the rules.
+    /// The problem with the bounds and constraints of the rules.
     pub search: Search,
-    /// All that holds the design: rules, conditions, and the limits that were asked for.
-    pub held: Vec<Held>,
-    /// Whether the Rules of Golf hold it.
+    /// All constraints: rules, conditions, and the user's limits.
+    pub constraints: Vec<DesignConstraint>,
+    /// The Rules of Golf apply.
     pub is_under_rules: bool,
-    /// What was changed or assumed, in sentences.
+    /// Notes on changed bounds and assumptions.
     pub notes: Vec<String>,
 }
 
 impl Design {
-    /// A search with all that holds its design: the Rules of Golf, unless they are left out; of a
-    /// head whose inertia is varied that it is a rigid body's; and of a head whose mass is varied a
-    /// budget, the mass as set up, where no limit of the search is about the mass.
+    /// Adds the constraints of a design: the Rules of Golf unless disabled; a rigid body's
+    /// condition if the inertia varies; and the initial mass as budget if the mass varies without a
+    /// limit.
     ///
     /// # Errors
     /// [`Error::Rule`] for a setup or a range that breaks a rule; [`Error::Unreadable`] for strikes
-    /// that no face reaches.
+    /// off the face.
     pub fn new(setup: &Setup<f64>, search: Search, is_under_rules: bool) -> Result<Self> {
         let scenarios = &search.scenarios.clone();
         check_strikes(setup, scenarios, &search.vary)?;
         let mut design = Self {
             search,
-            held: vec![],
+            constraints: vec![],
             is_under_rules,
             notes: vec![],
         };
@@ -76,19 +76,24 @@ impl Design {
             }
         }
         design.budget(setup);
-        let is_said = |held: &Held, k: usize| held.by == By::Limit(k);
+        let is_said =
+            |constraint: &DesignConstraint, k: usize| constraint.by == Enforcement::Limit(k);
         for k in 0..asked {
-            if !design.held.iter().any(|held| is_said(held, k)) {
+            if !design
+                .constraints
+                .iter()
+                .any(|constraint| is_said(constraint, k))
+            {
                 let limit = &design.search.subject_to[k];
                 let (name, goal) = (limit.goal.expression.clone(), &limit.goal);
                 let step = goal.quantity.size_of(goal.unit).unwrap_or(1.0);
                 let (expression, range) = (limit.expression.clone(), [limit.low, limit.high]);
                 let (quantity, unit) = (goal.quantity, goal.unit);
-                design.held.push(Held {
+                design.constraints.push(DesignConstraint {
                     name,
                     expression,
                     rule: None,
-                    by: By::Limit(k),
+                    by: Enforcement::Limit(k),
                     range,
                     quantity,
                     unit,
@@ -99,9 +104,12 @@ impl Design {
         Ok(design)
     }
 
-    /// How the best design stands to all that holds it.
-    pub fn standings(&self, best: &Optimum) -> Vec<Standing> {
-        self.held.iter().map(|held| held.at(best)).collect()
+    /// State of all constraints at the best design.
+    pub fn constraint_states(&self, best: &Optimum) -> Vec<ConstraintState> {
+        self.constraints
+            .iter()
+            .map(|constraint| constraint.at(best))
+            .collect()
     }
 
     fn varies(&self, is_so: impl Fn(&Parameter) -> bool) -> bool {
@@ -111,153 +119,152 @@ impl Design {
             .any(|vary| vary.low < vary.high && is_so(vary.parameter))
     }
 
+    /// Adds a rule.
     fn add(
         &mut self,
         setup: &Setup<f64>,
         scenarios: &Scenarios,
         rule: &'static Rule,
     ) -> Result<()> {
-        let bound = rule.bound();
-        let range = if rule.is_greatest {
-            [f64::NEG_INFINITY, bound]
-        } else {
-            [bound, f64::INFINITY]
-        };
-        let unit = rule.limit.split_once(' ').map_or("", |(_, unit)| unit);
-        let step = rule.quantity().read(rule.step).unwrap_or(1.0);
         let by = match rule.of {
             Limited::Parameter(name) => {
                 self.of_parameter(setup, scenarios, rule, setup.parameter(name)?)?
             }
-            Limited::Outcome(of) => {
-                let begun = Vary::begun(setup, &self.search.vary)?;
-                let moves = |row: &Parameter| changes_the_head(&begun, row);
-                let places: Vec<_> = (0..scenarios.parameters.len())
-                    .filter(|k| moves(scenarios.parameters[*k]))
-                    .collect();
-                let swung = places.first().map(|k| scenarios.parameters[*k]);
-                match (self.varies(moves), swung) {
-                    (true, Some(swung)) => {
-                        let source = format!(
-                            "the swings have values of it, and what is varied changes {} too: the \
-                             rule on the {} could be kept on average \
-                             only; leave it out of the swings, or leave the rules out with `rules \
-                             none`",
-                            of.name(),
-                            rule.name
-                        );
-                        return Err(Error::Unreadable {
-                            name: swung.name.into(),
-                            source: source.into(),
-                        });
-                    }
-                    (true, None) => {
-                        self.limit(rule.name, rule.expression(), of, range, Some(rule));
-                        return Ok(());
-                    }
-                    (false, Some(_)) => {
-                        let each = scenarios.and_ends(&places).map(|point| {
-                            Ok(
-                                Head::new(&moved(setup, &scenarios.parameters, &point)?.club)
-                                    .inertia[0][0],
-                            )
-                        });
-                        let each = each.collect::<Result<Vec<f64>>>()?;
-                        let worst = each.into_iter().reduce(f64::max).unwrap_or(bound);
-                        self.note_endless(scenarios, rule, &places);
-                        By::Value(checked(
-                            rule,
-                            worst,
-                            REACHED,
-                            "give the distribution ends within it",
-                        )?)
-                    }
-                    (false, None) => {
-                        let value = Head::new(&setup.club).inertia[0][0];
-                        By::Value(checked(rule, value, "the setup has", "change the setup")?)
-                    }
+            Limited::Outcome(of) => match self.of_head(setup, scenarios, rule, of)? {
+                Some(by) => by,
+                None => {
+                    self.limit(rule.name, rule.expression(), of, rule.range(), Some(rule));
+                    return Ok(());
                 }
-            }
+            },
             Limited::Relation(name, _) => {
                 let stated = self
                     .search
                     .subject_to
                     .iter()
                     .position(|limit| limit.goal.expression == name);
-                if let Some(k) = stated {
-                    let limit = &self.search.subject_to[k];
-                    let [low, high] = [limit.low, limit.high];
-                    let value = if rule.is_greatest { high } else { low };
-                    let refuse = |why: String| {
-                        let (expression, column) = (limit.expression.clone(), 0);
-                        Err(Error::Constraint {
-                            expression,
-                            column,
-                            reason: why,
-                        })
-                    };
-                    if limit.goal.quantity != rule.quantity() {
-                        return refuse(format!(
-                            "a relation named '{name}' is held to the rule on the {}, which is \
-                             about {}, and this is {}; check the units, or give \
-                             it another name",
-                            rule.name,
-                            rule.quantity().name,
-                            limit.goal.quantity.name
-                        ));
-                    }
-                    if value.is_infinite() {
-                        return refuse(format!(
-                            "its {} limit is missing: a relation named '{name}' is held to the \
-                             rule, {}; write such a limit, or give it another \
-                             name",
-                            if rule.is_greatest { "upper" } else { "lower" },
-                            rule.expression()
-                        ));
-                    }
-                    let advice = format!("lower the limit of the relation '{name}'");
-                    checked(rule, value, "the relation allows", &advice)?;
-                    let expression = limit.expression.clone();
-                    let (name, quantity, by) = (rule.name.into(), rule.quantity(), By::Limit(k));
-                    let held = Held {
-                        name,
-                        expression,
-                        rule: Some(rule),
-                        by,
-                        range: [low, high],
-                        quantity,
-                        unit,
-                        step,
-                    };
-                    self.held.push(held);
-                    return Ok(());
+                match stated {
+                    Some(k) => return self.of_relation(rule, name, k),
+                    None => Enforcement::Unknown,
                 }
-                By::Unknown
             }
         };
-        let (name, expression, quantity) = (rule.name.into(), rule.expression(), rule.quantity());
-        self.held.push(Held {
-            name,
+        self.push(rule, rule.expression(), rule.range(), by);
+        Ok(())
+    }
+
+    /// Adds the constraint of a rule.
+    fn push(&mut self, rule: &'static Rule, expression: String, range: [f64; 2], by: Enforcement) {
+        self.constraints.push(DesignConstraint {
+            name: rule.name.into(),
             expression,
             rule: Some(rule),
             by,
             range,
-            quantity,
-            unit,
-            step,
+            quantity: rule.quantity(),
+            unit: rule.limit.split_once(' ').map_or("", |(_, unit)| unit),
+            step: rule.quantity().read(rule.step).unwrap_or(1.0),
         });
+    }
+
+    /// A rule on the head's inertia: `None` if the varied parameters change it, so that a
+    /// constraint is needed; otherwise a check of the setup or the swings.
+    fn of_head(
+        &mut self,
+        setup: &Setup<f64>,
+        scenarios: &Scenarios,
+        rule: &'static Rule,
+        of: Outcome,
+    ) -> Result<Option<Enforcement>> {
+        let begun = Vary::begun(setup, &self.search.vary)?;
+        let moves = |row: &Parameter| changes_the_head(&begun, row);
+        let places: Vec<_> = (0..scenarios.parameters.len())
+            .filter(|k| moves(scenarios.parameters[*k]))
+            .collect();
+        let swung = places.first().map(|k| scenarios.parameters[*k]);
+        match (self.varies(moves), swung) {
+            (true, Some(swung)) => {
+                let source = format!(
+                    "the swings have values of it, and what is varied changes {} too: the rule on \
+                     the {} could be kept on average only; leave it out of the swings, or leave \
+                     the rules out with `rules none`",
+                    of.name(),
+                    rule.name
+                );
+                Err(Error::Unreadable {
+                    name: swung.name.into(),
+                    source: source.into(),
+                })
+            }
+            (true, None) => Ok(None),
+            (false, Some(_)) => {
+                let inertia = |point: Vec<f64>| -> Result<f64> {
+                    let club = moved(setup, &scenarios.parameters, &point)?.club;
+                    Ok(Head::new(&club).inertia[0][0])
+                };
+                let each = scenarios
+                    .and_ends(&places)
+                    .map(inertia)
+                    .collect::<Result<Vec<f64>>>()?;
+                let worst = each.into_iter().reduce(f64::max).unwrap_or(rule.bound());
+                self.note_endless(scenarios, rule, &places);
+                let advice = "give the distribution ends within it";
+                let value = checked(rule, worst, REACHED, advice)?;
+                Ok(Some(Enforcement::Value(value)))
+            }
+            (false, None) => {
+                let value = Head::new(&setup.club).inertia[0][0];
+                let value = checked(rule, value, "the setup has", "change the setup")?;
+                Ok(Some(Enforcement::Value(value)))
+            }
+        }
+    }
+
+    /// A rule on the user's relation with index `k`, which must limit it accordingly.
+    fn of_relation(&mut self, rule: &'static Rule, name: &str, k: usize) -> Result<()> {
+        let limit = &self.search.subject_to[k];
+        let [low, high] = [limit.low, limit.high];
+        let refuse = |reason: String| {
+            Err(Error::Constraint {
+                expression: limit.expression.clone(),
+                column: 0,
+                reason,
+            })
+        };
+        if limit.goal.quantity != rule.quantity() {
+            return refuse(format!(
+                "a relation named '{name}' is held to the rule on the {}, which is about {}, and \
+                 this is {}; check the units, or give it another name",
+                rule.name,
+                rule.quantity().name,
+                limit.goal.quantity.name
+            ));
+        }
+        let value = if rule.is_greatest { high } else { low };
+        if value.is_infinite() {
+            return refuse(format!(
+                "its {} limit is missing: a relation named '{name}' is held to the rule, {}; write \
+                 such a limit, or give it another name",
+                if rule.is_greatest { "upper" } else { "lower" },
+                rule.expression()
+            ));
+        }
+        let advice = format!("lower the limit of the relation '{name}'");
+        checked(rule, value, "the relation allows", &advice)?;
+        let expression = limit.expression.clone();
+        self.push(rule, expression, [low, high], Enforcement::Limit(k));
         Ok(())
     }
 
-    /// A rule about a parameter: a bound of it where it is varied; else the setup, or the swings,
-    /// must keep it.
+    /// A rule on a parameter: a bound if the parameter varies, otherwise a check of the setup or
+    /// the swings.
     fn of_parameter(
         &mut self,
         setup: &Setup<f64>,
         scenarios: &Scenarios,
         rule: &'static Rule,
         parameter: &'static Parameter,
-    ) -> Result<By> {
+    ) -> Result<Enforcement> {
         let bound = rule.bound();
         if let Some(i) = self
             .search
@@ -265,34 +272,8 @@ impl Design {
             .iter()
             .position(|vary| vary.parameter == parameter)
         {
-            let vary = &mut self.search.vary[i];
-            let [best, worst] = if rule.is_greatest {
-                [vary.low, vary.high]
-            } else {
-                [vary.high, vary.low]
-            };
-            let reach = if rule.is_greatest {
-                "the range begins at"
-            } else {
-                "the range ends at"
-            };
-            checked(rule, best, reach, "vary it within the rule")?;
-            if !rule.allows(worst) {
-                let end = if rule.is_greatest {
-                    &mut vary.high
-                } else {
-                    &mut vary.low
-                };
-                *end = bound;
-                self.notes.push(format!(
-                    "{} is varied up to the rule on the {}: {} (your range ends at {})",
-                    parameter.name,
-                    rule.name,
-                    rule.show(bound),
-                    rule.show(worst)
-                ));
-            }
-            return Ok(By::Bound(i));
+            self.bound(rule, i)?;
+            return Ok(Enforcement::Bound(i));
         }
         if let Some(k) = scenarios
             .parameters
@@ -304,7 +285,7 @@ impl Design {
                 .reduce(if rule.is_greatest { f64::max } else { f64::min })
                 .unwrap_or(bound);
             self.note_endless(scenarios, rule, &[k]);
-            return Ok(By::Value(checked(
+            return Ok(Enforcement::Value(checked(
                 rule,
                 worst,
                 REACHED,
@@ -318,11 +299,48 @@ impl Design {
             rule.show(bound),
             rule.hint
         );
-        Ok(By::Value(checked(rule, value, "the setup has", &advice)?))
+        Ok(Enforcement::Value(checked(
+            rule,
+            value,
+            "the setup has",
+            &advice,
+        )?))
     }
 
-    /// Says of which swung parameters a rule was checked at the swings alone, since their
-    /// distributions have no ends.
+    /// Limits the range of the varied parameter `i` to a rule.
+    fn bound(&mut self, rule: &Rule, i: usize) -> Result<()> {
+        let vary = &mut self.search.vary[i];
+        let [best, worst] = if rule.is_greatest {
+            [vary.low, vary.high]
+        } else {
+            [vary.high, vary.low]
+        };
+        let reach = if rule.is_greatest {
+            "the range begins at"
+        } else {
+            "the range ends at"
+        };
+        checked(rule, best, reach, "vary it within the rule")?;
+        if !rule.allows(worst) {
+            let end = if rule.is_greatest {
+                &mut vary.high
+            } else {
+                &mut vary.low
+            };
+            *end = rule.bound();
+            self.notes.push(format!(
+                "{} is varied up to the rule on the {}: {} (your range ends at {})",
+                vary.parameter.name,
+                rule.name,
+                rule.show(rule.bound()),
+                rule.show(worst)
+            ));
+        }
+        Ok(())
+    }
+
+    /// Notes parameters whose distributions are unbounded: the rule is checked at the sampled
+    /// swings only.
     fn note_endless(&mut self, scenarios: &Scenarios, rule: &Rule, places: &[usize]) {
         let names = places
             .iter()
@@ -341,7 +359,7 @@ impl Design {
         }
     }
 
-    /// Adds a limit of an outcome of the head.
+    /// Adds a constraint on an outcome of the head.
     fn limit(
         &mut self,
         name: &str,
@@ -350,7 +368,7 @@ impl Design {
         [low, high]: [f64; 2],
         rule: Option<&'static Rule>,
     ) {
-        let by = By::Limit(self.search.subject_to.len());
+        let by = Enforcement::Limit(self.search.subject_to.len());
         self.search.subject_to.push(Constraint {
             expression: expression.clone(),
             goal: of.into(),
@@ -363,7 +381,7 @@ impl Design {
             |_| quantity.size_of(unit).unwrap_or(1.0),
             |amount| amount.value,
         );
-        self.held.push(Held {
+        self.constraints.push(DesignConstraint {
             name: name.into(),
             expression,
             rule,
@@ -375,8 +393,7 @@ impl Design {
         });
     }
 
-    /// Of a head whose mass is varied, no more mass than it has, unless a limit says how much it
-    /// may have.
+    /// Limits the mass to the initial one if the mass varies and no limit of the user mentions it.
     fn budget(&mut self, setup: &Setup<f64>) {
         let is_mass =
             |row: &Parameter| row.name.starts_with("club.") && row.quantity == Quantity::MASS;
@@ -400,7 +417,7 @@ impl Design {
     }
 }
 
-/// A value that a rule allows.
+/// Returns the value if the rule allows it.
 fn checked(rule: &Rule, value: f64, found: &str, advice: &str) -> Result<f64> {
     if rule.allows(value) {
         return Ok(value);
@@ -413,7 +430,7 @@ fn checked(rule: &Rule, value: f64, found: &str, advice: &str) -> Result<f64> {
     })
 }
 
-/// Whether a parameter moves mass in the head, or turns the weights on it.
+/// Reports whether a parameter changes the head's mass distribution, or turns weights on it.
 fn changes_the_head(setup: &Setup<f64>, row: &Parameter) -> bool {
     let has_weights = setup.club.weights().iter().any(Option::is_some);
     let moves_weights = ["club.mass", "club.cg_", "club.weight_", "club.loft"];
@@ -421,7 +438,7 @@ fn changes_the_head(setup: &Setup<f64>, row: &Parameter) -> bool {
         || has_weights && moves_weights.iter().any(|part| row.name.starts_with(part))
 }
 
-/// Strikes that no face reaches, or that the faces that are varied do not.
+/// Rejects strikes off any face, or off the varied faces.
 fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Result<()> {
     let of = |name: &str, point: &[f64]| -> Result<f64> {
         let parameter = setup.parameter(name)?;
@@ -431,7 +448,7 @@ fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Re
             .position(|swung| *swung == parameter);
         Ok(swung.map_or_else(|| setup.value(parameter).unwrap_or_default(), |k| point[k]))
     };
-    // the widest face of the ranges
+    // the largest face within the ranges
     let mut widest = *setup;
     for vary in vary.iter().filter(|vary| {
         [

@@ -1,4 +1,4 @@
-//! What a design changes, in numbers that people know.
+//! Main numbers of a design before and after the search.
 
 use crate::error::Result;
 use crate::parameters::Setup;
@@ -6,25 +6,29 @@ use crate::study::{Goal, Optimum, goals_of};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A number over all swings, with the design as set up and with the best one.
+/// A statistic over all swings, for the initial and for the best design.
 #[derive(Clone, Debug)]
-pub struct Part {
-    /// What it is.
+pub struct Improvement {
+    /// The statistic.
     pub goal: Goal,
-    /// With the design as set up, SI; `None` where a swing does not fly.
+    /// Value for the initial design, SI; `None` if a swing does not fly.
     pub as_set_up: Option<f64>,
-    /// With the best design, SI; `None` where a swing does not fly.
+    /// Value for the best design, SI; `None` if a swing does not fly.
     pub best: Option<f64>,
 }
 
 const PARTS: [&str; 3] = ["mean(carry)", "std(carry)", "rms(lateral)"];
 
-/// The mean carry, how carries scatter, and how far balls miss the target line; nothing once `stop`
-/// is true.
+/// Mean carry, standard deviation of carry, and root mean square distance from the target line;
+/// `None` once `stop` is true.
 ///
 /// # Errors
-/// As [`goals_of`].
-pub fn parts(setup: &Setup<f64>, best: &Optimum, stop: &Arc<AtomicBool>) -> Result<Vec<Part>> {
+/// The errors of [`goals_of`].
+pub fn improvements(
+    setup: &Setup<f64>,
+    best: &Optimum,
+    stop: &Arc<AtomicBool>,
+) -> Result<Vec<Improvement>> {
     let goals = PARTS
         .iter()
         .map(|text| Goal::read(text, None))
@@ -44,7 +48,7 @@ pub fn parts(setup: &Setup<f64>, best: &Optimum, stop: &Arc<AtomicBool>) -> Resu
     }
     let (before, after) = found?;
     let value = |of: &Option<Vec<f64>>, k: usize| of.as_ref().map(|values| values[k]);
-    let part = |(k, goal)| Part {
+    let part = |(k, goal)| Improvement {
         goal,
         as_set_up: value(&before, k),
         best: value(&after, k),

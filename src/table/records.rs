@@ -1,22 +1,21 @@
-//! The records of a text of comma-separated values, one after the other.
+//! Splits a text of comma-separated values into records and cells.
 
-use super::cells::is_open;
 use super::encoding::Encoding;
 use super::refusal::Refusal;
+use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::io::{self, BufRead, Read};
 
-/// The longest line, in bytes.
+/// Maximum length of a line, bytes.
 const LONGEST: u64 = 1 << 20;
 
-/// A record goes on over at most so many lines: a quote that is still open then is a mistake in the
-/// first.
+/// Maximum number of lines of a record. A quote that is open longer is an error in the first line.
 const MOST_LINES: usize = 32;
 
 /// A record.
 #[derive(Clone, Debug)]
 pub(crate) struct Record {
-    /// The line that it begins in, from 1.
+    /// Number of its first line, from 1.
     pub line: u64,
     pub text: String,
     /// A quote is not closed.
@@ -44,12 +43,12 @@ pub(super) struct Lines {
     end: u8,
     /// Lines that have been read from the source.
     read: u64,
-    /// Lines that were looked at and given back.
+    /// Lines that were pushed back.
     held: VecDeque<(u64, String)>,
 }
 
 impl Lines {
-    /// The lines of a text that begins like this.
+    /// The lines of a text; `beginning` is its first part.
     pub fn new(source: Box<dyn BufRead + Send>, beginning: &str, encoding: Encoding) -> Self {
         let end = if beginning.contains('\r') && !beginning.contains('\n') {
             b'\r'
@@ -89,7 +88,7 @@ impl Lines {
         Ok((count > 0).then_some((self.read, text)))
     }
 
-    /// Gives a line back: it is the next one again.
+    /// Pushes a line back to the front of the input.
     pub fn give_back(&mut self, line: (u64, String)) {
         self.held.push_front(line);
     }
@@ -150,9 +149,90 @@ impl Lines {
     }
 }
 
+/// Splits a record into cells, without surrounding spaces and quotes.
+pub(crate) fn cells(text: &str, separator: u8) -> Vec<Cow<'_, str>> {
+    if !text.contains('"') {
+        return text
+            .split(char::from(separator))
+            .map(|cell| Cow::Borrowed(cell.trim()))
+            .collect();
+    }
+    let mut cells = vec![];
+    let mut rest = text;
+    loop {
+        let (cell, after) = cell(rest, separator);
+        cells.push(cell);
+        match after {
+            Some(after) => rest = after,
+            None => return cells,
+        }
+    }
+}
+
+/// The first cell, and the text after its separator.
+fn cell(text: &str, separator: u8) -> (Cow<'_, str>, Option<&str>) {
+    let up_to_separator = |text: &str| text.bytes().position(|byte| byte == separator);
+    let Some(quoted) = text.trim_start_matches(' ').strip_prefix('"') else {
+        let end = up_to_separator(text);
+        return (
+            text[..end.unwrap_or(text.len())].trim().into(),
+            end.map(|end| &text[end + 1..]),
+        );
+    };
+    let mut from = 0;
+    while let Some(at) = quoted[from..].find('"').map(|at| from + at) {
+        if quoted[at + 1..].starts_with('"') {
+            from = at + 2;
+            continue;
+        }
+        let (inner, after) = (&quoted[..at], &quoted[at + 1..]);
+        let end = up_to_separator(after);
+        // text between the closing quote and the separator belongs to the cell
+        let more = after[..end.unwrap_or(after.len())].trim_end();
+        let after = end.map(|end| &after[end + 1..]);
+        if more.is_empty() && from == 0 {
+            return (inner.trim().into(), after);
+        }
+        let whole = format!("{}{more}", inner.replace("\"\"", "\""));
+        return (whole.trim().to_owned().into(), after);
+    }
+    (quoted.replace("\"\"", "\"").trim().to_owned().into(), None)
+}
+
+/// True if a quote is still open at the end, so that the record continues in the next line.
+pub(super) fn is_open(text: &str, separator: u8) -> bool {
+    if !text.contains('"') {
+        return false;
+    }
+    let (mut is_quoted, mut begins, mut has_closed) = (false, true, false);
+    for byte in text.bytes() {
+        match byte {
+            // a doubled quote inside a cell reopens it
+            b'"' if is_quoted || begins || has_closed => {
+                (is_quoted, begins, has_closed) = (!is_quoted, false, is_quoted);
+            }
+            b' ' if begins => {}
+            byte => (begins, has_closed) = (!is_quoted && byte == separator, false),
+        }
+    }
+    is_quoted
+}
+
+/// Quotes a cell if necessary.
+pub(crate) fn quoted(cell: &str, separator: u8) -> Cow<'_, str> {
+    match cell
+        .bytes()
+        .any(|byte| byte == separator || matches!(byte, b'"' | b'\n' | b'\r'))
+    {
+        true => format!("\"{}\"", cell.replace('"', "\"\"")).into(),
+        false => cell.into(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Encoding, Lines};
+    use super::{cells, is_open, quoted};
 
     #[test]
     fn an_unclosed_quote_affects_no_other_row() {
@@ -182,6 +262,35 @@ mod tests {
         assert_eq!(
             rows("1,a\r2,b\r"),
             [row(1, "1,a", false), row(2, "2,b", false)]
+        );
+    }
+
+    #[test]
+    fn cells_are_read_as_written() {
+        for (text, expected) in [
+            ("a, b ,c", &["a", "b", "c"][..]),
+            ("", &[""]),
+            ("a,", &["a", ""]),
+            ("\"a, b\",\"c \"\"d\"\"\",e", &["a, b", "c \"d\"", "e"]),
+            ("10.5\",b", &["10.5\"", "b"]),
+            (" \"a\" x,b", &["a x", "b"]),
+            ("\"a\nb\",c", &["a\nb", "c"]),
+        ] {
+            assert_eq!(cells(text, b','), expected, "{text}");
+            let again = expected
+                .iter()
+                .map(|cell| quoted(cell, b','))
+                .collect::<Vec<_>>()
+                .join(",");
+            assert_eq!(cells(&again, b','), expected, "{again}");
+            assert!(!is_open(text, b','), "{text}");
+        }
+        for text in ["\"a", "a,\"b,c", "\"a\"\"", "a, \"b\"\"c"] {
+            assert!(is_open(text, b','), "{text}");
+        }
+        assert!(
+            !is_open("10.5\",b", b','),
+            "a quote within a cell opens nothing"
         );
     }
 }

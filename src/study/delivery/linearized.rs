@@ -1,4 +1,4 @@
-//! The launches of swings that vary: as their straight line, and how they leave it.
+//! Linearized launches of a distribution of swings, with the moments of the linearization error.
 
 use super::unknown::Unknown;
 use crate::derivative::{Evaluator, Order};
@@ -9,18 +9,18 @@ use crate::parameters::Setup;
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// So many swings are struck, each with its mirror image about the mean.
+/// Number of sampled swings; each is used with its mirror image about the mean.
 const PAIRS: u64 = 256;
 
-/// The launches of swings N(mean, C): f(mean) + bend + slopes (x − mean) + a rest with the
-/// covariance `beyond`. Parameters are in units of what was known before, outcomes in SI.
-pub(super) struct Launches {
+/// Launches of swings x ~ N(mean, C): f(x) = f(mean) + bias + slopes (x − mean) + e, where e has
+/// the covariance `nonlinear`. Parameters are in prior standard uncertainties, outcomes in SI.
+pub(super) struct LinearizedLaunches {
     /// f(mean).
     pub(super) at: Vec<f64>,
     pub(super) slopes: DMatrix<f64>,
-    pub(super) bend: DVector<f64>,
-    pub(super) beyond: DMatrix<f64>,
-    /// The covariance of the outcomes themselves.
+    pub(super) bias: DVector<f64>,
+    pub(super) nonlinear: DMatrix<f64>,
+    /// Covariance of the outcomes.
     pub(super) covariance: DMatrix<f64>,
 }
 
@@ -29,17 +29,16 @@ pub(super) fn values(unknowns: &[Unknown], scores: &DVector<f64>) -> Vec<f64> {
     unknowns
         .iter()
         .zip(scores.iter())
-        .map(|(unknown, score)| unknown.before + unknown.sigma * score)
+        .map(|(unknown, score)| unknown.prior + unknown.sigma * score)
         .collect()
 }
 
-impl Launches {
-    /// The impacts of swings spread over the distribution; values that no drive can have are left
-    /// out.
+impl LinearizedLaunches {
+    /// Samples the impact over the distribution. Samples outside the range of a parameter are
+    /// ignored.
     ///
     /// # Errors
-    /// [`Error::Delivery`] where the mean swing is no strike, or more than half of the swings are
-    /// none.
+    /// [`Error::Delivery`] if the mean swing or more than half of the samples are not strikes.
     pub(super) fn of(
         setup: &Setup<f64>,
         of: &[Outcome],
@@ -49,9 +48,8 @@ impl Launches {
     ) -> Result<Self> {
         let wrt: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
         let (n, count) = (unknowns.len(), of.len());
-        let straight =
-            Evaluator::new(setup, of, &wrt, Order::First)?.at(&values(unknowns, mean))?;
-        let slopes = DMatrix::from_fn(count, n, |k, i| straight[k].gradient[i] * unknowns[i].sigma);
+        let at_mean = Evaluator::new(setup, of, &wrt, Order::First)?.at(&values(unknowns, mean))?;
+        let slopes = DMatrix::from_fn(count, n, |k, i| at_mean[k].gradient[i] * unknowns[i].sigma);
         let strike = Evaluator::new(setup, of, &wrt, Order::Value)?;
         let eigen = covariance.clone().symmetric_eigen();
         let roots = DVector::from_iterator(
@@ -60,22 +58,23 @@ impl Launches {
         );
         let root = &eigen.eigenvectors * DMatrix::from_diagonal(&roots);
         let normal = Normal::standard();
-        let struck: Vec<[DVector<f64>; 2]> = (0..2 * PAIRS)
+        let samples: Vec<[DVector<f64>; 2]> = (0..2 * PAIRS)
             .filter_map(|k| {
                 let side = if k % 2 == 0 { 1.0 } else { -1.0 };
-                // no share of 0, which has no score
-                let share = |i| sobol::coordinate(k / 2, i, 0).clamp(1e-6, 1.0 - 1e-6);
-                let off = &root * DVector::from_fn(n, |i, _| side * normal.inverse_cdf(share(i)));
+                // the normal quantile of 0 is infinite
+                let quantile = |i| sobol::coordinate(k / 2, i, 0).clamp(1e-6, 1.0 - 1e-6);
+                let off =
+                    &root * DVector::from_fn(n, |i, _| side * normal.inverse_cdf(quantile(i)));
                 let found = strike.at(&values(unknowns, &(mean + &off))).ok()?;
                 let changed = |k: usize| {
-                    of[k].unwrap_angle(found[k].value, straight[k].value) - straight[k].value
+                    of[k].unwrap_angle(found[k].value, at_mean[k].value) - at_mean[k].value
                 };
                 let changed = DVector::from_fn(count, |k, _| changed(k));
                 let rest = &changed - &slopes * off;
                 Some([changed, rest])
             })
             .collect();
-        if struck.len() < PAIRS as usize {
+        if samples.len() < PAIRS as usize {
             let reason = "the swings behind the shots would vary so much that more than half of \
                           them are no strike; \
                  name fewer parameters (`vary`), or what is known of them (`sigma`)";
@@ -83,20 +82,20 @@ impl Launches {
                 reason: reason.into(),
             });
         }
-        let [(_, all), (bend, beyond)] =
-            [0, 1].map(|part| moments(struck.iter().map(|pair| &pair[part]), count));
-        let at = straight.iter().map(|taylor| taylor.value).collect();
+        let [(_, all), (bias, nonlinear)] =
+            [0, 1].map(|part| moments(samples.iter().map(|pair| &pair[part]), count));
+        let at = at_mean.iter().map(|taylor| taylor.value).collect();
         Ok(Self {
             at,
             slopes,
-            bend,
-            beyond,
+            bias,
+            nonlinear,
             covariance: all,
         })
     }
 }
 
-/// Mean and covariance.
+/// Mean and covariance of a sample.
 pub(super) fn moments<'a>(
     of: impl Iterator<Item = &'a DVector<f64>> + Clone,
     size: usize,

@@ -1,16 +1,16 @@
-//! Work on very many drives that can be stopped between any two of them.
+//! Cancellable parallel work on many drives.
 
 use crate::error::Error;
 use crate::optimize::Status;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What is told where the work was stopped before all drives had been looked at.
+/// Warning for an interrupted check of the validity limits.
 pub(super) const NOT_LOOKED_AT: &str = "whether the drives lie beyond what their law was fitted to \
                                         was not looked at: the work was stopped before";
 
-/// What `work` makes of each item, in their order; `None` where `stop` became true before all were
-/// begun: no other is begun then.
+/// Applies `work` to each item in parallel, in order; `None` if `stop` became true before all items
+/// were started.
 pub(super) fn each_until<T: Sync, R: Send>(
     items: &[T],
     stop: &AtomicBool,
@@ -26,7 +26,7 @@ pub(super) fn each_until<T: Sync, R: Send>(
         .collect()
 }
 
-/// That work was stopped before something, as an error.
+/// The error for interrupted work; `before` completes "stopped before …".
 pub(super) fn stopped(before: &str) -> Error {
     Error::NotConverged {
         status: Status::Interrupted.name(),
@@ -34,7 +34,7 @@ pub(super) fn stopped(before: &str) -> Error {
     }
 }
 
-/// The same in words.
+/// Message for interrupted work.
 pub(super) fn stopped_before(what: &str) -> String {
     format!("stopped before {what}")
 }

@@ -1,75 +1,75 @@
-//! What holds a design, and how it stands at the best one.
+//! Constraints on a design, and their slack and multiplier at the optimum.
 
 use super::rules::Rule;
 use crate::study::Optimum;
 use crate::units::Quantity;
 
-/// What a search may leave of a limit unmet, of the change that its price is told for.
+/// Tolerance of a constraint, as a fraction of its `step`.
 const MET: f64 = 1e-6;
 
-/// A rule, a condition or a limit that holds a design.
+/// A rule, a condition or a user's limit that constrains a design.
 #[derive(Clone, Debug)]
-pub struct Held {
-    /// What it is: `moment of inertia`.
+pub struct DesignConstraint {
+    /// Name: `moment of inertia`.
     pub name: String,
-    /// As an expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
+    /// Expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
     pub expression: String,
     /// The rule of golf, if it is one.
     pub rule: Option<&'static Rule>,
-    /// How it holds.
-    pub by: By,
-    /// The least and the greatest value, SI, or infinite.
+    /// How the search enforces it.
+    pub by: Enforcement,
+    /// Lower and upper limit, SI; may be infinite.
     pub range: [f64; 2],
-    /// What kind of number it is.
+    /// Physical quantity of the value.
     pub quantity: Quantity,
-    /// The unit that it is shown in.
+    /// Display unit.
     pub unit: &'static str,
-    /// The change of the limit that its price is told for, SI.
+    /// Change of the limit for which the price is stated, SI.
     pub step: f64,
 }
 
-/// How a design is held.
+/// How a constraint is enforced.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum By {
-    /// By a bound of this varied parameter.
+pub enum Enforcement {
+    /// As a bound of the varied parameter with this index.
     Bound(usize),
-    /// By this limit of the search.
+    /// As the constraint of the search with this index.
     Limit(usize),
-    /// By nothing: what is varied does not change this value, which was checked.
+    /// Checked once: the varied parameters do not change this value.
     Value(f64),
-    /// It was not checked: the number is not known.
+    /// Unchecked: the value is unknown.
     Unknown,
 }
 
-/// How a design that was found stands to what holds it.
+/// State of a constraint at the optimum.
 #[derive(Clone, Debug)]
-pub struct Standing {
-    /// What holds it.
-    pub held: Held,
-    /// Its value, SI; `None` where it is not known.
+pub struct ConstraintState {
+    /// The constraint.
+    pub constraint: DesignConstraint,
+    /// Its value, SI; `None` if unknown.
     pub value: Option<f64>,
-    /// How far it is from the nearer limit, SI; below 0 where it is violated.
+    /// Distance to the nearer limit, SI; negative if violated.
     pub margin: Option<f64>,
-    /// What the goal would gain for each SI unit that the limit is relaxed; `None` where the limit
-    /// does not hold the design.
+    /// Gain of the goal per SI unit that the limit is relaxed (Lagrange multiplier); `None` if the
+    /// constraint is inactive.
     pub price: Option<f64>,
 }
 
-impl Held {
-    /// How it stands at the best design.
-    pub fn at(&self, best: &Optimum) -> Standing {
+impl DesignConstraint {
+    /// State at the best design.
+    pub fn at(&self, best: &Optimum) -> ConstraintState {
         let solution = &best.solution;
         let margin_of = |value: f64| (value - self.range[0]).min(self.range[1] - value);
-        // what is not met has no price
+        // a violated constraint has no multiplier
         let price_of = |value: Option<f64>, multiplier: f64| {
             let is_met = value.is_none_or(|value| margin_of(value) >= -MET * self.step);
             (multiplier > 0.0 && is_met).then_some(multiplier)
         };
         let (value, price) = match self.by {
-            By::Bound(i) => {
+            Enforcement::Bound(i) => {
                 let vary = best.search.vary[i];
-                // a bound of the search that is closer than the rule has the multiplier, and the
-                // rule has none
+                // if a bound of the search is tighter than the rule, the multiplier belongs to that
+                // bound
                 let [lower, upper] = [self.range[0] == vary.low, self.range[1] == vary.high];
                 let multiplier = |is: bool, of: &[f64]| {
                     if is {
@@ -83,8 +83,8 @@ impl Held {
                 let value = solution.x.get(i).copied();
                 (value, price_of(value, both))
             }
-            By::Limit(k) => {
-                // the search met the limit of the smoothed goal
+            Enforcement::Limit(k) => {
+                // the search satisfied the limit of the smoothed goal
                 let smoothed = solution.constraints.get(k);
                 let value = best.constraints().get(k).map(|(_, at)| at.value);
                 (
@@ -92,12 +92,12 @@ impl Held {
                     smoothed.and_then(|at| price_of(Some(at.value), at.multiplier.abs())),
                 )
             }
-            By::Value(value) => (Some(value), None),
-            By::Unknown => (None, None),
+            Enforcement::Value(value) => (Some(value), None),
+            Enforcement::Unknown => (None, None),
         };
         let margin = value.map(margin_of);
-        Standing {
-            held: self.clone(),
+        ConstraintState {
+            constraint: self.clone(),
             value,
             margin,
             price,

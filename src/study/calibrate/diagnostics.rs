@@ -1,0 +1,185 @@
+//! Warnings and notes about a table of shots and the fit to it.
+
+use super::calibration::{Calibration, Estimate};
+use super::residuals::at_shot;
+use super::shot_table::{Shot, ShotTable};
+use super::statistics::Uncertainties;
+use crate::drive::{CheckScope, Drive, ExceededCount};
+use crate::optimize::least_squares::Status;
+use crate::parameters::{Parameter, Setup, Vary};
+use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
+use crate::units::{Digits, Message, counted, significant};
+use std::sync::atomic::AtomicBool;
+
+/// Root mean square of the residuals in standard uncertainties above which a fit gets a warning.
+/// Noise alone gives 1.
+const MUCH: f64 = 3.0;
+
+impl Calibration {
+    /// Warnings about the fit: rows read as deliveries, residuals too large for noise, values on a
+    /// bound, and confidence intervals beyond the allowed range.
+    pub fn warnings(&self, table: &ShotTable) -> Vec<Message> {
+        let of_values = self
+            .estimates
+            .iter()
+            .filter_map(|estimate| self.value_warning(estimate));
+        self.club_warning(table)
+            .into_iter()
+            .chain(self.misfit_warning(table))
+            .chain(of_values)
+            .collect()
+    }
+
+    /// Warning for a table with club and launch columns while no impact parameter is fitted: the
+    /// launch is then both computed and measured.
+    fn club_warning(&self, table: &ShotTable) -> Option<Message> {
+        let [launch, club] = table.launch_beside_club.as_ref()?;
+        let is_of_flight = self
+            .estimates
+            .iter()
+            .all(|estimate| !estimate.parameter.is_of_strike());
+        is_of_flight.then(|| {
+            format!(
+                "the rows are read as deliveries of a club, since the table has {club}: each \
+                 launch is computed by the impact, and {launch} are \
+                 measured values that it is compared with; to fly the measured launches, leave \
+                 {club} out"
+            )
+            .into()
+        })
+    }
+
+    /// Warning for residuals far larger than their uncertainties.
+    fn misfit_warning(&self, table: &ShotTable) -> Option<Message> {
+        let (chi, freedom) = (
+            self.statistics.chi_square,
+            self.statistics.degrees_of_freedom,
+        );
+        // the status reports a misfit or an outlier already
+        let is_told = !matches!(self.fit.status, Status::Outweighed | Status::Misfit);
+        let is_told = is_told && table.uncertainties != Uncertainties::Weights;
+        let off = self
+            .statistics
+            .misfit()
+            .filter(|off| is_told && *off > MUCH)?;
+        Some(
+            format!(
+                "the values miss the fit by {} of their standard uncertainties (root mean square; \
+                 χ² = {} with {} of freedom), where noise makes \
+                 1: the fitted model does not describe them, or their uncertainties are too small; \
+                 look at the largest residuals",
+                significant(off, 3),
+                significant(chi, 5),
+                counted(freedom as u64, "degree")
+            )
+            .into(),
+        )
+    }
+
+    fn value_warning(&self, estimate: &Estimate) -> Option<Message> {
+        let (parameter, name) = (estimate.parameter, estimate.parameter.name);
+        let show = |value: f64| parameter.show(Some(value));
+        if estimate.is_at_bound && estimate.is_determined {
+            let ends = [parameter.range.low, parameter.range.high];
+            let advice = match ends.contains(&estimate.value) {
+                true => "the end of what it may be: the fitted model does not describe the data",
+                false => {
+                    "the end of its range: the sum would fall further beyond it; give it a wider \
+                     range, or look at the data"
+                }
+            };
+            return Some(format!("{name} ended at {}, {advice}", show(estimate.value)).into());
+        }
+        let reach = self.statistics.reach * estimate.standard_error?;
+        let interval = [estimate.value - reach, estimate.value + reach];
+        let is_beyond = interval
+            .iter()
+            .any(|end| *end < parameter.range.low || *end > parameter.range.high);
+        is_beyond.then(|| {
+            let [low, high] = interval.map(show);
+            let allowed = parameter.range.show(parameter.quantity, parameter.unit);
+            format!(
+                "the 95 % interval of {name}, {low} to {high}, reaches beyond what it may be \
+                 ({allowed}): the data tell little of it; measure \
+                 more, or fit less"
+            )
+            .into()
+        })
+    }
+}
+
+/// Parameters of the setup that the note shows.
+const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
+
+impl ShotTable {
+    /// A note if no row has a launch or an input of swing, club, strike or impact. It shows the
+    /// setup's swing, without the fitted parameters.
+    pub fn one_drive(&self, setup: &Setup<f64>, fitted: &[Vary]) -> Option<Message> {
+        let has_own = |(parameter, _): &(&Parameter, f64)| parameter.is_of_strike();
+        if self.is_launched
+            || self
+                .shots
+                .iter()
+                .any(|shot| shot.inputs.iter().any(has_own))
+        {
+            return None;
+        }
+        let rows = match self.shots.len() {
+            1 => "the row is".to_owned(),
+            rows => format!("all {rows} rows are"),
+        };
+        let shown = SHOWN.iter().filter_map(|name| {
+            let parameter = setup.parameter(name).ok()?;
+            if fitted.iter().any(|vary| vary.parameter == parameter) {
+                return Some(Message::from(format!("{name} as it is fitted")));
+            }
+            let value = setup.value(parameter)?;
+            let named = Message::from(format!("{name} "));
+            Some(named.quantity(
+                parameter.quantity,
+                parameter.unit,
+                value,
+                Digits::Significant(4),
+            ))
+        });
+        let before = format!(
+            "{} has neither a whole launch (ball_speed, launch_angle, and spin or backspin) nor a \
+             column of swing, club, strike or impact: {rows} \
+             compared with one drive, that of the setup: ",
+            self.file
+        );
+        let after = "; if the rows are of different drives, add the columns that tell them apart";
+        Some(
+            Message::from(before)
+                .message(Message::joined(shown, ", "))
+                .words(after),
+        )
+    }
+}
+
+/// Flies the shots and counts those outside the model's validity limits; shots that do not land are
+/// not counted. Once `stop` is true, the warning says that they were not checked.
+pub fn validity_warnings(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Vec<Message> {
+    let looked_at = |shot: &Shot| {
+        let setup = at_shot(setup, shot).ok()?;
+        let drive = Drive::new(&setup).ok()?;
+        let of: Vec<_> = shot
+            .measured
+            .iter()
+            .map(|measurement| measurement.outcome)
+            .collect();
+        drive
+            .landed()
+            .is_ok()
+            .then(|| drive.exceeded_limits(&setup, CheckScope::Flight, &of))
+    };
+    let mut count = ExceededCount::default();
+    let Some(drives) = each_until(shots, stop, looked_at) else {
+        return vec![NOT_LOOKED_AT.into()];
+    };
+    drives
+        .into_iter()
+        .flatten()
+        .for_each(|drive| count.add(drive));
+    count.warnings(&setup.law, ["shot", "shots"], CheckScope::Flight)
+}

@@ -1,0 +1,201 @@
+//! Maximum-likelihood mean and covariance of swings by expectation maximization (Dempster, Laird &
+//! Rubin 1977).
+
+use super::linearized::{LinearizedLaunches, moments, values};
+use super::result::{Delivered, Explained};
+use super::unknown::Unknown;
+use crate::derivative::{Evaluator, Order, Taylor};
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::parameters::Parameter;
+use nalgebra::{DMatrix, DVector};
+
+/// Maximum number of iterations.
+const ITERATIONS: usize = 100;
+/// Stopping tolerance of mean and covariance, in prior standard uncertainties.
+const TOLERANCE: f64 = 1e-7;
+
+/// Shots with the same information matrix Λ. The score of a shot is Λ times its swing's deviation
+/// from the mean.
+struct ShotGroup {
+    information: DMatrix<f64>,
+    scores: Vec<DVector<f64>>,
+}
+
+/// Measured − computed outcomes of a shot at a swing, SI.
+fn differences(
+    shot: &Delivered,
+    own: &[Outcome],
+    unknowns: &[Unknown],
+    at: &[f64],
+) -> Result<Vec<f64>> {
+    let wrt: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
+    let computed = Evaluator::new(&shot.setup, own, &wrt, Order::Value)?.at(at)?;
+    let difference = |(one, taylor): (&Explained, &Taylor)| {
+        let measured = one.measured;
+        measured.value - measured.outcome.unwrap_angle(taylor.value, measured.value)
+    };
+    Ok(shot
+        .explained
+        .iter()
+        .zip(&computed)
+        .map(difference)
+        .collect())
+}
+
+/// Information in the shots about their swings, linearized about a mean swing, in units of the
+/// prior standard uncertainties.
+pub(super) struct SwingInformation {
+    groups: Vec<ShotGroup>,
+    /// Mean of Λ over the shots, with instrument errors only.
+    pub(super) information: DMatrix<f64>,
+    /// Measured − computed at the mean swing, SI: for each shot the index of each outcome and its
+    /// difference.
+    pub(super) off: Vec<Vec<(usize, f64)>>,
+    count: f64,
+}
+
+impl SwingInformation {
+    /// # Errors
+    /// The errors of [`Evaluator::at`], if the mean swing with the club of a shot is not a strike.
+    pub(super) fn new(
+        shots: &[&Delivered],
+        of: &[Outcome],
+        unknowns: &[Unknown],
+        is_measured: &impl Fn(&'static Parameter) -> bool,
+        mean: &DVector<f64>,
+        launches: &LinearizedLaunches,
+    ) -> Result<Self> {
+        let n = unknowns.len();
+        let (at, count) = (values(unknowns, mean), shots.len() as f64);
+        let mut all = Self {
+            groups: vec![],
+            information: DMatrix::zeros(n, n),
+            off: vec![],
+            count,
+        };
+        for shot in shots {
+            all.add(shot, of, unknowns, is_measured, &at, launches)?;
+        }
+        Ok(all)
+    }
+
+    /// Adds a shot; `at` is the mean swing, SI.
+    fn add(
+        &mut self,
+        shot: &Delivered,
+        of: &[Outcome],
+        unknowns: &[Unknown],
+        is_measured: &impl Fn(&'static Parameter) -> bool,
+        at: &[f64],
+        launches: &LinearizedLaunches,
+    ) -> Result<()> {
+        let own: Vec<Outcome> = shot
+            .explained
+            .iter()
+            .map(|one| one.measured.outcome)
+            .collect();
+        let places: Vec<usize> = own
+            .iter()
+            .filter_map(|one| of.iter().position(|other| other == one))
+            .collect();
+        let off = differences(shot, &own, unknowns, at)?;
+        let (size, n) = (own.len(), unknowns.len());
+        let sigma = |k: usize| shot.explained[k].measured.sigma;
+        let slopes = DMatrix::from_fn(size, n, |k, i| launches.slopes[(places[k], i)] / sigma(k));
+        let errors = DMatrix::from_fn(size, size, |k, l| {
+            let nonlinear = launches.nonlinear[(places[k], places[l])] / (sigma(k) * sigma(l));
+            if k == l { 1.0 + nonlinear } else { nonlinear }
+        });
+        let residuals =
+            DVector::from_fn(size, |k, _| (off[k] - launches.bias[places[k]]) / sigma(k));
+        // positive definite: the identity plus a covariance
+        let weighted = errors.try_inverse().map_or_else(
+            || slopes.transpose(),
+            |inverse| slopes.transpose() * inverse,
+        );
+        let mut information = &weighted * &slopes;
+        let mut score = weighted * residuals;
+        self.information += slopes.transpose() * slopes / self.count;
+        for (i, (posterior, unknown)) in shot.posteriors.iter().zip(unknowns).enumerate() {
+            if is_measured(unknown.parameter) {
+                let prior = posterior.unknown;
+                let weight = (unknown.sigma / prior.sigma).powi(2);
+                information[(i, i)] += weight;
+                self.information[(i, i)] += weight / self.count;
+                score[i] += weight * (prior.prior - at[i]) / unknown.sigma;
+            }
+        }
+        self.off.push(places.into_iter().zip(off).collect());
+        match self
+            .groups
+            .iter_mut()
+            .find(|other| other.information == information)
+        {
+            Some(other) => other.scores.push(score),
+            None => self.groups.push(ShotGroup {
+                information,
+                scores: vec![score],
+            }),
+        }
+        Ok(())
+    }
+
+    /// Mean of Λ over the shots, with instrument errors and the nonlinearity of the impact.
+    pub(super) fn mean_information(&self) -> DMatrix<f64> {
+        let n = self.information.nrows();
+        let weighted = |sum: DMatrix<f64>, one: &ShotGroup| {
+            sum + &one.information * (one.scores.len() as f64 / self.count)
+        };
+        self.groups.iter().fold(DMatrix::zeros(n, n), weighted)
+    }
+
+    /// Mean and covariance of the swings along the directions `along`, iterated from the covariance
+    /// `begin`. In the other directions the covariance is `assumed` and the mean is `moved`.
+    pub(super) fn maximize_likelihood(
+        &self,
+        along: &DMatrix<f64>,
+        assumed: &DMatrix<f64>,
+        moved: &DVector<f64>,
+        begin: DMatrix<f64>,
+    ) -> (DVector<f64>, DMatrix<f64>) {
+        let ((n, size), back) = (along.shape(), along.transpose());
+        let (mut mean, mut spread) = (DVector::zeros(size), begin);
+        for _ in 0..ITERATIONS {
+            let covariance = along * &spread * &back + assumed;
+            let centre = along * &mean + moved;
+            let mut swings = vec![];
+            let mut left = DMatrix::zeros(size, size);
+            for ShotGroup {
+                information,
+                scores,
+            } in &self.groups
+            {
+                // (Λ + S⁻¹)⁻¹ for a singular S
+                let Some(inverse) =
+                    (DMatrix::identity(n, n) + &covariance * information).try_inverse()
+                else {
+                    continue;
+                };
+                let after = inverse * &covariance;
+                left += &back * &after * along * (scores.len() as f64 / self.count);
+                let expected = information * &centre;
+                let swing = |score: &DVector<f64>| &back * (&centre + &after * (score - &expected));
+                swings.extend(scores.iter().map(swing));
+            }
+            let (middle, between) = moments(swings.iter(), size);
+            let wider = left + between;
+            // remove the asymmetry of rounding
+            let wider = (&wider + wider.transpose()) * 0.5;
+            let change = (&middle - &mean)
+                .iter()
+                .chain((&wider - &spread).iter())
+                .fold(0.0, |largest: f64, x| largest.max(x.abs()));
+            (mean, spread) = (middle, wider);
+            if change < TOLERANCE {
+                break;
+            }
+        }
+        (mean, spread)
+    }
+}

@@ -1,0 +1,215 @@
+//! Columns of an export: default units, and columns that are ignored.
+
+use super::air::air_as_given;
+use super::column::{Column, Content};
+use super::launch_monitor::{nearest_head, words};
+use crate::drive::Outcome;
+use crate::units::{Message, Quantity};
+
+/// Prefix of the remark.
+pub(crate) const ASSUMED_UNITS: &str = "heads without a unit are read as";
+
+/// Default units of heads without one, as in US versions of the makers' applications.
+const DEFAULT_UNITS: [(Quantity, &str); 4] = [
+    (Quantity::SPEED, "mph"),
+    (Quantity::LENGTH, "yd"),
+    (Quantity::ANGULAR_VELOCITY, "rpm"),
+    (Quantity::TIME, "s"),
+];
+
+/// Assumes default units for columns without a unit and returns a remark. Angles are in degrees
+/// already, and columns whose cells contain units are skipped.
+pub(crate) fn assume_units(
+    columns: &mut [Column],
+    states_unit: impl Fn(usize, &Column) -> bool,
+) -> Option<String> {
+    let mut assumed = vec![];
+    for (at, column) in columns.iter_mut().enumerate() {
+        let is_unstated = column.lacks_unit() || column.is_in_assumed_degrees();
+        if is_unstated && states_unit(at, column) {
+            *column = column.clone().with_units_in_cells();
+            continue;
+        }
+        if !column.lacks_unit() {
+            continue;
+        }
+        let Some((_, unit)) = DEFAULT_UNITS
+            .iter()
+            .find(|(quantity, _)| column.kind() == Some(*quantity))
+        else {
+            continue;
+        };
+        let is_height = column.content == Content::Outcome(Outcome::ApexHeight);
+        let unit = if is_height { "ft" } else { unit };
+        assumed.push(format!("{} in {unit}", column.head));
+        *column = column.clone().in_unit(unit);
+    }
+    (!assumed.is_empty()).then(|| {
+        format!(
+            "{ASSUMED_UNITS} {}; write other units into the heads",
+            assumed.join(", ")
+        )
+    })
+}
+
+/// Use of the club columns beside a measured launch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ClubColumns {
+    /// Ignored: the ball flies from its measured launch.
+    Ignored,
+    /// Read: they help to find the delivery behind the launch.
+    Read,
+}
+
+/// Source of the spin if it is stated more than once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SpinSource {
+    /// The same columns for the whole table.
+    Table,
+    /// The values that each row has: [`without_redundant_spins`](super::conditions::without_redundant_spins).
+    Row,
+}
+
+/// Clause that lists unknown columns similar to known ones: "; near a known head: …".
+pub(crate) fn near_known(columns: &[Column]) -> String {
+    let near = columns.iter().filter(|column| column.is_unknown());
+    let near = near.filter_map(|column| {
+        Some(format!(
+            "'{}' (did you mean '{}'?)",
+            column.head,
+            nearest_head(&column.head)?
+        ))
+    });
+    let near: Vec<String> = near.collect();
+    if near.is_empty() {
+        String::new()
+    } else {
+        format!("; near a known head: {}", near.join(", "))
+    }
+}
+
+/// Message for exports whose air the setup overrides.
+pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
+    columns
+        .iter()
+        .find(|column| column.is_of_given_air())
+        .map(|column| air_as_given(&column.head))
+}
+
+/// Remark on angles without a unit, which are read in degrees.
+pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
+    let heads: Vec<&str> = columns
+        .iter()
+        .filter(|column| column.is_in_assumed_degrees())
+        .map(|column| column.head.as_str())
+        .collect();
+    let (is, angles) = if heads.len() == 1 {
+        ("is", "an angle")
+    } else {
+        ("are", "angles")
+    };
+    (!heads.is_empty()).then(|| {
+        format!(
+            "{} {is} read in degrees: {angles} without a unit, and launch monitors write degrees",
+            heads.join(", ")
+        )
+    })
+}
+
+/// Ignores columns of an export and returns remarks: unknown columns; for a measured launch, club
+/// columns; redundant spin columns, unless each row selects its own.
+pub(super) fn ignore_columns(
+    columns: &mut [Column],
+    club: ClubColumns,
+    spin: SpinSource,
+) -> Vec<Message> {
+    let mut remarks: Vec<Message> = unknown_columns(columns).into_iter().collect();
+    let has = |outcome| {
+        columns
+            .iter()
+            .any(|column| column.content == Content::Outcome(outcome))
+    };
+    let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
+    if !(has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin) {
+        return remarks;
+    }
+    let is_club = |column: &Column| {
+        let is_of_the_strike = club == ClubColumns::Ignored && column.is_of_the_strike();
+        is_of_the_strike || column.content == Content::Outcome(Outcome::SmashFactor)
+    };
+    let ignored = heads_of(columns, is_club);
+    if !ignored.is_empty() {
+        let reason = match club {
+            ClubColumns::Ignored => {
+                "the ball flies from its measured launch; columns of the club are left out"
+            }
+            ClubColumns::Read => {
+                "the speeds of ball and club are read, and not their ratio; left out"
+            }
+        };
+        remarks.push(format!("{reason}: {}", ignored.join(", ")).into());
+    }
+    let redundant = redundant_spins(has);
+    let is_redundant = |column: &Column| {
+        redundant
+            .iter()
+            .any(|outcome| column.content == Content::Outcome(*outcome))
+    };
+    let is_of_row = spin == SpinSource::Row
+        && (club == ClubColumns::Ignored || !columns.iter().any(Column::is_of_the_strike));
+    let repeated = heads_of(columns, is_redundant);
+    if !repeated.is_empty() {
+        let reason = match is_of_row {
+            true => {
+                "the spin is stated twice; used only in rows without the other columns of the spin"
+            }
+            false => "the spin is stated twice; left out",
+        };
+        remarks.push(format!("{reason}: {}", repeated.join(", ")).into());
+    }
+    for column in columns
+        .iter_mut()
+        .filter(|column| is_club(column) || !is_of_row && is_redundant(column))
+    {
+        column.content = Content::Note;
+    }
+    remarks
+}
+
+/// Spin columns that others make redundant.
+fn redundant_spins(has: impl Fn(Outcome) -> bool) -> &'static [Outcome] {
+    if has(Outcome::Spin) && (has(Outcome::SpinAxis) || !has(Outcome::Sidespin)) {
+        &[Outcome::Backspin, Outcome::Sidespin]
+    } else if has(Outcome::Backspin) {
+        &[Outcome::Spin, Outcome::SpinAxis]
+    } else {
+        &[]
+    }
+}
+
+/// Heads of the columns that satisfy a condition, without empty ones.
+fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
+    columns
+        .iter()
+        .filter(|column| is(column) && !column.head.is_empty())
+        .map(|column| column.head.as_str())
+        .collect()
+}
+
+/// Remark on unknown columns, with similar known heads.
+fn unknown_columns(columns: &[Column]) -> Option<Message> {
+    // a condition column belongs to the air of the rows if it states the air
+    let is_condition =
+        |column: &Column| ["condition", "conditions"].contains(&words(&column.head).as_str());
+    let unknown: Vec<String> = columns
+        .iter()
+        .filter(|column| column.is_unknown() && !column.head.is_empty() && !is_condition(column))
+        .map(|column| match nearest_head(&column.head) {
+            Some(near) => format!("{} (did you mean '{near}'?)", column.head),
+            None => column.head.clone(),
+        })
+        .collect();
+    let list = unknown.join(", ");
+    (!unknown.is_empty())
+        .then(|| format!("columns without a name here are left out: {list}").into())
+}
