@@ -34,7 +34,7 @@ pub(super) fn data(document: &mut Document, table: &ShotTable, system: System) {
 
 /// Adds the ends of the searches to a document, if there are several.
 pub(super) fn starts(document: &mut Document, found: &Calibration) {
-    let (made, same) = found.starts;
+    let (made, same) = (found.starts, found.at_minimum);
     if made <= 1 {
         return;
     }

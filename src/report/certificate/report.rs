@@ -7,7 +7,7 @@ use crate::report::lines::by_reason;
 use crate::report::reply::{Ending, Report};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{
-    Agreement, AtLanding, Certificate, Continuity, Convergence, Planted, Row, StepError,
+    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, Row, StepError,
 };
 use crate::units::{Message, System};
 use serde::Serialize;
@@ -386,7 +386,7 @@ impl Curve {
 }
 
 impl PlantedError {
-    fn new(planted: &Planted) -> Self {
+    fn new(planted: &DetectionTest) -> Self {
         Self {
             error: planted.error.name(),
             rows: planted.rows,

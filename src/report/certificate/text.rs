@@ -5,7 +5,9 @@ use crate::report::document::Table;
 use crate::report::lines::by_reason;
 use crate::report::shown;
 use crate::reproduce::LoopRow;
-use crate::study::certificate::{Certificate, Continuity, Convergence, Planted, Row, StepError};
+use crate::study::certificate::{
+    Certificate, Continuity, Convergence, DetectionTest, Row, StepError,
+};
 use crate::units::{System, counted, counted_of, fixed, significant};
 
 /// The lines below the derivatives: corners, failures, then each of the other checks.
@@ -85,7 +87,7 @@ fn continuity(found: &Continuity, system: System) -> String {
 }
 
 /// The detection of a planted error.
-fn planted(planted: &Planted) -> String {
+fn planted(planted: &DetectionTest) -> String {
     let name = planted.error.name();
     if planted.rows == 0 {
         return format!(
