@@ -4,7 +4,7 @@ use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
 use crate::given::{self, PRESET};
 use longdrive::atmosphere::in_effect;
 use longdrive::parameters::{
-    GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF,
+    DEFAULT_PRESET, GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF,
 };
 use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
 use longdrive::units::System;
@@ -14,10 +14,6 @@ use pyo3::types::{PyDict, PyIterator, PyList, PyString};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-/// The preset of a command without a setup.
-const USUAL: &str = "tour-average";
-/// The preset of a setup file, or dict, that names none.
-const OF_FILES: &str = "modern-driver";
 /// Changes that a short text shows.
 const SHOWN: usize = 4;
 
@@ -25,7 +21,7 @@ const SHOWN: usize = 4;
 /// integrated.
 ///
 /// ``Setup()`` is the preset ``tour-average``, ``Setup("modern-driver")`` another one, and a dict
-/// starts from its ``preset`` (without one: ``modern-driver``, as a setup file does) with nested or
+/// starts from its ``preset`` (without one: ``tour-average``, as a setup file does) with nested or
 /// dotted names:
 ///
 /// >>> import longdrive
@@ -94,7 +90,7 @@ impl PySetup {
             return Ok(*setup.get());
         }
         if given.is_none() {
-            return Self::of_preset(USUAL);
+            return Self::of_preset(DEFAULT_PRESET);
         }
         if let Ok(name) = given.cast::<PyString>() {
             return Self::of_preset(text_of("setup", name)?);
@@ -102,12 +98,12 @@ impl PySetup {
         let mut given = given::flattened(given)?;
         given::refuse_repeated(&given)?;
         let preset = given::preset(&mut given)?;
-        Self::of_preset(preset.as_deref().unwrap_or(OF_FILES))?.with(&given)
+        Self::of_preset(preset.as_deref().unwrap_or(DEFAULT_PRESET))?.with(&given)
     }
 
     /// A setup from Python, or None.
     pub fn of_any(given: Option<&Bound<'_, PyAny>>) -> Answer<Self> {
-        given.map_or_else(|| Self::of_preset(USUAL), Self::of)
+        given.map_or_else(|| Self::of_preset(DEFAULT_PRESET), Self::of)
     }
 
     fn of_file(file: SetupFile) -> Answer<Self> {

@@ -1,5 +1,5 @@
-//! Setup files: TOML whose keys are the parameters' dotted names. A string carries its unit, a bare
-//! number is SI; every mistake is reported with its line and column.
+//! Setup files: TOML whose keys are the parameters' dotted names. A quantity with a dimension is a
+//! string with its unit; every mistake is reported with its line and column.
 
 use super::air::is_taken_back;
 use super::club_speed::SPEED_OF;
@@ -7,7 +7,7 @@ use super::declare::{Parameter, UNSET};
 use super::golfer::GOLFER;
 use super::law_table::{TABLE, TABLE_LAW};
 use super::method::METHOD;
-use super::presets::{PRESETS, Preset};
+use super::presets::{DEFAULT_PRESET, Preset};
 use super::setup::table_beside;
 use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
@@ -41,14 +41,12 @@ impl Item<'_> {
 pub struct SetupFile {
     /// The setup.
     pub setup: Setup<f64>,
-    /// The preset that it starts from: `modern-driver` where the file names none.
+    /// The preset that it starts from: [`DEFAULT_PRESET`] where the file names none.
     pub preset: &'static Preset,
     /// The parameters that the file itself gives, in their order there.
     pub given: Vec<&'static Parameter>,
     /// Whether the file itself says how to integrate: flight.method or flight.step.
     pub gives_step: bool,
-    /// Parameters with a dimension whose numbers stand without a unit, and were read as SI.
-    pub without_unit: Vec<&'static Parameter>,
 }
 
 impl SetupFile {
@@ -103,7 +101,7 @@ impl SetupFile {
                 ));
             }
         }
-        let mut setup = Setup::default();
+        let mut setup = Setup::preset(DEFAULT_PRESET)?;
         // other files are named from where this one is
         let folder = Path::new(file).parent().unwrap_or(Path::new(""));
         for item in &items {
@@ -129,14 +127,7 @@ impl SetupFile {
             .filter(|item| !item.is_taken_back())
             .filter_map(|item| setup.parameter(&item.key).ok())
             .collect();
-        let bare = items
-            .iter()
-            .filter(|item| matches!(item.value, DeValue::Integer(_) | DeValue::Float(_)));
-        let bare = bare.filter_map(|item| setup.parameter(&item.key).ok());
-        let has_unit = |parameter: &&Parameter| !parameter.quantity.si.is_empty();
-        let is_finite = |parameter: &&Parameter| setup.value(parameter).is_some_and(f64::is_finite);
-        let without_unit = bare.filter(has_unit).filter(is_finite).collect();
-        let preset = named.and_then(Preset::named).unwrap_or(&PRESETS[0]);
+        let preset = Preset::known(named.unwrap_or(DEFAULT_PRESET))?;
         let gives_step = items
             .iter()
             .any(|item| matches!(item.key.as_str(), METHOD | "flight.step"));
@@ -145,7 +136,6 @@ impl SetupFile {
             preset,
             given,
             gives_step,
-            without_unit,
         })
     }
 }
@@ -160,7 +150,8 @@ impl Setup<f64> {
     }
 
     /// Reads the text of a setup file; `file` is what messages call it. What the file leaves out
-    /// comes from its `preset`, or from `modern-driver` where it names none.
+    /// comes from its `preset`, or from [`DEFAULT_PRESET`](crate::parameters::DEFAULT_PRESET) where
+    /// it names none.
     ///
     /// ```
     /// use longdrive::Setup;
@@ -220,8 +211,8 @@ impl Setup<f64> {
         let value = match item.value {
             DeValue::String(_) if item.is_taken_back() => Ok(None),
             DeValue::String(text) => parameter.read(text, false),
-            DeValue::Integer(number) => parameter.read(&number.to_string(), true),
-            DeValue::Float(number) => parameter.read(number.as_str(), true),
+            DeValue::Integer(number) => parameter.read(&number.to_string(), false),
+            DeValue::Float(number) => parameter.read(number.as_str(), false),
             other => Err(wrong_type(
                 item,
                 other,

@@ -35,7 +35,7 @@ pub use golfer::{GOLFER, Golfer};
 pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, Grid, Surface, cells_of};
 pub use method::{METHOD, Method};
-pub use presets::{PRESETS, Preset, PresetEntry};
+pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};
 pub use range::Range;
 pub(crate) use setup::{NO_CLUB, refuse_twice};
 pub(crate) use table::with_law;

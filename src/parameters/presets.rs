@@ -48,6 +48,9 @@ const LOFT_SOLD: &str =
 const BEND: &str = "assumed: within 2 to 5 deg, docs/sources.md; the loft was chosen with it";
 const GROWTH: &str = "assumed: the load on the shaft grows with the square of the head speed";
 
+/// The preset of a command without a setup, and of a setup file that names none.
+pub const DEFAULT_PRESET: &str = "tour-average";
+
 /// The presets. `modern-driver` is the table's defaults themselves.
 pub static PRESETS: &[Preset] = &[
     Preset {
@@ -297,6 +300,18 @@ impl Preset {
         PRESETS.iter().find(|preset| preset.name == name)
     }
 
+    /// The preset of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn known(name: &str) -> Result<&'static Self> {
+        Self::named(name).ok_or_else(|| {
+            let names = PRESETS.iter().map(|preset| preset.name);
+            let advice = format!("the presets are {}", Self::names());
+            Error::unknown("preset", name, names, advice)
+        })
+    }
+
     /// All presets' names, in a line.
     pub fn names() -> String {
         PRESETS
@@ -322,15 +337,7 @@ impl Setup<f64> {
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
     pub fn preset(name: &str) -> Result<Self> {
-        let preset = Preset::named(name).ok_or_else(|| {
-            let names = PRESETS.iter().map(|preset| preset.name);
-            Error::unknown(
-                "preset",
-                name,
-                names,
-                format!("the presets are {}", Preset::names()),
-            )
-        })?;
+        let preset = Preset::known(name)?;
         let mut setup = Self::default();
         setup.set_all(preset.entries.iter().map(|entry| (entry.name, entry.value)))?;
         Ok(setup)

@@ -1,13 +1,12 @@
 //! What every question starts from, and the questions about one drive.
 
-/// The setup where none is named.
-pub const SETUP: &str = "tour-average";
+pub use crate::parameters::DEFAULT_PRESET as SETUP;
 
 /// Arguments about the setup, of every command with drives.
 #[derive(Clone, clap::Args)]
 pub struct SetupArgs {
     /// A preset's name, a TOML file, or - for the text of one on standard input. A file that names
-    /// no preset starts from modern-driver.
+    /// no preset starts from tour-average.
     #[arg(value_name = "SETUP", default_value = SETUP)]
     pub setup: String,
 

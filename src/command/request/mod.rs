@@ -73,7 +73,6 @@ impl Request {
             is_json: args.json,
         };
         request.apply_settings()?;
-        request.note_bare_numbers();
         request.refuse_given_twice(&request.setup, &[])?;
         request.setup.validate_but_launch()?;
         if request.setup.launch.is_given() {
@@ -420,29 +419,6 @@ impl Request {
             };
             tell(&format!(
                 "note: {name} is varied; the search from the setup begins at {start_text}{moved}"
-            ));
-        }
-    }
-
-    /// Notes the parameters of a setup file without a unit that no setting replaces.
-    fn note_bare_numbers(&self) {
-        let text = |parameter: &&'static Parameter| {
-            let value = self.setup.value(parameter)?;
-            let shown = parameter.quantity.show(value, parameter.quantity.si);
-            Some(format!("{} = {shown}", parameter.name))
-        };
-        let bare: Vec<_> = self
-            .source
-            .without_unit()
-            .iter()
-            .filter(|parameter| self.stated().all(|name| name != parameter.name))
-            .filter_map(text)
-            .collect();
-        if !bare.is_empty() {
-            tell(&format!(
-                "note: {}: read as SI, without a unit: {}",
-                self.source.argument,
-                bare.join(", ")
             ));
         }
     }

@@ -75,11 +75,6 @@ impl Source {
         self.content.gives_step || entries.iter().any(|entry| is_of_step(entry.name))
     }
 
-    /// The parameters that it gives as numbers without a unit.
-    pub fn without_unit(&self) -> &[&'static Parameter] {
-        &self.content.without_unit
-    }
-
     /// The setup file, if it is one on a disk.
     pub fn file(&self) -> Option<&Path> {
         (self.kind == Kind::File).then_some(Path::new(&self.argument))
@@ -107,7 +102,6 @@ fn read_preset(argument: &str) -> Result<SetupFile> {
         preset: Preset::named(argument).ok_or_else(unknown)?,
         given: vec![],
         gives_step: false,
-        without_unit: vec![],
     })
 }
 
