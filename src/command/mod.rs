@@ -76,7 +76,6 @@ pub use mention::{Argument, Mention, mark_options, with_mentions};
 
 use crate::{Error, Result};
 use args::{Args, Command};
-use clap::Parser;
 use output::Answer;
 use std::ffi::OsString;
 use std::io::ErrorKind;
@@ -97,7 +96,7 @@ pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
 /// Runs a command line, the name of the program first, for a host. Exit status: 0 done, 1 no
 /// answer, 2 bad input. The host gets the message; with `--json` the answer has it too.
 pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
-    let args = match Args::try_parse_from(&words) {
+    let args = match Args::read(&words) {
         Ok(args) => args,
         Err(error) => {
             let command = Command::named_in(words.get(1..).unwrap_or_default());

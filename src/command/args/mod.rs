@@ -7,6 +7,7 @@ mod certainty;
 mod compare;
 mod data;
 mod fly;
+mod help;
 mod many;
 mod number;
 mod pareto;
@@ -36,7 +37,7 @@ pub use search::{
 };
 pub use setup::{Gradient, Laws, OwnLaw, Parameters, Presets, SETUP, SetupArgs, Simulate};
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 
 /// The longest golf drive, with exact derivatives.
@@ -56,70 +57,112 @@ pub struct Args {
 
 #[derive(Subcommand)]
 pub enum Command {
-    /// Compute one drive: impact, launch and flight.
+    /// Compute one drive: impact, launch, flight, landing.
     Simulate(Simulate),
-    /// Exact derivatives of outcomes with respect to parameters.
+    /// Exact derivatives of outcomes by parameters.
     Gradient(Gradient),
-    /// Compare two drives: their outcomes, and which part of the difference is due to which
-    /// parameter and launch condition.
+    /// Compare two drives, with the cause of each difference.
+    ///
+    /// The outcomes of both, and the share of each parameter and launch condition in the
+    /// difference.
     Compare(Compare),
-    /// Find the parameters that maximize or minimize an outcome: by default, the loft and attack
+    /// Find the drive that carries farthest, or any best outcome.
+    ///
+    /// Finds the parameters that maximize or minimize an outcome: by default, the loft and attack
     /// angle of the longest carry.
     Optimize(Optimize),
-    /// How the optimum depends on every other parameter, what its bounds and constraints cost, and
-    /// how flat it is.
+    /// Sensitivity of the optimum, and how flat it is.
+    ///
+    /// How the optimum depends on every other parameter, and what its bounds and constraints cost.
     OptimumSensitivity(OptimumSensitivity),
-    /// Design head and face for swings that vary, under the Rules of Golf: the best bulge, roll,
-    /// loft, inertia or movable weights, with what each rule costs.
+    /// Design head and face under the Rules of Golf.
+    ///
+    /// For swings that vary: the best bulge, roll, loft, inertia or movable weights, with what
+    /// each rule costs.
     Design(DesignArgs),
-    /// Fit parameters to measured shots, with their uncertainties and what the data do not
-    /// determine.
+    /// Fit parameters to measured shots.
+    ///
+    /// With their uncertainties, and what the data do not determine.
     Calibrate(Calibrate),
-    /// Find the delivery and strike that explain a measured launch, and what the launch does not
-    /// tell of them.
+    /// Find the swing and strike behind a measured launch.
+    ///
+    /// And what the launch does not determine of them.
     Delivery(DeliveryArgs),
-    /// Compute the optimum as a function of a parameter.
+    /// The optimum along a parameter, such as club speed.
     Chart(ChartArgs),
-    /// Find the best compromises between two goals, such as carry and dispersion, with what one
-    /// costs of the other.
+    /// The best compromises between two goals.
+    ///
+    /// Such as carry and dispersion, with what one costs of the other.
     Pareto(ParetoArgs),
-    /// Find the design that loses least whichever of several models of impact and flight is true.
+    /// The design that loses least, whichever model is true.
+    ///
+    /// Several models of impact and flight are compared.
     Robust(RobustArgs),
     /// Draw a plot as SVG or PNG, or write its data as CSV.
     Plot(Plot),
-    /// Write a page (HTML) of the drive, the optimum, a map around it, sensitivities and
-    /// uncertainties, with plots and data.
+    /// Write a page: drive, optimum, map, sensitivities.
+    ///
+    /// An HTML page of the drive, the optimum, a map around it, sensitivities and uncertainties,
+    /// with plots and data.
     Report(Report),
-    /// Compute very many drives: the points of a grid, a quasi-random sequence or a table, to CSV,
-    /// JSON lines or Parquet.
+    /// Compute very many drives to CSV, JSON Lines or Parquet.
+    ///
+    /// The points are those of a grid, a quasi-random sequence or a table.
     Sweep(Sweep),
-    /// Fly the shots of a launch monitor (a CSV export, or GSPro Open Connect): predicted flights
-    /// beside the measured ones.
+    /// Fly the shots of a launch monitor.
+    ///
+    /// From a CSV export or GSPro Open Connect: predicted flights beside the measured ones.
     Fly(Fly),
-    /// Reproduce a published study: each printed number beside the computed one.
+    /// Reproduce a published study, number by number.
     Reproduce(Reproduce),
-    /// Compare every law of drag and lift with published drives: bias and mean absolute error of
-    /// carry, apex and descent.
+    /// Compare every law of flight with published drives.
+    ///
+    /// Bias and mean absolute error of carry, apex and descent.
     Validate(Validate),
-    /// Compare every exact derivative with numerical differences, and check what both rest on; exit
-    /// status 1 if a check fails.
+    /// Check every derivative against finite differences.
+    ///
+    /// And what the derivatives rest on; exit status 1 if a check fails.
     Verify(Verify),
-    /// How outcomes depend on parameters: slopes, elasticities, and the effect of the uncertainty
-    /// of each parameter.
+    /// Effect of each parameter on the outcomes.
+    ///
+    /// Slopes, elasticities, and the effect of the uncertainty of each parameter.
     Sensitivity(SensitivityArgs),
-    /// Compute the uncertainty of outcomes from uncertain parameters: by exact derivatives, and by
-    /// a sample of drives.
+    /// Spread of the outcomes from uncertain parameters.
+    ///
+    /// By exact derivatives, and by a sample of drives.
     Uncertainty(UncertaintyArgs),
-    /// List every parameter with its unit, range, default and meaning.
+    /// List the parameters: unit, range, default, meaning.
     Parameters(Parameters),
-    /// List the presets, or print one as a setup file with the source of each number.
+    /// List the presets, or print one as a setup file.
+    ///
+    /// With the source of each number.
     Presets(Presets),
-    /// List the laws of drag and lift: authors, formula, ball, source, and what each was fitted to.
+    /// List the laws of drag and lift.
+    ///
+    /// Authors, formula, ball, source, and the range each was fitted to.
     Laws(Laws),
-    /// Print a script that completes commands and options in a shell.
+    /// Print a script for completion in a shell.
     Completions(Completions),
-    /// Print a manual page, or write the pages of all commands.
+    /// Print a manual page, or write all of them.
     Man(Man),
+}
+
+impl Args {
+    /// The program, with its commands in groups.
+    fn program() -> clap::Command {
+        let program = Self::command();
+        let template = help::template(&program);
+        program.help_template(template)
+    }
+
+    /// Reads a command line.
+    ///
+    /// # Errors
+    /// For words that are no command line of this program, and for `--help` and `--version`.
+    pub fn read(words: &[OsString]) -> Result<Self, clap::Error> {
+        let matches = Self::program().try_get_matches_from(words)?;
+        Self::from_arg_matches(&matches)
+    }
 }
 
 impl Command {

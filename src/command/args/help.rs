@@ -1,0 +1,89 @@
+//! The help of the program: its commands in groups, and two examples.
+
+/// The groups of commands, in the order of a user's questions.
+const GROUPS: [(&str, &[&str]); 5] = [
+    (
+        "Your drive",
+        &["simulate", "compare", "optimize", "chart", "report", "plot"],
+    ),
+    ("Your shots", &["fly", "delivery", "calibrate"]),
+    (
+        "What matters",
+        &[
+            "gradient",
+            "sensitivity",
+            "optimum-sensitivity",
+            "uncertainty",
+        ],
+    ),
+    ("Design", &["design", "pareto", "robust", "sweep"]),
+    (
+        "Reference",
+        &[
+            "parameters",
+            "presets",
+            "laws",
+            "reproduce",
+            "validate",
+            "verify",
+            "completions",
+            "man",
+        ],
+    ),
+];
+
+const EXAMPLES: &str = "\
+Examples:
+  longdrive optimize --set swing.speed=95mph
+  longdrive delivery --ball-speed 150mph --launch-angle 12deg --spin 2600rpm -o me.toml
+
+'longdrive COMMAND --help' explains a command. Exit status: 0 done, 1 no answer, 2 bad input.
+";
+
+/// The template of the program's help.
+pub fn template(program: &clap::Command) -> String {
+    let mut text = "{about}\n\n{usage-heading} {usage}\n".to_owned();
+    for (heading, names) in GROUPS {
+        text += &format!("\n{heading}:\n");
+        for name in names {
+            let about = program
+                .find_subcommand(name)
+                .and_then(clap::Command::get_about)
+                .map(ToString::to_string)
+                .unwrap_or_default();
+            text += &format!("  {name:<19}  {about}\n");
+        }
+    }
+    text + "\n" + EXAMPLES + "\nOptions:\n{options}"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{GROUPS, template};
+    use crate::command::args::Args;
+    use clap::CommandFactory;
+
+    #[test]
+    fn each_command_is_in_one_group_with_a_line_of_at_most_100_columns() {
+        let program = Args::command();
+        let mut listed: Vec<_> = GROUPS
+            .iter()
+            .flat_map(|(_, names)| *names)
+            .copied()
+            .collect();
+        let mut commands: Vec<_> = program.get_subcommands().map(|c| c.get_name()).collect();
+        listed.sort_unstable();
+        commands.sort_unstable();
+        assert_eq!(listed, commands);
+        for line in template(&program)
+            .lines()
+            .filter(|line| line.starts_with("  "))
+        {
+            assert!(line.chars().count() <= 100, "{line}");
+        }
+        for command in program.get_subcommands() {
+            let about = command.get_about().unwrap().to_string();
+            assert!(about.chars().count() <= 60, "{about}");
+        }
+    }
+}
