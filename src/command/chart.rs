@@ -21,7 +21,9 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         [(along.parameter, 0.5 * (along.low + along.high))],
         "begins at",
     )?;
-    let search = args.search.search(&setup)?;
+    let search = args
+        .search
+        .search_beside(&request, &setup, Some(along.parameter))?;
     request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;

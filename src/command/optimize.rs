@@ -5,7 +5,7 @@ use crate::command::output::{Answer, system, tell, warn};
 use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::Status;
-use crate::report::{OptimumReport, OverSwings, optimize_text};
+use crate::report::{OptimumReport, OverSwings, optimize_text, title_text};
 use std::sync::atomic::AtomicBool;
 
 pub fn run(args: &Optimize) -> Result<Answer> {
@@ -15,7 +15,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     }
     let request = args.setup_args.request()?;
     let setup = request.setup_with_starts(&args.search.vary)?;
-    let search = args.search.search(&setup)?;
+    let search = args.search.search(&request, &setup)?;
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &search.vary)?;
     let output = args.destination(&request)?;
@@ -32,12 +32,16 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         .transpose()?
         .flatten();
     let over = OverSwings::default();
+    let held = args.search.held(&request, &setup);
     let answer = if request.is_json() {
         let mut reply = OptimumReport::reply(&optima, over, warnings);
         reply.body.file = written;
+        reply.body.from = Some(request.title());
+        reply.body.held = held.iter().map(|parameter| parameter.name).collect();
         Answer::json(&reply)
     } else {
-        Answer::text(optimize_text(&optima, over, system()))
+        let title = title_text(&request.title(), &held, &setup, system());
+        Answer::text(title + &optimize_text(&optima, over, system()))
     };
     Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
 }

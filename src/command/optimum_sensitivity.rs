@@ -30,7 +30,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     }
     let request = setup_args.request()?;
     let own = request.setup_with_starts(&search.vary)?;
-    let search = search.search(&own)?;
+    let search = search.search(&request, &own)?;
     let setup = request.for_many(own, &search.vary)?;
     let asked = Asked::new(args, &setup, &search)?;
     let output = args.optimize.destination(&request)?;

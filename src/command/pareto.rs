@@ -8,7 +8,7 @@ use crate::command::output::{Answer, spinner, system, tell, warn};
 use crate::command::picture::Target;
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::of_a_drive;
+use crate::command::search::{not_stated, of_a_drive};
 use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
 use crate::optimize::{Follow, Iteration, Options};
 use crate::parameters::Vary;
@@ -140,7 +140,7 @@ fn over_swings(
     refuse_idle_strokes(strokes, all)?;
     let vary = match asked.vary.as_slice() {
         // the attack angle is the golfer's, and varies from swing to swing
-        [] => vec![Search::longest_drive(&setup)?.vary[0]],
+        [] => not_stated(vec![Search::longest_drive(&setup)?.vary[0]], request)?,
         given => given
             .iter()
             .map(|text| Vary::read(&setup, text))
@@ -176,7 +176,7 @@ fn of_one_drive(
         subject_to,
         options,
         ..
-    } = one.search(&setup)?;
+    } = one.search(request, &setup)?;
     Ok((
         setup,
         ParetoSearch {

@@ -70,7 +70,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = Target::new(&request, &args.drawing)?;
     let setup = request.setup_with_starts(&args.search.vary)?;
-    let search = args.search.search(&setup)?;
+    let search = args.search.search(&request, &setup)?;
     let setup = request.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
@@ -158,8 +158,10 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = Target::new(&request, &args.drawing)?;
     let setup = request.setup_with_starts(args.search.vary.iter().chain([&args.along]))?;
-    let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
+    let search = args
+        .search
+        .search_beside(&request, &setup, Some(along.parameter))?;
     request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let shown = shown_curve(args, &search)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();

@@ -211,7 +211,7 @@ fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Optio
         );
         return Ok((request.for_many(setup, &[])?, None));
     }
-    let search = search.search(&setup)?;
+    let search = search.search(request, &setup)?;
     let setup = request.for_many(setup, &search.vary)?;
     // a plot needs a drive
     Drive::new(&setup)?.landed()?;

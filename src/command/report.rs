@@ -31,7 +31,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let stated = request.setup()?;
     let of = args.search.sought()?.0;
-    let sought = args.sought(&stated)?;
+    let sought = args.sought(&request, &stated)?;
     let ranges: Vec<_> = sought
         .iter()
         .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
@@ -316,14 +316,14 @@ const NO_SEARCH: &str = "the drive is given by its launch, so there is no loft a
 
 impl Report {
     /// The search, and the parameter that the chart follows; `None` for a launch without `--vary`.
-    fn sought(&self, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
+    fn sought(&self, request: &Request, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
         let is_launched = setup.launch.is_given();
         if !is_launched || !self.search.vary.is_empty() {
             let along = match &self.along {
                 Some(given) => Vary::read(setup, given)?,
                 None => usual_speeds(setup)?,
             };
-            return Ok(Some((self.search.search(setup)?, along)));
+            return Ok(Some((self.search.search(request, setup)?, along)));
         }
         let of_search = self
             .search

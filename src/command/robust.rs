@@ -89,13 +89,13 @@ impl RobustArgs {
             let setup = request.with_starts(set_up, &self.search.vary)?;
             let search = Search {
                 scenarios,
-                ..searched(&self.search, &self.swings, &setup)?
+                ..searched(request, &self.search, &self.swings, &setup)?
             };
             tell_of_the_run(&search.of.outcomes());
             return Ok((set_up, search));
         }
         let setup = request.setup_with_starts(&self.search.vary)?;
-        let search = self.search.search(&setup)?;
+        let search = self.search.search(request, &setup)?;
         Ok((setup, search))
     }
 

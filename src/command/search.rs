@@ -8,6 +8,7 @@ use crate::command::output::{bar_of, system, tell, warn};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::optimize::{Checkpoint, Follow, Iteration, Options, Status};
+use crate::parameters::Parameter;
 use crate::report::{goal_text, iteration_line, optimum_toml};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Constraint, Optima, Search, Sense, Vary, optima};
@@ -17,8 +18,19 @@ use indicatif::ProgressBar;
 use std::sync::{Arc, Mutex, PoisonError};
 
 impl SearchArgs {
-    /// The search that the options describe.
-    pub fn search(&self, setup: &Setup<f64>) -> Result<Search> {
+    /// The search. By default it varies loft and attack angle: each one that the command line
+    /// does not state.
+    pub fn search(&self, request: &Request, setup: &Setup<f64>) -> Result<Search> {
+        self.search_beside(request, setup, None)
+    }
+
+    /// The search of a chart along a parameter, which the search does not vary by default.
+    pub fn search_beside(
+        &self,
+        request: &Request,
+        setup: &Setup<f64>,
+        along: Option<&Parameter>,
+    ) -> Result<Search> {
         let vary = match self.vary.as_slice() {
             [] if setup.launch.is_given() => {
                 let source = "the drive is given by its launch, so there is no loft and no attack \
@@ -29,7 +41,11 @@ impl SearchArgs {
                     source: source.into(),
                 });
             }
-            [] => Search::longest_drive(setup)?.vary,
+            [] => {
+                let mut usual = Search::longest_drive(setup)?.vary;
+                usual.retain(|range| along.is_none_or(|along| along.name != range.parameter.name));
+                not_stated(usual, request)?
+            }
             given => given
                 .iter()
                 .map(|text| Vary::read(setup, text))
@@ -54,6 +70,18 @@ impl SearchArgs {
         };
         tell_of_the_run(&search.outcomes());
         Ok(search)
+    }
+
+    /// The parameters of the default search that the command line states: they are held.
+    pub fn held(&self, request: &Request, setup: &Setup<f64>) -> Vec<&'static Parameter> {
+        if !self.vary.is_empty() {
+            return vec![];
+        }
+        let usual = Search::longest_drive(setup).map_or(vec![], |search| search.vary);
+        let usual = usual.into_iter().map(|range| range.parameter);
+        usual
+            .filter(|parameter| request.states(parameter))
+            .collect()
     }
 
     /// The objective and its sense.
@@ -175,6 +203,32 @@ pub fn write(
     };
     tell(&format!("wrote the setup {place} into {file}"));
     Ok(Some(file.to_string()))
+}
+
+/// The default ranges of the parameters that the command line does not state.
+///
+/// # Errors
+/// [`Error::Unreadable`] if it states all of them.
+pub fn not_stated(usual: Vec<Vary>, request: &Request) -> Result<Vec<Vary>> {
+    let is_held = |range: &Vary| request.states(range.parameter);
+    let (held, vary): (Vec<_>, Vec<_>) = usual.into_iter().partition(is_held);
+    if !vary.is_empty() {
+        return Ok(vary);
+    }
+    let names: Vec<_> = held.iter().map(|range| range.parameter.name).collect();
+    let (are, them) = match names.len() {
+        1 => ("is stated, so that it is", "it"),
+        _ => ("are stated, so that they are", "them"),
+    };
+    let source = format!(
+        "nothing is left to vary: {} {are} held; to vary {them}, give a range, for example `vary \
+         club.loft=4deg..20deg`",
+        names.join(" and ")
+    );
+    Err(Error::Unreadable {
+        name: "`vary`".into(),
+        source: source.into(),
+    })
 }
 
 /// The outcome of one drive that an option names; a goal over many swings needs their distribution.

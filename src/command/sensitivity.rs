@@ -69,7 +69,7 @@ fn find_optimum(
             None => Ok(None),
         };
     }
-    let search = args.search.search(setup)?;
+    let search = args.search.search(request, setup)?;
     let setup = request.for_many(*setup, &search.vary)?;
     let found = optimum(&setup, search, Observer::default())?;
     if found.solution.status != Status::Converged {

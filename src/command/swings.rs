@@ -5,7 +5,7 @@ use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, system, warn};
 use crate::command::request::Request;
-use crate::command::search::write;
+use crate::command::search::{not_stated, write};
 use crate::optimize::{Options, Status};
 use crate::parameters::Vary;
 use crate::report::{OptimumReport, OverSwings, Reply, optimize_text};
@@ -201,7 +201,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let started = request.with_starts(setup, &args.search.vary)?;
     let search = Search {
         scenarios,
-        ..searched(&args.search, &args.swings, &started)?
+        ..searched(&request, &args.search, &args.swings, &started)?
     };
     request.note_starts(&setup, &search.vary);
     let asked = Asked {
@@ -277,8 +277,14 @@ type UsualVary<'a> = &'a dyn Fn(&Setup<f64>) -> Result<Vec<Vary>>;
 
 /// The largest mean carry by the loft, unless something else is asked: the attack angle is the
 /// golfer's, and varies from swing to swing.
-pub fn searched(search: &SearchArgs, swings: &SwingsArgs, setup: &Setup<f64>) -> Result<Search> {
-    let loft = |setup: &Setup<f64>| Ok(vec![Search::longest_drive(setup)?.vary[0]]);
+pub fn searched(
+    request: &Request,
+    search: &SearchArgs,
+    swings: &SwingsArgs,
+    setup: &Setup<f64>,
+) -> Result<Search> {
+    let loft =
+        |setup: &Setup<f64>| not_stated(vec![Search::longest_drive(setup)?.vary[0]], request);
     sought(
         search,
         swings,

@@ -73,6 +73,7 @@ pub use mae494::Mae494Report;
 pub use optimum::{
     ConstraintReport, DesignReport, GoalReport, LimitReport, LocalReport, Multipliers,
     OptimumReport, iteration_line, optima_text, optimize_text, optimum_text, optimum_toml,
+    title_text,
 };
 pub use parameters::{ParameterRange, ParameterReport, ParametersReport};
 pub use pareto::{ParetoGoalReport, ParetoPointReport, ParetoReport, pareto_csv, pareto_toml};

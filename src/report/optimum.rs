@@ -11,7 +11,7 @@ use super::{Reply, setup_toml, shown};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
-use crate::parameters::Preset;
+use crate::parameters::{Parameter, Preset, Setup};
 use crate::study::swings::Swings;
 use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample, Search, Sense};
 use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
@@ -62,6 +62,14 @@ pub struct OptimumReport {
     pub law_range: Option<ByName<Option<LawRange>>>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
+    /// The setup that the search begins from: preset or file, with the settings of the request;
+    /// left out if the request is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
+    /// Parameters that the request states, so that the default search holds them; left out if
+    /// there is none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub held: Vec<&'static str>,
     /// Results over swings; left out for one drive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub swings: Option<StudiesReport>,
@@ -246,6 +254,8 @@ impl OptimumReport {
             flight: drive.and_then(flight),
             law_range: drive.and_then(|drive| law_range(&optimum.setup, drive)),
             file: None,
+            from: None,
+            held: vec![],
             swings: None,
             design: None,
         }
@@ -278,6 +288,29 @@ pub fn optimize_text(optima: &Optima, over: OverSwings<'_>, system: System) -> S
     stopped + &optimum_text(&optima.best, over, system) + &listed
 }
 
+/// The head of an answer: the setup that it begins from, and the parameters that are held at the
+/// stated value.
+pub fn title_text(
+    title: &str,
+    held: &[&'static Parameter],
+    setup: &Setup<f64>,
+    system: System,
+) -> String {
+    let mut text = paragraph(&format!("from {title}"));
+    let held: Vec<_> = held
+        .iter()
+        .filter_map(|parameter| {
+            let value = setup.value(parameter)?;
+            let value = super::parameter_text(parameter, value, system);
+            Some(format!("{} {value}", parameter.name))
+        })
+        .collect();
+    if !held.is_empty() {
+        text += &paragraph(&format!("held, as stated: {}", held.join(", ")));
+    }
+    text
+}
+
 /// One optimum as text.
 pub fn optimum_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String {
     let ending = ending_text(optimum, system);
@@ -288,9 +321,10 @@ pub fn optimum_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> 
     let limits = constraints_text(optimum, system);
     match &optimum.drive {
         Some(drive) => {
+            let gain = gain_text(optimum, drive, system);
             let sample = sample_text(optimum);
             let drive = drive_text(optimum, value, drive, system);
-            format!("{ending}{sample}\n{place}{limits}\n{drive}")
+            format!("{gain}\n{place}{limits}\n{drive}\n{sample}{ending}")
         }
         None => {
             let goals = goals_text(optimum, over.price, system);
@@ -316,6 +350,48 @@ fn ending_text(optimum: &Optimum, system: System) -> String {
     ))
 }
 
+/// "carry 286.0 → 300.4 yd: +14.4 yd", and the total beside it; advice if they disagree about the
+/// better drive.
+fn gain_text(optimum: &Optimum, drive: &Drive<f64>, system: System) -> String {
+    let of = optimum.search.of.outcome();
+    let start = optimum.start_drive.as_ref();
+    let line = |of: Outcome| {
+        let best = of.value(drive)?;
+        let text = shown::outcome(of, best, system);
+        let name = shown::words(of.name());
+        let Some(before) = start.and_then(|start| of.value(start)) else {
+            return Some(format!("{name} {text}"));
+        };
+        let unit = system.unit(of.unit());
+        let gain = signed(best - before, of.quantity().read_off(best - before, unit));
+        Some(format!(
+            "{name} {} → {text}: {gain}",
+            shown::outcome(of, before, system)
+        ))
+    };
+    let shown_of = of.unwrap_or(Outcome::Carry);
+    let mut outcomes = vec![shown_of];
+    let others = [Outcome::Carry, Outcome::Total];
+    if others.contains(&shown_of) {
+        outcomes.extend(others.into_iter().filter(|other| *other != shown_of));
+    }
+    let lines: Vec<_> = outcomes.into_iter().filter_map(line).collect();
+    let mut text = lines.join("; ");
+    if others.contains(&shown_of) && Outcome::Total.value(drive).is_some() {
+        text += " (totals are known to 10 yd)";
+    }
+    let falls = |of: Outcome| {
+        let before = start.and_then(|start| of.value(start));
+        before
+            .zip(of.value(drive))
+            .is_some_and(|(before, best)| best < before)
+    };
+    if shown_of == Outcome::Carry && falls(Outcome::Total) {
+        text += "\nthe carry grows and the total falls: `maximize total` finds the longest total";
+    }
+    text.lines().map(paragraph).collect()
+}
+
 /// The parameters varied as a table; over swings beside the best design for the mean swing.
 fn place_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String {
     let (search, solution) = (&optimum.search, &optimum.solution);
@@ -326,21 +402,27 @@ fn place_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String
             shown::within(vary, design[i], system)
         });
         let mean_swing = (!is_one_drive).then_some(mean_swing);
-        [
-            vary.parameter.name.into(),
-            shown::within(vary, solution.x[i], system),
-        ]
-        .into_iter()
-        .chain(mean_swing)
-        .chain([
-            shown::range(vary, system),
-            bound_in_words(optimum, i, system),
-        ])
-        .collect::<Vec<String>>()
+        let start = is_one_drive.then(|| {
+            let value = optimum.start.value(vary.parameter);
+            value.map_or(shown::NONE.into(), |value| {
+                shown::within(vary, value, system)
+            })
+        });
+        let name: String = vary.parameter.name.into();
+        let found = shown::within(vary, solution.x[i], system);
+        std::iter::once(name)
+            .chain(start)
+            .chain([found])
+            .chain(mean_swing)
+            .chain([
+                shown::range(vary, system),
+                bound_in_words(optimum, i, system),
+            ])
+            .collect::<Vec<String>>()
     });
     if is_one_drive {
         let found = ended_at(solution.status, "optimum");
-        table(&["vary", found, "range", ""], &[1], rows)
+        table(&["vary", "as set up", found, "range", ""], &[1, 2], rows)
     } else {
         let found = ended_at(solution.status, "best");
         let head = ["vary", found, "for the mean swing", "range", ""];

@@ -37,6 +37,10 @@ pub struct Optimum {
     pub setup: Setup<f64>,
     /// The drive there, of a search over one drive; `None` if no drive of the search flies.
     pub drive: Option<Drive<f64>>,
+    /// The setup that the search begins from.
+    pub start: Setup<f64>,
+    /// The drive of that setup, of a search over one drive; `None` without an impact.
+    pub start_drive: Option<Drive<f64>>,
     /// The sample of the ranges that the optimum of one drive was compared with; `None` after a
     /// local search, and after an interrupted one.
     pub sample: Option<Sample>,
@@ -413,9 +417,12 @@ impl Study {
         let setup = self.problem.moved(&solution.x)?;
         let mut drive = None;
         let mut beyond_strokes = None;
+        let start = *self.problem.set_up();
+        let mut start_drive = None;
         if solution.value.is_some() {
             if self.search.scenarios.is_one_drive() {
                 drive = Some(Drive::new(&setup)?);
+                start_drive = Drive::new(&start).ok();
             }
             beyond_strokes = match self.problem.beyond_strokes(&solution.x) {
                 Err(_) if self.interrupt.load(Ordering::Relaxed) => None,
@@ -428,6 +435,8 @@ impl Study {
             goals,
             setup,
             drive,
+            start,
+            start_drive,
             sample,
             as_set_up: self.as_set_up,
             beyond_strokes,

@@ -150,6 +150,11 @@ impl SearchProblem {
         self.vary.iter().filter_map(own).collect()
     }
 
+    /// The setup as given.
+    pub fn set_up(&self) -> &Setup<f64> {
+        &self.set_up
+    }
+
     /// The setup with the parameters varied at `x`, and its own swing.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         moved(&self.setup, &self.vary, x)

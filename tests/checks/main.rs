@@ -57,6 +57,7 @@ mod program;
 mod published;
 mod published_faces;
 mod published_problems;
+mod question;
 mod reference;
 mod report;
 mod repository;

@@ -215,6 +215,18 @@ impl Request {
         self.stated.iter().map(|setting| setting.parameter.as_str())
     }
 
+    /// Whether the command line states a parameter.
+    pub fn states(&self, parameter: &Parameter) -> bool {
+        self.stated().any(|name| name == parameter.name)
+    }
+
+    /// The setup in words: "tour-average, swing.speed=95mph".
+    pub fn title(&self) -> String {
+        let settings = self.stated.iter();
+        let settings = settings.map(|setting| format!(", {}={}", setting.parameter, setting.value));
+        self.source.name().to_owned() + &settings.collect::<String>()
+    }
+
     /// The settings of the command line, in the order of its options.
     pub fn settings(&self) -> &[Setting] {
         &self.stated

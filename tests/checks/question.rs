@@ -1,0 +1,152 @@
+//! The question that is answered is the one that was asked: stated values are held, one default
+//! preset, no number without a unit.
+
+use crate::command_line::{json, longdrive, number};
+use serde_json::Value;
+
+const GOLFER: [&str; 4] = [
+    "--set",
+    "swing.speed=95mph",
+    "--set",
+    "swing.attack_angle=-2deg",
+];
+
+fn names(map: &Value) -> Vec<&str> {
+    map.as_object()
+        .unwrap()
+        .keys()
+        .map(String::as_str)
+        .collect()
+}
+
+#[test]
+fn a_stated_attack_angle_is_held_and_the_answer_says_so() {
+    let (status, found) = json(&[&["optimize"], &GOLFER[..]].concat());
+    assert_eq!(status, 0);
+    assert_eq!(names(&found["optimum"]), ["club.loft"]);
+    assert_eq!(found["held"], Value::from(vec!["swing.attack_angle"]));
+    let title = "tour-average, swing.speed=95mph, swing.attack_angle=-2deg";
+    assert_eq!(found["from"], title);
+    let attack = number(&found["setup"]["swing.attack_angle"]);
+    assert!((attack.to_degrees() + 2.0).abs() < 1e-12, "{attack}");
+
+    let said = longdrive(&[&["optimize"], &GOLFER[..]].concat());
+    assert_eq!(said.status, 0);
+    let head = format!("from {title}\nheld, as stated: swing.attack_angle -2.00°\n");
+    assert!(said.out.starts_with(&head), "{}", said.out);
+}
+
+/// The loft with the attack angle held is that of a search over the loft alone.
+#[test]
+fn same_loft_as_a_search_over_the_loft_alone() {
+    let (_, held) = json(&[&["optimize"], &GOLFER[..]].concat());
+    let vary = ["--vary", "club.loft=4deg..20deg"];
+    let (_, varied) = json(&[&["optimize"], &GOLFER[..], &vary].concat());
+    let loft = |found: &Value| number(&found["optimum"]["club.loft"]);
+    assert!((loft(&held) - loft(&varied)).abs() < 1e-12);
+    assert!(varied.get("held").is_none());
+}
+
+#[test]
+fn a_stated_value_is_held_in_every_search() {
+    let loft = ["--set", "club.loft=10deg"];
+    let attack = ["--set", "swing.attack_angle=-2deg"];
+    let (_, chart) = json(
+        &[
+            &["chart", "--along", "swing.speed", "--at", "100mph,110mph"],
+            &attack[..],
+        ]
+        .concat(),
+    );
+    for point in chart["points"].as_array().unwrap() {
+        assert_eq!(names(&point["optimum"]), ["club.loft"]);
+    }
+    let (_, sensitivity) =
+        json(&[&["optimum-sensitivity", "--wrt", "swing.speed"], &loft[..]].concat());
+    assert_eq!(names(&sensitivity["optimum"]), ["swing.attack_angle"]);
+    // the parameter of a chart is not varied by default
+    let (status, chart) = json(&["chart", "--along", "swing.attack_angle", "--at=-2deg,0deg"]);
+    assert_eq!(status, 0);
+    assert_eq!(names(&chart["points"][0]["optimum"]), ["club.loft"]);
+}
+
+#[test]
+fn nothing_left_to_vary_is_refused_with_what_to_write() {
+    let loft = ["--set", "club.loft=10deg"];
+    let said = longdrive(&[&["optimize"], &GOLFER[..], &loft].concat());
+    assert_eq!(said.status, 2);
+    let message = "nothing is left to vary: club.loft and swing.attack_angle are stated";
+    assert!(
+        said.err.replace("\n  ", " ").contains(message),
+        "{}",
+        said.err
+    );
+    let goals = ["pareto", "--maximize", "carry", "--minimize", "apex_height"];
+    let said = longdrive(&[&goals[..], &loft].concat());
+    assert_eq!(said.status, 2);
+    assert!(
+        said.err.contains("--vary club.loft=4deg..20deg"),
+        "{}",
+        said.err
+    );
+}
+
+/// The values of a setup file are where the search begins.
+#[test]
+fn a_setup_file_states_the_start_and_holds_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    std::fs::write(
+        &file,
+        "preset = \"tour-average\"\n[swing]\nattack_angle = \"-2 deg\"\n",
+    )
+    .unwrap();
+    let (status, found) = json(&["optimize", file.to_str().unwrap()]);
+    assert_eq!(status, 0);
+    assert_eq!(
+        names(&found["optimum"]),
+        ["club.loft", "swing.attack_angle"]
+    );
+    assert!(found.get("held").is_none());
+}
+
+#[test]
+fn a_file_without_a_preset_begins_from_the_default_of_commands() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    std::fs::write(&file, "[swing]\nspeed = \"95 mph\"\n").unwrap();
+    let (_, by_file) = json(&["simulate", file.to_str().unwrap()]);
+    let (_, by_setting) = json(&["simulate", "--set", "swing.speed=95mph"]);
+    assert_eq!(by_file["setup"], by_setting["setup"]);
+}
+
+#[test]
+fn a_number_without_a_unit_in_a_file_is_refused_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    std::fs::write(&file, "preset = \"tour-average\"\n[swing]\nspeed = 95\n").unwrap();
+    let said = longdrive(&["simulate", "-q", file.to_str().unwrap()]);
+    assert_eq!(said.status, 2);
+    let place = "mine.toml:3:9: swing.speed: \"95\" has no unit; a speed takes mph";
+    assert!(
+        said.err.replace("\n  ", " ").contains(place),
+        "{}",
+        said.err
+    );
+}
+
+/// Carry and total of the answer are those of the drives before and after.
+#[test]
+fn carry_and_total_stand_side_by_side_with_the_drive_as_set_up() {
+    let (_, before) = json(&["simulate"]);
+    let (_, after) = json(&["optimize"]);
+    let said = longdrive(&["optimize", "-q"]).out;
+    for of in ["carry", "total"] {
+        let [before, after] = [&before, &after].map(|drive| number(&drive["flight"][of]) / 0.9144);
+        let text = format!(
+            "{of} {before:.1} yd → {after:.1} yd: {:+.1} yd",
+            after - before
+        );
+        assert!(said.contains(&text), "no '{text}' in {said}");
+    }
+}
