@@ -139,13 +139,18 @@ impl ChartArgs {
         }
         if self.along.contains('=') {
             let along = Vary::read_column(setup, &self.along)?;
-            let read = |text: &String| {
-                along
-                    .parameter
-                    .read(text, false)
-                    .map(Option::unwrap_or_default)
-            };
-            return Ok((along, self.at.iter().map(read).collect::<Result<_>>()?));
+            if self.at.is_empty() {
+                return Ok((along, vec![]));
+            }
+            let name = along.parameter.name;
+            let source = format!(
+                "`along` gives a range, and `at` the places; for the range leave `at` out, for the \
+                 places write `along {name}`"
+            );
+            return Err(Error::Unreadable {
+                name: "`at`".into(),
+                source: source.into(),
+            });
         }
         let parameter = setup.column(self.along.trim())?;
         let read = |text: &String| parameter.read(text, false).map(Option::unwrap_or_default);

@@ -87,9 +87,15 @@ impl Pair {
         ])
     }
 
-    /// The settings of a drive: those of both drives with its own.
+    /// The settings of a drive: its own, and those of both drives that its own do not replace.
     fn settings(&self, own_set: Vec<Setting>, own_launch: Vec<Setting>) -> Result<Vec<Setting>> {
-        let settings = [self.setup_args.settings()?, own_set, own_launch].concat();
+        let own = [own_set, own_launch].concat();
+        let common = self.setup_args.settings()?;
+        refuse_duplicates(&common)?;
+        let is_replaced =
+            |setting: &Setting| own.iter().any(|own| own.parameter == setting.parameter);
+        let common = common.into_iter().filter(|setting| !is_replaced(setting));
+        let settings: Vec<_> = common.chain(own.iter().cloned()).collect();
         refuse_duplicates(&settings)?;
         Ok(settings)
     }

@@ -85,11 +85,33 @@ impl SearchArgs {
     }
 
     /// The objective and its sense.
+    ///
+    /// # Errors
+    /// As [`refuse_two_goals`](Self::refuse_two_goals); for an unknown outcome.
     pub fn sought(&self) -> Result<(Outcome, Sense)> {
+        self.refuse_two_goals()?;
         Ok(match (&self.maximize, &self.minimize) {
             (_, Some(of)) => (of_a_drive("`minimize`", of)?, Sense::Minimize),
             (Some(of), None) => (of_a_drive("`maximize`", of)?, Sense::Maximize),
             (None, None) => (Outcome::Carry, Sense::Maximize),
+        })
+    }
+
+    /// Refuses two goals: a search has one.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] that names the command for two.
+    pub fn refuse_two_goals(&self) -> Result<()> {
+        let (Some(most), Some(least)) = (&self.maximize, &self.minimize) else {
+            return Ok(());
+        };
+        let source = format!(
+            "a search has one goal; leave one of `maximize {most}` and `minimize {least}` out, or \
+             take the command \"pareto\", which finds the best compromises of the two"
+        );
+        Err(Error::Unreadable {
+            name: "`minimize`".into(),
+            source: source.into(),
         })
     }
 

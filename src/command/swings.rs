@@ -302,6 +302,7 @@ pub fn sought(
     usual: Usual<'_>,
     usual_vary: UsualVary<'_>,
 ) -> Result<Search> {
+    search.refuse_two_goals()?;
     let strokes = swings.strokes()?;
     let strokes = strokes.as_ref();
     let (of, sense) = match (&search.maximize, &search.minimize) {

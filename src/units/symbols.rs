@@ -16,9 +16,16 @@ pub(super) struct Symbol {
 /// Every unit symbol.
 pub(super) static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(symbols);
 
-/// The unit symbol of this name.
+/// Letters of a name that is read in capitals too: "Mm" and "mm", "MG" and "mg" are not one unit.
+const WITHOUT_PREFIX: usize = 3;
+
+/// The unit symbol of this name; a word of three letters or more may be in capitals ("MPH",
+/// "Yards").
 pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
-    SYMBOLS.iter().find(|known| known.names.contains(&name))
+    let exact = SYMBOLS.iter().find(|known| known.names.contains(&name));
+    let is_word = name.len() >= WITHOUT_PREFIX;
+    let is_meant = |known: &&Symbol| known.names.iter().any(|own| own.eq_ignore_ascii_case(name));
+    exact.or_else(|| SYMBOLS.iter().filter(|_| is_word).find(is_meant))
 }
 
 /// The sizes are definitions (SI brochure, 9th edition; the yard and the pound of 1959, from which
@@ -86,8 +93,12 @@ fn symbols() -> Vec<Symbol> {
         symbol(&["mmHg"], 133.322_387_415, pressure),
         symbol(&["inHg"], 3_386.388_640_341, pressure),
         symbol(&["K", "kelvin"], 1.0, D::TEMPERATURE),
-        scale(&["degC", "°C", "celsius"], 1.0, 273.15),
-        scale(&["degF", "°F", "fahrenheit"], 5.0 / 9.0, 459.67 * 5.0 / 9.0),
+        scale(&["degC", "°C", "C", "celsius"], 1.0, 273.15),
+        scale(
+            &["degF", "°F", "F", "fahrenheit"],
+            5.0 / 9.0,
+            459.67 * 5.0 / 9.0,
+        ),
         symbol(&["P"], 0.1, viscosity),
         symbol(&["cP"], 1e-3, viscosity),
     ]

@@ -150,3 +150,62 @@ fn carry_and_total_stand_side_by_side_with_the_drive_as_set_up() {
         assert!(said.contains(&text), "no '{text}' in {said}");
     }
 }
+
+#[test]
+fn a_setting_of_drive_b_replaces_that_of_both() {
+    let words = [
+        "--set",
+        "swing.speed=95mph",
+        "--set-b",
+        "swing.speed=100mph",
+    ];
+    let (status, found) = json(&[&["compare"], &words[..]].concat());
+    assert_eq!(status, 0);
+    let speed = |drive: &str| number(&found["drives"][drive]["setup"]["swing.speed"]) / 0.44704;
+    assert!((speed("a") - 95.0).abs() < 1e-9 && (speed("b") - 100.0).abs() < 1e-9);
+}
+
+#[test]
+fn two_answers_to_one_question_are_refused_with_what_to_write() {
+    for (words, says) in [
+        (
+            vec![
+                "chart",
+                "--along",
+                "swing.speed=90mph..100mph",
+                "--at",
+                "95mph",
+            ],
+            "for the places write '--along swing.speed'",
+        ),
+        (
+            vec![
+                "optimize",
+                "--maximize",
+                "carry",
+                "--minimize",
+                "apex_height",
+            ],
+            "pareto",
+        ),
+    ] {
+        let said = longdrive(&words);
+        assert_eq!(said.status, 2, "{words:?}");
+        assert!(said.err.replace("\n  ", " ").contains(says), "{}", said.err);
+    }
+}
+
+#[test]
+fn units_are_read_as_people_write_them() {
+    let of = |setting: &str, name: &str| {
+        let (status, found) = json(&["simulate", "--set", setting]);
+        assert_eq!(status, 0, "{setting}");
+        number(&found["setup"][name])
+    };
+    assert!((of("swing.speed=100MPH", "swing.speed") - 44.704).abs() < 1e-12);
+    assert!((of("ground.height=-3Yards", "ground.height") + 2.7432).abs() < 1e-12);
+    assert!((of("air.temperature=50F", "air.temperature") - 283.15).abs() < 1e-9);
+    assert!((of("air.temperature=10 C", "air.temperature") - 283.15).abs() < 1e-9);
+    let said = longdrive(&["simulate", "--set", "ground.height=3Mm"]);
+    assert_eq!(said.status, 2);
+}

@@ -13,11 +13,11 @@ pub struct Pair {
     #[arg(value_name = "SETUP_B")]
     pub other: Option<String>,
 
-    /// Set a parameter of a alone; --set and --launch are for both. Repeatable.
+    /// Set a parameter of a alone, in place of --set; --set and --launch are for both. Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set_a: Vec<String>,
 
-    /// Set a parameter of b alone, e.g. club.loft=10.5deg. Repeatable.
+    /// Set a parameter of b alone, in place of --set, e.g. club.loft=10.5deg. Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set_b: Vec<String>,
 

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 pub struct SearchArgs {
     /// The outcome to maximize [default: carry, unless --minimize is given].
-    #[arg(long, value_name = "OUTCOME", conflicts_with = "minimize")]
+    #[arg(long, value_name = "OUTCOME")]
     pub maximize: Option<String>,
 
     /// The outcome to minimize.
