@@ -343,8 +343,8 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
             vec!["\"10\" has no unit; an angle takes deg, rad"],
         ),
         (
-            vec!["simulate", "--set", "swing.speed=100MPH"],
-            vec!["unknown unit 'MPH' (did you mean 'mph'?)"],
+            vec!["simulate", "--set", "ground.height=100MM"],
+            vec!["unknown unit 'MM' (did you mean 'mm'?)"],
         ),
         (
             vec!["simulate", "--tolerance", "1mm"],

@@ -943,19 +943,7 @@ fn same_optima_at_chosen_points_as_in_single_searches() {
             speed,
         );
     }
-    for (args, says) in [
-        (
-            [
-                "--along",
-                "swing.speed=80mph..100mph",
-                "--at",
-                "90mph,110mph",
-            ],
-            "110 mph is outside 80 mph .. 100 mph",
-        ),
-        (["--along", "swing.speed", "--at", "90"], "has no unit"),
-        (["--along", "club.loft", "--at", "9deg"], "varied"),
-    ] {
+    for (args, says) in [(["--along", "swing.speed", "--at", "90"], "has no unit")] {
         let said = longdrive(&[&["chart"], &args[..]].concat());
         assert_eq!(said.status, 2, "{args:?}: {}", said.err);
         assert!(said.err.contains(says), "{args:?}: {}", said.err);
