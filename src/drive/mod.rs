@@ -1,57 +1,49 @@
 //! One drive, from the setup to its outcomes: impact, launch, flight, landing.
 
-mod flat;
-mod launch_state;
 mod outcome;
-
 mod validity;
 mod warnings;
 
-pub(crate) use flat::flat_landing_angle;
-pub use validity::{CheckScope, ExceededCount, ExceededLimits, ExceededShare};
-pub(crate) use validity::{any_face, is_outside_any_face};
-pub use warnings::Within;
-
-pub(crate) use launch_state::LaunchState;
 pub(crate) use outcome::OutcomeInputs;
 pub use outcome::{Outcome, OutcomeGroup};
+pub use validity::{CheckScope, ExceededCount, ExceededLimits, ExceededShare};
+pub(crate) use validity::{any_face, flat_landing_angle, is_outside_any_face};
+pub use warnings::FlownRange;
 
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
 use crate::flight::{Flight, Inputs, Landed};
-use crate::impact::{Grip, Head, Impact, strike};
+use crate::impact::{Grip, Head, Impact, LaneImpact, strike};
 use crate::launch::Launch;
-use crate::number::Number;
+use crate::number::{Mask, Number, Numbers, inlined};
 use crate::parameters::Setup;
 use crate::units::significant;
 
-/// A drive: what the impact makes of a setup, and how the ball flies.
+/// A drive: impact, launch and flight of a setup.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive<T> {
-    /// The ball as it leaves.
+    /// Velocity and spin of the ball at launch.
     pub launch: Launch<T>,
-    /// The impact, with the club after it; `None` where the setup gives the launch and no club
-    /// strikes the ball.
+    /// The impact; `None` if the setup gives the launch and no club strikes the ball.
     pub impact: Option<Impact<T>>,
     /// The flight.
     pub flight: Flight<T>,
-    /// Speed of the head before impact, m/s, where there is a club.
+    /// Speed of the head before impact, m/s, if there is a club.
     pub club_speed: Option<T>,
-    /// The head with its movable weights, where there is a club.
+    /// The head with its movable weights, if there is a club.
     pub head: Option<Head<T>>,
 }
 
 impl<T: Number> Drive<T> {
-    /// Hits and flies. The same code gives values over `f64` and exact derivatives over dual
-    /// numbers; the values are not checked against their ranges here ([`Setup::validate`] does),
-    /// but for the step, with which a flight might never end. Method and step of the integration
-    /// are those of the setup: [`accuracy`](crate::study::accuracy()) finds others for a stated
-    /// error.
+    /// Computes the drive of a setup: values over `f64`, exact derivatives over dual numbers.
+    /// Parameters are not checked against their ranges here ([`Setup::validate`] does), except the
+    /// step, with which a flight might never end. Method and step of the integration are those of
+    /// the setup; [`accuracy`](crate::study::accuracy()) finds others for an error tolerance.
     ///
     /// ```
     /// use longdrive::{Drive, Outcome, Setup};
-    /// // no air, no gravity worth speaking of along the way: a parabola v² sin 2θ/g, by hand
+    /// // without air: a parabola of range v² sin 2θ/g
     /// let mut setup = Setup::default();
     /// setup.air.density = 0.0;
     /// let drive = Drive::new(&setup).unwrap();
@@ -61,68 +53,64 @@ impl<T: Number> Drive<T> {
     ///
     /// # Errors
     /// [`Error::OffFace`], [`Error::NoStrike`], [`Error::Jammed`], [`Error::Diverged`];
-    /// [`Error::OutOfRange`] and [`Error::NotANumber`] as [`fly`](crate::flight::fly). A drive that
-    /// does not fly is no error here: see [`Flight`].
+    /// [`Error::OutOfRange`] and [`Error::NotANumber`] as in [`fly`](crate::flight::fly). A ball
+    /// that does not fly is a result, not an error: see [`Flight`].
     pub fn new(setup: &Setup<T>) -> Result<Self> {
         setup.flight.check_steps()?;
         Self::without_step_check(setup)
     }
 
-    /// The same, however many steps the flight takes.
+    /// [`new`](Self::new) for any number of steps.
     ///
     /// # Errors
-    /// As [`new`](Self::new), but for the step.
+    /// Those of [`new`](Self::new), except for the step.
     pub(crate) fn without_step_check(setup: &Setup<T>) -> Result<Self> {
         let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(None);
         if let Some(launch) = Launch::given(setup) {
-            let flight = fly(&launch)?;
             return Ok(Self {
                 launch,
                 impact: None,
-                flight,
+                flight: fly(&launch)?,
                 club_speed: None,
                 head: None,
             });
         }
         let impact = strike(setup)?;
-        let (launch, flight) = (impact.launch, fly(&impact.launch)?);
-        let (club_speed, head) = (Some(setup.swing.speed), Some(Head::new(&setup.club)));
         Ok(Self {
-            launch,
+            launch: impact.launch,
             impact: Some(impact),
-            flight,
-            club_speed,
-            head,
+            flight: fly(&impact.launch)?,
+            club_speed: Some(setup.swing.speed),
+            head: Some(Head::new(&setup.club)),
         })
     }
 
-    /// The landed flight.
+    /// The landing.
     ///
     /// # Errors
-    /// [`Error::NoFlight`].
+    /// [`Error::NoFlight`] if the ball does not land.
     pub fn landed(&self) -> Result<&Landed<T>> {
         match &self.flight {
             Flight::Landed(landed) => Ok(landed),
-            Flight::None(why) => Err(Error::NoFlight {
-                reason: why.message(),
+            Flight::None(reason) => Err(Error::NoFlight {
+                reason: reason.message(),
             }),
         }
     }
 }
 
-/// Spins below this, rad/s, are taken to lie on the corner at zero spin: some hundreds of times the
+/// Spins below this, rad/s, are on the corner of |ω| at zero spin: some hundreds of times the
 /// rounding of |ω| there.
-const ON_THE_SPIN_CORNER: f64 = 1e-3;
+const SPIN_CORNER: f64 = 1e-3;
 
 impl Drive<f64> {
-    /// Whether the ball leaves without spin: |ω| itself has a corner there, whatever the law makes
-    /// of it.
+    /// Whether the ball leaves without spin, at the corner of |ω| itself.
     pub(crate) fn is_without_spin(&self) -> bool {
-        self.launch.total_spin() < ON_THE_SPIN_CORNER
+        self.launch.total_spin() < SPIN_CORNER
     }
 
-    /// Corners of the model that this drive lies on, where derivatives to the two sides differ:
-    /// zero spin, and the limit between sticking and slipping.
+    /// Corners of the model at this drive, where the one-sided derivatives differ: zero spin, and
+    /// the limit between sticking and slipping.
     pub fn corners(&self, setup: &Setup<f64>) -> Vec<String> {
         let mut corners = Vec::new();
         let spin = self.launch.total_spin();
@@ -130,8 +118,7 @@ impl Drive<f64> {
         if self.is_without_spin() && setup.law.has_corner_at_zero_spin() && has_air {
             corners.push(format!(
                 "the spin is {} rad/s: with the law {} outcomes have a corner at zero spin, and \
-                 derivatives \
-                 here lie between those of its two sides",
+                 derivatives here lie between those of its two sides",
                 significant(spin, 2),
                 setup.law.name()
             ));
@@ -147,5 +134,36 @@ impl Drive<f64> {
             );
         }
         corners
+    }
+}
+
+/// Launch of the ball in each lane: the part of a drive before the flight.
+pub(crate) struct LaunchState<T: Numbers> {
+    pub launch: Launch<T>,
+    /// Speed of the head, m/s, if a club strikes the ball.
+    pub club_speed: Option<T>,
+    /// Lanes in which [`strike`] returns this launch, and not an error.
+    pub is_valid: T::Mask,
+}
+
+impl<T: Numbers> LaunchState<T> {
+    /// The launch that a setup gives, or that its impact leads to.
+    #[inline(always)]
+    pub fn new(setup: &Setup<T>) -> Self {
+        T::outlined(inlined!(|| {
+            if let Some(launch) = Launch::given(setup) {
+                return Self {
+                    launch,
+                    club_speed: None,
+                    is_valid: T::Mask::first(usize::MAX),
+                };
+            }
+            let LaneImpact { launch, is_valid } = LaneImpact::new(setup);
+            Self {
+                launch,
+                club_speed: Some(setup.swing.speed),
+                is_valid,
+            }
+        }))
     }
 }

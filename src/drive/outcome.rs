@@ -8,27 +8,28 @@ use crate::units::Quantity;
 use std::fmt;
 use std::str::FromStr;
 
-/// What an outcome is of.
+/// Part of a drive that an outcome describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutcomeGroup {
-    /// The ball as it leaves the face.
+    /// The launch of the ball.
     Launch,
-    /// The flight: there is none where the ball does not fly.
+    /// The flight; undefined if the ball does not fly.
     Flight,
-    /// The head with its movable weights, whatever it strikes.
+    /// The head with its movable weights.
     Head,
 }
 
-/// What outcomes are read from.
+/// Quantities that outcomes are computed from.
 #[derive(Clone, Copy)]
 pub(crate) struct OutcomeInputs<'a, T, Read> {
     pub launch: &'a Launch<T>,
-    /// Speed of the head before impact, m/s, where there is a club.
+    /// Speed of the head before impact, m/s, if there is a club.
     pub club_speed: Option<T>,
     pub landed: Option<&'a Landed<T>>,
-    /// The head, where there is a club and it is asked for.
+    /// The head, if there is a club and an outcome of the head is requested.
     pub head: Option<&'a Head<T>>,
-    /// Reads one number: of lanes, that in a lane. What an outcome does not need is not read.
+    /// Converts a number, such as to its value in one lane. Called only for the numbers that an
+    /// outcome depends on.
     pub read: Read,
 }
 
@@ -54,21 +55,20 @@ impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
     }
 }
 
-/// Declares each outcome once: what it is of, name, symbol, kind of quantity, unit a person reads,
-/// and how it follows from a drive.
+/// Declares each outcome once: group, name, symbol, quantity, display unit, and formula.
 macro_rules! outcomes {
     ($( $(#[doc = $doc:literal])+ $Group:ident $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
-        /// What one may ask of a drive.
+        /// An outcome of a drive.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Outcome {
             $( $(#[doc = $doc])+ #[doc = concat!("\n\n`", $name, "`, symbol ", $symbol, ".")] $Outcome, )+
         }
 
         impl Outcome {
-            /// Those of drives, then those of the head.
+            /// Outcomes of drives, then those of the head.
             const EVERY: &'static [Self] = &[$( Self::$Outcome ),+];
 
-            /// What it is of.
+            /// The part of a drive that it describes.
             pub fn group(self) -> OutcomeGroup {
                 match self { $( Self::$Outcome => OutcomeGroup::$Group, )+ }
             }
@@ -93,16 +93,16 @@ macro_rules! outcomes {
                 match self { $( Self::$Outcome => Quantity::$quantity, )+ }
             }
 
-            /// The unit people read it in.
+            /// Display unit.
             pub fn unit(self) -> &'static str {
                 match self { $( Self::$Outcome => $unit, )+ }
             }
 
-            /// The outcome of a drive, over whatever number the drive was computed, SI.
+            /// The outcome of a drive, SI, over the number type of the drive.
             ///
             /// # Errors
-            /// [`Error::NoFlight`] for an outcome of the flight where there is none;
-            /// [`Error::Undefined`] for one of the club where the launch is given.
+            /// [`Error::NoFlight`] for an outcome of the flight if the ball does not land;
+            /// [`Error::Undefined`] for an outcome of the club if the setup gives the launch.
             pub fn of<T: Number>(self, drive: &Drive<T>) -> Result<T> {
                 let landed = match &drive.flight {
                     Flight::Landed(landed) => Some(landed),
@@ -116,16 +116,16 @@ macro_rules! outcomes {
                 })
             }
 
-            /// Why a drive has it not, though it flies.
+            /// The error for an outcome that a drive with a landing does not have.
             pub(crate) fn unavailable(self) -> Error {
                 let reason = match self.group() {
                     OutcomeGroup::Launch | OutcomeGroup::Head => "no club strikes the ball: the launch is given",
-                    OutcomeGroup::Flight => "the flight was followed for its landing alone",
+                    OutcomeGroup::Flight => "the apex and the run of this flight were not computed",
                 };
                 Error::Undefined { what: self.name().into(), reason: reason.into() }
             }
 
-            /// The outcome where what it is of is there.
+            /// The outcome; `None` if a quantity that it depends on is missing.
             pub(crate) fn evaluate<T: Numbers, U: Number>(self, inputs: &OutcomeInputs<'_, T, impl Fn(T) -> U + Copy>) -> Option<U> {
                 match self { $( Self::$Outcome => { let $drive = inputs; Some($value) } )+ }
             }
@@ -134,11 +134,11 @@ macro_rules! outcomes {
 }
 
 outcomes! {
-    /// Distance downrange at landing, along the target line; carry_distance counts the way to the
-    /// side too.
+    /// Distance downrange at landing, along the target line; carry_distance includes the distance
+    /// to the side.
     Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed()?.carry;
-    /// Horizontal distance from the tee to the landing, in whatever direction: what launch monitors
-    /// call carry.
+    /// Horizontal distance from the tee to the landing, in any direction: the carry of launch
+    /// monitors.
     Flight CarryDistance = "carry_distance", "√(z_L² + y_L²)", LENGTH in "yd", |drive| {
         let landed = drive.landed()?;
         (landed.carry * landed.carry + landed.lateral * landed.lateral).sqrt()
@@ -160,16 +160,16 @@ outcomes! {
     };
     /// Speed at landing.
     Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed()?.velocity.norm();
-    /// Distance downrange where the ball rests, along the target line as carry is; to 10 yd at
-    /// best, by a ground that is not calibrated.
+    /// Distance downrange where the ball rests, along the target line like carry; uncertain by at
+    /// least 10 yd, as the ground is not calibrated.
     Flight Total = "total", "z_R", LENGTH in "yd", |drive| drive.landed()?.rest.as_ref()?.downrange;
-    /// What bounces and rolling add to carry, along the target line; to 10 yd at best, by a ground
-    /// that is not calibrated.
+    /// Distance from landing to rest (bounces, sliding, rolling), along the target line; uncertain
+    /// by at least 10 yd, as the ground is not calibrated.
     Flight Run = "run", "z_R − z_L", LENGTH in "yd", |drive| {
         let landed = drive.landed()?;
         landed.rest.as_ref()?.downrange - landed.carry
     };
-    /// Distance right of the target line where the ball rests; by a ground that is not calibrated.
+    /// Distance right of the target line where the ball rests; the ground is not calibrated.
     Flight LateralTotal = "lateral_total", "y_R", LENGTH in "yd", |drive| drive.landed()?.rest.as_ref()?.right;
     /// Speed of the ball at launch.
     Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.launch().ball_speed();
@@ -189,22 +189,21 @@ outcomes! {
     Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.launch().spin_axis();
     /// Mass of the head with its movable weights.
     Head HeadMass = "head_mass", "M", MASS in "g", |drive| drive.head()?.mass;
-    /// Moment of inertia of the head with its movable weights about the vertical through its centre
-    /// of mass, which the Rules of Golf limit.
+    /// Moment of inertia of the head with its movable weights about the vertical axis through its
+    /// centre of mass, which the Rules of Golf limit.
     Head HeadMoi = "head_moi", "I_xx", INERTIA in "g cm^2", |drive| drive.head()?.inertia[0][0];
-    /// First leading minor of the second moments of the head's mass: a rigid body has it at 0 or
-    /// above.
+    /// First leading minor of the second moments of the head's mass: at least 0 for a rigid body.
     Head HeadMinor1 = "head_minor_1", "S₁", INERTIA in "g cm^2", |drive| drive.head()?.minors()[0];
-    /// Second leading minor of the second moments of the head's mass, over their sum: a rigid body
-    /// has it at 0 or above.
+    /// Second leading minor of the second moments of the head's mass, over their sum: at least 0
+    /// for a rigid body.
     Head HeadMinor2 = "head_minor_2", "S₂", INERTIA in "g cm^2", |drive| drive.head()?.minors()[1];
     /// Third leading minor of the second moments of the head's mass, over the square of their sum:
-    /// a rigid body has it at 0 or above.
+    /// at least 0 for a rigid body.
     Head HeadMinor3 = "head_minor_3", "S₃", INERTIA in "g cm^2", |drive| drive.head()?.minors()[2];
 }
 
 impl Outcome {
-    /// The outcomes of the head alone, which no swing changes. [`named`](Self::named) knows them
+    /// Outcomes of the head, which do not depend on the swing. [`named`](Self::named) finds them
     /// too.
     pub const OF_HEAD: &'static [Self] = &[
         Self::HeadMass,
@@ -214,12 +213,12 @@ impl Outcome {
         Self::HeadMinor3,
     ];
 
-    /// All outcomes of drives. Those of the head alone are [`OF_HEAD`](Self::OF_HEAD).
+    /// All outcomes of drives; the outcomes of the head are [`OF_HEAD`](Self::OF_HEAD).
     pub const ALL: &'static [Self] = Self::EVERY
         .split_at(Self::EVERY.len() - Self::OF_HEAD.len())
         .0;
 
-    /// The outcomes of the launch, of the flight, or of the head.
+    /// Outcomes of the launch, of the flight, or of the head.
     pub fn in_group(group: OutcomeGroup) -> impl Iterator<Item = Self> + Clone {
         Self::EVERY
             .iter()
@@ -227,7 +226,7 @@ impl Outcome {
             .filter(move |outcome| outcome.group() == group)
     }
 
-    /// Whether it is read off the apex.
+    /// Whether it depends on the apex.
     pub(crate) fn needs_apex(self) -> bool {
         matches!(
             self,
@@ -235,17 +234,17 @@ impl Outcome {
         )
     }
 
-    /// Whether it is of the run of the ball on the ground, after the flight.
+    /// Whether it depends on the run of the ball on the ground, after the landing.
     pub fn needs_run(self) -> bool {
         matches!(self, Self::Total | Self::Run | Self::LateralTotal)
     }
 
-    /// Why a drive that has it gives no finite value.
+    /// Reason for a value that is not finite.
     pub(crate) fn why_undefined(self) -> &'static str {
         if self.needs_run() {
             "the ball does not come to rest: the landing area is too steep (ground.slope, \
-             ground.side_slope) for ground.rolling and \
-             ground.friction, or falls away more steeply than the ball comes down"
+             ground.side_slope) for ground.rolling and ground.friction, or falls away more steeply \
+             than the ball comes down"
         } else {
             "the direction it measures does not exist (vertical, or without spin)"
         }
@@ -271,20 +270,19 @@ impl Outcome {
             })
     }
 
-    /// The value of this outcome, `None` where the drive has none: no flight, or an angle without
-    /// direction.
+    /// The value of this outcome; `None` without a landing, and for an angle whose direction does
+    /// not exist (a vertical launch, no spin).
     pub fn value(self, drive: &Drive<f64>) -> Option<f64> {
         self.of(drive).ok().filter(|value| value.is_finite())
     }
 
-    /// Whether it is a direction all round: one that jumps from 180° to −180°.
-    fn is_a_direction(self) -> bool {
+    /// Whether it is an angle between −180° and 180°, with a jump between the two.
+    fn is_direction(self) -> bool {
         matches!(self, Self::LaunchDirection | Self::SpinAxis)
     }
 
-    /// A value as it is compared with another, or averaged: a direction within half a turn of
-    /// `reference`, so that differences and means do not cross the jump from 180° to −180°. Every
-    /// other outcome as it is.
+    /// Unwraps a direction: brings it within half a turn of `reference`, so that differences and
+    /// means do not cross the jump from 180° to −180°. Other outcomes are unchanged.
     ///
     /// ```
     /// use longdrive::Outcome;
@@ -294,27 +292,27 @@ impl Outcome {
     /// ```
     pub fn unwrap_angle(self, value: f64, reference: f64) -> f64 {
         let turns = ((reference - value) / std::f64::consts::TAU).round();
-        if self.is_a_direction() && turns.is_finite() {
+        if self.is_direction() && turns.is_finite() {
             value + turns * std::f64::consts::TAU
         } else {
             value
         }
     }
 
-    /// A value as a person reads it.
+    /// The value as text, in the display unit.
     pub fn show(self, value: f64) -> String {
         self.quantity().show(value, self.unit())
     }
 }
 
-/// Its name: `carry`.
+/// The name: `carry`.
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
     }
 }
 
-/// As [`Outcome::named`].
+/// Parses a name like [`Outcome::named`].
 impl FromStr for Outcome {
     type Err = Error;
 

@@ -1,64 +1,92 @@
-//! Drives outside of what the model is made for: of what their law was fitted to, of any face, of
-//! the landings that were measured.
+//! Validity limits of the model: the ranges a law was fitted to, the largest face, the flattest
+//! measured bounce.
 
-use super::flat::{assumed, flat_landing_angle};
 use super::{Drive, Outcome};
 use crate::aerodynamics::AerodynamicLaw;
-use crate::flight::Inputs;
+use crate::flight::{Inputs, Landed};
+use crate::ground::angle_of_impact;
+use crate::number::Number;
 use crate::parameters::{Law, Setup};
-use crate::units::{Message, Quantity, counted_of};
+use crate::units::{Digits, Message, Quantity, counted_of};
 
-/// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and
-/// USGA, Equipment Rules, part 2, 4b). No face is larger.
+/// Width and height of the largest conforming head, m: 5 in from heel to toe, 2.8 in from sole to
+/// crown (R&A and USGA, Equipment Rules, part 2, 4b).
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
 
-/// Whether a strike, m from the middle of the face, lies beside the face of any head that conforms.
+/// Smallest angle to the ground of a landing whose bounce was measured, rad. The bounce of a
+/// flatter landing is an assumption (docs/limitations.md).
+const FLATTEST_MEASURED: f64 = 25.0 * std::f64::consts::PI / 180.0;
+
+/// Whether a strike, m from the face centre, is outside the face of any conforming head.
 pub(crate) fn is_outside_any_face(toe: f64, high: f64) -> bool {
-    let [wide, tall] = LARGEST_HEAD;
-    toe.abs() > 0.5 * wide || high.abs() > 0.5 * tall
+    let [width, height] = LARGEST_HEAD;
+    toe.abs() > 0.5 * width || high.abs() > 0.5 * height
 }
 
-/// The face of the largest head, in words.
+/// Description of the largest face, for messages.
 pub(crate) fn any_face() -> String {
-    let [wide, tall] = LARGEST_HEAD.map(|size| Quantity::LENGTH.show(size, "mm"));
+    let [width, height] = LARGEST_HEAD.map(|size| Quantity::LENGTH.show(size, "mm"));
     format!(
-        "the face of any head that conforms to the Rules of Golf (at most {wide} from heel to toe \
-         and {tall} from sole to crown)"
+        "the face of any head that conforms to the Rules of Golf (at most {width} from heel to toe \
+         and {height} from sole to crown)"
     )
 }
 
-/// In what a drive is outside of what the model is made for, by its launch or by its whole flight.
+/// Angle to the ground, of these slopes, of a landing that bounces, rad, if it is flatter than any
+/// measured bounce.
+pub(crate) fn flat_landing_angle<T: Number>(slopes: [f64; 2], landed: &Landed<T>) -> Option<f64> {
+    landed
+        .rest
+        .as_ref()
+        .filter(|rest| rest.bounces > 0 && rest.downrange.re().is_finite())?;
+    let angle = angle_of_impact(slopes, landed.velocity.map(Number::re));
+    Some(angle).filter(|angle| *angle < FLATTEST_MEASURED)
+}
+
+/// Appends the limit and the warning about flat landings to a message.
+pub(super) fn with_flat_landing_warning(before: Message) -> Message {
+    before
+        .quantity(
+            Quantity::ANGLE,
+            "deg",
+            FLATTEST_MEASURED,
+            Digits::Significant(3),
+        )
+        .words(
+            ": how a ball bounces that lands so flat is assumed, not measured, so total, run and \
+             lateral total may be far off; prefer carry (docs/limitations.md)",
+        )
+}
+
+/// Validity limits of the model that a drive exceeds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceededLimits {
-    /// The ball has a spin ratio, a Reynolds number or a speed through the air that its law was not
-    /// fitted to.
+    /// Spin ratio, spin, Reynolds number or airspeed outside the ranges that the law was fitted to.
     pub law: bool,
-    /// The strike lies beside the face of any head that conforms.
+    /// Strike outside the face of any conforming head.
     pub face: bool,
-    /// The ball bounces and landed flatter than any whose bounce was measured; looked at where an
-    /// outcome of the run is asked for.
+    /// Landing flatter than any measured bounce; checked if an outcome of the run is requested.
     pub flat: bool,
 }
 
-/// How much of a drive is looked at.
+/// Part of a drive whose validity is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CheckScope {
-    /// The launch alone: cheap enough for every drive of a batch.
+    /// The launch only: cheap enough for every drive of a batch.
     Launch,
-    /// The whole flight, flown once more.
+    /// The whole flight, which is computed once more.
     Flight,
 }
 
 impl Drive<f64> {
-    /// In what the drive of a setup is outside of what the model is made for, where these outcomes
-    /// are asked for.
+    /// Validity limits that the drive of this setup exceeds, if these outcomes are requested.
     pub fn exceeded_limits(
         &self,
         setup: &Setup<f64>,
-        looked: CheckScope,
+        scope: CheckScope,
         of: &[Outcome],
     ) -> ExceededLimits {
-        let law = match looked {
+        let law = match scope {
             CheckScope::Launch => !setup
                 .law
                 .fitted()
@@ -78,16 +106,16 @@ impl Drive<f64> {
     }
 }
 
-/// How many of some drives are outside of what the model is made for.
+/// Number of drives that exceed each validity limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceededCount {
-    /// All that flew and landed.
+    /// All drives that landed.
     pub all: u64,
-    /// Those launched with what the law was not fitted to.
+    /// Drives outside the ranges of the law.
     pub law: u64,
-    /// Those struck beside any face.
+    /// Drives struck outside any face.
     pub face: u64,
-    /// Those that landed flatter than any whose bounce was measured.
+    /// Drives that landed flatter than any measured bounce.
     pub flat: u64,
 }
 
@@ -100,7 +128,7 @@ impl ExceededCount {
         self.flat += u64::from(drive.flat);
     }
 
-    /// Adds other drives.
+    /// Adds the counts of other drives.
     pub fn merge(&mut self, other: Self) {
         self.all += other.all;
         self.law += other.law;
@@ -108,110 +136,116 @@ impl ExceededCount {
         self.flat += other.flat;
     }
 
-    /// Warnings: a sentence for each kind of which there are any. `of` is what they are: "drive",
-    /// "optimum".
-    pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: CheckScope) -> Vec<Message> {
-        let some = |count: u64| (count > 0).then(|| counted_of(count, self.all, of));
-        in_words(
-            [self.law, self.face, self.flat].map(some),
-            self.flat == 1,
-            law,
-            looked,
-        )
+    /// A warning for each limit that a drive exceeds. `noun` names the drives, in singular and
+    /// plural: "shot", "shots".
+    pub fn warnings(&self, law: &Law<f64>, noun: [&str; 2], scope: CheckScope) -> Vec<Message> {
+        let subject = |count: u64| (count > 0).then(|| counted_of(count, self.all, noun));
+        let subjects = Subjects {
+            law: subject(self.law),
+            face: subject(self.face),
+            flat: subject(self.flat),
+            is_one_flat: self.flat == 1,
+        };
+        subjects.warnings(law, scope)
     }
 }
 
-/// Which shares of some drives, from 0 to 1, are outside of what the model is made for.
+/// Share of drives, from 0 to 1, that exceed each validity limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ExceededShare {
-    /// The share that flies with what the law was not fitted to.
+    /// Share outside the ranges of the law.
     pub law: f64,
-    /// The share struck beside any face.
+    /// Share struck outside any face.
     pub face: f64,
-    /// The share that lands flatter than any whose bounce was measured.
+    /// Share that lands flatter than any measured bounce.
     pub flat: f64,
 }
 
 impl ExceededShare {
-    /// Less than this share of drives that vary is not worth a word, as less than 1 % of a flight
-    /// is not.
-    const WORTH_A_WORD: f64 = 0.01;
+    /// Smallest share that is warned of.
+    const LEAST_WARNED: f64 = 0.01;
 
-    /// Adds a drive that is this share of all.
+    /// Adds a drive with this share of all drives.
     pub fn add(&mut self, drive: ExceededLimits, share: f64) {
         self.law += share * f64::from(u8::from(drive.law));
         self.face += share * f64::from(u8::from(drive.face));
         self.flat += share * f64::from(u8::from(drive.flat));
     }
 
-    /// The kinds that 1 % of the drives or more are of.
-    pub fn worth_a_word(&self) -> ExceededLimits {
-        let is = |share: f64| share >= Self::WORTH_A_WORD;
+    /// Validity limits that at least 1 % of the drives exceed.
+    pub fn exceeded_limits(&self) -> ExceededLimits {
         ExceededLimits {
-            law: is(self.law),
-            face: is(self.face),
-            flat: is(self.flat),
+            law: self.law >= Self::LEAST_WARNED,
+            face: self.face >= Self::LEAST_WARNED,
+            flat: self.flat >= Self::LEAST_WARNED,
         }
     }
 
-    /// Warnings about drives that were looked at along their flights: a sentence for each kind that
-    /// 1 % of them or more are of. `of` is what they are: "the swings".
-    pub fn warnings(&self, law: &Law<f64>, of: &str) -> Vec<Message> {
-        let ExceededLimits {
-            law: of_law,
-            face,
-            flat,
-        } = self.worth_a_word();
-        let shares = [(of_law, self.law), (face, self.face), (flat, self.flat)];
-        let which = shares
-            .map(|(is_told, share)| is_told.then(|| format!("{:.0} % of {of}", 100.0 * share)));
-        in_words(which, false, law, CheckScope::Flight)
+    /// A warning for each limit that at least 1 % of the drives exceed, checked along the whole
+    /// flight. `noun` names the drives: "the swings".
+    pub fn warnings(&self, law: &Law<f64>, noun: &str) -> Vec<Message> {
+        let exceeded = self.exceeded_limits();
+        let subject = |is_exceeded: bool, share: f64| {
+            is_exceeded.then(|| format!("{:.0} % of {noun}", 100.0 * share))
+        };
+        let subjects = Subjects {
+            law: subject(exceeded.law, self.law),
+            face: subject(exceeded.face, self.face),
+            flat: subject(exceeded.flat, self.flat),
+            is_one_flat: false,
+        };
+        subjects.warnings(law, CheckScope::Flight)
     }
 }
 
-/// A sentence for each kind of which there are any: those beyond the law, beside any face, and
-/// landed flat.
-fn in_words(
-    which: [Option<String>; 3],
+/// Subjects of the warnings, such as "3 of 10 drives"; `None` for a limit that no drive exceeds.
+struct Subjects {
+    law: Option<String>,
+    face: Option<String>,
+    flat: Option<String>,
+    /// A single drive lands flat.
     is_one_flat: bool,
-    law: &Law<f64>,
-    looked: CheckScope,
-) -> Vec<Message> {
-    let [of_law, face, flat] = which;
-    let mut warnings = vec![];
-    if let Some(which) = of_law {
-        let fitted = law.fitted();
-        let (when, rest) = match looked {
-            CheckScope::Launch => ("at launch", "; the rest of the flight was not checked"),
-            CheckScope::Flight => ("in 1 % of the flight or more", ""),
-        };
-        let name = law.name();
-        let before = Message::from(format!(
-            "{which}: {when} outside of what the law {name} was fitted to ("
-        ));
-        let how = fitted.beyond(fitted.left([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
-        warnings.push(
-            fitted
-                .in_words(before)
-                .words(format!("; {}), where it is {how}{rest}", fitted.to)),
-        );
+}
+
+impl Subjects {
+    fn warnings(self, law: &Law<f64>, scope: CheckScope) -> Vec<Message> {
+        let mut warnings = vec![];
+        if let Some(subject) = &self.law {
+            warnings.push(law_range_warning(subject, law, scope));
+        }
+        if let Some(subject) = &self.face {
+            let face = any_face();
+            let warning = format!(
+                "{subject}: the strike lies outside {face}: no club strikes the ball there"
+            );
+            warnings.push(warning.into());
+        }
+        if let Some(subject) = &self.flat {
+            let lands = if self.is_one_flat {
+                "the ball lands"
+            } else {
+                "the balls land"
+            };
+            let beginning = format!("{subject}: {lands} at less than ");
+            warnings.push(with_flat_landing_warning(beginning.into()));
+        }
+        warnings
     }
-    if let Some(which) = face {
-        warnings.push(
-            format!(
-                "{which}: the strike lies outside {}: no club strikes the ball there",
-                any_face()
-            )
-            .into(),
-        );
-    }
-    if let Some(which) = flat {
-        let lands = if is_one_flat {
-            "the ball lands"
-        } else {
-            "the balls land"
-        };
-        warnings.push(assumed(format!("{which}: {lands} at less than ").into()));
-    }
-    warnings
+}
+
+/// Warning about drives outside the ranges of the law.
+fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Message {
+    let fitted = law.fitted();
+    let (when, rest) = match scope {
+        CheckScope::Launch => ("at launch", "; the rest of the flight was not checked"),
+        CheckScope::Flight => ("in 1 % of the flight or more", ""),
+    };
+    let beginning = Message::from(format!(
+        "{subject}: {when} outside of what the law {} was fitted to (",
+        law.name()
+    ));
+    let how = fitted.beyond(fitted.left([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
+    fitted
+        .in_words(beginning)
+        .words(format!("; {}), where it is {how}{rest}", fitted.to))
 }

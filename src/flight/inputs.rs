@@ -5,49 +5,48 @@ use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Law, Method, Setup};
 use std::f64::consts::PI;
 
-/// All that a flight depends on (docs/model.md, eqs. 12–15): a few quantities, into which whatever
-/// made the launch enters only through these.
+/// Everything a flight depends on (docs/model.md, eqs. 12–15). The impact enters only through the
+/// launch velocity, the spin and its axis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inputs<T> {
     /// Velocity at launch, m/s.
     pub velocity: Vector<T>,
     /// |ω₀| = √(ω₀·ω₀ + η²), rad/s.
     pub spin: T,
-    /// ω₀/|ω₀|: the axis, which the spin keeps (and of no length without spin).
+    /// Spin axis ω₀/|ω₀|, constant during the flight; its length tends to 0 as the spin does.
     pub axis: Vector<T>,
-    /// ρ A/(2 m): deceleration per C_D |v|², 1/m.
+    /// ρ A/(2 m): deceleration per C_D |v_r|², 1/m.
     pub force_per_mass: T,
     /// g, m/s².
     pub gravity: T,
     /// R, m.
     pub radius: T,
-    /// Re/|v|, s/m.
+    /// Re/|v_r|, s/m.
     pub reynolds_per_speed: T,
     /// δ, 1/s.
     pub decay: T,
-    /// κ/R, 1/m, where spin is damped by the way through the air.
+    /// κ/R, 1/m: decay of the spin with the distance through the air; `None` without damping.
     pub damping: Option<T>,
-    /// How the air moves.
+    /// Velocity of the air.
     pub wind: WindField<T>,
     /// Height of the landing area, m.
     pub ground: T,
-    /// Drag and lift.
+    /// Law of drag and lift.
     pub law: Law<T>,
-    /// What the ball lands on, where its run is asked for.
+    /// Turf of the landing area, if the run is requested.
     pub turf: Option<Turf<T>>,
-    /// How the equation of motion is integrated.
+    /// Runge–Kutta method.
     pub method: Method,
-    /// h, s.
+    /// Step h, s.
     pub step: f64,
-    /// s.
+    /// Longest flight time, s.
     pub time_limit: f64,
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// What the flight of a ball depends on that leaves like this, in the air of a setup, and where
-    /// it `runs` what its run does. Not inlined: there is one compiled copy for each number type.
+    /// The inputs of a flight from this launch in the air of a setup; with the turf, if `has_run`.
     #[inline(always)]
-    pub fn new(setup: &Setup<T>, launch: &Launch<T>, runs: bool) -> Self {
+    pub fn new(setup: &Setup<T>, launch: &Launch<T>, has_run: bool) -> Self {
         T::outlined(inlined!(|| {
             let radius = setup.ball.radius;
             let AirState { density, viscosity } = AirState::of(&setup.air);
@@ -69,7 +68,7 @@ impl<T: Numbers> Inputs<T> {
                 wind: WindField::new(&setup.wind, &setup.ground),
                 ground: setup.ground.height,
                 law: setup.law,
-                turf: runs.then(inlined!(|| Turf::new(setup))),
+                turf: has_run.then(inlined!(|| Turf::new(setup))),
                 method: setup.method,
                 step: setup.flight.step,
                 time_limit: setup.flight.time_limit,
@@ -77,7 +76,8 @@ impl<T: Numbers> Inputs<T> {
         }))
     }
 
-    /// Spin ratio, spin, Reynolds number and speed through the air as the ball leaves.
+    /// Spin ratio, spin, Reynolds number and airspeed at launch: the order of
+    /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
     #[inline(always)]
     pub fn stream(&self) -> [T; 4] {
         let speed = (self.velocity - self.wind.at(T::zero())).norm();

@@ -1,44 +1,54 @@
-use super::ending::Landed;
+//! Integration of a flight up to its landing: the loop over the steps, and the events within a step
+//! (docs/model.md, eqs. 16a–18).
+
 use super::inputs::Inputs;
 use super::motion::Node;
-use super::result::{FlightResult, RequestedOutputs};
+use super::result::{FlightResult, Landed, RequestedOutputs};
 use super::septic::Path;
 use super::step::{Observer, Step, Stepper};
 use super::tableau::Tableau;
 use crate::ground::Landing;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
-/// How many times more the defect of the last step counts. Within it the path is interpolated: at
-/// the same defect, its error is 30 to 110 times that of a step.
-const INTERPOLATED: f64 = 100.0;
+/// Additional weight of the last step's defect (eq. 16a): the path is interpolated within it, and
+/// its error is 30 to 110 times that of a step with the same defect.
+const INTERPOLATION_WEIGHT: f64 = 100.0;
 
-/// What may be found within a step, and for which flights.
+/// Lanes between two steps.
 #[derive(Clone, Copy)]
-struct Within<M> {
+struct Lanes<M> {
+    /// Lanes in flight.
     flying: M,
+    /// Lanes that have been above the ground.
     has_been_above: M,
-    /// Whose vertical speed changes its sign.
-    has_top: M,
+}
+
+/// Events that a step may contain.
+#[derive(Clone, Copy)]
+struct StepEvents<M> {
+    /// Lanes whose vertical velocity changes its sign: the apex is in the step.
+    has_apex: M,
+    /// Lanes that may land.
     may_land: M,
-    /// Whether anything depends on where that top is.
-    needs_top: bool,
-    /// Whether the time limit lies in the step.
-    is_last: bool,
+    /// The position of an apex is requested, or decides whether the ball clears the ground.
+    needs_apex: bool,
+    /// The time limit is in the step.
+    has_time_limit: bool,
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// Flies the balls of those lanes that start above the ground or upwards. Not inlined: there is
-    /// one compiled copy for each number type.
+    /// Integrates the flights of these lanes up to the landing. A lane flies if it starts above the
+    /// ground or upwards.
     #[inline(always)]
     pub(crate) fn integrate(
         &self,
         lanes: T::Mask,
-        asked: RequestedOutputs,
+        outputs: RequestedOutputs,
         mut observer: Observer<'_, T>,
     ) -> FlightResult<T> {
         T::outlined(inlined!(|| self.integrate_inlined(
             lanes,
-            asked,
+            outputs,
             &mut observer
         )))
     }
@@ -47,199 +57,226 @@ impl<T: Numbers> Inputs<T> {
     fn integrate_inlined(
         &self,
         lanes: T::Mask,
-        asked: RequestedOutputs,
+        outputs: RequestedOutputs,
         observer: &mut Observer<'_, T>,
     ) -> FlightResult<T> {
         let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
         let mut stepper = Stepper::new(self, tableau, h);
+        // before the first step both nodes are the launch
         let mut nodes = [self.launch(); 2];
-        // no step yet: both ends are where the flight begins
         let [from, to] = &mut nodes;
         let mut step = Step {
             from,
             to,
-            deflection: Vector::zero(),
-            gained: Vector::zero(),
+            position_increment: Vector::zero(),
+            velocity_increment: Vector::zero(),
         };
-        let mut has_been_above = ground.below(0.0);
-        let mut flying = lanes & (has_been_above | is_rising(step.to));
-        let mut ended: FlightResult<T> = FlightResult::initial(asked);
-        while flying.any() && ended.time < self.time_limit {
+        let has_been_above = ground.below(0.0);
+        let mut lanes = Lanes {
+            flying: lanes & (has_been_above | is_rising(step.to)),
+            has_been_above,
+        };
+        let mut result: FlightResult<T> = FlightResult::initial(outputs);
+        while lanes.flying.any() && result.time < self.time_limit {
             stepper.advance(&mut step);
             if let Some(observe) = observer {
-                // the address of the loop's own step is not handed on: it stays in registers
-                observe(
-                    ended.time,
-                    &Step {
-                        from: &mut *step.from,
-                        to: &mut *step.to,
-                        ..step
-                    },
-                );
-            }
-            // a comparison with NaN does not hold: what is lost is not followed
-            let is_followed =
-                self.is_fine(step.from, h, tableau.reach) & step.to.position.x.is_finite();
-            ended.diverges = ended.diverges | flying & !is_followed;
-            flying = flying & is_followed;
-
-            if let Some(sum) = &mut ended.landed.defect {
-                *sum = (*sum + step.defect(h).without_derivatives()).blend(*sum, flying);
-            }
-
-            let is_above = (ground - step.to.position.x).below(0.0);
-            let has_top = flying & is_rising(step.from) & !is_rising(step.to);
-            let may_land = flying & !is_above & (has_been_above | has_top);
-            let top_decides = has_top & !(has_been_above & is_above);
-            // the path within the step is needed where the ball may land, where its top lies in the
-            // step and decides whether the ball clears the ground, and where the apex is asked for
-            let needs_top = top_decides.any() || asked.apex && has_top.any();
-            // and where the time limit lies in the step: how high is the ball then?
-            let end = (ended.landed.steps + 1) as f64 * h;
-            let is_last = end >= self.time_limit;
-            if may_land.any() || needs_top || is_last {
-                let within = Within {
-                    flying,
-                    has_been_above,
-                    has_top,
-                    may_land,
-                    needs_top,
-                    is_last,
-                };
+                // a copy of the step: the loop's own step stays in registers
                 let step = Step {
                     from: &mut *step.from,
                     to: &mut *step.to,
                     ..step
                 };
-                // few steps come here; inlined, it would be more code than all the rest. Again with
-                // a step of its own
-                (flying, has_been_above) =
-                    T::outlined(inlined!(|| self.look_within(&step, within, &mut ended)));
+                observe(result.time, &step);
             }
-            has_been_above = has_been_above | is_above;
-            ended.landed.steps += 1;
-            ended.time = end;
+            // comparisons with NaN are false: an overflow diverges too
+            let is_resolved = self.is_resolved(step.from, h, tableau.largest_relative_change)
+                & step.to.position.x.is_finite();
+            result.diverges = result.diverges | lanes.flying & !is_resolved;
+            lanes.flying = lanes.flying & is_resolved;
+            if let Some(sum) = &mut result.landed.defect {
+                let defect = step.defect(h).without_derivatives();
+                *sum = (*sum + defect).blend(*sum, lanes.flying);
+            }
+
+            let end = (result.landed.steps + 1) as f64 * h;
+            let is_above = (ground - step.to.position.x).below(0.0);
+            let events = self.step_events(&step, lanes, is_above, outputs.apex, end);
+            if events.may_land.any() || events.needs_apex || events.has_time_limit {
+                let step = Step {
+                    from: &mut *step.from,
+                    to: &mut *step.to,
+                    ..step
+                };
+                lanes = T::outlined(inlined!(|| self.locate_events(
+                    &step,
+                    lanes,
+                    events,
+                    &mut result
+                )));
+            }
+            lanes.has_been_above = lanes.has_been_above | is_above;
+            result.landed.steps += 1;
+            result.time = end;
         }
-        ended.is_aloft = flying;
+        result.is_aloft = lanes.flying;
         if let Some(turf) = &self.turf {
-            ended.landed.rest =
-                Some(turf.rest(&self.landing(&ended.landed, ended.spin), ended.has_landed));
+            let landing = self.landing(&result.landed, result.spin);
+            result.landed.rest = Some(turf.rest(&landing, result.has_landed));
         }
-        ended
+        result
     }
 
-    /// Looks within a step for the height at the time limit, the top and the landing. Returns which
-    /// flights go on, and which have been above the ground.
+    /// Events that the step up to time `end` may contain, from its nodes.
     #[inline(always)]
-    fn look_within(
+    fn step_events(
         &self,
         step: &Step<'_, T>,
-        within: Within<T::Mask>,
-        ended: &mut FlightResult<T>,
-    ) -> (T::Mask, T::Mask) {
-        let (h, ground, begin) = (self.step, self.ground, ended.time);
-        let Within {
-            mut flying,
-            mut has_been_above,
-            has_top,
+        lanes: Lanes<T::Mask>,
+        is_above: T::Mask,
+        is_apex_requested: bool,
+        end: f64,
+    ) -> StepEvents<T::Mask> {
+        let Lanes {
+            flying,
+            has_been_above,
+        } = lanes;
+        let has_apex = flying & is_rising(step.from) & !is_rising(step.to);
+        let may_land = flying & !is_above & (has_been_above | has_apex);
+        let apex_decides = has_apex & !(has_been_above & is_above);
+        StepEvents {
+            has_apex,
             may_land,
-            needs_top,
-            is_last,
-        } = within;
-        let path = Path::new(self, step, h);
-        if is_last {
-            let s = T::constant((self.time_limit - begin) / h);
-            ended.height = path.up.value(s).blend(ended.height, flying);
+            needs_apex: apex_decides.any() || is_apex_requested && has_apex.any(),
+            has_time_limit: end >= self.time_limit,
         }
-        let mut from_top = T::zero();
-        if needs_top {
-            let s = path.up.top(has_top);
-            let top = path.position(s);
-            from_top = s.blend(from_top, has_top);
-            if let Some(apex) = &mut ended.landed.apex {
-                let is_higher = has_top & (apex.height - top.x).below(0.0);
-                apex.height = top.x.blend(apex.height, is_higher);
-                apex.time = (s * h + begin).blend(apex.time, is_higher);
-                apex.downrange = top.z.blend(apex.downrange, is_higher);
-                // An error of the velocity moves the top along the path, the further the flatter
-                // the path is there. That of a path whose error goes with s⁴ (1 − s)⁴ is up to four
-                // times as large, by s.
-                if ended.landed.defect.is_some() {
-                    let per_error =
-                        path.velocity(s).norm() * (4.0 * INTERPOLATED * h) / -path.up.bend(s);
-                    let moved = step.defect(h) * per_error;
-                    ended.defect_of_apex = moved
-                        .without_derivatives()
-                        .blend(ended.defect_of_apex, is_higher);
-                }
-            }
-            let is_over = has_top & (ground - top.x).below(0.0);
-            let stays_below = has_top & !is_over & !has_been_above;
-            ended.height = top.x.blend(ended.height, stays_below);
-            ended.stays_below = ended.stays_below | stays_below;
-            flying = flying & !stays_below;
-            has_been_above = has_been_above | is_over;
-        }
-        let lands = flying & may_land & has_been_above;
-        if lands.any() {
-            let s = path.up.falls_to(ground, from_top, lands);
-            // a landing after the time limit, within the step that passes it, is none
-            let time = s * h + begin;
-            let lands = lands & !(-time).below(-self.time_limit);
-            let (x, v) = (path.position(s), path.velocity(s));
-            let old = &mut ended.landed;
-            old.carry = x.z.blend(old.carry, lands);
-            old.lateral = x.y.blend(old.lateral, lands);
-            old.flight_time = time.blend(old.flight_time, lands);
-            old.velocity = v.blend(old.velocity, lands);
-            // an error of the height is one of the landing place, the larger the flatter the ball
-            // comes down
-            if let Some(sum) = &mut old.defect {
-                let per_sine = (v.norm() / -v.x).without_derivatives();
-                let defect = step.defect(h).without_derivatives();
-                let here = defect
-                    .scale_add(INTERPOLATED, *sum)
-                    .mul_add(per_sine, ended.defect_of_apex);
-                *sum = here.blend(*sum, lands);
-            }
-            if self.turf.is_some() {
-                ended.spin = self
-                    .spin_within([step.from, step.to], s)
-                    .blend(ended.spin, lands);
-            }
-            ended.has_landed = ended.has_landed | lands;
-            flying = flying & !lands;
-        }
-        (flying, has_been_above)
     }
 
-    /// The ball as it lands with this spin, rad/s.
+    /// Locates the events of a step on the interpolated path: the height at the time limit, the
+    /// apex, the landing. Returns the lanes after the step.
+    #[inline(always)]
+    fn locate_events(
+        &self,
+        step: &Step<'_, T>,
+        mut lanes: Lanes<T::Mask>,
+        events: StepEvents<T::Mask>,
+        result: &mut FlightResult<T>,
+    ) -> Lanes<T::Mask> {
+        let path = Path::new(self, step, self.step);
+        if events.has_time_limit {
+            let s = T::constant((self.time_limit - result.time) / self.step);
+            result.height = path.up.value(s).blend(result.height, lanes.flying);
+        }
+        let mut from_apex = T::zero();
+        if events.needs_apex {
+            let s = path.up.find_maximum(events.has_apex);
+            from_apex = s.blend(from_apex, events.has_apex);
+            lanes = self.record_apex(step, &path, s, lanes, events.has_apex, result);
+        }
+        let lands = lanes.flying & events.may_land & lanes.has_been_above;
+        if lands.any() {
+            let s = path.up.find_crossing(self.ground, from_apex, lands);
+            let lands = self.record_landing(step, &path, s, lands, result);
+            lanes.flying = lanes.flying & !lands;
+        }
+        lanes
+    }
+
+    /// Records the apex at s of a step, and ends the flights whose apex is not above the ground.
+    #[inline(always)]
+    fn record_apex(
+        &self,
+        step: &Step<'_, T>,
+        path: &Path<T>,
+        s: T,
+        mut lanes: Lanes<T::Mask>,
+        has_apex: T::Mask,
+        result: &mut FlightResult<T>,
+    ) -> Lanes<T::Mask> {
+        let h = self.step;
+        let top = path.position(s);
+        if let Some(apex) = &mut result.landed.apex {
+            let is_higher = has_apex & (apex.height - top.x).below(0.0);
+            apex.height = top.x.blend(apex.height, is_higher);
+            apex.time = (s * h + result.time).blend(apex.time, is_higher);
+            apex.downrange = top.z.blend(apex.downrange, is_higher);
+            // D_A = 400 d |v_A|/(h a_A), eq. 16a. An error of the path proportional to s⁴ (1 − s)⁴
+            // has a derivative by s of up to 4 times its maximum, which shifts the apex.
+            if result.landed.defect.is_some() {
+                let per_defect = path.velocity(s).norm() * (4.0 * INTERPOLATION_WEIGHT * h)
+                    / -path.up.second_derivative(s);
+                let apex_defect = step.defect(h) * per_defect;
+                result.apex_defect = apex_defect
+                    .without_derivatives()
+                    .blend(result.apex_defect, is_higher);
+            }
+        }
+        let clears = has_apex & (self.ground - top.x).below(0.0);
+        let stays_below = has_apex & !clears & !lanes.has_been_above;
+        result.height = top.x.blend(result.height, stays_below);
+        result.stays_below = result.stays_below | stays_below;
+        lanes.flying = lanes.flying & !stays_below;
+        lanes.has_been_above = lanes.has_been_above | clears;
+        lanes
+    }
+
+    /// Records the landing at s of a step. Returns the lanes that land before the time limit.
+    #[inline(always)]
+    fn record_landing(
+        &self,
+        step: &Step<'_, T>,
+        path: &Path<T>,
+        s: T,
+        lands: T::Mask,
+        result: &mut FlightResult<T>,
+    ) -> T::Mask {
+        let h = self.step;
+        let time = s * h + result.time;
+        let lands = lands & !(-time).below(-self.time_limit);
+        let (x, v) = (path.position(s), path.velocity(s));
+        let landed = &mut result.landed;
+        landed.carry = x.z.blend(landed.carry, lands);
+        landed.lateral = x.y.blend(landed.lateral, lands);
+        landed.flight_time = time.blend(landed.flight_time, lands);
+        landed.velocity = v.blend(landed.velocity, lands);
+        // D = (sum + 100 d) |v_L|/|v_L,up| + D_A, eq. 16a
+        if let Some(sum) = &mut landed.defect {
+            let per_sine = (v.norm() / -v.x).without_derivatives();
+            let defect = step.defect(h).without_derivatives();
+            let total = defect
+                .scale_add(INTERPOLATION_WEIGHT, *sum)
+                .mul_add(per_sine, result.apex_defect);
+            *sum = total.blend(*sum, lands);
+        }
+        if self.turf.is_some() {
+            let spin = self.spin_within([step.from, step.to], s);
+            result.spin = spin.blend(result.spin, lands);
+        }
+        result.has_landed = result.has_landed | lands;
+        lands
+    }
+
+    /// The landing ball with this spin, rad/s.
     #[inline(always)]
     pub(super) fn landing(&self, landed: &Landed<T>, spin: T) -> Landing<T> {
-        let Landed {
-            carry: downrange,
-            lateral: right,
-            velocity,
-            ..
-        } = *landed;
-        let (radius, gravity, force_per_mass) = (self.radius, self.gravity, self.force_per_mass);
         Landing {
-            downrange,
-            right,
-            velocity,
+            downrange: landed.carry,
+            right: landed.lateral,
+            velocity: landed.velocity,
             spin: self.axis * spin,
-            radius,
-            gravity,
-            force_per_mass,
+            radius: self.radius,
+            gravity: self.gravity,
+            force_per_mass: self.force_per_mass,
         }
     }
 
-    /// Where drag and lift change the airspeed within a step by less than this part of itself.
+    /// Lanes whose step resolves the forces: drag and lift change the airspeed within it by less
+    /// than this fraction.
     #[inline(always)]
-    fn is_fine(&self, node: &Node<T>, h: f64, reach: f64) -> T::Mask {
-        let (a, reached) = (node.rate.acceleration, node.rate.speed * reach);
-        let pull = Vector::new(a.x + self.gravity, a.y, a.z);
-        (pull.dot(pull) * (h * h) - reached * reached).below(0.0)
+    fn is_resolved(&self, node: &Node<T>, h: f64, largest_relative_change: f64) -> T::Mask {
+        let a = node.rate.acceleration;
+        let largest_change = node.rate.speed * largest_relative_change;
+        let aerodynamic = Vector::new(a.x + self.gravity, a.y, a.z);
+        (aerodynamic.dot(aerodynamic) * (h * h) - largest_change * largest_change).below(0.0)
     }
 }
 

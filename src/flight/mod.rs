@@ -1,10 +1,6 @@
-//! The ball in the air: equation of motion, fixed-step integration, a smooth landing.
+//! Flight of the ball: equation of motion, integration with a fixed step, landing (docs/model.md,
+//! eqs. 12–18).
 
-mod divergence;
-
-mod ending;
-mod fading;
-mod fly;
 mod inputs;
 mod landing;
 mod motion;
@@ -14,8 +10,44 @@ mod step;
 mod tableau;
 mod trajectory;
 
-pub use ending::{Apex, Flight, Landed, NoFlight};
-pub use fly::fly;
 pub(crate) use inputs::Inputs;
 pub(crate) use result::RequestedOutputs;
+pub use result::{Apex, Flight, Landed, NoFlight};
 pub use trajectory::{Trajectory, TrajectoryPoint, trajectory};
+
+use crate::error::Result;
+use crate::launch::Launch;
+use crate::number::Number;
+use crate::parameters::Setup;
+use step::Observer;
+
+/// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). Allocates no heap memory.
+///
+/// # Errors
+/// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much within
+/// a step, or if a number overflows; [`Error::OutOfRange`](crate::Error::OutOfRange) and
+/// [`Error::NotANumber`](crate::Error::NotANumber) for a step that is not positive, or of which the
+/// time limit holds more than 1e8.
+pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
+    setup.flight.check_steps()?;
+    Inputs::new(setup, launch, true).fly(None)
+}
+
+impl<T: Number> Inputs<T> {
+    /// Flies one ball. The observer sees each step.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much
+    /// within a step, or if a number overflows.
+    pub(crate) fn fly(&self, observer: Observer<'_, T>) -> Result<Flight<T>> {
+        let all = RequestedOutputs {
+            apex: true,
+            defect: true,
+        };
+        let result = self.integrate(true, all, observer);
+        Ok(match result.no_landing_reason(self, T::re)? {
+            None => Flight::Landed(result.landed),
+            Some(reason) => Flight::None(reason),
+        })
+    }
+}

@@ -1,26 +1,31 @@
+//! Equation of motion, its derivative in time, and the decay of the spin (docs/model.md,
+//! eqs. 12–14).
+//!
+//! The order of the operations is chosen for latency (`src/number/mod.rs`, "Latency").
+
 use super::inputs::Inputs;
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::number::{Numbers, Vector, inlined};
 
-/// m/s: keeps |v_r| and its derivatives finite where the ball hangs still in the air.
+/// Smallest airspeed, m/s (eq. 14): |v_r| and its derivatives stay finite in still air.
 const LEAST_SPEED: f64 = 1e-6;
-/// Half of the interval of the central difference for the jerk, s. Truncation: 6.7e-9 s² d³a/dt³;
-/// rounding: about 5e-12 m/s³.
-const APART: f64 = 2e-4;
+/// Half the interval of the central difference for the jerk, s. Truncation error:
+/// 6.7e-9 s² d³a/dt³; rounding error: about 5e-12 m/s³.
+const JERK_HALF_INTERVAL: f64 = 2e-4;
 
-/// How a ball changes.
+/// Rate of change of a ball's motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rate<T> {
-    /// dv/dt, m/s².
+    /// Acceleration dv/dt, m/s².
     pub acceleration: Vector<T>,
-    /// |v_r|, the speed through the air, m/s: it damps the spin.
+    /// Airspeed |v_r| = dℓ/dt, m/s: the spin decays with ℓ (eq. 13).
     pub speed: T,
 }
 
 impl<T: Numbers> Rate<T> {
     /// All zeros, before the first evaluation.
     #[inline(always)]
-    pub fn none() -> Self {
+    pub fn zero() -> Self {
         Self {
             acceleration: Vector::zero(),
             speed: T::zero(),
@@ -28,63 +33,49 @@ impl<T: Numbers> Rate<T> {
     }
 }
 
-/// A ball at one time, a node of the integration: where it is, how it moves, how fast it spins
-/// (about an axis that it keeps), and how that changes. x is up, y right and z downrange.
+/// State of the ball at a node of the integration, and its rate of change.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node<T> {
-    /// m.
+    /// Position, m.
     pub position: Vector<T>,
-    /// m/s.
+    /// Velocity, m/s.
     pub velocity: Vector<T>,
     /// |ω|, rad/s.
     pub spin: T,
+    /// Rate of change.
     pub rate: Rate<T>,
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// The equation of motion of a ball with this velocity through the air, outside of the loop
-    /// over the stages. Not inlined: there is one such copy for each number type. What it finds is
-    /// written to its place, as a rate with many derivatives is long to copy.
+    /// Acceleration (eq. 12) and airspeed at velocity `v_r` through the air and spin |ω|. Inlined
+    /// into the loop over the stages: a drive takes 2 to 10 % less time.
     #[inline(always)]
-    pub(super) fn find_rate(&self, air: Vector<T>, spin: T, rate: &mut Rate<T>) {
-        T::outlined(inlined!(|| *rate = self.forces(air, spin)));
-    }
-
-    /// The equation of motion (docs/model.md, eqs. 12–15) of a ball with this velocity through the
-    /// air. Inlined where a stage waits for it: a drive takes 2 to 10 % less.
-    #[inline(always)]
-    pub(super) fn forces(&self, air: Vector<T>, spin: T) -> Rate<T> {
+    pub(super) fn rate(&self, v_r: Vector<T>, spin: T) -> Rate<T> {
+        // |v_r|² + (1e-6 m/s)² and |v_r|, eq. 14
         let least = T::constant(LEAST_SPEED * LEAST_SPEED);
-        // summed in pairs: the next stage waits for it
-        let square = air.x.mul_add(air.x, least) + air.y.mul_add(air.y, air.z * air.z);
+        let square = v_r.x.mul_add(v_r.x, least) + v_r.y.mul_add(v_r.y, v_r.z * v_r.z);
         let (speed, _) = square.sqrt_recip();
-        let Self {
-            radius,
-            reynolds_per_speed,
-            ..
-        } = *self;
-        let stream = Stream {
+        // C_D and C_L
+        let c = self.law.coefficients(Stream {
             spin,
             speed,
             square,
-            radius,
-            reynolds_per_speed,
-        };
-        let c = self.law.coefficients(stream);
-        // ρ A |v_r|/(2 m), 1/s
-        let per_airspeed = self.force_per_mass * speed;
-        // lift before drag, whose coefficient is ready last; the speed is multiplied in last, so
-        // that laws by the spin alone do not wait for it
-        let (across, against) = (self.axis.cross(air), -air);
-        let pull = Vector::new(
-            against.x.mul_add(c.drag, across.x * c.lift),
-            against.y.mul_add(c.drag, across.y * c.lift),
-            against.z.mul_add(c.drag, across.z * c.lift),
+            radius: self.radius,
+            reynolds_per_speed: self.reynolds_per_speed,
+        });
+        // lift along (ω/|ω|) × v_r, drag along −v_r
+        let (lift, drag) = (self.axis.cross(v_r), -v_r);
+        let force = Vector::new(
+            drag.x.mul_add(c.drag, lift.x * c.lift),
+            drag.y.mul_add(c.drag, lift.y * c.lift),
+            drag.z.mul_add(c.drag, lift.z * c.lift),
         );
+        // dv/dt = ρ A |v_r|/(2 m) (−C_D v_r + C_L (ω/|ω|) × v_r) − g X, eq. 12
+        let per_mass = self.force_per_mass * speed;
         let acceleration = Vector::new(
-            pull.x.mul_add(per_airspeed, -self.gravity),
-            pull.y * per_airspeed,
-            pull.z * per_airspeed,
+            force.x.mul_add(per_mass, -self.gravity),
+            force.y * per_mass,
+            force.z * per_mass,
         );
         Rate {
             acceleration,
@@ -92,57 +83,96 @@ impl<T: Numbers> Inputs<T> {
         }
     }
 
-    /// The node where the flight begins.
+    /// [`rate`](Self::rate) outside of the loop over the stages, written to its place: a copy of a
+    /// rate with many derivatives is long.
+    #[inline(always)]
+    fn write_rate(&self, v_r: Vector<T>, spin: T, rate: &mut Rate<T>) {
+        T::outlined(inlined!(|| *rate = self.rate(v_r, spin)));
+    }
+
+    /// The node at launch.
     #[inline(always)]
     pub(super) fn launch(&self) -> Node<T> {
         let mut node = Node {
             position: Vector::zero(),
             velocity: self.velocity,
             spin: self.spin,
-            rate: Rate::none(),
+            rate: Rate::zero(),
         };
-        self.find_rate(
-            self.velocity - self.wind.at(T::zero()),
-            self.spin,
-            &mut node.rate,
-        );
+        let v_r = self.velocity - self.wind.at(T::zero());
+        self.write_rate(v_r, self.spin, &mut node.rate);
         node
     }
 
-    /// How the rate at a node changes with time, d²v/dt² and d|v_r|/dt: the central difference of
-    /// the equation of motion along the path. It is a smooth function of the node alone, so that
-    /// the paths of neighbouring steps join; over a dual number in time it would be twice the code
-    /// of a flight.
+    /// Derivative of the rate in time, d²v/dt² and d|v_r|/dt: the central difference of the
+    /// equation of motion along the path. It is a smooth function of the node alone, so the
+    /// interpolants of neighbouring steps join C³. Dual numbers in time would double the code of a
+    /// flight.
     #[inline(always)]
     pub(super) fn rate_per_time(&self, node: &Node<T>) -> Rate<T> {
-        let Node {
-            position,
-            velocity,
-            spin,
-            rate: Rate {
-                acceleration,
-                speed,
-            },
-        } = *node;
+        let Rate {
+            acceleration,
+            speed,
+        } = node.rate;
+        // dω/dt = −(δ + κ |v_r|/R) ω, eq. 13
         let decay_rate = match self.damping {
             None => self.decay,
             Some(damping) => damping.mul_add(speed, self.decay),
         };
-        let spin_rate = -(decay_rate * spin);
-        // a loop, so that there is one call site
-        let mut beside = [node.rate; 2];
-        for (there, time) in beside.iter_mut().zip([-APART, APART]) {
-            let wind = self.wind.at(velocity.x.scale_add(time, position.x));
-            self.find_rate(
-                acceleration.scale_add(time, velocity - wind),
-                spin_rate.scale_add(time, spin),
-                there,
-            );
+        let spin_rate = -(decay_rate * node.spin);
+        // a loop, for a single call site of the equation of motion
+        let mut shifted = [node.rate; 2];
+        for (rate, time) in shifted
+            .iter_mut()
+            .zip([-JERK_HALF_INTERVAL, JERK_HALF_INTERVAL])
+        {
+            let height = node.velocity.x.scale_add(time, node.position.x);
+            let v_r = acceleration.scale_add(time, node.velocity - self.wind.at(height));
+            self.write_rate(v_r, spin_rate.scale_add(time, node.spin), rate);
         }
-        let per_time = inlined!(|change: T| change * (0.5 / APART));
+        let [before, after] = shifted;
+        let per_time = inlined!(|change: T| change * (0.5 / JERK_HALF_INTERVAL));
         Rate {
-            acceleration: (beside[1].acceleration - beside[0].acceleration).map(per_time),
-            speed: per_time(beside[1].speed - beside[0].speed),
+            acceleration: (after.acceleration - before.acceleration).map(per_time),
+            speed: per_time(after.speed - before.speed),
         }
+    }
+
+    /// |ω| within a step at s = (t − t₀)/h (eq. 13). Exact without damping. With damping, the
+    /// Hermite polynomial of degree 5 in the spin and its first two derivatives at both ends;
+    /// neighbouring polynomials join C².
+    #[inline(always)]
+    pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T) -> T {
+        let Some(damping) = self.damping else {
+            return T::outlined(inlined!(
+                || from.spin * (-(self.decay * s * self.step)).exp()
+            ));
+        };
+        let mut ends = [[s; 3]; 2];
+        for (end, node) in ends.iter_mut().zip([from, to]) {
+            *end = self.spin_and_derivatives(node, damping);
+        }
+        let [[p0, m0, c0], [p1, m1, c1]] = ends;
+        // residuals at s = 1 of the parabola p0 + m0 s + c0 s²/2: value, first and second derivative
+        let x = p1 - p0 - m0 - c0 * 0.5;
+        let v = m1 - m0 - c0;
+        let a = c1 - c0;
+        let third = x.scale_add(10.0, v.scale_add(-4.0, a * 0.5));
+        let fourth = x.scale_add(-15.0, v.scale_add(7.0, -a));
+        let fifth = x.scale_add(6.0, v.scale_add(-3.0, a * 0.5));
+        p0 + (m0 + (c0 * 0.5 + (third + (fourth + fifth * s) * s) * s) * s) * s
+    }
+
+    /// The spin at a node with its first and second derivative by s.
+    #[inline(always)]
+    fn spin_and_derivatives(&self, node: &Node<T>, damping: T) -> [T; 3] {
+        let (spin, h) = (node.spin, self.step);
+        let decay_rate = damping.mul_add(node.rate.speed, self.decay);
+        let decay_rate_change = damping * self.rate_per_time(node).speed;
+        [
+            spin,
+            -(decay_rate * spin) * h,
+            spin * (decay_rate * decay_rate - decay_rate_change) * (h * h),
+        ]
     }
 }

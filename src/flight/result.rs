@@ -1,59 +1,203 @@
-use super::divergence::advice;
-use super::ending::{Apex, Landed, NoFlight};
 use super::inputs::Inputs;
 use crate::error::{Error, Result};
+use crate::ground::Rest;
 use crate::launch::Launch;
 use crate::number::{Mask, Numbers, Vector};
+use crate::units::{Digits, Message, Quantity, significant};
+use std::fmt;
 
-/// What is asked of flights beside where and how they land.
+/// Result of a flight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Flight<T> {
+    /// The ball landed.
+    Landed(Landed<T>),
+    /// No landing: the ball does not fly, or is still in the air at the time limit.
+    None(NoFlight),
+}
+
+/// A flight that landed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landed<T> {
+    /// Downrange distance at landing, along the target line, m.
+    pub carry: T,
+    /// Distance to the right of the target line at landing, m.
+    pub lateral: T,
+    /// Time from launch to landing, s.
+    pub flight_time: T,
+    /// Velocity at landing, m/s.
+    pub velocity: Vector<T>,
+    /// Highest point of the flight; `None` if not requested.
+    pub apex: Option<Apex<T>>,
+    /// Position at rest; `None` if not requested.
+    pub rest: Option<Rest<T>>,
+    /// Defect D of the integration (docs/model.md, eq. 16a), m, without derivatives; `None` if not
+    /// requested.
+    pub(crate) defect: Option<T>,
+    /// Number of steps, including the one of the landing. In a batch, those of the longest flight.
+    pub steps: usize,
+}
+
+impl<T: Copy> Landed<T> {
+    /// Converts the number type.
+    #[inline(always)]
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U + Copy) -> Landed<U> {
+        Landed {
+            carry: f(self.carry),
+            lateral: f(self.lateral),
+            flight_time: f(self.flight_time),
+            velocity: self.velocity.map(f),
+            apex: self.apex.as_ref().map(|apex| Apex {
+                height: f(apex.height),
+                time: f(apex.time),
+                downrange: f(apex.downrange),
+            }),
+            rest: self.rest.as_ref().map(|rest| rest.map(f)),
+            defect: self.defect.map(f),
+            steps: self.steps,
+        }
+    }
+}
+
+/// Highest point of a flight; the launch, if the ball only falls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Apex<T> {
+    /// Height above the tee, m.
+    pub height: T,
+    /// Time from launch, s.
+    pub time: T,
+    /// Downrange distance, m.
+    pub downrange: T,
+}
+
+/// Reason why there is no landing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoFlight {
+    /// Launched at or below horizontal, with the ground at or above the ball.
+    LaunchedDown {
+        /// Angle above horizontal, rad.
+        launch_angle: f64,
+    },
+    /// The apex is not above the ground's height.
+    BelowGround {
+        /// Apex height, m.
+        apex_height: f64,
+        /// Height of the ground, m.
+        ground_height: f64,
+    },
+    /// Still in the air at `flight.time_limit`.
+    Aloft {
+        /// The time limit, s.
+        time: f64,
+        /// Height at that time, m.
+        height: f64,
+    },
+}
+
+impl NoFlight {
+    /// Status in JSON.
+    pub fn status(&self) -> &'static str {
+        match self {
+            Self::LaunchedDown { .. } | Self::BelowGround { .. } => "no-flight",
+            Self::Aloft { .. } => "aloft",
+        }
+    }
+
+    /// The reason as a sentence, with advice.
+    pub fn message(&self) -> Message {
+        let with_height = |message: Message, height: f64| {
+            message.quantity(Quantity::LENGTH, "m", height, Digits::Significant(5))
+        };
+        match self {
+            Self::LaunchedDown { launch_angle } => {
+                let angle = Quantity::ANGLE.read_off(*launch_angle, "deg");
+                Message::from(format!(
+                    "no flight: the ball leaves at {angle}, which is not above the horizontal, and \
+                     the ground is not below the ball (a ball that rises by lift alone is not \
+                     computed); increase the launch angle (with a club: by more loft or attack \
+                     angle), or lower ground.height"
+                ))
+            }
+            Self::BelowGround {
+                apex_height,
+                ground_height,
+            } => {
+                let apex = with_height(
+                    "no flight: the highest point of the ball is ".into(),
+                    *apex_height,
+                );
+                with_height(
+                    apex.words(", which is not above the ground at "),
+                    *ground_height,
+                )
+                .words("; increase the speed or the launch angle, or lower ground.height")
+            }
+            Self::Aloft { time, height } => {
+                let limit = format!(
+                    "no landing: the flight was stopped at flight.time_limit = {time} s with the \
+                     ball at a height of "
+                );
+                with_height(limit.into(), *height).words("; increase flight.time_limit")
+            }
+        }
+    }
+}
+
+impl fmt::Display for NoFlight {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message().fmt(f)
+    }
+}
+
+/// Optional outputs of a flight.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RequestedOutputs {
-    /// The highest point.
+    /// Highest point.
     pub apex: bool,
-    /// What tells of the error of the integration.
+    /// Defect of the integration.
     pub defect: bool,
 }
 
-/// Flights side by side, or one, that have ended.
+/// Result of one flight, or of a batch of flights with one in each lane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FlightResult<T: Numbers> {
-    /// The landings, where `has_landed`.
+    /// Landings, in the lanes of `has_landed`.
     pub landed: Landed<T>,
+    /// Lanes that landed.
     pub has_landed: T::Mask,
-    /// Where the apex stays below the ground.
+    /// Lanes whose apex is not above the ground.
     pub stays_below: T::Mask,
-    /// Where drag and lift change the velocity too much within a step to be followed, or numbers
-    /// overflow.
+    /// Lanes whose velocity changes too much within a step, or overflows.
     pub diverges: T::Mask,
-    /// Where the ball is still in the air when the time is over.
+    /// Lanes still in the air at the time limit.
     pub is_aloft: T::Mask,
-    /// The height of an apex that stays below the ground, and of a ball still in the air, m.
+    /// Height of an apex that is not above the ground, or of a ball at the time limit, m.
     pub height: T,
-    /// The spin at landing, rad/s, where the run is asked for.
+    /// Spin at landing, rad/s, if the run is requested.
     pub spin: T,
-    /// How much of the defect is of the place of the apex, m, where both are asked for.
-    pub defect_of_apex: T,
-    /// When the last step ended, s: that of the longest flight, where there are several.
+    /// Part D_A of the defect, from the position of the apex, m (docs/model.md, eq. 16a), if apex
+    /// and defect are requested.
+    pub apex_defect: T,
+    /// Time at the end of the last step, s; in a batch, of the longest flight.
     pub time: f64,
 }
 
 impl<T: Numbers> FlightResult<T> {
-    /// Before the first step.
+    /// The result before the first step.
     #[inline(always)]
-    pub(super) fn initial(asked: RequestedOutputs) -> Self {
+    pub(super) fn initial(outputs: RequestedOutputs) -> Self {
         let (zero, none) = (T::zero(), T::Mask::none());
         let landed = Landed {
             carry: zero,
             lateral: zero,
             flight_time: zero,
             velocity: Vector::zero(),
-            apex: asked.apex.then_some(Apex {
+            apex: outputs.apex.then_some(Apex {
                 height: zero,
                 time: zero,
                 downrange: zero,
             }),
             rest: None,
-            defect: asked.defect.then_some(zero),
+            defect: outputs.defect.then_some(zero),
             steps: 0,
         };
         Self {
@@ -64,17 +208,17 @@ impl<T: Numbers> FlightResult<T> {
             is_aloft: none,
             height: zero,
             spin: zero,
-            defect_of_apex: zero,
+            apex_defect: zero,
             time: 0.0,
         }
     }
 
-    /// Why the flight in the first lane has no landing; `None` where it has one. `value` takes the
-    /// value in this lane out of a number.
+    /// Reason why the flight in the first lane has no landing; `None` if it landed. `value`
+    /// extracts the value of a number in this lane.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or
-    /// numbers overflow.
+    /// [`Error::Diverged`] if drag and lift change the airspeed too much within a step, or if a
+    /// number overflows.
     #[inline(always)]
     pub(crate) fn no_landing_reason(
         &self,
@@ -84,41 +228,96 @@ impl<T: Numbers> FlightResult<T> {
         if self.has_landed.holds(0) {
             return Ok(None);
         }
-        let (velocity, height) = (inputs.velocity.map(value), value(self.height));
         if self.diverges.holds(0) {
-            let (step, wind) = (inputs.step, inputs.wind.at(inputs.ground).map(value));
-            let found = [
-                velocity.norm(),
-                value(inputs.spin),
-                value(inputs.force_per_mass),
-                wind.norm(),
-            ];
-            let advice = advice(step, found, inputs.law.name());
+            let conditions = FlightConditions {
+                step: inputs.step,
+                speed: inputs.velocity.map(value).norm(),
+                spin: value(inputs.spin),
+                force_per_mass: value(inputs.force_per_mass),
+                wind: inputs.wind.at(inputs.ground).map(value).norm(),
+            };
             return Err(Error::Diverged {
-                time: self.time - step,
-                step,
-                advice,
+                time: self.time - inputs.step,
+                step: inputs.step,
+                advice: conditions.advice(inputs.law.name()),
             });
         }
-        Ok(Some(if self.stays_below.holds(0) {
-            NoFlight::BelowGround {
+        let height = value(self.height);
+        if self.stays_below.holds(0) {
+            return Ok(Some(NoFlight::BelowGround {
                 apex_height: height,
                 ground_height: value(inputs.ground),
-            }
-        } else if self.is_aloft.holds(0) {
-            NoFlight::Aloft {
+            }));
+        }
+        if self.is_aloft.holds(0) {
+            return Ok(Some(NoFlight::Aloft {
                 time: inputs.time_limit,
                 height,
-            }
-        } else {
-            // the angle does not ask for the spin
-            NoFlight::LaunchedDown {
-                launch_angle: Launch {
-                    velocity,
-                    spin: velocity,
-                }
-                .launch_angle(),
-            }
+            }));
+        }
+        let velocity = inputs.velocity.map(value);
+        let launch = Launch {
+            velocity,
+            // not read: the launch angle does not depend on the spin
+            spin: velocity,
+        };
+        Ok(Some(NoFlight::LaunchedDown {
+            launch_angle: launch.launch_angle(),
         }))
+    }
+}
+
+/// Conditions of a flight that diverged, SI.
+struct FlightConditions {
+    /// Step, s.
+    step: f64,
+    /// Ball speed at launch, m/s.
+    speed: f64,
+    /// Spin at launch, rad/s.
+    spin: f64,
+    /// ρ A/(2 m), 1/m.
+    force_per_mass: f64,
+    /// Wind speed, m/s.
+    wind: f64,
+}
+
+impl FlightConditions {
+    /// Largest step that resolves the flight of any golf ball, s; the default is 10 ms.
+    const LARGEST_SAFE_STEP: f64 = 0.05;
+
+    /// Advice: shorten a long step; else check the conditions that are unusual; else the law.
+    fn advice(&self, law: &str) -> String {
+        if self.step > Self::LARGEST_SAFE_STEP {
+            return "the step is long; reduce flight.step (the default is 10 ms)".into();
+        }
+        // largest usual values: the record ball speed is below 110 m/s; 2000 rad/s are 19000 rpm;
+        // 100 m/s is faster than a hurricane
+        let usual_limits = [
+            ("the ball leaves at", self.speed, 150.0, "m/s"),
+            ("its spin is", self.spin, 2000.0, "rad/s"),
+            (
+                "air.density · area/(2 ball.mass) is",
+                self.force_per_mass,
+                0.1,
+                "per m (0.018 for a golf ball in air)",
+            ),
+            ("the wind is", self.wind, 100.0, "m/s"),
+        ];
+        let unusual: Vec<_> = usual_limits
+            .into_iter()
+            // NaN is unusual too
+            .filter(|(_, value, limit, _)| !(0.0..=*limit).contains(value))
+            .map(|(what, value, _, unit)| format!("{what} {} {unit}", significant(value, 3)))
+            .collect();
+        if unusual.is_empty() {
+            return format!(
+                "launch, ball and air are usual, so check the coefficients of the law {law}: they may \
+                 give a negative drag, or a force that is far too large"
+            );
+        }
+        format!(
+            "{}, which is unusual; check it, or let a tolerance choose the step",
+            unusual.join(", and ")
+        )
     }
 }

@@ -1,14 +1,17 @@
+//! Path within a step: a polynomial of degree 7 in each coordinate (docs/model.md, eq. 17), its
+//! crossing of a height and its maximum (eq. 18).
+
 use super::inputs::Inputs;
 use super::step::Step;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
-/// One coordinate within a step as a polynomial of degree 7 in s = (t − t₀)/h, with the position,
-/// velocity, acceleration and jerk of both ends. Neighbouring ones join C³: velocity at landing is
-/// C² in the parameters, whatever the number of steps.
+/// Hermite polynomial of degree 7 of one coordinate within a step, in s = (t − t₀)/h: it has the
+/// position, velocity, acceleration and jerk of both ends. Neighbouring polynomials join C³, so the
+/// velocity at landing is C² in the parameters even where the number of steps changes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Septic<T>([T; 8]);
 
-/// k!/(k − m)!: the factor of s^(k − m) in derivative m.
+/// k!/(k − m)!: factor of s^(k − m) in derivative m.
 const FACTORS: [[f64; 8]; 3] = [
     [1.0; 8],
     [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
@@ -16,34 +19,34 @@ const FACTORS: [[f64; 8]; 3] = [
 ];
 
 impl<T: Numbers> Septic<T> {
-    /// From the position, velocity, acceleration and jerk at both ends of a step, of which `of`
-    /// takes this coordinate. Ends enter by what the step added: differences of the sums would lose
-    /// their digits.
+    /// From the position, velocity, acceleration and jerk at both ends of a step; `coordinate`
+    /// selects the coordinate. The end enters by the increments of the step: a difference of two
+    /// positions would cancel.
     #[inline(always)]
     fn new(
         step: &Step<'_, T>,
         jerks: &[Vector<T>; 2],
         h: f64,
-        of: impl Fn(&Vector<T>) -> T,
+        coordinate: impl Fn(&Vector<T>) -> T,
     ) -> Self {
         let (h2, h3) = (h * h, h * h * h);
         let [a0, a1] = [
-            of(&step.from.rate.acceleration) * h2,
-            of(&step.to.rate.acceleration) * h2,
+            coordinate(&step.from.rate.acceleration) * h2,
+            coordinate(&step.to.rate.acceleration) * h2,
         ];
-        let [j0, j1] = [of(&jerks[0]) * h3, of(&jerks[1]) * h3];
-        // what the cubic from the start leaves over at the end
+        let [j0, j1] = [coordinate(&jerks[0]) * h3, coordinate(&jerks[1]) * h3];
+        // residuals at s = 1 of the cubic from the start: position and its first three derivatives
         let (half, sixth) = (a0 * 0.5, j0 * (1.0 / 6.0));
-        let x = of(&step.deflection) - half - sixth;
-        let v = of(&step.gained) * h - a0 - j0 * 0.5;
+        let x = coordinate(&step.position_increment) - half - sixth;
+        let v = coordinate(&step.velocity_increment) * h - a0 - j0 * 0.5;
         let a = a1 - a0 - j0;
         let j = j1 - j0;
         let sum =
             inlined!(|[wx, wv, wa, wj]: [f64; 4]| x
                 .scale_add(wx, v.scale_add(wv, a.scale_add(wa, j * wj))));
         Self([
-            of(&step.from.position),
-            of(&step.from.velocity) * h,
+            coordinate(&step.from.position),
+            coordinate(&step.from.velocity) * h,
             half,
             sixth,
             sum([35.0, -15.0, 2.5, -1.0 / 6.0]),
@@ -53,9 +56,9 @@ impl<T: Numbers> Septic<T> {
         ])
     }
 
-    /// The `ORDER`-th derivative by s.
+    /// The derivative of order `ORDER` by s.
     #[inline(always)]
-    fn derivative<const ORDER: usize>(&self, s: T) -> T {
+    fn derivative_of_order<const ORDER: usize>(&self, s: T) -> T {
         let mut value = self.0[7] * FACTORS[ORDER][7];
         let mut k = 7;
         while k > ORDER {
@@ -65,64 +68,65 @@ impl<T: Numbers> Septic<T> {
         value
     }
 
-    /// The coordinate at s.
+    /// Value at s.
     #[inline(always)]
     pub fn value(&self, s: T) -> T {
-        self.derivative::<0>(s)
+        self.derivative_of_order::<0>(s)
     }
 
-    /// d/ds.
+    /// First derivative by s.
     #[inline(always)]
-    pub fn slope(&self, s: T) -> T {
-        self.derivative::<1>(s)
+    pub fn derivative(&self, s: T) -> T {
+        self.derivative_of_order::<1>(s)
     }
 
-    /// d²/ds².
+    /// Second derivative by s.
     #[inline(always)]
-    pub fn bend(&self, s: T) -> T {
-        self.derivative::<2>(s)
+    pub fn second_derivative(&self, s: T) -> T {
+        self.derivative_of_order::<2>(s)
     }
 
-    /// Where the coordinate falls to `level`, between `from` (where it is above) and the end (where
-    /// it is not), in the lanes of a mask.
+    /// The s at which the coordinate falls to `level`, in the lanes of a mask; it must be above at
+    /// `from`, and not at the end.
     #[inline(always)]
-    pub fn falls_to(&self, level: T, from: T, lanes: T::Mask) -> T {
+    pub fn find_crossing(&self, level: T, from: T, lanes: T::Mask) -> T {
         falling_root(
             from,
             lanes,
-            inlined!(|s| (self.value(s) - level, self.slope(s))),
+            inlined!(|s| (self.value(s) - level, self.derivative(s))),
         )
     }
 
-    /// Where the coordinate, rising at the start and not at the end, is highest, in the lanes of a
-    /// mask.
+    /// The s of the maximum, in the lanes of a mask; the coordinate must rise at the start, and not
+    /// at the end.
     #[inline(always)]
-    pub fn top(&self, lanes: T::Mask) -> T {
+    pub fn find_maximum(&self, lanes: T::Mask) -> T {
         falling_root(
             T::zero(),
             lanes,
-            inlined!(|s| (self.slope(s), self.bend(s))),
+            inlined!(|s| (self.derivative(s), self.second_derivative(s))),
         )
     }
 }
 
-/// The root in [low, 1] of a function that is positive at `low` and not at 1, given with its slope:
-/// Newton's method kept inside a bracket. It goes without derivatives until the value has settled.
-/// Of the two steps that follow with them, the first makes first derivatives exact, the second also
-/// second ones (the implicit function theorem). A root that does not settle has no derivatives.
+/// Root in [low, 1] of a function that is positive at `low` and not at 1; `f` returns its value and
+/// derivative. Safeguarded Newton iteration (bisection outside of the bracket), in values only
+/// until it converges. Two more Newton steps carry derivatives: the first makes first derivatives
+/// exact, the second also second derivatives (implicit function theorem). A root that does not
+/// converge has no derivatives.
 #[inline(always)]
 fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
-    // bisection alone needs 53
+    // bisection needs 53
     const MOST_STEPS: usize = 60;
     const DERIVATIVE_STEPS: usize = 2;
     let (mut low, mut high) = (low.without_derivatives(), T::constant(1.0));
     let mut s = high;
-    let (mut steps_left, mut is_settled) = (MOST_STEPS, false);
+    let (mut steps_left, mut has_converged) = (MOST_STEPS, false);
     while steps_left > 0 {
         steps_left -= 1;
-        let (value, slope) = f(s);
-        let newton = s - value / slope;
-        if is_settled {
+        let (value, derivative) = f(s);
+        let newton = s - value / derivative;
+        if has_converged {
             s = newton;
             continue;
         }
@@ -131,19 +135,20 @@ fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> 
         low = s.blend(low, is_before);
         high = high.blend(s, is_before);
         let is_inside = (low - newton).below(0.0) & (newton - high).below(0.0);
-        // where Newton's method has settled, its last step may leave the bracket by rounding
+        // after convergence, rounding may put the last Newton step outside of the bracket
         let is_short = inlined!(|step: T| (step * step).below(1e-18));
         let next = newton.blend((low + high) * 0.5, is_inside | is_short(newton - s));
         if !(lanes & !is_short(next - s)).any() {
-            (steps_left, is_settled) = (DERIVATIVE_STEPS, true);
+            (steps_left, has_converged) = (DERIVATIVE_STEPS, true);
         }
         s = next;
     }
     s
 }
 
-/// The path of a step.
+/// Path of the ball within a step.
 pub(super) struct Path<T> {
+    /// Step, s.
     h: f64,
     pub up: Septic<T>,
     right: Septic<T>,
@@ -151,11 +156,11 @@ pub(super) struct Path<T> {
 }
 
 impl<T: Numbers> Path<T> {
-    /// The path of a step.
+    /// The path within a step.
     #[inline(always)]
     pub fn new(inputs: &Inputs<T>, step: &Step<'_, T>, h: f64) -> Self {
-        // a loop, so that there is one call site
-        let mut jerks = [step.gained; 2];
+        // a loop, for a single call site of the equation of motion
+        let mut jerks = [step.velocity_increment; 2];
         for (jerk, node) in jerks.iter_mut().zip([&*step.from, &*step.to]) {
             *jerk = inputs.rate_per_time(node).acceleration;
         }
@@ -167,7 +172,7 @@ impl<T: Numbers> Path<T> {
         }
     }
 
-    /// The position at s.
+    /// Position at s, m.
     #[inline(always)]
     pub fn position(&self, s: T) -> Vector<T> {
         Vector::new(
@@ -177,14 +182,14 @@ impl<T: Numbers> Path<T> {
         )
     }
 
-    /// The velocity at s.
+    /// Velocity at s, m/s.
     #[inline(always)]
     pub fn velocity(&self, s: T) -> Vector<T> {
         let per_time = 1.0 / self.h;
         Vector::new(
-            self.up.slope(s) * per_time,
-            self.right.slope(s) * per_time,
-            self.downrange.slope(s) * per_time,
+            self.up.derivative(s) * per_time,
+            self.right.derivative(s) * per_time,
+            self.downrange.derivative(s) * per_time,
         )
     }
 }
@@ -194,18 +199,18 @@ mod tests {
     use super::falling_root;
     use std::cell::Cell;
 
-    /// Newton's method from s = 1 converges quadratically for these cubics: in eight steps at most,
-    /// and the two with derivatives.
+    /// Newton's method from s = 1 converges quadratically for these cubics: at most eight steps in
+    /// values and two with derivatives.
     #[test]
     fn exact_roots_in_the_number_of_steps_of_newtons_method() {
         for i in 1..1000 {
-            let (root, bend) = (f64::from(i) * 1e-3, f64::from(i % 7));
+            let (root, cubic) = (f64::from(i) * 1e-3, f64::from(i % 7));
             let steps = Cell::new(0);
             let found = falling_root(0.0, true, |s| {
                 steps.set(steps.get() + 1);
                 (
-                    root - s + bend * (root.powi(3) - s.powi(3)),
-                    -1.0 - 3.0 * bend * s * s,
+                    root - s + cubic * (root.powi(3) - s.powi(3)),
+                    -1.0 - 3.0 * cubic * s * s,
                 )
             });
             assert!(

@@ -1,74 +1,78 @@
+//! One step of an explicit Runge–Kutta method (docs/model.md, eq. 16).
+
 use super::inputs::Inputs;
 use super::motion::{Node, Rate};
 use super::tableau::{MOST_STAGES, Tableau};
 use crate::number::{Numbers, Vector, inlined};
 
-/// A method with a fixed step, for one flight.
+/// Steps of one flight with a fixed step.
 pub(super) struct Stepper<'a, T> {
     inputs: &'a Inputs<T>,
     tableau: &'static Tableau,
-    /// s.
+    /// Step h, s.
     h: f64,
-    /// exp(−δ cᵢ h): the part of the spin that is left at each stage, apart from damping.
-    decay: [T; MOST_STAGES + 1],
-    /// The rates at the stages of a step, but the first, which is the rate at its start.
+    /// exp(−δ cᵢ h): decay in time of the spin from the start of a step to each stage.
+    decay_factors: [T; MOST_STAGES + 1],
+    /// Rates at the stages of a step; the first stage is the start node, its place is unused.
     rates: [Rate<T>; MOST_STAGES],
 }
 
 /// A step of the integration.
 #[derive(Debug)]
 pub(crate) struct Step<'n, T> {
-    /// Its two ends. The end of one step is the start of the next: they change places, without a
-    /// copy. A copy reads at once what was just written in smaller pieces, and the processor waits
-    /// for it: 16 to 24 % of a drive with rk4.
+    /// Start and end node. They swap places at each step: a copy of a node takes 16 to 24 % of a
+    /// drive with rk4 (`src/number/mod.rs`, "Latency").
     pub from: &'n mut Node<T>,
     pub to: &'n mut Node<T>,
-    /// x₁ − x₀ − h v₀ and v₁ − v₀, as computed, before the sums rounded them.
-    pub deflection: Vector<T>,
-    pub gained: Vector<T>,
+    /// Position increment x₁ − x₀ − h v₀, before it is rounded in the sum.
+    pub position_increment: Vector<T>,
+    /// Velocity increment v₁ − v₀, before it is rounded in the sum.
+    pub velocity_increment: Vector<T>,
 }
 
-/// Who is shown each step, with the time it begins at.
+/// Callback for each step and the time at its start.
 pub(crate) type Observer<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
 
 impl<T: Numbers> Step<'_, T> {
-    /// How far a step of length h is from Hermite's quadrature between its ends, times
-    /// (|Δv|/|v_r|)⁴, m (docs/model.md, eq. 16a). It grows as h⁹; the sum over a flight as h⁸.
+    /// Defect of a step of length h, m (docs/model.md, eq. 16a): its difference from Hermite's
+    /// quadrature between its ends, times (|Δv|/|v_r|)⁴. A step's defect is O(h⁹), the sum over a
+    /// flight O(h⁸).
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
         let (a0, a1) = (self.from.rate.acceleration, self.to.rate.acceleration);
-        let off = (a0 - a1).scale_add(
+        let difference = (a0 - a1).scale_add(
             h * h * (-1.0 / 12.0),
-            self.gained.scale_add(-0.5 * h, self.deflection),
+            self.velocity_increment
+                .scale_add(-0.5 * h, self.position_increment),
         );
         let speed = self.from.rate.speed;
-        let changed = self.gained.dot(self.gained) / (speed * speed);
-        off.norm() * changed * changed
+        let change = self.velocity_increment.dot(self.velocity_increment) / (speed * speed);
+        difference.norm() * change * change
     }
 }
 
 impl<'a, T: Numbers> Stepper<'a, T> {
     #[inline(always)]
     pub fn new(inputs: &'a Inputs<T>, tableau: &'static Tableau, h: f64) -> Self {
-        let mut decay = [T::constant(1.0); MOST_STAGES + 1];
-        for (part, time) in decay
+        let mut decay_factors = [T::constant(1.0); MOST_STAGES + 1];
+        for (factor, time) in decay_factors
             .iter_mut()
-            .zip(tableau.time)
+            .zip(tableau.times)
             .take(tableau.stages + 1)
             .skip(1)
         {
-            *part = (inputs.decay * (-time * h)).exp();
+            *factor = (inputs.decay * (-time * h)).exp();
         }
         Self {
             inputs,
             tableau,
             h,
-            decay,
-            rates: [Rate::none(); MOST_STAGES],
+            decay_factors,
+            rates: [Rate::zero(); MOST_STAGES],
         }
     }
 
-    /// Makes a step the one that follows it.
+    /// Advances a step to the next one.
     #[inline(always)]
     pub fn advance(&mut self, step: &mut Step<'_, T>) {
         std::mem::swap(&mut step.from, &mut step.to);
@@ -80,81 +84,85 @@ impl<'a, T: Numbers> Stepper<'a, T> {
             ..
         } = *step.from;
         let (start, end) = (&step.from.rate, tableau.stages);
-        let mut faded = spin;
-        // the end of a step is like one more stage
+        let mut stage_spin = spin;
+        // the end of the step is one more stage
         for i in 1..=end {
-            let mut height = v.x.scale_add(h * tableau.time[i], x.x);
-            if inputs.wind.depends_on_height() {
-                for &(stage, weight) in &tableau.position[i][..i - 1] {
-                    height = self
-                        .rate(start, stage)
-                        .acceleration
-                        .x
-                        .scale_add(h * h * weight, height);
-                }
-            }
-            // the wind first, as the sum waits for the stage before
-            let air = self.sum(start, tableau.velocity[i], h, v - inputs.wind.at(height));
-            faded = self.spin(start, spin, i);
+            let v_r = v - inputs.wind.at(self.stage_height(start, &x, &v, i));
+            let v_r = self.add_accelerations(v_r, start, tableau.velocity_weights[i], h);
+            stage_spin = self.stage_spin(start, spin, i);
             let rate = if i == end {
                 &mut step.to.rate
             } else {
                 &mut self.rates[i]
             };
-            *rate = inputs.forces(air, faded);
+            *rate = inputs.rate(v_r, stage_spin);
         }
-        step.gained = self.sum(start, tableau.velocity[end], h, Vector::zero());
-        step.deflection = self.sum(
-            start,
-            &tableau.position[end][..end - 1],
-            h * h,
-            Vector::zero(),
+        // Σ bᵢ aᵢ h and Σ bᵢ aᵢⱼ aⱼ h²
+        let zero = Vector::zero();
+        let (b, ba) = (
+            tableau.velocity_weights[end],
+            &tableau.position_weights[end][..end - 1],
         );
-        let position = v.scale_add(h, x + step.deflection);
-        (step.to.position, step.to.velocity, step.to.spin) = (position, v + step.gained, faded);
+        step.velocity_increment = self.add_accelerations(zero, start, b, h);
+        step.position_increment = self.add_accelerations(zero, start, ba, h * h);
+        step.to.position = v.scale_add(h, x + step.position_increment);
+        step.to.velocity = v + step.velocity_increment;
+        step.to.spin = stage_spin;
     }
 
-    /// The rate at a stage: at the first, that at the start of the step.
+    /// Height at stage i; only a wind profile depends on it.
     #[inline(always)]
-    fn rate<'r>(&'r self, start: &'r Rate<T>, stage: usize) -> &'r Rate<T> {
+    fn stage_height(&self, start: &Rate<T>, x: &Vector<T>, v: &Vector<T>, i: usize) -> T {
+        let (tableau, h) = (self.tableau, self.h);
+        let mut height = v.x.scale_add(h * tableau.times[i], x.x);
+        if self.inputs.wind.depends_on_height() {
+            for &(stage, weight) in &tableau.position_weights[i][..i - 1] {
+                let acceleration = self.stage_rate(start, stage).acceleration.x;
+                height = acceleration.scale_add(h * h * weight, height);
+            }
+        }
+        height
+    }
+
+    /// Spin at stage i from the spin at the start of the step: ω exp(−δ t − κ ℓ/R), with the
+    /// distance ℓ through the air since then (docs/model.md, eq. 13).
+    #[inline(always)]
+    fn stage_spin(&self, start: &Rate<T>, spin: T, i: usize) -> T {
+        let decayed = spin * self.decay_factors[i];
+        let Some(damping) = self.inputs.damping else {
+            return decayed;
+        };
+        let mut distance = T::zero();
+        for &(stage, weight) in self.tableau.velocity_weights[i] {
+            let speed = self.stage_rate(start, stage).speed;
+            distance = speed.scale_add(self.h * weight, distance);
+        }
+        T::outlined(inlined!(|| decayed * (-(damping * distance)).exp()))
+    }
+
+    /// `sum` + k Σ wⱼ aⱼ, over the accelerations aⱼ of the stages.
+    #[inline(always)]
+    fn add_accelerations(
+        &self,
+        mut sum: Vector<T>,
+        start: &Rate<T>,
+        weights: &[(usize, f64)],
+        k: f64,
+    ) -> Vector<T> {
+        for &(stage, weight) in weights {
+            let acceleration = self.stage_rate(start, stage).acceleration;
+            sum = acceleration.scale_add(k * weight, sum);
+        }
+        sum
+    }
+
+    /// The rate at a stage; the first stage is the start of the step.
+    #[inline(always)]
+    fn stage_rate<'r>(&'r self, start: &'r Rate<T>, stage: usize) -> &'r Rate<T> {
         if stage == 0 {
             start
         } else {
             &self.rates[stage]
         }
-    }
-
-    /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way
-    /// through the air since.
-    #[inline(always)]
-    fn spin(&self, start: &Rate<T>, spin: T, stage: usize) -> T {
-        let faded = spin * self.decay[stage];
-        let Some(damping) = self.inputs.damping else {
-            return faded;
-        };
-        let mut way = T::zero();
-        for &(of, weight) in self.tableau.velocity[stage] {
-            way = self.rate(start, of).speed.scale_add(self.h * weight, way);
-        }
-        T::outlined(inlined!(|| faded * (-(damping * way)).exp()))
-    }
-
-    /// What is there without the stages, and k Σ wⱼ aⱼ.
-    #[inline(always)]
-    fn sum(
-        &self,
-        start: &Rate<T>,
-        weights: &[(usize, f64)],
-        k: f64,
-        without: Vector<T>,
-    ) -> Vector<T> {
-        let mut sum = without;
-        for &(stage, weight) in weights {
-            sum = self
-                .rate(start, stage)
-                .acceleration
-                .scale_add(k * weight, sum);
-        }
-        sum
     }
 }

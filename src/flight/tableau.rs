@@ -1,9 +1,11 @@
+//! Tables of weights of the Runge–Kutta methods (docs/model.md, eq. 16).
+
 use crate::parameters::Method;
 
-/// A row: what is summed with which weight. The last row of a method is the end of its step.
+/// Non-zero weights of a stage, as (j, aᵢⱼ). The last row of a method has the weights bⱼ.
 type Weights = &'static [(usize, f64)];
 
-/// Kutta (1901): the classical method.
+/// Kutta (1901), the classical method of order 4.
 const RK4_ROWS: &[Weights] = &[
     &[],
     &[(0, 0.5)],
@@ -18,7 +20,7 @@ const RK4_ROWS: &[Weights] = &[
 ];
 
 /// Hairer, Nørsett & Wanner (1993), Solving Ordinary Differential Equations I, DOP853: the 12
-/// stages of the eighth-order formula.
+/// stages of the formula of order 8.
 #[rustfmt::skip]
 const DP8_ROWS: &[Weights] = & [
     &[],
@@ -36,26 +38,25 @@ const DP8_ROWS: &[Weights] = & [
     &[(0, 0.054293734116568765), (5, 4.450312892752409), (6, 1.8915178993145003), (7, -5.801203960010585), (8, 0.3111643669578199), (9, -0.1521609496625161), (10, 0.20136540080403034), (11, 0.04471061572777259)],
 ];
 
-/// The largest number of stages.
+/// Largest number of stages of a method.
 pub(super) const MOST_STAGES: usize = 12;
 
-/// An explicit Runge–Kutta method for x″ = a(t, x, x′): the weights of its positions are worked
-/// out, for these are sums of accelerations too.
+/// An explicit Runge–Kutta method for x″ = a(t, x, x′). Positions are sums of accelerations too,
+/// with weights that follow from those of the velocities.
 #[derive(Debug)]
 pub(super) struct Tableau {
-    /// The largest part of the airspeed that drag and lift may change within a step. Beyond it the
-    /// stages no longer follow them, and not far beyond it the method is unstable.
-    pub reach: f64,
-    /// How many stages there are; the end of the step is like one more, its weights bⱼ.
+    /// Largest relative change of the airspeed by drag and lift within a step. With a larger one
+    /// the stages do not resolve the forces; not far above, the method is unstable.
+    pub largest_relative_change: f64,
+    /// Number of stages. The end of the step is one more, with the weights bⱼ.
     pub stages: usize,
-    /// aᵢⱼ: how much of the acceleration in stage j goes into the velocity of stage i, without
-    /// zeros.
-    pub velocity: [Weights; MOST_STAGES + 1],
-    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i, at place j; (0, 0) where
-    /// nothing does, as from j = i − 1 on.
-    pub position: [[(usize, f64); MOST_STAGES]; MOST_STAGES + 1],
-    /// cᵢ = Σ aᵢⱼ: when stage i is.
-    pub time: [f64; MOST_STAGES + 1],
+    /// aᵢⱼ: weights of the accelerations in the velocity of stage i, without zeros.
+    pub velocity_weights: [Weights; MOST_STAGES + 1],
+    /// Σₖ aᵢₖ aₖⱼ: weights of the accelerations in the position of stage i, at index j; (0, 0)
+    /// from j = i − 1 on.
+    pub position_weights: [[(usize, f64); MOST_STAGES]; MOST_STAGES + 1],
+    /// cᵢ = Σⱼ aᵢⱼ: time of stage i, in steps.
+    pub times: [f64; MOST_STAGES + 1],
 }
 
 static RK4: Tableau = Tableau::new(RK4_ROWS, 0.5);
@@ -70,23 +71,23 @@ impl Tableau {
         }
     }
 
-    // loops over indices: iterators are not for constants
-    const fn new(rows: &[Weights], reach: f64) -> Self {
+    // indexed loops: a const fn cannot use iterators
+    const fn new(rows: &[Weights], largest_relative_change: f64) -> Self {
         let stages = rows.len() - 1;
-        let mut velocity: [Weights; MOST_STAGES + 1] = [&[]; MOST_STAGES + 1];
-        let mut position = [[(0, 0.0); MOST_STAGES]; MOST_STAGES + 1];
-        let mut time = [0.0; MOST_STAGES + 1];
+        let mut velocity_weights: [Weights; MOST_STAGES + 1] = [&[]; MOST_STAGES + 1];
+        let mut position_weights = [[(0, 0.0); MOST_STAGES]; MOST_STAGES + 1];
+        let mut times = [0.0; MOST_STAGES + 1];
         let mut i = 0;
         while i <= stages {
-            velocity[i] = rows[i];
+            velocity_weights[i] = rows[i];
             let mut term = 0;
-            while term < velocity[i].len() {
-                let (k, weight) = velocity[i][term];
-                time[i] += weight;
+            while term < velocity_weights[i].len() {
+                let (k, weight) = velocity_weights[i][term];
+                times[i] += weight;
                 let mut inner = 0;
-                while inner < velocity[k].len() {
-                    let (j, within) = velocity[k][inner];
-                    position[i][j] = (j, position[i][j].1 + weight * within);
+                while inner < velocity_weights[k].len() {
+                    let (j, inner_weight) = velocity_weights[k][inner];
+                    position_weights[i][j] = (j, position_weights[i][j].1 + weight * inner_weight);
                     inner += 1;
                 }
                 term += 1;
@@ -94,11 +95,11 @@ impl Tableau {
             i += 1;
         }
         Self {
-            reach,
+            largest_relative_change,
             stages,
-            velocity,
-            position,
-            time,
+            velocity_weights,
+            position_weights,
+            times,
         }
     }
 }
@@ -107,14 +108,20 @@ impl Tableau {
 mod tests {
     use super::{DP8, RK4};
 
-    /// The conditions Σ bᵢ cᵢᵏ⁻¹ = 1/k and Σ bᵢ aᵢⱼ cⱼᵏ⁻² = 1/(k (k − 1)) of order p, for k up to p
+    /// Order conditions Σ bᵢ cᵢᵏ⁻¹ = 1/k and Σ bᵢ aᵢⱼ cⱼᵏ⁻² = 1/(k (k − 1)) of order p, for k ≤ p
     /// (Hairer, Nørsett & Wanner 1993).
     #[test]
     fn exact_quadrature_conditions_of_each_order() {
         for (order, tableau) in [(4, &RK4), (8, &DP8)] {
             for k in 1..=order {
-                let power = |i: usize, n: i32| if n == 0 { 1.0 } else { tableau.time[i].powi(n) };
-                let velocity: f64 = tableau.velocity[tableau.stages]
+                let power = |i: usize, n: i32| {
+                    if n == 0 {
+                        1.0
+                    } else {
+                        tableau.times[i].powi(n)
+                    }
+                };
+                let velocity: f64 = tableau.velocity_weights[tableau.stages]
                     .iter()
                     .map(|&(i, weight)| weight * power(i, k - 1))
                     .sum();
@@ -123,7 +130,7 @@ mod tests {
                     "order {k}: {velocity}"
                 );
                 if k >= 2 {
-                    let weights = &tableau.position[tableau.stages][..tableau.stages];
+                    let weights = &tableau.position_weights[tableau.stages][..tableau.stages];
                     let position: f64 = weights
                         .iter()
                         .map(|&(j, weight)| weight * power(j, k - 2))

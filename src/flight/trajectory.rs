@@ -1,5 +1,5 @@
-use super::ending::Flight;
 use super::inputs::Inputs;
+use super::result::Flight;
 use super::septic::Path;
 use crate::error::Result;
 use crate::ground::Turf;
@@ -7,23 +7,23 @@ use crate::launch::Launch;
 use crate::number::Vector;
 use crate::parameters::Setup;
 
-/// s: points of a path are no farther apart.
-const MOST_APART: f64 = 0.05;
+/// Largest time between two points of a trajectory, s.
+const LARGEST_INTERVAL: f64 = 0.05;
 
-/// The path of a flight.
+/// Path of a flight and of the run after it.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
-    /// Where the ball is at launch, after each step, and within long steps every 0.05 s or less;
-    /// where it landed, the landing is the last point.
+    /// Points at launch, after each step, and within long steps at least every 0.05 s. The last
+    /// point of a flight that lands is the landing.
     pub points: Vec<TrajectoryPoint>,
-    /// How the flight ends.
+    /// Result of the flight.
     pub flight: Flight<f64>,
-    /// The way from the landing through the bounces to where the ball rests, m in the ground frame:
-    /// from the last bounce it goes straight to its rest. Empty where it embeds, or does not land.
+    /// Path from the landing through the bounces to the rest, m in the ground frame; a straight line
+    /// after the last bounce. Empty if the ball embeds or does not land.
     pub run: Vec<Vector<f64>>,
 }
 
-/// One point of a path, in the ground frame.
+/// One point of a trajectory, in the ground frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrajectoryPoint {
     /// Time from launch, s.
@@ -34,18 +34,18 @@ pub struct TrajectoryPoint {
     pub velocity: Vector<f64>,
 }
 
-/// Flies the ball and keeps its path.
+/// Flies the ball and records its path.
 ///
 /// ```
 /// use longdrive::{Setup, flight, impact};
 /// let setup = Setup::default();
 /// let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
 /// assert_eq!(path.points[0].position.x, 0.0);
-/// assert!(path.points.last().unwrap().position.x.abs() < 1e-12); // on the ground again
+/// assert!(path.points.last().unwrap().position.x.abs() < 1e-12); // on the ground
 /// ```
 ///
 /// # Errors
-/// As [`fly`](super::fly).
+/// Those of [`fly`](super::fly).
 pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory> {
     setup.flight.check_steps()?;
     let start = TrajectoryPoint {
@@ -55,16 +55,14 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
     };
     let mut points = vec![start];
     let inputs = Inputs::new(setup, launch, false);
-    let (h, parts) = (
-        setup.flight.step,
-        (setup.flight.step / MOST_APART).ceil().max(1.0),
-    );
-    let (mut last, mut run) = (None, vec![]);
+    let h = setup.flight.step;
+    let intervals = (h / LARGEST_INTERVAL).ceil().max(1.0);
+    let mut last_step = None;
     let flight = inputs.fly(Some(&mut |begin, step| {
-        last = Some((begin, [*step.from, *step.to]));
-        if parts > 1.0 {
+        last_step = Some((begin, [*step.from, *step.to]));
+        if intervals > 1.0 {
             let path = Path::new(&inputs, step, h);
-            let within = (1..parts as u32).map(|k| f64::from(k) / parts);
+            let within = (1..intervals as u32).map(|k| f64::from(k) / intervals);
             points.extend(within.map(|s| TrajectoryPoint {
                 time: begin + s * h,
                 position: path.position(s),
@@ -78,6 +76,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             velocity: end.velocity,
         });
     }))?;
+    let mut run = vec![];
     if let Flight::Landed(landed) = &flight {
         points.retain(|point| point.time < landed.flight_time);
         points.push(TrajectoryPoint {
@@ -85,7 +84,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             position: Vector::new(setup.ground.height, landed.lateral, landed.carry),
             velocity: landed.velocity,
         });
-        if let Some((begin, [from, to])) = last {
+        if let Some((begin, [from, to])) = last_step {
             let spin = inputs.spin_within([&from, &to], (landed.flight_time - begin) / h);
             run = Turf::new(setup).path(&inputs.landing(landed, spin));
         }

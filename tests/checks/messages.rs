@@ -214,7 +214,7 @@ fn a_drive_without_a_landing_says_what_ended_it() {
         (
             "club.loft=-10deg",
             "which is not above the horizontal, and the ground is not below the ball (a ball that \
-             only lift would raise is not followed); increase the launch angle",
+             rises by lift alone is not computed); increase the launch angle",
         ),
     ] {
         for command in ["simulate", "gradient"] {

@@ -118,7 +118,7 @@ impl Pareto {
             let Some(share) = beyond_share(&point.setup, &self.scenarios, &of, stop) else {
                 return vec![NOT_LOOKED_AT.into()];
             };
-            count.add(share.worth_a_word());
+            count.add(share.exceeded_limits());
         }
         let what = match self.scenarios.is_one_drive() {
             true => ["point of the front", "points of the front"],
