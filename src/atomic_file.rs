@@ -1,31 +1,31 @@
-//! Files that are written beside their place and put there once they are whole.
+//! Atomic files: written to a temporary name in the same folder, then renamed.
 
 use std::io;
 use std::path::Path;
 use tempfile::{PathPersistError, TempPath};
 
-/// A new file in the same folder, which is gone again unless it is put in place.
+/// Creates a temporary file in the folder of `path`. It is deleted unless it is persisted.
 pub(crate) fn create_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".longdrive-");
     #[cfg(unix)]
     {
         use std::{fs, os::unix::fs::PermissionsExt};
-        // those of the file that is replaced; of a new one, those that any new file has
-        let of_old = fs::metadata(path)
+        // permissions of the file that is replaced, or the default ones of a new file
+        let permissions = fs::metadata(path)
             .ok()
             .filter(fs::Metadata::is_file)
             .map(|found| found.permissions());
-        builder.permissions(of_old.unwrap_or_else(|| fs::Permissions::from_mode(0o666)));
+        builder.permissions(permissions.unwrap_or_else(|| fs::Permissions::from_mode(0o666)));
     }
-    // the name of this file is nobody's business
+    // omit the path of the temporary file (privacy)
     builder
         .tempfile_in(folder_of(path))
         .map_err(|error| io::Error::from(error.kind()))
 }
 
-/// Puts a file in its place. One that is there is replaced only if that is allowed; else it stays
-/// ([`io::ErrorKind::AlreadyExists`]).
+/// Renames a temporary file to its final path. An existing file is replaced only if `may_replace`;
+/// otherwise the error is [`io::ErrorKind::AlreadyExists`].
 pub(crate) fn persist(
     file: TempPath,
     at: &Path,
@@ -35,7 +35,7 @@ pub(crate) fn persist(
         return file.persist(at);
     }
     match file.persist_noclobber(at) {
-        // some file systems have no way to do both in one step
+        // some file systems cannot rename without replacing in one step
         Err(failed) if failed.error.kind() != io::ErrorKind::AlreadyExists && !at.exists() => {
             failed.path.persist(at)
         }
@@ -43,7 +43,7 @@ pub(crate) fn persist(
     }
 }
 
-/// The folder that a file is in.
+/// The folder of a file.
 pub(crate) fn folder_of(path: &Path) -> &Path {
     path.parent()
         .filter(|folder| !folder.as_os_str().is_empty())

@@ -1,7 +1,7 @@
-//! How tables of text are written.
+//! Separator of a table of text.
 
-/// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head;
-/// and the text without a line `sep=;` that says so.
+/// Separator of the cells of a table: that of a line `sep=;`, or the most frequent of tab, semicolon
+/// and comma in the head. Returns the text after such a line.
 pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {
@@ -15,7 +15,7 @@ pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
         .find(|line| !line.starts_with('#') && !line.trim().is_empty())
         .unwrap_or_default();
     let count = |separator: &u8| head.bytes().filter(|byte| byte == separator).count();
-    // of equally many the last; a head of one column has none
+    // comma for a head of a single column: max_by_key returns the last of equal counts
     let separator = [b'\t', b';', b',']
         .into_iter()
         .max_by_key(count)

@@ -1,4 +1,4 @@
-//! What can be wrong with a question, and what can keep a drive from having an answer.
+//! Errors: invalid input, and drives without a result.
 
 use crate::external_errors::{read_error_text, write_error_text};
 use crate::units::{Digits, Message, Quantity, System, significant};
@@ -6,24 +6,23 @@ use crate::units::{Digits, Message, Quantity, System, significant};
 /// `Result` with longdrive's [`enum@Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// Why something could not be done. Every message names the thing, the value, what is allowed, and
-/// what to do.
+/// An error. Each message has the thing, its value, the allowed range, and advice.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A name that nothing bears.
+    /// An unknown name.
     #[error("unknown {what} '{name}'; {}{advice}", suggested(suggestion))]
     Unknown {
-        /// What was named: "parameter", "outcome", "preset", "aerodynamic law".
+        /// Kind of the name: "parameter", "outcome", "preset", "aerodynamic law".
         what: &'static str,
-        /// The name given.
+        /// The given name.
         name: String,
-        /// The nearest name there is.
+        /// The most similar known name.
         suggestion: Option<String>,
-        /// How to see the names there are.
+        /// How to list the known names.
         advice: String,
     },
-    /// A coefficient of another aerodynamic law than the one the setup flies.
+    /// A coefficient of another aerodynamic law than that of the setup.
     #[error(
         "'{name}' is a coefficient of {owners}, but this setup uses the law '{law}'; set aero.law \
          too"
@@ -33,18 +32,18 @@ pub enum Error {
         name: String,
         /// The setup's law.
         law: &'static str,
-        /// The laws that have such a coefficient.
+        /// The laws with this coefficient.
         owners: String,
     },
-    /// A value that cannot be read.
+    /// A value that cannot be parsed.
     #[error("{name}: {source}")]
     Unreadable {
         /// The parameter.
         name: String,
-        /// Why.
+        /// The reason.
         source: Box<dyn std::error::Error + Send + Sync>,
     },
-    /// A value outside the range of what is physically possible.
+    /// A value outside the physically possible range.
     #[error("{name} = {value} is outside its range {range}; {advice}")]
     OutOfRange {
         /// The parameter.
@@ -53,7 +52,7 @@ pub enum Error {
         value: String,
         /// The range, with its unit.
         range: String,
-        /// What to do, or what may have been meant.
+        /// Advice, or the value that was probably meant.
         advice: String,
     },
     /// NaN as the value of a parameter.
@@ -64,29 +63,27 @@ pub enum Error {
         /// The range, with its unit.
         range: String,
     },
-    /// An inertia tensor no body can have.
+    /// An inertia tensor that is not positive definite.
     #[error(
         "club.inertia is not positive definite: its smallest principal moment is {smallest:e} kg \
-         m^2; \
-         raise club.inertia.xx, .yy, .zz or reduce the products .xy, .xz, .yz"
+         m^2; raise club.inertia.xx, .yy, .zz or reduce the products .xy, .xz, .yz"
     )]
     Inertia {
         /// The smallest eigenvalue, kg m².
         smallest: f64,
     },
-    /// Launch conditions that do not make one launch.
+    /// Incomplete or conflicting launch conditions.
     #[error(
         "the launch ({given}): {reason}; a launch has ball_speed, launch_angle, perhaps \
-         launch_direction, and either backspin \
-         (perhaps sidespin) or spin (perhaps spin_axis)"
+         launch_direction, and either backspin (perhaps sidespin) or spin (perhaps spin_axis)"
     )]
     Launch {
-        /// The conditions that are given.
+        /// The given conditions.
         given: String,
-        /// What is missing or given twice.
+        /// The missing or duplicate condition.
         reason: String,
     },
-    /// A value that breaks a rule of golf.
+    /// A value that violates the Rules of Golf.
     #[error(
         "against {rule}: {found}, and the rule is {limit}; {advice}, or leave the Rules of Golf \
          out with `rules none`"
@@ -94,43 +91,43 @@ pub enum Error {
     Rule {
         /// The rule with its source.
         rule: String,
-        /// Where the value is, and what it is.
+        /// The quantity and its value.
         found: String,
         /// The limit.
         limit: String,
-        /// What to do.
+        /// Advice.
         advice: String,
     },
-    /// Parameters that do not go together, or one that needs another beside it.
+    /// Conflicting parameters, or a parameter that needs another one.
     #[error("{given}: {reason}")]
     Together {
-        /// What is given, or missing.
+        /// The given or missing parameters.
         given: String,
-        /// Why that is wrong, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A derivative or a search with respect to something that has no number of its own.
+    /// A derivative or a search by a parameter that cannot be varied.
     #[error("{name} cannot be varied, and has no derivatives: {reason}")]
     NotVariable {
         /// The parameter.
         name: String,
-        /// Why, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A range, to search or to sweep, that cannot be one.
+    /// An invalid range of a search or a sweep.
     #[error("the range {name}: {reason}")]
     SearchRange {
         /// The parameter, with its range as given.
         name: String,
-        /// Why, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A search without anything to vary, a gradient with respect to nothing.
+    /// A search without parameters to vary, or a gradient without parameters.
     #[error("nothing to {doing}: name at least one {what}")]
     Nothing {
-        /// What was to be done: "vary", "differentiate by".
+        /// The operation: "vary", "differentiate by".
         doing: &'static str,
-        /// What to name: "parameter", "outcome".
+        /// The kind of name that is missing: "parameter", "outcome".
         what: &'static str,
     },
     /// A setup file that cannot be opened or read.
@@ -141,9 +138,9 @@ pub enum Error {
     File {
         /// The file.
         file: String,
-        /// Why.
+        /// The reason.
         source: std::io::Error,
-        /// The presets there are.
+        /// Names of the presets.
         presets: String,
     },
     /// A setup file that is not TOML.
@@ -154,7 +151,7 @@ pub enum Error {
         /// The parser's message, with line, column and the line itself.
         message: String,
     },
-    /// Something wrong at a place of a setup file.
+    /// An error at a place of a setup file.
     #[error("{file}:{line}:{column}: {source}")]
     InFile {
         /// The file.
@@ -163,7 +160,7 @@ pub enum Error {
         line: usize,
         /// The column, from 1.
         column: usize,
-        /// What is wrong there.
+        /// The error at this place.
         source: Box<Error>,
     },
     /// A key that a setup file gives twice, in two spellings.
@@ -174,21 +171,20 @@ pub enum Error {
         /// The line of the first.
         line: usize,
     },
-    /// A key of a setup file with a value of the wrong kind.
+    /// A key of a setup file with a value of the wrong type.
     #[error("'{key}' is {found}; expected {expected}")]
     WrongType {
         /// The key, dotted.
         key: String,
-        /// What stands there.
+        /// Type in the file.
         found: &'static str,
-        /// What should.
+        /// Expected type.
         expected: String,
     },
-    /// An impact point beyond the edge of the face's ellipsoid.
+    /// An impact point outside the ellipsoid of the face.
     #[error(
         "the strike is off the face: strike.high = {high_mm} mm and strike.toe = {toe_mm} mm give \
-         q = {q} \
-         (q = (high²/roll_radius + toe²/bulge_radius)/face_semi_axis), which must be below 1; \
+         q = {q} (q = (high²/roll_radius + toe²/bulge_radius)/face_semi_axis), which must be below 1; \
          strike nearer the sweet spot or flatten the face"
     )]
     OffFace {
@@ -205,38 +201,37 @@ pub enum Error {
         /// n·u⁻, m/s.
         approach: f64,
     },
-    /// An impact that the rigid-body equations do not resolve.
+    /// An impact without a solution of the rigid-body equations.
     #[error("the impact has no solution: {reason}")]
     Jammed {
-        /// Why, with numbers.
+        /// The reason, with numbers.
         reason: String,
     },
-    /// A flight that cannot be followed.
+    /// A flight whose integration diverged.
     #[error(
         "the flight diverged at t = {} s: drag and lift change the velocity too much within a step \
-         (flight.step = {} s) to be \
-         followed; {advice}", significant(*time, 5), significant(*step, 5)
+         (flight.step = {} s) to be followed; {advice}", significant(*time, 5), significant(*step, 5)
     )]
     Diverged {
-        /// When, s.
+        /// Time of the divergence, s.
         time: f64,
         /// The step, s.
         step: f64,
-        /// What is out of the ordinary, and what to do.
+        /// Unusual conditions, and advice.
         advice: String,
     },
-    /// A drive that does not fly; see the model page, landing.
+    /// A drive without a landing (docs/model.md, Landing).
     #[error("{reason}")]
     NoFlight {
-        /// That there is no flight or no landing, and why, with numbers.
+        /// The reason, with numbers.
         reason: Message,
     },
-    /// What is wrong with one of several drives.
+    /// An error of one of several drives.
     #[error("{drive}: {source}")]
     OfDrive {
         /// The drive: "drive a".
         drive: &'static str,
-        /// What is wrong with it.
+        /// Its error.
         source: Box<Error>,
     },
     /// An outcome, or its derivative, that does not exist for this drive.
@@ -244,19 +239,19 @@ pub enum Error {
     Undefined {
         /// The outcome or derivative.
         what: String,
-        /// Why.
+        /// The reason.
         reason: String,
     },
-    /// A batch that no one has room for.
+    /// A batch that exceeds the memory or disk space.
     #[error("{rows} drives would take {size}, more than {limit}; {advice}")]
     TooLarge {
-        /// How many drives.
+        /// Number of drives.
         rows: String,
-        /// The space their rows would take, and the time where it is known.
+        /// Required space, and time if it is known.
         size: String,
-        /// What there is.
+        /// Available space.
         limit: String,
-        /// What to do.
+        /// Advice.
         advice: String,
     },
     /// A table of points that cannot be read.
@@ -264,17 +259,17 @@ pub enum Error {
     Table {
         /// The file.
         file: String,
-        /// Where in it: ", row 3, column club.loft"; empty for the file itself.
+        /// Place in the file: ", row 3, column club.loft"; empty for the whole file.
         place: String,
-        /// What is wrong there, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A file of results that cannot be begun, written or gone on with.
+    /// A file of results that cannot be created, written or resumed.
     #[error("the file '{file}': {reason}")]
     Results {
         /// The file.
         file: String,
-        /// Why, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
     /// An answer that could not be written.
@@ -283,17 +278,17 @@ pub enum Error {
     /// A plot that cannot be drawn.
     #[error("the plot '{name}': {reason}")]
     Plot {
-        /// The plot, or the file it was to be.
+        /// The plot, or its file.
         name: String,
-        /// Why, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A question about an optimum where none was found.
+    /// A search that found no optimum.
     #[error("no optimum was found: {status}: {message}")]
     NotConverged {
-        /// How the search ended.
+        /// Status of the search.
         status: &'static str,
-        /// The same in a sentence.
+        /// The status as a sentence.
         message: Message,
     },
     /// A checkpoint file that cannot be used.
@@ -301,54 +296,54 @@ pub enum Error {
     Checkpoint {
         /// The file.
         file: String,
-        /// Why, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A constraint that cannot be read.
+    /// A constraint that cannot be parsed.
     #[error("`subject_to`: {reason}\n  {expression}\n  {}^", " ".repeat(*.column))]
     Constraint {
-        /// The constraint as given.
+        /// The given constraint.
         expression: String,
-        /// Where in it, in characters from 0.
+        /// Position of the error, in characters from 0.
         column: usize,
-        /// What is wrong there, and what to write.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A tolerance that no integration meets.
+    /// A tolerance that no step of the integration meets.
     #[error("the tolerance of {} m: {reason}", significant(*tolerance, 5))]
     Tolerance {
         /// The tolerance, m.
         tolerance: f64,
-        /// Why, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A calibration that cannot be made.
+    /// An invalid calibration.
     #[error("calibration: {reason}")]
     Calibration {
-        /// Why, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// A delivery that cannot be looked for.
+    /// A delivery that cannot be determined.
     #[error("delivery: {reason}")]
     Delivery {
-        /// Why, and what to do.
+        /// The reason, and advice.
         reason: String,
     },
-    /// Rows of a sound calibration that have no answer: they do not fly.
+    /// A valid calibration whose rows do not fly.
     #[error("calibration: {reason}")]
     NoFit {
-        /// What the rows end as: the status that all of them have, or `no-answer`.
+        /// Common status of the rows, or `no-answer` if they differ.
         status: &'static str,
-        /// The rows, each with its reason, and what to do.
+        /// The rows with their reasons, and advice.
         reason: String,
     },
-    /// An optimizer setting or problem that makes no sense.
+    /// An invalid setting or problem of the optimizer.
     #[error("optimizer: {0}")]
     Optimizer(String),
 }
 
 impl Error {
-    /// The error for a name that is not among `names`, with the nearest of them.
+    /// The error for a name that is not among `names`, with the most similar one.
     pub fn unknown<'a>(
         what: &'static str,
         name: &str,
@@ -365,7 +360,7 @@ impl Error {
         }
     }
 
-    /// The error as that of one of several drives: "drive a".
+    /// Adds the name of the drive, "drive a", to the error.
     #[must_use]
     pub fn of_drive(self, drive: &'static str) -> Self {
         Self::OfDrive {
@@ -374,18 +369,18 @@ impl Error {
         }
     }
 
-    /// Why a file cannot be written, in words: "the disk is full".
+    /// Reason why a file cannot be written: "the disk is full".
     pub fn why_unwritten(error: &std::io::Error) -> String {
         write_error_text(error)
     }
 
-    /// The error with computed quantities in the units of a system; what was given is named as it
-    /// was given.
+    /// The error as text with computed quantities in the units of a system; given values are
+    /// unchanged.
     pub fn in_units(&self, system: System) -> String {
         self.message().in_units(system)
     }
 
-    /// The error as a message, to be shown as part of another.
+    /// The error as a message, for use in another message.
     pub fn message(&self) -> Message {
         match self {
             Self::NoFlight { reason } => reason.clone(),
@@ -400,15 +395,15 @@ impl Error {
         }
     }
 
-    /// Whether the question was sound but has no answer (a drive that does not fly, a flight that
-    /// diverges, an angle without direction), as against bad input.
+    /// Whether the input is valid but has no result (a drive that does not fly, a flight that
+    /// diverges, an angle without direction).
     pub fn is_an_outcome(&self) -> bool {
         self.status() != "error"
     }
 
-    /// The error in a word, as JSON answers give it: `no-flight`, `diverged`, `undefined`, how a
-    /// search ended (`infeasible`, …), `no-answer` where the rows of a calibration end differently,
-    /// or `error` for bad input.
+    /// Status in JSON: `no-flight`, `diverged`, `undefined`, the status of a search (`infeasible`,
+    /// …), `no-answer` for rows of a calibration with different statuses, or `error` for invalid
+    /// input.
     pub fn status(&self) -> &'static str {
         match self {
             Self::NoFlight { .. } => "no-flight",
@@ -421,42 +416,42 @@ impl Error {
     }
 }
 
-/// In what a face misses the ball.
+/// Message for a face that does not approach the ball.
 fn no_strike(approach: f64) -> Message {
     Message::from(
-        "the club does not strike the ball: the contact point approaches along the face \
-                   normal at ",
+        "the club does not strike the ball: the contact point approaches along the face normal at ",
     )
     .quantity(Quantity::SPEED, "m/s", approach, Digits::Significant(5))
     .words(
         ", which must be above 0; check swing.speed, club.loft, swing.face_angle, \
-                swing.shaft_lean and swing.shaft_bend, which grows with the square of the speed",
+         swing.shaft_lean and swing.shaft_bend, which grows with the square of the speed",
     )
 }
 
-/// The name that is most like a given one, and how alike they are, 0 to 1.
+/// The name that is most similar to a given one, and their similarity, 0 to 1.
 pub(crate) fn nearest<'a>(
     name: &str,
     names: impl IntoIterator<Item = &'a str>,
 ) -> Option<(f64, &'a str)> {
-    let alike: Vec<_> = names
+    let similarities: Vec<_> = names
         .into_iter()
         .map(|known| (similarity(name, known), known))
         .collect();
-    let most = alike
+    let largest = similarities
         .iter()
-        .map(|(likeness, _)| *likeness)
+        .map(|(similarity, _)| *similarity)
         .max_by(f64::total_cmp)?;
-    // of names that are equally alike the one that looks like it: o is not 0, but looks so
-    let looks = |text: &str| text.replace('0', "o").replace('1', "l");
-    let as_it_looks = |known: &str| similarity(&looks(name), &looks(known));
-    let equally = alike.into_iter().filter(|(likeness, _)| *likeness == most);
-    equally.max_by(|a, b| as_it_looks(a.1).total_cmp(&as_it_looks(b.1)))
+    // of equally similar names the one that looks most similar: o like 0, l like 1
+    let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
+    let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
+    similarities
+        .into_iter()
+        .filter(|(similarity, _)| *similarity == largest)
+        .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// How alike two names are, 0 to 1. Of names of one group the rest is compared; a name without its
-/// group ("loft") is compared with the last part too; names that differ in their case alone are the
-/// same.
+/// Jaro–Winkler similarity of two names, 0 to 1. Names of the same group are compared without it; a
+/// name without its group ("loft") is compared with the last part too; case does not count.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;

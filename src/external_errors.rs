@@ -1,7 +1,7 @@
-//! Errors of the libraries that read files, in longdrive's words: what is wrong there, and what to
-//! do.
+//! Messages for errors of the operating system and of the libraries that read files: the cause, and
+//! advice.
 
-/// What is wrong with a file of comma-separated values.
+/// Message for an error of the CSV reader.
 pub(crate) fn csv_error_text(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths {
@@ -28,11 +28,11 @@ pub(crate) fn csv_error_text(error: &csv::Error) -> String {
     }
 }
 
-/// What to do about a file that is damaged.
+/// Advice about a damaged file.
 #[cfg(any(feature = "arrow", feature = "parquet"))]
 pub(crate) const DAMAGED: &str = "copy it again, or write it again with the program that made it";
 
-/// What is wrong with a Parquet file, whose first and last bytes are those of one.
+/// Message for an error of the Parquet reader; the file begins and ends like a Parquet file.
 #[cfg(feature = "parquet")]
 pub(crate) fn parquet_error_text(error: &parquet::errors::ParquetError) -> String {
     use parquet::errors::ParquetError;
@@ -42,14 +42,14 @@ pub(crate) fn parquet_error_text(error: &parquet::errors::ParquetError) -> Strin
         }
         ParquetError::External(error) => match error.downcast_ref::<std::io::Error>() {
             Some(error) if error.raw_os_error().is_some() => read_error_text(error),
-            // of a decoder
+            // error of a decoder
             _ => format!("it is damaged; {DAMAGED}"),
         },
         _ => format!("it is damaged or was cut short; {DAMAGED}"),
     }
 }
 
-/// What is wrong with a record batch of Arrow IPC.
+/// Message for an error in a record batch of Arrow IPC.
 #[cfg(feature = "arrow")]
 pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
     use arrow_schema::ArrowError;
@@ -57,7 +57,7 @@ pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
         ArrowError::NotYetImplemented(_) => {
             "it uses a part of Arrow that is not read here; write plain columns of numbers".into()
         }
-        // others are of a decoder
+        // an I/O error without a code comes from a decoder
         ArrowError::IoError(_, error) if error.raw_os_error().is_some() => read_error_text(error),
         ArrowError::MemoryError(_) => {
             "there is no memory for it; write smaller record batches".into()
@@ -66,116 +66,32 @@ pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
     }
 }
 
-/// What is wrong with a setup file that is not TOML, with the line where it is; `place` finds line
-/// and column.
+/// Message for a file that is not TOML: place, the parser's own sentence, advice, and the line with a
+/// mark. `place` converts a byte offset to line and column.
 pub(crate) fn toml_error_text(
     error: &toml::de::Error,
     text: &str,
     place: impl Fn(usize) -> (usize, usize),
 ) -> String {
-    let said = error.message().trim_end().replace('\n', ", ");
-    let what =
-        in_own_words(&said).map_or_else(|| format!("the reader says: {said}"), str::to_owned);
+    const ADVICE: &str = "a value is a number, or text in quotes, as in loft = \"10.5 deg\"";
+    let reason = error.message().trim_end().replace('\n', ", ");
     let Some(span) = error.span() else {
-        return format!("it is not valid TOML: {what}");
+        return format!("it is not valid TOML: {reason}; {ADVICE}");
     };
     let (line, column) = place(span.start);
-    let there = text.lines().nth(line.saturating_sub(1)).unwrap_or_default();
+    let source = text.lines().nth(line.saturating_sub(1)).unwrap_or_default();
     let mark = " ".repeat(column.saturating_sub(1));
-    format!("line {line}, column {column} is not valid TOML: {what}\n  {there}\n  {mark}^")
+    format!(
+        "line {line}, column {column} is not valid TOML: {reason}; {ADVICE}\n  {source}\n  {mark}^"
+    )
 }
 
-/// The most common mistakes in TOML: how the reader's message begins, what is wrong, and what to
-/// do.
-const OF_TOML: [(&str, &str); 22] = [
-    (
-        "duplicate key",
-        "this key or table is given twice; keep one",
-    ),
-    ("string values must be quoted", NOT_QUOTED),
-    ("invalid float", NOT_QUOTED),
-    ("invalid integer", NOT_QUOTED),
-    ("invalid boolean", NOT_QUOTED),
-    (
-        "unexpected leading zero",
-        "a number must not begin with 0; take the zero out",
-    ),
-    (
-        "`_` may only go between digits",
-        "'_' may stand between digits only; take it out",
-    ),
-    (
-        "invalid basic string, expected `\"`",
-        "the string does not end; close it with \" on its line",
-    ),
-    (
-        "invalid literal string, expected `'`",
-        "the string does not end; close it with ' on its line",
-    ),
-    (
-        "invalid multi-line basic string, expected `\"`",
-        "the string does not end; close it with \"\"\"",
-    ),
-    (
-        "invalid multi-line literal string, expected `'`",
-        "the string does not end; close it with '''",
-    ),
-    (
-        "missing escaped value",
-        "a backslash in \"…\" begins an escape; write the backslash twice, or the string in '…'",
-    ),
-    (
-        "unclosed table",
-        "the head of the table does not end; close it with ], as in [club]",
-    ),
-    (
-        "unclosed array table",
-        "the head of the table does not end; write it as [club]",
-    ),
-    ("unclosed array", "the list does not end; close it with ]"),
-    (
-        "unclosed inline table",
-        "the table in braces does not end; close it with }",
-    ),
-    (
-        "key with no value",
-        "a key needs '=' and a value after it, as in loft = \"10.5 deg\"",
-    ),
-    ("extra `=`", "there is one '=' too many; take it out"),
-    (
-        "unexpected key or value",
-        "a line holds one setting; begin a new line here",
-    ),
-    (
-        "unquoted keys cannot be empty",
-        "the name is missing; write for example [club] or loft = \"10.5 deg\"",
-    ),
-    (
-        "invalid key-value pair",
-        "a setting begins with its name, as in loft = \"10.5 deg\"",
-    ),
-    (
-        "invalid unquoted key",
-        "a name has letters, digits, '-' and '_' only, as in attack_angle = \"3 deg\"",
-    ),
-];
-
-/// What a value is where it is not a number alone.
-const NOT_QUOTED: &str = "a value is a number, or text in quotes where it has a unit or is a name, \
-                          as in loft = \"10.5 deg\" or preset = \"mae494\"";
-
-fn in_own_words(said: &str) -> Option<&'static str> {
-    OF_TOML
-        .iter()
-        .find(|(begins, _)| said.starts_with(begins))
-        .map(|(_, what)| *what)
-}
-
-/// What is said of bytes that are no text.
+/// Message for bytes that are not text in UTF-8.
 pub(crate) const NOT_UTF_8: &str = "it holds bytes that are not text in UTF-8; save it as text in \
                                     UTF-8 (it may be in Windows-1252, ANSI or Latin-1)";
 
-/// Why a file cannot be read. What this program says itself stays as it is.
+/// Reason why a file cannot be read. Messages of this program, inside an [`std::io::Error`], are
+/// returned unchanged.
 pub(crate) fn read_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
@@ -189,7 +105,8 @@ pub(crate) fn read_error_text(error: &std::io::Error) -> String {
     format!("it cannot be read ({why})")
 }
 
-/// Why a file cannot be written. What this program says itself stays as it is.
+/// Reason why a file cannot be written. Messages of this program, inside an [`std::io::Error`], are
+/// returned unchanged.
 pub(crate) fn write_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
@@ -208,7 +125,7 @@ pub(crate) fn write_error_text(error: &std::io::Error) -> String {
     why.into()
 }
 
-/// The number of the first line in which a quote is opened and not closed.
+/// Number of the first line with an unclosed quote.
 pub(crate) fn unclosed_quote(text: impl std::io::BufRead) -> Option<usize> {
     let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
     text.split(b'\n')
@@ -217,8 +134,8 @@ pub(crate) fn unclosed_quote(text: impl std::io::BufRead) -> Option<usize> {
         .map(|at| at + 1)
 }
 
-/// What is wrong with a row of a CSV table, `text` anew: a quote that is not closed takes the rows
-/// after it in.
+/// Message for an error in a row of a CSV table. `text` is the whole table, read again: an unclosed
+/// quote swallows the rows after it.
 pub(crate) fn csv_row_error_text(error: &csv::Error, text: impl std::io::BufRead) -> String {
     match (error.kind(), unclosed_quote(text)) {
         (csv::ErrorKind::UnequalLengths { .. }, Some(line)) => {

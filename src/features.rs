@@ -1,6 +1,6 @@
-//! What can be left out when longdrive is built.
+//! Optional features of the build.
 
-/// What to do where a file's format needs a feature that this longdrive is built without.
+/// Message for a file format that needs a feature which is not compiled in.
 ///
 /// ```
 /// let words = longdrive::features::how_to_get("parquet");

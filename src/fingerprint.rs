@@ -1,6 +1,5 @@
-/// A fingerprint of numbers that come one by one (FNV-1a, 64 bits, of their bytes): tells a table
-/// from another, not from a forgery. It is the same on every machine and for every compiler, as the
-/// journal of a sweep needs it.
+/// Hash of a sequence of numbers: FNV-1a, 64 bits, of their little-endian bytes. Not cryptographic.
+/// Independent of machine and compiler, as the journal of a sweep stores it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fingerprint(pub u64);
 

@@ -1,13 +1,13 @@
-//! The ball as it leaves the face: what a launch monitor shows.
+//! Launch of the ball, and the launch conditions that a launch monitor reports.
 
 use crate::number::{Number, Numbers, Vector};
 use crate::parameters::Setup;
 
-/// η, rad/s: below it a spin counts as none. |ω| is taken as √(ω·ω + η²) in the air, so that
-/// neither it nor a derivative fails at zero spin.
+/// η, rad/s: spins below it count as none. In the air |ω| is √(ω·ω + η²), which has derivatives at
+/// zero spin (docs/model.md, eq. 14).
 pub const LEAST_SPIN: f64 = 1e-6;
 
-/// Velocity and spin of the ball at launch, in the ground frame.
+/// Velocity and angular velocity of the ball at launch, in the ground frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Launch<T> {
     /// Velocity, m/s.
@@ -17,7 +17,7 @@ pub struct Launch<T> {
 }
 
 impl<T> Launch<T> {
-    /// The same over another number.
+    /// Converts the number type.
     #[inline(always)]
     pub(crate) fn map<U>(&self, f: impl Fn(T) -> U + Copy) -> Launch<U>
     where
@@ -31,10 +31,10 @@ impl<T> Launch<T> {
 }
 
 impl<T: Numbers> Launch<T> {
-    /// The launch with these conditions, as a launch monitor reports them: what
+    /// The launch with these launch conditions, SI. The inverse is
     /// [`ball_speed`](Self::ball_speed), [`launch_angle`](Self::launch_angle),
     /// [`launch_direction`](Self::launch_direction), [`backspin`](Self::backspin) and
-    /// [`sidespin`](Self::sidespin) then say. SI.
+    /// [`sidespin`](Self::sidespin).
     ///
     /// ```
     /// use longdrive::launch::Launch;
@@ -60,7 +60,7 @@ impl<T: Numbers> Launch<T> {
         }
     }
 
-    /// The launch that a setup gives (`launch.*`), where no club strikes the ball.
+    /// The launch that a setup gives (`launch.*`); `None` if a club strikes the ball.
     #[inline(always)]
     pub fn given(setup: &Setup<T>) -> Option<Self> {
         let given = &setup.launch;
@@ -105,23 +105,23 @@ impl<T: Number> Launch<T> {
         squared / (squared + LEAST_SPIN * LEAST_SPIN).sqrt()
     }
 
-    /// Spin about the horizontal axis perpendicular to the launch direction, rad/s; lifts the ball
-    /// where > 0.
+    /// Spin about the horizontal axis perpendicular to the launch direction, rad/s; + lifts the
+    /// ball.
     pub fn backspin(&self) -> T {
         let v = self.velocity;
         (self.spin.y * v.z - self.spin.z * v.y) / self.horizontal_speed()
     }
 
-    /// Spin about the axis perpendicular to the velocity in its vertical plane, rad/s; curves right
-    /// where > 0.
+    /// Spin about the axis perpendicular to the velocity in its vertical plane, rad/s; + curves
+    /// right.
     pub fn sidespin(&self) -> T {
         let (v, horizontal) = (self.velocity, self.horizontal_speed());
         let along = (self.spin.y * v.y + self.spin.z * v.z) / horizontal;
         (v.x * along - self.spin.x * horizontal) / self.ball_speed()
     }
 
-    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + tilts (and curves) right. NaN where
-    /// there is no spin but rounding.
+    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + tilts and curves right. NaN without
+    /// spin, apart from rounding.
     pub fn spin_axis(&self) -> T {
         if self.spin.dot(self.spin).re() < LEAST_SPIN * LEAST_SPIN {
             return T::constant(f64::NAN);

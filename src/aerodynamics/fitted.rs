@@ -1,9 +1,9 @@
 use crate::units::{Digits, Message, Quantity};
 
-/// The name of what a law was fitted over, its quantity and unit, and the range.
+/// Name, quantity with unit, and fitted range of a variable of a law.
 pub type FittedRange = (&'static str, (Quantity, &'static str), Option<[f64; 2]>);
 
-/// A range in words after others: "70000 to 230000", or "at least 71000" where it has no upper end.
+/// Appends a range to a message: "70000 to 230000", or "at least 71000" without an upper end.
 pub fn range_in_words(
     before: Message,
     (quantity, unit): (Quantity, &'static str),
@@ -21,8 +21,8 @@ pub fn range_in_words(
         .quantity(quantity, unit, high, digits)
 }
 
-/// What the measurements cover that a law was fitted to. Outside of it the law's formula goes on as
-/// it stands, or a variable is held; nothing tells how well.
+/// Ranges of the measurements that a law was fitted to. Outside of them the law is extrapolated or a
+/// variable is clamped ("held"), with an unknown error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitted {
     /// Spin ratios s = R|ω|/|v|.
@@ -33,15 +33,15 @@ pub struct Fitted {
     pub reynolds: Option<[f64; 2]>,
     /// Speeds through the air, m/s.
     pub speed: Option<[f64; 2]>,
-    /// What it was fitted to.
+    /// Description of the data it was fitted to.
     pub to: &'static str,
-    /// For each of [`ranges`](Self::ranges), whether the variable is held from about that end on:
-    /// below, above. Elsewhere the law is extrapolated.
+    /// For each of [`ranges`](Self::ranges), whether the variable is clamped below and above it.
+    /// Otherwise the law is extrapolated.
     pub held: [[bool; 2]; 4],
 }
 
 impl Fitted {
-    /// Of a law that is fitted to nothing, or whose source does not say to what.
+    /// No known range: a law without data, or whose source does not describe them.
     pub const UNKNOWN: Self = Self {
         spin_ratio: None,
         spin: None,
@@ -51,8 +51,8 @@ impl Fitted {
         held: [[false; 2]; 4],
     };
 
-    /// The ranges, in the order of a stream: spin ratio, spin, Reynolds number, speed through the
-    /// air; each with its name, quantity and unit.
+    /// The ranges of spin ratio, spin, Reynolds number and airspeed, each with name, quantity and
+    /// unit.
     pub fn ranges(&self) -> [FittedRange; 4] {
         [
             ("spin ratio", (Quantity::NUMBER, ""), self.spin_ratio),
@@ -66,8 +66,8 @@ impl Fitted {
         ]
     }
 
-    /// The ranges that are known, in words after others: "spin ratio 0.06 to 0.33, Reynolds number
-    /// 70000 to 230000".
+    /// Appends the known ranges to a message: "spin ratio 0.06 to 0.33, Reynolds number 70000 to
+    /// 230000".
     pub fn in_words(&self, before: Message) -> Message {
         let known = self
             .ranges()
@@ -81,16 +81,16 @@ impl Fitted {
             })
     }
 
-    /// What becomes of the law beyond these ends of its ranges, below and above: "extrapolated",
-    /// "held", or the one here and the other there.
-    pub(crate) fn beyond(&self, ends: [[bool; 2]; 4]) -> &'static str {
-        let ends = ends
+    /// How the law continues beyond these ends (below, above) of its ranges: "extrapolated", "held",
+    /// or "extrapolated or held".
+    pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> &'static str {
+        let exceeded = exceeded_ends
             .as_flattened()
             .iter()
             .zip(self.held.as_flattened())
-            .filter(|(is_left, _)| **is_left);
+            .filter(|(is_exceeded, _)| **is_exceeded);
         let (mut held, mut all) = (0, 0);
-        for (_, is_held) in ends {
+        for (_, is_held) in exceeded {
             all += 1;
             held += usize::from(*is_held);
         }
@@ -101,17 +101,17 @@ impl Fitted {
         }
     }
 
-    /// The ends of its ranges that values lie beyond, below and above, from the least and the
-    /// greatest of each.
-    pub(crate) fn left(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
+    /// The ends (below, above) of the ranges that are exceeded, from the least and the greatest value
+    /// of each variable.
+    pub(crate) fn exceeded_ends(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
         let ranges = self
             .ranges()
             .map(|(.., range)| range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]));
         std::array::from_fn(|k| [flown[k][0] < ranges[k][0], flown[k][1] > ranges[k][1]])
     }
 
-    /// Whether a spin ratio, spin, Reynolds number and speed through the air lie within all ranges
-    /// that are known. In no air (a Reynolds number of 0) there is no law to leave.
+    /// Whether spin ratio, spin, Reynolds number and airspeed are within all known ranges. Always in
+    /// a vacuum (Reynolds number 0).
     #[inline]
     pub fn holds(&self, [spin_ratio, spin, reynolds, speed]: [f64; 4]) -> bool {
         let is_in = |range: Option<[f64; 2]>, value: f64| {

@@ -1,29 +1,32 @@
-//! Laws that are splines through a grid: of a publication, or of a user's own table.
+//! Laws of splines through a grid, from a publication or a user's own table.
 
 use super::{Coefficients, Stream};
 use crate::number::{Numbers, held_above, held_below, inlined};
-use crate::parameters::{Along, Axis, Grid};
+use crate::parameters::{Axis, AxisVariable, Grid};
 
-/// C_D and C_L of a grid at its place for this stream, times their factors. Beyond its edges speed
-/// and spin are held; with less spin than its least, the lift is that at its edge times 1 − (1 −
-/// ω/ω_least)³.
+/// C_D and C_L of a grid, times their factors. Beyond the edges of the grid, speed and spin are
+/// clamped. Below its least spin, the lift is that at the edge times 1 − (1 − ω/ω_least)³.
 #[inline(always)]
-pub(super) fn gridded<T: Numbers>(
+pub(super) fn grid_coefficients<T: Numbers>(
     grid: &'static Grid,
     factors: [T; 2],
     stream: Stream<T>,
 ) -> Coefficients<T> {
-    T::outlined(inlined!(move || in_grid(grid, factors, stream)))
+    T::outlined(inlined!(move || grid_coefficients_inlined(
+        grid, factors, stream
+    )))
 }
 
 #[inline(always)]
-fn in_grid<T: Numbers>(
+fn grid_coefficients_inlined<T: Numbers>(
     grid: &'static Grid,
     [cd_factor, cl_factor]: [T; 2],
     stream: Stream<T>,
 ) -> Coefficients<T> {
-    let (speed, spin) = (held(&grid.speed, &stream), held(&grid.spin, &stream));
+    let speed = coordinate(&grid.speed, &stream);
+    let spin = coordinate(&grid.spin, &stream);
     let c = speed.looked_up(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
+    // coordinates in the cell, then Horner's scheme in w and u
     let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
     let (mut drag, mut lift) = (T::zero(), T::zero());
     let mut power = 4;
@@ -36,8 +39,8 @@ fn in_grid<T: Numbers>(
         lift = lift.mul_add(u, along);
     }
     let mut lift = cl_factor * lift;
-    if let Some((along, per_least)) = grid.begins {
-        let part = value(along, &stream) * per_least;
+    if let Some((variable, per_least)) = grid.full_lift {
+        let part = value(variable, &stream) * per_least;
         let short = T::constant(1.0) - part.blend(T::constant(1.0), part.below(1.0));
         lift = lift * (T::constant(1.0) - short * short * short);
     }
@@ -47,27 +50,31 @@ fn in_grid<T: Numbers>(
     }
 }
 
-/// What a table goes along, in this stream.
+/// Value of a variable of an axis in this stream.
 #[inline(always)]
-fn value<T: Numbers>(along: Along, stream: &Stream<T>) -> T {
-    match along {
-        Along::SpinRatio => stream.spin_ratio(),
-        Along::Spin => stream.spin,
-        Along::Reynolds => stream.reynolds(),
-        Along::Speed => stream.speed,
+fn value<T: Numbers>(variable: AxisVariable, stream: &Stream<T>) -> T {
+    match variable {
+        AxisVariable::SpinRatio => stream.spin_ratio(),
+        AxisVariable::Spin => stream.spin,
+        AxisVariable::Reynolds => stream.reynolds(),
+        AxisVariable::Speed => stream.speed,
     }
 }
 
-/// The place along an axis, held beyond its ends.
+/// Coordinate along an axis, clamped beyond its ends; 0 without an axis.
 #[inline(always)]
-fn held<T: Numbers>(axis: &Option<Axis>, stream: &Stream<T>) -> T {
+fn coordinate<T: Numbers>(axis: &Option<Axis>, stream: &Stream<T>) -> T {
     let Some(Axis {
-        along,
+        variable,
         ends: [first, last],
         over: [under, over],
     }) = *axis
     else {
         return T::zero();
     };
-    held_above(held_below(value(along, stream), first, under), last, over)
+    held_above(
+        held_below(value(variable, stream), first, under),
+        last,
+        over,
+    )
 }

@@ -3,13 +3,13 @@ use crate::number::Numbers;
 use crate::parameters::LaunchMonitor;
 
 /// C_D = cd0 + cd1 s_c + cd2 s_c² + cd_re (Re/10⁵ − 1.5), s_c = s_cap tanh(s/s_cap);
-/// C_L = cl_max cl_rate s/(1 + cl_rate s). A surrogate of what launch monitors predict, fitted for
+/// C_L = cl_max cl_rate s/(1 + cl_rate s). Fit to the predictions of a launch monitor for
 /// 0.06 < s < 0.33 and 7e4 < Re < 2.3e5; smooth everywhere, no lift without spin.
 impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         let s = stream.spin_ratio();
-        // s_c/s_cap: what waits for it comes last
+        // s_c/s_cap
         let capped = (s * self.s_cap.recip()).tanh();
         let (linear, square) = (self.cd1 * self.s_cap, self.cd2 * self.s_cap * self.s_cap);
         let base = self.cd_re.mul_add(stream.reynolds() * 1e-5 - 1.5, self.cd0);

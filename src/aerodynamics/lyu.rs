@@ -2,20 +2,20 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, inlined};
 use crate::parameters::Lyu;
 
-/// The spin ratios of the measurements. Above, the spin ratio is held over a width: the parabola
-/// would fall below no lift at s = 0.61.
+/// Spin ratios of the measurements.
 const MEASURED: [f64; 2] = [0.045, 0.32];
+/// Width of the clamp of the spin ratio above: the parabola has a negative lift above s = 0.61.
 const HELD_OVER: f64 = 0.04;
 
-/// Both parabolas of the drag hold for 0.75 < Re/10⁵ < 1, and differ by 0.02 at most: amid that,
-/// and about a quarter of its width.
+/// Centre and width, in Re/10⁵, of the transition between the two parabolas of the drag. Both are
+/// valid for 0.75 < Re/10⁵ < 1 and differ by at most 0.02 there; the width is a quarter of it.
 const BETWEEN: f64 = 0.875;
 const WIDTH: f64 = 0.06;
 
-/// With r = Re/10⁵: C_D = (1 − σ)(cd_low0 + cd_low1 r + cd_low2 r²) + σ (cd_high0 + cd_high1 r +
-/// cd_high2 r²), of which σ = (1 + tanh((r − 0.875)/0.06))/2 changes from the one to the other; C_L
-/// = cl1 s + cl2 s². Lyu, Kensrud, Smith & Tosaya (2018), in still air: drag of one ball for 5.1e4
-/// < Re < 2e5, whatever the spin, lift of 13 balls for 0.045 < s < 0.32.
+/// With r = Re/10⁵ and σ = (1 + tanh((r − 0.875)/0.06))/2: C_D = (1 − σ)(cd_low0 + cd_low1 r +
+/// cd_low2 r²) + σ (cd_high0 + cd_high1 r + cd_high2 r²), C_L = cl1 s + cl2 s². Lyu, Kensrud, Smith &
+/// Tosaya (2018), in still air: drag of one ball for 5.1e4 < Re < 2e5, independent of the spin; lift
+/// of 13 balls for 0.045 < s < 0.32.
 impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

@@ -3,11 +3,11 @@ use super::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::MacdonaldHanzely;
 
-/// Below this spin ratio, slower spin than any drive has, the lift is replaced: the law has lift
-/// without spin, in no direction.
+/// Spin ratio, below that of any drive, below which a cubic replaces the lift, as the law has a lift
+/// without spin.
 const SMOOTH_BELOW: f64 = 0.02;
 
-/// C_D = cd_speed/v, C_L = cl_speed/v: forces in proportion to the speed, whatever the spin
+/// C_D = cd_speed/v, C_L = cl_speed/v: forces proportional to the speed, independent of the spin
 /// (MacDonald & Hanzely 1991).
 impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
     #[inline(always)]

@@ -1,8 +1,7 @@
-//! Drag and lift of a spinning ball: a law per file. The coefficients of each law, with their
-//! names, ranges and sources, are declared in the parameter table; the laws say what C_D and C_L
-//! are.
+//! Laws of drag and lift of a spinning ball (docs/model.md, eq. 14), one file a law. The coefficients
+//! of the laws, with names, ranges and sources, are in the parameter table.
 //!
-//! Forces are in the ½ convention: F_D = ½ρA C_D |v|², F_L = ½ρA C_L |v|².
+//! F_D = ½ ρ A C_D |v|², F_L = ½ ρ A C_L |v|².
 
 mod bearman_harvey;
 mod ferguson;
@@ -28,14 +27,14 @@ pub use published::Published;
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
 
-/// The air as it streams past the ball. A law works out of it what it asks for, and no more.
+/// Flow of the air past the ball. A law computes from it the variables that it needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Stream<T> {
     /// |ω|, rad/s.
     pub spin: T,
     /// |v|, m/s.
     pub speed: T,
-    /// |v|², m²/s²: the reciprocal of the speed does not wait for the speed.
+    /// |v|², m²/s², for 1/|v| without the latency of |v|.
     pub(crate) square: T,
     /// R, m.
     pub radius: T,
@@ -44,7 +43,7 @@ pub struct Stream<T> {
 }
 
 impl<T: Numbers> Stream<T> {
-    /// Air that streams past a ball: |ω|, rad/s; |v|, m/s; R, m; Re/|v|, s/m.
+    /// The flow with |ω|, rad/s; |v|, m/s; R, m; Re/|v|, s/m.
     ///
     /// ```
     /// use longdrive::aerodynamics::Stream;
@@ -75,7 +74,7 @@ impl<T: Numbers> Stream<T> {
     }
 }
 
-/// What a law says of drag and lift.
+/// Coefficients of drag and lift.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficients<T> {
     /// C_D.
@@ -86,14 +85,14 @@ pub struct Coefficients<T> {
 
 /// A law of drag and lift. Two methods are required.
 pub trait AerodynamicLaw<T: Numbers> {
-    /// C_D and C_L in this stream. C_L must vanish with the spin: the lift's direction does.
+    /// C_D and C_L in this flow. C_L must tend to 0 with the spin, as the direction of the lift
+    /// vanishes.
     ///
-    /// All laws stand in one function, the equation of motion. What is long goes through
-    /// [`Numbers::outlined`] with a closure that takes the stream with it (`move`): called, it
-    /// costs the others nothing, and for them the stream need not stand in memory.
+    /// All laws are inlined into the equation of motion. A long law calls [`Numbers::outlined`] with
+    /// a `move` closure, so that it does not slow down the others (`src/number/mod.rs`, "Latency").
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 
-    /// Whether C_D grows with |ω| from zero spin on, so that outcomes have a corner there.
+    /// Whether C_D has a slope in |ω| at zero spin, so that outcomes have a corner there.
     fn has_corner_at_zero_spin(&self) -> bool {
         true
     }
@@ -104,20 +103,21 @@ pub trait AerodynamicLaw<T: Numbers> {
         None
     }
 
-    /// What the law was fitted to.
+    /// The ranges that the law was fitted to.
     fn fitted(&self) -> Fitted {
         Fitted::UNKNOWN
     }
 
-    /// Where the law comes from.
+    /// The source of the law.
     fn published(&self) -> Published;
 }
 
-/// Whichever law it is.
+/// Delegates to the law of each variant.
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        // field by field: what a called law writes to memory is no reason that the others do
+        // field by field: the result of the inlined laws then stays in registers, although an
+        // outlined law returns it in memory
         let (drag, lift) = with_law!(self, |law| {
             let found = law.coefficients(stream);
             (found.drag, found.lift)
@@ -180,8 +180,8 @@ mod tests {
         }
     }
 
-    /// What the law recovered from Winfield & Tan must be where their flights pass: positive drag,
-    /// and lift that begins at 0 and rises with spin.
+    /// The law recovered from Winfield & Tan in the range of their flights: positive drag, and lift
+    /// that rises with the spin from 0.
     #[test]
     fn recovered_law_has_positive_drag_and_lift_that_rises_with_spin() {
         let law = Law::named("winfield-tan").unwrap();
@@ -205,8 +205,7 @@ mod tests {
         }
     }
 
-    /// Value, slope and curvature of C_L, in the spin ratio, on both sides of where a law is
-    /// smoothed.
+    /// Value, slope and curvature of C_L in the spin ratio on both sides of the join of the cubic.
     #[test]
     fn exact_c2_join_where_a_law_is_smoothed_and_no_lift_without_spin() {
         for (name, join) in [("smits-smith", 0.001), ("ferguson", 0.02)] {

@@ -3,14 +3,14 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, inlined};
 use crate::parameters::NaruoMizota;
 
-/// The spin ratios of the measurements. Below, the lift is replaced: the formula would leave lift
-/// without spin, in no direction.
+/// Spin ratios of the measurements. Below, a cubic replaces the lift, as the formula has a lift
+/// without spin.
 const MEASURED: [f64; 2] = [0.03, 1.13];
-/// Above, the spin ratio is held over this width: the fourth powers would grow without end.
+/// Width of the clamp of the spin ratio above, which bounds the fourth powers.
 const HELD_OVER: f64 = 0.2;
 
 /// C_D = cd0 + cd1 s + … + cd4 s⁴, C_L = cl0 + cl1 s + … + cl4 s⁴: Naruo, Mizota & Shimozono
-/// (2004), in a wind tunnel for 0.03 < s < 1.13 and Re > 7.1e4.
+/// (2004), wind tunnel, for 0.03 < s < 1.13 and Re > 7.1e4.
 impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

@@ -3,9 +3,9 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, held_below, inlined};
 use crate::parameters::Nathan;
 
-/// Re/10⁵ between which the drag without spin falls, from cd_low to cd_high.
+/// Ends, in Re/10⁵, of the fall of the drag without spin from cd_low to cd_high.
 const FALLS: [f64; 2] = [0.5, 1.0];
-/// Re/10⁵: over this width about both ends the corner is rounded.
+/// Width of the rounded corners at both ends, in Re/10⁵.
 const ROUNDED: f64 = 0.05;
 
 /// With r = Re/10⁵, C_D = cd_s s + cd_low for r < 0.5, cd_high for r > 1 and on a line between,
@@ -37,7 +37,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     }
 
     fn fitted(&self) -> Fitted {
-        // from a driver to a 5-iron as they leave
+        // spin ratios at launch from a driver to a 5-iron
         Fitted {
             spin_ratio: Some([0.07, 0.2]),
             to: "the averages of seven clubs, driver to 5-iron",

@@ -1,11 +1,12 @@
+//! Lift near zero spin.
+
 use crate::number::{Numbers, inlined};
 
-/// A lift coefficient that is replaced near zero spin, where its formula has no lift-free limit or
-/// an infinite slope: for s < s₀ it is the cubic C_L = a u + b u² + c u³ in u = s/s₀ that joins the
-/// formula at s₀ with the same value, slope and curvature. Lift then vanishes with the spin, and
-/// C_L is C² throughout.
+/// Cubic that replaces the lift coefficient of a formula with a remaining lift or an infinite slope
+/// at zero spin: for s < s₀, C_L = a u + b u² + c u³ with u = s/s₀ has the value, slope and curvature
+/// of the formula at s₀. C_L vanishes with the spin, and is C² throughout.
 struct CubicOrigin<T> {
-    /// s₀: where the formula takes over.
+    /// s₀.
     join: f64,
     /// C_L at s₀.
     value: T,
@@ -16,7 +17,7 @@ struct CubicOrigin<T> {
 }
 
 impl<T: Numbers> CubicOrigin<T> {
-    /// C_L at a spin ratio below the join.
+    /// C_L at a spin ratio below s₀.
     #[inline(always)]
     fn lift(&self, spin_ratio: T) -> T {
         let u = spin_ratio / self.join;
@@ -28,7 +29,7 @@ impl<T: Numbers> CubicOrigin<T> {
     }
 }
 
-/// The spin ratio below which a power of it is replaced: its slope grows without end towards 0.
+/// Spin ratio below which a power law, whose slope is infinite at 0, is replaced by the cubic.
 const SMOOTH_BELOW: f64 = 0.001;
 
 /// C_L = factor s^exponent, replaced by the cubic for s < 0.001.
@@ -52,8 +53,8 @@ pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
     )
 }
 
-/// C_L = c₀ + c₁ s + c₂ s² …, replaced by the cubic for s < join: the formula leaves lift without
-/// spin, in no direction.
+/// C_L = c₀ + c₁ s + c₂ s² …, replaced by the cubic for s < join, as the polynomial has a lift
+/// without spin.
 #[inline(always)]
 pub(super) fn polynomial<T: Numbers, const N: usize>(c: [T; N], join: f64, s: T) -> T {
     let smooth = inlined!(|| {

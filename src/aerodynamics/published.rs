@@ -1,12 +1,12 @@
-/// Where a law comes from.
+/// Source of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Published {
-    /// Who published it, or made it from what others published.
+    /// Authors of the publication, or of the fit to published data.
     pub authors: &'static str,
-    /// The year of the publication, if it is of one.
+    /// Year of the publication.
     pub year: Option<u16>,
-    /// The ball it is of, where the source says which.
+    /// The measured ball, if the source names it.
     pub ball: Option<&'static str>,
-    /// The publication, and how its numbers came here.
+    /// The publication, and how its numbers were obtained.
     pub source: &'static str,
 }

@@ -1,13 +1,13 @@
-use super::gridded::gridded;
+use super::gridded::grid_coefficients;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::Numbers;
-use crate::parameters::{Along, Table};
+use crate::parameters::{AxisVariable, Table};
 
 /// C_D = cd_factor D, C_L = cl_factor L: splines through a user's own table, `aero.table`.
 impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        gridded(
+        grid_coefficients(
             self.table.grid(),
             [self.factors.cd_factor, self.factors.cl_factor],
             stream,
@@ -15,8 +15,8 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {
-        // C_D is held below the least spin of a table, unless that is 0
-        self.table.grid().begins.is_none()
+        // C_D is constant below the least spin of a table, unless that is 0
+        self.table.grid().full_lift.is_none()
     }
 
     fn continuous_derivatives(&self) -> Option<u32> {
@@ -25,17 +25,17 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
 
     fn fitted(&self) -> Fitted {
         let grid = self.table.grid();
-        let range = |along| {
+        let range = |variable| {
             grid.axes()
-                .find(|axis| axis.along == along)
+                .find(|axis| axis.variable == variable)
                 .map(|axis| axis.ends)
         };
         Fitted {
-            spin_ratio: range(Along::SpinRatio),
-            spin: range(Along::Spin),
-            reynolds: range(Along::Reynolds),
-            speed: range(Along::Speed),
-            to: self.table.told(),
+            spin_ratio: range(AxisVariable::SpinRatio),
+            spin: range(AxisVariable::Spin),
+            reynolds: range(AxisVariable::Reynolds),
+            speed: range(AxisVariable::Speed),
+            to: self.table.description(),
             held: [[true; 2]; 4],
         }
     }

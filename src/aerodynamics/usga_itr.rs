@@ -3,15 +3,15 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, held_below, inlined};
 use crate::parameters::UsgaItr;
 
-/// Below this spin ratio, the lowest of the measured shots, the lift is replaced: the formula would
-/// leave lift without spin, in no direction.
+/// Lowest spin ratio of the measured shots. Below, a cubic replaces the lift, as the formula has a
+/// lift without spin.
 const SMOOTH_BELOW: f64 = 0.042;
-/// The formula is for s < 0.3. Above, the spin ratio is held over a width: the square in the drag
-/// would grow without end.
+/// Start and width of the clamp of the spin ratio, which bounds the square in the drag: the formula
+/// is for s < 0.3.
 const LARGEST: f64 = 0.3;
 const HELD_OVER: f64 = 0.1;
-/// Re/10⁵ is held below: 1/r² would take all lift away, and more. (Shots were measured from 0.8
-/// on.)
+/// Start and width of the clamp of Re/10⁵ below: 1/r² makes the lift negative there. Shots were
+/// measured from 0.8 on.
 const SMALLEST: f64 = 0.6;
 const HELD_UNDER: f64 = 0.2;
 

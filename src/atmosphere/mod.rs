@@ -1,5 +1,5 @@
-//! The air the ball flies through: density and viscosity, which are the same along a flight, and
-//! the wind.
+//! Air of a flight: density and viscosity, which are constant, and the wind (docs/model.md,
+//! eqs. 12a–12d, 15).
 
 mod weather;
 mod wind;
@@ -9,14 +9,14 @@ pub use wind::WindField;
 
 use crate::parameters::Setup;
 
-/// The setup with density, viscosity and the wind's components as the drive has them, also where
-/// they follow from the weather and from the wind's speed and direction.
+/// The setup with the density, viscosity and wind components of the drive, also if they follow from
+/// the weather and from the wind's speed and direction.
 pub fn in_effect(setup: &Setup<f64>) -> Setup<f64> {
-    let mut shown = *setup;
+    let mut effective = *setup;
     AirState {
-        density: shown.air.density,
-        viscosity: shown.air.viscosity,
+        density: effective.air.density,
+        viscosity: effective.air.viscosity,
     } = AirState::of(&setup.air);
-    [shown.wind.right, shown.wind.downrange] = wind::along_the_ground(&setup.wind);
-    shown
+    [effective.wind.right, effective.wind.downrange] = wind::horizontal_components(&setup.wind);
+    effective
 }

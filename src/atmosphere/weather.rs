@@ -2,11 +2,10 @@ use crate::number::{Numbers, inlined};
 use crate::parameters::Air;
 
 /// 0 °C, K.
-const ICE: f64 = 273.15;
+const FREEZING: f64 = 273.15;
 
-/// K: the temperature where other weather is given and it is not, that of TrackMan's normalised air
-/// (25 °C).
-const USUAL: f64 = ICE + 25.0;
+/// Temperature, K, if other weather is given without it: 25 °C, TrackMan's normalised air.
+const DEFAULT_TEMPERATURE: f64 = FREEZING + 25.0;
 
 /// Density and viscosity of the air (docs/model.md, eqs. 12a–12d).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +17,7 @@ pub struct AirState<T> {
 }
 
 impl<T: Numbers> AirState<T> {
-    /// Density and viscosity as given or, where the weather is given, as they follow from it.
+    /// Density and viscosity as given, or from the weather if it is given.
     ///
     /// ```
     /// use longdrive::{Setup, atmosphere::AirState};
@@ -42,7 +41,7 @@ impl<T: Numbers> AirState<T> {
     fn of_weather(air: &Air<T>) -> Self {
         let temperature = match air.temperature {
             Some(temperature) => temperature,
-            None => T::constant(USUAL),
+            None => T::constant(DEFAULT_TEMPERATURE),
         };
         let pressure = match (air.pressure, air.altitude) {
             (Some(pressure), _) => pressure,
@@ -60,36 +59,40 @@ impl<T: Numbers> AirState<T> {
     }
 }
 
-/// The pressure of the standard atmosphere at sea level, Pa.
+/// Pressure of the standard atmosphere at sea level, Pa.
 const SEA_LEVEL: f64 = 101_325.0;
 
-/// The pressure at an altitude in the standard atmosphere, whose temperature falls by L for each
-/// metre (ISO 2533:1975).
+/// Pressure at an altitude in the standard atmosphere (ISO 2533:1975; docs/model.md, eq. 12c).
 #[inline(always)]
 fn standard_pressure<T: Numbers>(altitude: T) -> T {
-    /// K, K/m, m/s², J/(kg K).
-    const GROUND: f64 = 288.15;
-    const LAPSE: f64 = 0.0065;
+    /// Temperature at sea level, K.
+    const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
+    /// Temperature lapse rate, K/m.
+    const LAPSE_RATE: f64 = 0.0065;
+    /// Standard gravity, m/s².
     const GRAVITY: f64 = 9.80665;
-    const GAS: f64 = 287.05287;
-    (altitude * (-LAPSE / GROUND) + 1.0).powf(GRAVITY / (GAS * LAPSE)) * SEA_LEVEL
+    /// Gas constant of air, J/(kg K).
+    const GAS_CONSTANT: f64 = 287.05287;
+    let temperature_ratio = altitude * (-LAPSE_RATE / SEA_LEVEL_TEMPERATURE) + 1.0;
+    temperature_ratio.powf(GRAVITY / (GAS_CONSTANT * LAPSE_RATE)) * SEA_LEVEL
 }
 
-/// The mole fraction of water vapour in saturated air (CIPM-2007, eq. A1): f p_sv/p.
+/// Mole fraction of water vapour in saturated air, f p_sv/p (CIPM-2007, eq. A1; docs/model.md,
+/// eq. 12a).
 #[inline(always)]
 fn saturation<T: Numbers>(temperature: T, pressure: T) -> T {
-    let celsius = temperature - ICE;
+    let celsius = temperature - FREEZING;
     let exponent = temperature * (temperature * 1.237_884_7e-5 - 1.912_131_6e-2) + 33.937_110_47
         - temperature.recip() * 6.343_164_5e3;
     let enhancement = pressure * 3.14e-8 + celsius * celsius * 5.6e-7 + 1.000_62;
     enhancement * exponent.exp() / pressure
 }
 
-/// The density of moist air with 400 ppm of carbon dioxide and this mole fraction of water vapour
-/// (CIPM-2007, eqs. 1 and A1.4).
+/// Density of moist air with 400 ppm of carbon dioxide and this mole fraction of water vapour
+/// (CIPM-2007, eqs. 1 and A1.4; docs/model.md, eqs. 12a, 12b).
 #[inline(always)]
 fn density<T: Numbers>(temperature: T, pressure: T, vapour: T) -> T {
-    let celsius = temperature - ICE;
+    let celsius = temperature - FREEZING;
     let ratio = pressure / temperature;
     let dry = celsius * (celsius * 1.1043e-10 - 2.9331e-8) + 1.581_23e-6;
     let mixed = celsius * -2.051e-8 + 5.707e-6;
@@ -101,7 +104,8 @@ fn density<T: Numbers>(temperature: T, pressure: T, vapour: T) -> T {
     ratio / compressibility * (vapour * -0.3780 + 1.0) * 3.483_740e-3
 }
 
-/// Sutherland's formula with the constants of the U.S. Standard Atmosphere 1976.
+/// Sutherland's formula with the constants of the U.S. Standard Atmosphere 1976 (docs/model.md,
+/// eq. 12d).
 #[inline(always)]
 fn viscosity<T: Numbers>(temperature: T) -> T {
     temperature * temperature.sqrt() * 1.458e-6 / (temperature + 110.4)

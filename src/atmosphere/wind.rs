@@ -1,13 +1,12 @@
 use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
-/// ℓ, m: the height over which the logarithmic profile is rounded towards the ground. A fixed step
-/// of 0.01 s resolves it (carry within some micrometres: docs/model.md, eq. 16); the pure
-/// logarithm, whose scale is the roughness of some millimetres, it does not (errors of
-/// millimetres).
-const ROUNDING: f64 = 0.5;
+/// ℓ, m: height below which the logarithmic profile is smoothed towards the ground. A step of 0.01 s
+/// resolves it (carry within some micrometres: docs/model.md, eq. 16), but not the pure logarithm
+/// with its scale of some millimetres, the roughness (carry within some millimetres).
+const SMOOTHING_HEIGHT: f64 = 0.5;
 
-/// The air's velocity over the ground, uniform or a function of height (docs/model.md, eq. 15).
+/// Velocity of the air over the ground, uniform or a function of height (docs/model.md, eq. 15).
 #[derive(Clone, Copy, Debug)]
 pub struct WindField<T> {
     reference: Vector<T>,
@@ -16,17 +15,18 @@ pub struct WindField<T> {
 
 #[derive(Clone, Copy, Debug)]
 struct Profile<T> {
-    /// z₀.
+    /// z₀, m.
     roughness: T,
-    /// ln z₀: the same all the way.
+    /// ln z₀, computed once.
     ln_roughness: T,
+    /// Height of the ground, m.
     ground: T,
     /// 1/L(z_ref).
     scale: T,
 }
 
 impl<T: Numbers> WindField<T> {
-    /// The field of these parameters.
+    /// The wind of these parameters.
     #[inline(always)]
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
         let profile = wind.roughness.map(|roughness| {
@@ -41,20 +41,20 @@ impl<T: Numbers> WindField<T> {
                 ..unscaled
             }
         });
-        let [right, downrange] = along_the_ground(wind);
+        let [right, downrange] = horizontal_components(wind);
         Self {
             reference: Vector::new(wind.up, right, downrange),
             profile,
         }
     }
 
-    /// Whether it is a profile, and not the same everywhere.
+    /// Whether the wind is a profile; else it is uniform.
     #[inline(always)]
     pub(crate) fn depends_on_height(&self) -> bool {
         self.profile.is_some()
     }
 
-    /// The air's velocity, m/s, at a height, m.
+    /// Velocity of the air, m/s, at a height, m.
     #[inline(always)]
     pub fn at(&self, height: T) -> Vector<T> {
         match &self.profile {
@@ -66,10 +66,9 @@ impl<T: Numbers> WindField<T> {
     }
 }
 
-/// The wind's components to the right and downrange, given as such or by its speed and where it
-/// comes from.
+/// Components of the wind to the right and downrange, as given or from speed and direction.
 #[inline(always)]
-pub(super) fn along_the_ground<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
+pub(super) fn horizontal_components<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
     let Some(speed) = wind.speed else {
         return [wind.right, wind.downrange];
     };
@@ -84,12 +83,13 @@ pub(super) fn along_the_ground<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
 }
 
 impl<T: Numbers> Profile<T> {
-    /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2, z above the ground: the logarithmic profile
-    /// for z ≫ ℓ, smooth through the ground and below it (the last step of a flight ends there).
+    /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2 at the height z above the ground. The
+    /// logarithmic profile for z ≫ ℓ; smooth also below the ground, where the last step of a flight
+    /// ends.
     #[inline(always)]
     fn logarithm(&self, height: T) -> T {
-        let rounded = (height + (height * height + ROUNDING * ROUNDING).sqrt()) * 0.5;
-        (rounded + self.roughness).ln() - self.ln_roughness
+        let zeta = (height + (height * height + SMOOTHING_HEIGHT * SMOOTHING_HEIGHT).sqrt()) * 0.5;
+        (zeta + self.roughness).ln() - self.ln_roughness
     }
 }
 

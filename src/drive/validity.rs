@@ -244,7 +244,7 @@ fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Messag
         "{subject}: {when} outside of what the law {} was fitted to (",
         law.name()
     ));
-    let how = fitted.beyond(fitted.left([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
+    let how = fitted.continuation(fitted.exceeded_ends([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
     fitted
         .in_words(beginning)
         .words(format!("; {}), where it is {how}{rest}", fitted.to))

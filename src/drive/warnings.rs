@@ -114,7 +114,7 @@ impl Drive<f64> {
             let [least, greatest] = flown.flown;
             let mut exceeded_ends = [[false; 2]; 4];
             exceeded_ends[k] = [least < low, greatest > high];
-            let how = fitted.beyond(exceeded_ends);
+            let how = fitted.continuation(exceeded_ends);
             let percent = 100.0 * flown.outside;
             let message = format!("the law {name} was fitted to a {variable} of ").into();
             let message = range_in_words(message, unit, [low, high])

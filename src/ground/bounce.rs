@@ -1,110 +1,113 @@
-use super::turf::Turf;
+//! A bounce on the turf (docs/model.md, eqs. 19–22).
+
+use super::Turf;
 use crate::number::{Numbers, Vector, held_above, inlined, smooth_step};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// A ball that moves.
+/// Velocity and spin of the ball.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moving<T> {
-    /// m/s.
+pub(super) struct Motion<T> {
+    /// Velocity, m/s.
     pub velocity: Vector<T>,
-    /// rad/s.
+    /// Angular velocity, rad/s.
     pub spin: Vector<T>,
 }
 
-impl<T: Numbers> Moving<T> {
-    /// The velocity of its lowest point along a surface, where its centre has `along`.
+impl<T: Numbers> Motion<T> {
+    /// Slip: velocity of the contact point along a surface. `along` is that of the centre.
     #[inline(always)]
     pub fn slip(&self, along: Vector<T>, normal: Vector<T>, radius: T) -> Vector<T> {
         along - self.spin.cross(normal) * radius
     }
 }
 
-/// Penner (2002), p. 934: the impact whose tilt is θ_g, at 18.6 m/s and 44.4° from the vertical.
+/// Speed, m/s, and angle of incidence of the impact with the tilt θ_g: Penner (2002), p. 934.
 const SPEED: f64 = 18.6;
 const INCIDENCE: f64 = 44.4 / 180.0 * PI;
-/// The tilt as a part of the angle of incidence grows with the speed up to here, and is then held
-/// over a width: up to the angle of incidence itself, where the ball meets the tilted surface
-/// head-on. Beyond, the sine of Penner's (φ − θ_c) would be negative.
-const HEAD_ON: [f64; 2] = [0.7, 0.6];
-/// A ball that comes in flatter than this, from the ground, digs less, and one along the ground
-/// nothing. Penner's angle grows until there; the width is chosen beside TrackMan's chart
-/// (docs/sources.md).
+/// Start and width of the smooth clamp of the tilt over the angle of incidence (H in eq. 19). It
+/// ends at 1, where the ball meets the crater head-on; above, Penner's φ − θ_c is negative.
+const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
+/// Angle to the ground below which the ball digs less (S in eq. 19): nothing along the ground,
+/// where Penner's angle is largest. The width is fitted to TrackMan's chart (docs/sources.md).
 const FLAT: f64 = 70.0 / 180.0 * PI;
-/// Penner (2002), p. 933, by powers of the normal speed in s/m: e/e₀ = 1 + e₁ v + e₂ v². From 18
-/// m/s on the speed is held, so that it ends where e is least, at 20.8 m/s.
+/// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
-const HELD: f64 = 18.0;
-const HELD_OVER: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - HELD);
-/// Friction grows with what would make the contact stick up to this part of its limit, and reaches
-/// the limit over a width.
+/// Start and width, m/s, of the smooth clamp of u: it ends at the minimum of e, 20.8 m/s.
+const CLAMP_SPEED: f64 = 18.0;
+const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP_SPEED);
+/// Start and width of the transition from sticking to slipping, as x in eq. 21.
 const STICKS: f64 = 0.8;
 const SLIPS_OVER: f64 = 0.4;
-/// (m/s)²: slips as small have no direction.
+/// Largest squared slip without a direction, (m/s)².
 const NO_SLIP: f64 = 1e-24;
-/// (m/s)²: keeps the direction along the ground, and its derivatives, where a ball falls straight
-/// down.
+/// Smallest squared speed along the ground, (m/s)²: keeps its direction and the derivatives finite
+/// for a ball that falls vertically.
 const LEAST_SPEED_SQUARED: f64 = 1e-12;
 
 impl<T: Numbers> Turf<T> {
-    /// The ball after an impact (docs/model.md, eqs. 19–22).
+    /// Motion after an impact (eqs. 19–22).
     #[inline(always)]
-    pub(super) fn bounced(
+    pub(super) fn bounce(
         &self,
-        ball: &Moving<T>,
+        ball: &Motion<T>,
         ground: Vector<T>,
         radius: T,
         restitution: T,
-    ) -> Moving<T> {
-        let normal = self.tilted(ball.velocity, ground);
-        let push = -normal.dot(ball.velocity);
-        let along = ball.velocity + normal * push;
-        let slow = held_above(push, HELD, HELD_OVER);
-        let rebound = restitution
-            * (slow * slow.scale_add(RESTITUTION[1], T::constant(RESTITUTION[0])) + 1.0);
+    ) -> Motion<T> {
+        let normal = self.crater_normal(ball.velocity, ground);
+        let u = -normal.dot(ball.velocity);
+        let along = ball.velocity + normal * u;
+        // e, eq. 20
+        let h = held_above(u, CLAMP_SPEED, CLAMP_WIDTH);
+        let e = restitution * (h * h.scale_add(RESTITUTION[1], T::constant(RESTITUTION[0])) + 1.0);
+        // k s q, eq. 21
         let slip = ball.slip(along, normal, radius);
-        let lost = slip * (self.stuck() * self.grip(slip, self.friction * (rebound + 1.0) * push));
-        let turned = normal.cross(lost) * (self.inertia * radius).recip();
-        Moving {
-            velocity: along - lost + normal * (rebound * push),
-            spin: ball.spin + turned,
+        let grip = self.grip(slip, self.friction * (e + 1.0) * u);
+        let lost = slip * (self.sticking_factor() * grip);
+        let spin_change = normal.cross(lost) * (self.inertia * radius).recip();
+        Motion {
+            velocity: along - lost + normal * (e * u),
+            spin: ball.spin + spin_change,
         }
     }
 
-    /// The normal of the crater that a ball digs into the ground, tilted against its way.
+    /// Normal n′ of the crater that the ball digs, tilted against its velocity (eq. 19).
     #[inline(always)]
-    fn tilted(&self, velocity: Vector<T>, ground: Vector<T>) -> Vector<T> {
+    fn crater_normal(&self, velocity: Vector<T>, ground: Vector<T>) -> Vector<T> {
         let down = -ground.dot(velocity);
         let along = velocity + ground * down;
         let (level, per_level) = (along.dot(along) + LEAST_SPEED_SQUARED).sqrt_recip();
         let speed = (level * level + down * down).sqrt();
+        // φ = 2 arctan(v_t/(|v| + v_n))
         let incidence = (level / (speed + down)).atan() * 2.0;
-        let part = held_above(
+        let tilt_ratio = held_above(
             self.compliance * speed * (1.0 / (SPEED * INCIDENCE)),
-            HEAD_ON[0],
-            HEAD_ON[1],
+            TILT_CLAMP[0],
+            TILT_CLAMP[1],
         );
-        let steep = smooth_step(-incidence + FRAC_PI_2, 0.0, FLAT);
-        let (sin, cos) = (incidence * part * steep).sin_cos();
+        let steepness = smooth_step(-incidence + FRAC_PI_2, 0.0, FLAT);
+        let (sin, cos) = (incidence * tilt_ratio * steepness).sin_cos();
         ground * cos - along * (per_level * sin)
     }
 
-    /// The part of what would make the contact stick that friction gives, at most `limit` m/s.
+    /// q: part of the sticking impulse that friction supplies, with Coulomb's limit `limit`, m/s
+    /// (eq. 21).
     #[inline(always)]
     fn grip(&self, slip: Vector<T>, limit: T) -> T {
-        let stuck = self.stuck();
-        let squared = slip.dot(slip) * (stuck * stuck);
-        let sticks = (squared - limit * limit * (STICKS * STICKS)).below(NO_SLIP);
+        let k = self.sticking_factor();
+        let needed_squared = slip.dot(slip) * (k * k);
+        let sticks = (needed_squared - limit * limit * (STICKS * STICKS)).below(NO_SLIP);
         T::choose(
             sticks,
             inlined!(|| T::constant(1.0)),
             inlined!(|| {
-                let needed = squared.sqrt();
+                let needed = needed_squared.sqrt();
                 T::choose(
                     (limit * (STICKS + SLIPS_OVER) - needed).below(0.0),
                     inlined!(|| limit / needed),
                     inlined!(|| {
-                        let asked = needed / limit;
-                        held_above(asked, STICKS, SLIPS_OVER) / asked
+                        let x = needed / limit;
+                        held_above(x, STICKS, SLIPS_OVER) / x
                     }),
                 )
             }),
@@ -115,7 +118,7 @@ impl<T: Numbers> Turf<T> {
 #[cfg(test)]
 mod tests {
     use super::Turf;
-    use super::{INCIDENCE, Moving, SPEED};
+    use super::{INCIDENCE, Motion, SPEED};
     use crate::Setup;
     use crate::number::Vector;
     use num_dual::Dual2_64;
@@ -124,15 +127,15 @@ mod tests {
     const UP: Vector<f64> = Vector::new(1.0, 0.0, 0.0);
 
     /// A ball that comes in at an angle from the vertical, with backspin.
-    fn ball(speed: f64, incidence: f64, backspin: f64) -> Moving<f64> {
+    fn ball(speed: f64, incidence: f64, backspin: f64) -> Motion<f64> {
         let velocity = Vector::new(-speed * incidence.cos(), 0.0, speed * incidence.sin());
-        Moving {
+        Motion {
             velocity,
             spin: Vector::new(0.0, backspin, 0.0),
         }
     }
 
-    fn energy(ball: &Moving<f64>) -> f64 {
+    fn energy(ball: &Motion<f64>) -> f64 {
         0.5 * ball.velocity.dot(ball.velocity) + 0.2 * RADIUS * RADIUS * ball.spin.dot(ball.spin)
     }
 
@@ -141,7 +144,7 @@ mod tests {
     fn published_bounce_of_penner_with_rolling_at_exit() {
         let turf = Turf::new(&Setup::default());
         for (speed, spin) in [(SPEED, 300.0), (25.0, 200.0), (28.0, 0.0)] {
-            // of his tilt there is left what a ball digs that comes in at 45.6° from the ground
+            // S in eq. 19 at 45.6° to the ground
             let u: f64 = 45.6 / 70.0;
             let tilt =
                 (15.4 * speed / SPEED).to_radians() * u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u);
@@ -153,8 +156,8 @@ mod tests {
                 0.12
             };
             let (along, rise) = (5.0 / 7.0 * along - 2.0 / 7.0 * RADIUS * spin, e * push);
-            let after = turf.bounced(&ball(speed, INCIDENCE, spin), UP, RADIUS, 0.51);
-            // his restitution is not smooth at 20 m/s, this one within 0.0013 of it
+            let after = turf.bounce(&ball(speed, INCIDENCE, spin), UP, RADIUS, 0.51);
+            // Penner's restitution has a corner at 20 m/s; the smooth one is within 0.0013 of it
             let bar = 0.0013 * push;
             assert!(
                 (after.velocity.x - (along * tilt.sin() + rise * tilt.cos())).abs() < bar,
@@ -182,7 +185,7 @@ mod tests {
                         2000.0 * part(0.732) - 1000.0,
                     );
                     (ball.spin.x, ball.spin.z) = (500.0 * part(0.236), 500.0 * part(0.449));
-                    let after = turf.bounced(&ball, UP, RADIUS, part(0.303));
+                    let after = turf.bounce(&ball, UP, RADIUS, part(0.303));
                     assert!(
                         energy(&after) <= energy(&ball) * (1.0 + 1e-14),
                         "{ball:?} {after:?}"
@@ -192,16 +195,15 @@ mod tests {
         }
     }
 
-    /// The crater never faces the ball more than head-on: from 54 m/s on Penner's sine of the angle
-    /// between them would be negative, and the ball be thrown back by a surface that it does not
-    /// meet.
+    /// The crater faces the ball at most head-on. From 54 m/s on, Penner's angle between them is
+    /// negative: a surface that the ball does not meet would throw it back.
     #[test]
     fn no_ball_meets_the_crater_from_behind() {
         let turf = Turf::new(&Setup::default());
         for speed in 1..200 {
             for degrees in 1..90 {
                 let ball = ball(f64::from(speed), f64::from(degrees).to_radians(), 0.0);
-                let normal = turf.tilted(ball.velocity, UP);
+                let normal = turf.crater_normal(ball.velocity, UP);
                 let along = ball.velocity - normal * normal.dot(ball.velocity);
                 let ahead = Vector::new(normal.z.abs(), 0.0, normal.x);
                 assert!(
@@ -212,14 +214,14 @@ mod tests {
         }
     }
 
-    /// A ball that skims is not thrown up: it leaves no faster upwards than it came down.
+    /// A skimming ball leaves no faster upwards than it came down.
     #[test]
     fn exact_flat_bounces_stay_flat() {
         let turf = Turf::new(&Setup::default());
         for speed in [5.0, 10.0, 15.0] {
             for degrees in 1..15 {
                 let ball = ball(speed, (90.0 - f64::from(degrees)).to_radians(), 0.0);
-                let after = turf.bounced(&ball, UP, RADIUS, 0.51);
+                let after = turf.bounce(&ball, UP, RADIUS, 0.51);
                 assert!(
                     after.velocity.x < -ball.velocity.x,
                     "{speed} m/s at {degrees}°: {after:?}"
@@ -228,8 +230,7 @@ mod tests {
         }
     }
 
-    /// Where friction begins to slip and where it slips wholly, value, slope and curvature of what
-    /// it gives join.
+    /// The impulse of friction is C² at both ends of the transition from sticking to slipping.
     #[test]
     fn exact_friction_is_c2_between_sticking_and_slipping() {
         let setup = Setup::default();

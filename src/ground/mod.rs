@@ -1,31 +1,30 @@
-//! The ball on the ground: bounces, sliding and rolling until it rests (docs/model.md, eqs. 19–24),
+//! Run of the ball on the ground: bounces, sliding and rolling to rest (docs/model.md, eqs. 19–24),
 //! after Penner (2002).
 //!
-//! Between bounces the ball flies on parabolas, slowed along the ground by the air. Written once,
-//! over any numbers, and C² in all that it depends on, also where the number of bounces changes.
+//! Between bounces the ball flies on parabolas, with drag along the ground. The rest is C² in all
+//! inputs, also where the number of bounces changes.
 
 mod bounce;
-mod rubbing;
-mod turf;
+mod sliding;
 
 use crate::number::{Mask, Numbers, Vector, inlined, smooth_step};
-use bounce::Moving;
-use rubbing::Rubbing;
-pub(crate) use turf::Turf;
+use crate::parameters::Setup;
+use bounce::Motion;
+use sliding::Sliding;
 
-/// Where a ball rests.
+/// Position of the ball at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest<T> {
-    /// Downrange distance, along the target line, m. NaN where the ball does not come to rest.
+    /// Downrange distance, along the target line, m. NaN if the ball does not come to rest.
     pub downrange: T,
-    /// Distance to the right of the target line, m. NaN where the ball does not come to rest.
+    /// Distance to the right of the target line, m. NaN if the ball does not come to rest.
     pub right: T,
-    /// Impacts with the ground; of several balls side by side those of the one with most.
+    /// Number of impacts with the ground; in a batch, the largest number.
     pub bounces: usize,
 }
 
 impl<T: Copy> Rest<T> {
-    /// The same over another number.
+    /// Converts the number type.
     #[inline(always)]
     pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Rest<U> {
         Rest {
@@ -36,39 +35,84 @@ impl<T: Copy> Rest<T> {
     }
 }
 
-/// A ball as it lands.
+/// State of the ball at landing.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Landing<T> {
-    /// Where, m.
+    /// Downrange distance, m.
     pub downrange: T,
+    /// Distance to the right of the target line, m.
     pub right: T,
-    /// m/s.
+    /// Velocity, m/s.
     pub velocity: Vector<T>,
-    /// rad/s.
+    /// Angular velocity, rad/s.
     pub spin: Vector<T>,
-    /// m.
+    /// R, m.
     pub radius: T,
-    /// m/s².
+    /// g, m/s².
     pub gravity: T,
     /// ρ A/(2 m): deceleration by the air per C_D |v|², 1/m.
     pub force_per_mass: T,
 }
 
-/// A ball that leaves the ground more slowly, m/s, stays on it; from twice this speed on it hops.
-/// Penner ends the bounces at a height of 5 mm, which is between the two (0.31 m/s).
-const STAYS: f64 = 0.2;
-/// m/s: keeps the speed along the ground, and its derivatives, where there is none.
+/// The ground of the landing area.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turf<T> {
+    /// e_g: restitution of a slow impact; `None` if the ball embeds.
+    pub restitution: Option<T>,
+    /// μ_g.
+    pub friction: T,
+    /// θ_g, rad.
+    pub compliance: T,
+    /// ρ_g.
+    pub rolling: T,
+    /// β_z: slope downrange, rad.
+    pub slope: T,
+    /// β_y: slope to the right, rad.
+    pub side_slope: T,
+    /// I_b/(m R²) of the ball.
+    pub inertia: T,
+}
+
+/// Speed away from the ground, m/s, below which the ball stays on it; at twice this speed it hops
+/// fully (eq. 22). Penner ends the bounces at a height of 5 mm, between the two (0.31 m/s).
+const LEAST_HOP_SPEED: f64 = 0.2;
+/// Smallest speed along the ground, m/s: keeps it and its derivatives finite at rest.
 const LEAST_SPEED: f64 = 1e-6;
-/// C_D of a hop: a ball with little spin.
-const DRAG: f64 = 0.25;
-/// More bounces than any ground leaves a ball; after them it rolls.
+/// C_D of a ball with little spin, for the hops.
+const HOP_DRAG: f64 = 0.25;
+/// Largest number of bounces, more than on any ground; then the ball rolls.
 const MOST_BOUNCES: usize = 250;
-/// Parts of a hop that a path shows.
-const HOP_PARTS: u32 = 16;
+/// Number of intervals of a hop in the path of a run.
+const HOP_INTERVALS: u32 = 16;
 
 impl<T: Numbers> Turf<T> {
-    /// Where balls rest, in the lanes of a mask. Not inlined: there is one compiled copy for each
-    /// number type.
+    /// The turf of a setup.
+    #[inline(always)]
+    pub fn new(setup: &Setup<T>) -> Self {
+        let (ground, ball) = (&setup.ground, &setup.ball);
+        let inertia = match ball.inertia {
+            Some(inertia) => inertia / (ball.mass * ball.radius * ball.radius),
+            None => T::constant(0.4),
+        };
+        Self {
+            restitution: ground.restitution,
+            friction: ground.friction,
+            compliance: ground.compliance,
+            rolling: ground.rolling,
+            slope: ground.slope,
+            side_slope: ground.side_slope,
+            inertia,
+        }
+    }
+
+    /// k = I_b/(I_b + m R²): part of the slip that a sticking contact takes from the velocity of
+    /// the ball's centre; 2/7 for a homogeneous ball.
+    #[inline(always)]
+    pub fn sticking_factor(&self) -> T {
+        self.inertia / (self.inertia + 1.0)
+    }
+
+    /// Position at rest, in the lanes of a mask.
     #[inline(always)]
     pub fn rest(&self, ball: &Landing<T>, lanes: T::Mask) -> Rest<T> {
         let Some(restitution) = self.restitution else {
@@ -86,87 +130,88 @@ impl<T: Numbers> Turf<T> {
         )))
     }
 
-    /// Shows each hop, with the place that it begins at from the landing, to `seen`.
+    /// Bounces and roll-out. `observe` receives each hop with its start, from the landing.
     #[inline(always)]
     fn run(
         &self,
         ball: &Landing<T>,
         restitution: T,
         lanes: T::Mask,
-        seen: &mut impl FnMut(Vector<T>, &Hop<T>),
+        observe: &mut impl FnMut(Vector<T>, &Hop<T>),
     ) -> Rest<T> {
         let slope = Slope::new(self.slope, self.side_slope, ball.gravity);
-        let mut moving = Moving {
+        let mut motion = Motion {
             velocity: ball.velocity,
             spin: ball.spin,
         };
-        let mut way = Vector::zero();
-        let comes_down = slope.normal.dot(moving.velocity).below(0.0);
+        let mut position = Vector::zero();
+        let comes_down = slope.normal.dot(motion.velocity).below(0.0);
         let mut bouncing = lanes & comes_down;
         let mut bounces = 0;
         while bouncing.any() && bounces < MOST_BOUNCES {
-            let after = self.bounced(&moving, slope.normal, ball.radius, restitution);
-            let hop = slope.hop(after.velocity, ball.force_per_mass * DRAG);
-            seen(way, &hop);
-            way = (way + hop.way(1.0)).blend(way, bouncing);
-            moving = Moving {
-                velocity: hop.back().blend(moving.velocity, bouncing),
-                spin: after.spin.blend(moving.spin, bouncing),
+            let after = self.bounce(&motion, slope.normal, ball.radius, restitution);
+            let hop = slope.hop(after.velocity, ball.force_per_mass * HOP_DRAG);
+            observe(position, &hop);
+            position = (position + hop.displacement(1.0)).blend(position, bouncing);
+            motion = Motion {
+                velocity: hop.final_velocity().blend(motion.velocity, bouncing),
+                spin: after.spin.blend(motion.spin, bouncing),
             };
             bouncing = bouncing & hop.leaves;
             bounces += 1;
         }
-        way = way + self.way_to_rest(&moving, &slope, ball.radius);
-        let or_nan = |there: T, more: T| (there + more).blend(T::constant(f64::NAN), comes_down);
+        position = position + self.roll_out(&motion, &slope, ball.radius);
+        let or_nan = |start: T, more: T| (start + more).blend(T::constant(f64::NAN), comes_down);
         Rest {
-            downrange: or_nan(ball.downrange, way.z),
-            right: or_nan(ball.right, way.y),
+            downrange: or_nan(ball.downrange, position.z),
+            right: or_nan(ball.right, position.y),
             bounces,
         }
     }
 
-    /// The way of a ball that stays on the ground: it slides until it rolls, and rolls until it
-    /// rests.
+    /// Displacement of a ball that stays on the ground: it slides until it rolls, and rolls to rest
+    /// (eq. 24).
     #[inline(always)]
-    fn way_to_rest(&self, ball: &Moving<T>, slope: &Slope<T>, radius: T) -> Vector<T> {
-        let (normal, pull, stuck) = (slope.normal, slope.pull, self.stuck());
+    fn roll_out(&self, ball: &Motion<T>, slope: &Slope<T>, radius: T) -> Vector<T> {
+        let (normal, pull, k) = (slope.normal, slope.pull, self.sticking_factor());
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
-        // the slip itself is rubbed away and pulled along the slope like a body of its own, and
-        // what it loses the ball loses in part
-        let (time, way) = Rubbing {
-            deceleration: self.friction * slope.press / stuck,
+        // the slip s decelerates by μ_g g n_x/k and is pulled by G, like a sliding body
+        let sliding = Sliding {
+            deceleration: self.friction * slope.press / k,
             pull,
-        }
-        .stop(slip);
+        };
+        let (time, slip_distance) = sliding.stop(slip);
         let pulled = pull * time;
         let half = pull * (time * 0.5);
-        let slid = (velocity + half) * time - ((slip + half) * time - way) * stuck;
-        let rolling = velocity + pulled - (slip + pulled) * stuck;
-        let by_spin = T::constant(1.0) - stuck;
-        let (_, rolled) = Rubbing {
+        // v T + G T²/2 − k (s T + G T²/2 − D)
+        let slid = (velocity + half) * time - ((slip + half) * time - slip_distance) * k;
+        let rolling_velocity = velocity + pulled - (slip + pulled) * k;
+        let rolling = Sliding {
             deceleration: self.rolling * slope.press,
-            pull: pull * by_spin,
-        }
-        .stop(rolling);
+            pull: pull * (T::constant(1.0) - k),
+        };
+        let (_, rolled) = rolling.stop(rolling_velocity);
         slid + rolled
     }
 }
 
-/// The angle between the ground, of these slopes down range and to the side, and the way of a ball
-/// that comes down on it, rad; below 0 where it moves away from the ground.
+/// Angle between the velocity of a landing ball and the ground of these slopes, rad; negative if the
+/// ball moves away from the ground.
 pub(crate) fn angle_of_impact([slope, side_slope]: [f64; 2], velocity: Vector<f64>) -> f64 {
     let Slope { normal, .. } = Slope::new(slope, side_slope, 1.0);
     (-normal.dot(velocity) / velocity.norm()).asin()
 }
 
-/// A plane under gravity.
+/// Plane of the landing area under gravity.
 struct Slope<T> {
-    /// Unit normal, upwards.
+    /// Unit normal n, upwards.
     normal: Vector<T>,
-    /// Gravity into the plane, and along it, m/s².
+    /// Gravity into the plane, g n_x, m/s².
     press: T,
+    /// Gravity along the plane, G = −g X + g n_x n, m/s².
     pull: Vector<T>,
+    /// g, m/s².
     gravity: T,
 }
 
@@ -190,64 +235,69 @@ impl<T: Numbers> Slope<T> {
         }
     }
 
-    /// The hop of a ball that leaves the plane. `drag` is what the air takes from its velocity
-    /// along the plane, 1/m: dv/dt = −`drag` v², so that v/(1 + `drag` v t) is left.
+    /// Hop of a ball that leaves the plane (eq. 22). With drag along the plane, dv/dt = −`drag` v²
+    /// with `drag` in 1/m, and v(t) = v/(1 + `drag` v t).
     #[inline(always)]
     fn hop(&self, velocity: Vector<T>, drag: T) -> Hop<T> {
-        let rise = self.normal.dot(velocity);
-        let left = rise * smooth_step(rise, STAYS, STAYS);
-        let along = velocity - self.normal * rise;
-        let time = left * 2.0 / self.press;
-        let slowed = (along.dot(along) + LEAST_SPEED * LEAST_SPEED).sqrt() * drag * time;
+        let w = self.normal.dot(velocity);
+        let rise = w * smooth_step(w, LEAST_HOP_SPEED, LEAST_HOP_SPEED);
+        let along = velocity - self.normal * w;
+        let time = rise * 2.0 / self.press;
+        let slowdown = (along.dot(along) + LEAST_SPEED * LEAST_SPEED).sqrt() * drag * time;
         Hop {
             along,
-            rising: self.normal * left,
+            rising: self.normal * rise,
             time,
-            slowed,
+            slowdown,
             gravity: self.gravity,
-            leaves: (-left).below(0.0),
+            leaves: (-rise).below(0.0),
         }
     }
 }
 
 /// A hop from the plane and back.
 struct Hop<T: Numbers> {
-    /// Velocities along the plane and out of it as the ball leaves, m/s.
+    /// Initial velocity along the plane, m/s.
     along: Vector<T>,
+    /// Initial velocity out of the plane, m/s.
     rising: Vector<T>,
-    /// s.
+    /// Duration T, s.
     time: T,
-    /// `drag` v t at its end.
-    slowed: T,
-    /// m/s².
+    /// `drag` v T: relative slowdown along the plane, x in eq. 22.
+    slowdown: T,
+    /// g, m/s².
     gravity: T,
-    /// Where the ball leaves the plane at all.
+    /// Lanes in which the ball leaves the plane.
     leaves: T::Mask,
 }
 
 impl<T: Numbers> Hop<T> {
-    /// The way after a part of its time.
+    /// Displacement after a part of the duration, from 0 to 1.
     #[inline(always)]
-    fn way(&self, part: f64) -> Vector<T> {
+    fn displacement(&self, part: f64) -> Vector<T> {
         let time = self.time * part;
         let fall = self.gravity * time;
-        // the mean of ln(1 + x)/x, within a hundredth up to x = 0.3
-        let way = self.along * (time / (self.slowed * (0.5 * part) + 1.0)) + self.rising * time;
-        Vector::new(way.x - fall * time * 0.5, way.y, way.z)
+        // 1/(1 + x/2) for ln(1 + x)/x, within 1 % up to x = 0.3
+        let displacement =
+            self.along * (time / (self.slowdown * (0.5 * part) + 1.0)) + self.rising * time;
+        Vector::new(
+            displacement.x - fall * time * 0.5,
+            displacement.y,
+            displacement.z,
+        )
     }
 
-    /// The velocity as it comes back, or along the plane where it does not leave.
+    /// Velocity at the end; along the plane if the ball does not leave it.
     #[inline(always)]
-    fn back(&self) -> Vector<T> {
-        let back = self.along * (self.slowed + 1.0).recip() + self.rising;
-        Vector::new(back.x - self.gravity * self.time, back.y, back.z)
+    fn final_velocity(&self) -> Vector<T> {
+        let v = self.along * (self.slowdown + 1.0).recip() + self.rising;
+        Vector::new(v.x - self.gravity * self.time, v.y, v.z)
     }
 }
 
 impl Turf<f64> {
-    /// The way of a ball from its landing to rest: its hops, and from the last of them a straight
-    /// line to where it rests; empty for one that embeds, and the hops alone for one that does not
-    /// come to rest.
+    /// Path from the landing to rest: the hops, then a straight line. Empty if the ball embeds; the
+    /// hops only if it does not come to rest.
     pub fn path(&self, ball: &Landing<f64>) -> Vec<Vector<f64>> {
         let Some(restitution) = self.restitution else {
             return vec![];
@@ -256,7 +306,8 @@ impl Turf<f64> {
         let rest = self.run(ball, restitution, true, &mut |from, hop| {
             if hop.leaves {
                 points.extend(
-                    (0..=HOP_PARTS).map(|k| from + hop.way(f64::from(k) / f64::from(HOP_PARTS))),
+                    (0..=HOP_INTERVALS)
+                        .map(|k| from + hop.displacement(f64::from(k) / f64::from(HOP_INTERVALS))),
                 );
             }
         });
@@ -272,18 +323,18 @@ impl Turf<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{DRAG, Slope};
+    use super::{HOP_DRAG, Slope};
     use crate::number::Vector;
 
     /// A hop beside the same with drag along the ground in small steps, at the density of usual
     /// air.
     #[test]
     fn independent_hop_by_integration_in_small_steps_within_a_hundredth() {
-        let (g, drag) = (9.81, 0.0184 * DRAG);
+        let (g, drag) = (9.81, 0.0184 * HOP_DRAG);
         let slope = Slope::new(0.0, 0.0, g);
         for (rise, along) in [(3.0, 8.0), (6.0, 14.0), (4.0, 28.0)] {
             let hop = slope.hop(Vector::new(rise, 0.0, along), drag);
-            let (back, way, hops) = (hop.back(), hop.way(1.0), hop.leaves);
+            let (back, way, hops) = (hop.final_velocity(), hop.displacement(1.0), hop.leaves);
             let (mut v, mut far, h) = (along, 0.0, 1e-4);
             for _ in 0..(2.0 * rise / g / h) as usize {
                 far += v * h;

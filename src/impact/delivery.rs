@@ -1,11 +1,10 @@
 use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::Swing;
 
-/// The club just before impact: its motion in the ground frame, and the axes of the head frame.
+/// Motion of the club head at impact in the ground frame, and the axes of the head frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Delivery<T> {
-    /// Velocity of the head's centre of mass, or of the centre of its face, whichever the swing
-    /// states, m/s.
+    /// Velocity, m/s, of the head's centre of mass or of the centre of its face (`speed_of`).
     pub velocity: Vector<T>,
     /// Angular velocity of the head, rad/s.
     pub closure: Vector<T>,
@@ -13,50 +12,54 @@ pub struct Delivery<T> {
     pub axes: [Vector<T>; 3],
 }
 
-/// The head speed at which bend and droop of the shaft are stated: 100 mph, m/s.
-const SPEED_OF_BEND: f64 = 44.704;
+/// V₁: head speed of the stated bend and droop of the shaft, 100 mph, m/s.
+const REFERENCE_SPEED: f64 = 44.704;
 
-/// What the shaft adds to the attitude of the head (docs/model.md, eq. 2a), rad.
+/// Deflection of the shaft at impact, rad: bend forward and droop (docs/model.md, eqs. 2a, 2b).
 #[derive(Clone, Copy)]
-struct Bent<T> {
-    forward: Option<T>,
-    down: Option<T>,
+struct ShaftDeflection<T> {
+    bend: Option<T>,
+    droop: Option<T>,
 }
 
-impl<T: Numbers> Bent<T> {
+impl<T: Numbers> ShaftDeflection<T> {
     #[inline(always)]
     fn new(swing: &Swing<T>) -> Self {
-        let (mut forward, mut down) = (swing.shaft_bend, swing.shaft_droop);
+        let (mut bend, mut droop) = (swing.shaft_bend, swing.shaft_droop);
         if let Some(power) = swing.shaft_growth
-            && (forward.is_some() || down.is_some())
+            && (bend.is_some() || droop.is_some())
         {
-            let growth = ((swing.speed * (1.0 / SPEED_OF_BEND)).ln() * power).exp();
+            // (V/V₁)^p_s
+            let growth = ((swing.speed * (1.0 / REFERENCE_SPEED)).ln() * power).exp();
             let grown = inlined!(|angle: T| angle * growth);
-            (forward, down) = (forward.map(grown), down.map(grown));
+            (bend, droop) = (bend.map(grown), droop.map(grown));
         }
-        Self { forward, down }
+        Self { bend, droop }
     }
 }
 
 impl<T: Numbers> Delivery<T> {
-    /// The delivery of a swing (docs/model.md, eqs. 1–2b): the head is turned toe down by the
-    /// droop, pitched by a = ε − σ and the bend, then yawed by ψ.
+    /// Delivery of a swing (docs/model.md, eqs. 1–2b): the head is turned toe down by the droop,
+    /// pitched by a = ε − σ and the bend, then yawed by ψ.
     #[inline(always)]
     pub fn new(swing: &Swing<T>) -> Self {
         let (sin_attack, cos_attack) = swing.attack_angle.sin_cos();
         let (sin_path, cos_path) = swing.path.sin_cos();
-        let bent = Bent::new(swing);
+        let shaft = ShaftDeflection::new(swing);
         let pitch = swing.attack_angle - swing.shaft_lean;
-        let (sin_pitch, cos_pitch) = bent
-            .forward
+        let (sin_pitch, cos_pitch) = shaft
+            .bend
             .map_or(pitch, inlined!(|bend| pitch + bend))
             .sin_cos();
         let (sin_yaw, cos_yaw) = swing.face_angle.sin_cos();
+        // eq. 1
         let direction = Vector::new(sin_attack, cos_attack * sin_path, cos_attack * cos_path);
+        // eq. 2
         let up = Vector::new(cos_pitch, -sin_pitch * sin_yaw, -sin_pitch * cos_yaw);
         let toe = Vector::new(T::zero(), cos_yaw, -sin_yaw);
         let forward = Vector::new(sin_pitch, cos_pitch * sin_yaw, cos_pitch * cos_yaw);
-        let axes = match bent.down {
+        // eq. 2b
+        let axes = match shaft.droop {
             None => [up, toe, forward],
             Some(droop) => {
                 let (sin, cos) = droop.sin_cos();
@@ -70,14 +73,14 @@ impl<T: Numbers> Delivery<T> {
         }
     }
 
-    /// A vector of the head frame, in the ground frame.
+    /// Transforms a vector from the head frame to the ground frame.
     #[inline(always)]
     pub fn to_ground(&self, v: Vector<T>) -> Vector<T> {
         let [x, y, z] = self.axes;
         x * v.x + y * v.y + z * v.z
     }
 
-    /// A vector of the ground frame, in the head frame.
+    /// Transforms a vector from the ground frame to the head frame.
     #[inline(always)]
     pub fn to_head(&self, v: Vector<T>) -> Vector<T> {
         let [x, y, z] = self.axes;

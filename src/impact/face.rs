@@ -3,21 +3,21 @@ use crate::error::{Error, Result};
 use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::{Club, Strike};
 
-/// Where the ball is struck, in the head frame.
+/// Impact point on the face, in the head frame.
 #[derive(Clone, Copy, Debug)]
 pub struct FacePoint<T> {
-    /// The impact point from the head's centre of mass, m.
+    /// Impact point from the head's centre of mass, m.
     pub position: Vector<T>,
-    /// The face's unit normal there.
+    /// Unit normal of the face at this point.
     pub normal: Vector<T>,
 }
 
 impl<T: Numbers> FacePoint<T> {
-    /// The struck point of the face's ellipsoid (docs/model.md, eqs. 3–5; Winfield & Tan eqs.
-    /// 11–12), in the form that stays exact as a radius grows to infinity.
+    /// Impact point on the ellipsoid of the face (docs/model.md, eqs. 3–5; Winfield & Tan eqs.
+    /// 11–12), in a form that stays exact for infinite radii.
     ///
     /// # Errors
-    /// [`Error::OffFace`] where the ellipsoid has no such point.
+    /// [`Error::OffFace`] if the strike is beyond the ellipsoid.
     #[inline]
     pub fn new(club: &Club<T>, strike: &Strike<T>) -> Result<Self>
     where
@@ -35,14 +35,14 @@ impl<T: Numbers> FacePoint<T> {
         Ok(point)
     }
 
-    /// The struck point, which is one where q, given beside it, is below 1.
+    /// Impact point, and q (eq. 3): the strike is on the face if q < 1.
     #[inline(always)]
     pub(super) fn unchecked(head: &Head<T>, club: &Club<T>, strike: &Strike<T>) -> (Self, T) {
         // 1/R is 0 for a flat direction
         let (roll, bulge) = (club.roll_radius.recip(), club.bulge_radius.recip());
         let third = match club.face_semi_axis {
             Some(semi_axis) => semi_axis.recip(),
-            // √(bulge · roll): a flat direction makes it 0, where the root has no derivative
+            // 1/P_k = √(1/(R_b R_r)); 0 for a flat direction, where the root has no derivative
             None => {
                 let product = roll * bulge;
                 T::choose(
@@ -52,68 +52,70 @@ impl<T: Numbers> FacePoint<T> {
                 )
             }
         };
+        // q′ and q, eq. 3
         let (high, toe) = (strike.high, strike.toe);
         let sag = high * high * roll + toe * toe * bulge;
         let q = sag * third;
         let root = (-q + 1.0).sqrt();
-        let [up, across] = match head.beside {
+        // eqs. 4 and 5a
+        let [up, across] = match head.cg_offset {
             None => [high, toe],
-            Some([above, to_the_toe]) => [high - above, toe - to_the_toe],
+            Some([cg_high, cg_toe]) => [high - cg_high, toe - cg_toe],
         };
         let point = Vector::new(up, across, head.depth - sag / (root + 1.0));
+        // eq. 5
         let normal = Vector::new(high * roll, toe * bulge, root);
         let unit = normal * normal.norm().recip();
 
-        // face frame (i', j', k') to head frame: pitched by the loft
-        let turn = club.loft.sin_cos();
+        let loft = club.loft.sin_cos();
         (
             Self {
-                position: pitched(turn, point),
-                normal: pitched(turn, unit),
+                position: pitched(loft, point),
+                normal: pitched(loft, unit),
             },
             q,
         )
     }
 }
 
-/// The sweet spot has moved by less than this in its last round, m, of so many at most.
-const SETTLED: f64 = 1e-13;
-const ROUNDS: usize = 200;
+/// Tolerance of the fixed-point iteration for the sweet spot, m, and its largest number of steps.
+const TOLERANCE: f64 = 1e-13;
+const MOST_STEPS: usize = 200;
 
 impl Strike<f64> {
-    /// The strike on the sweet spot, where the normal of the face goes through the centre of mass:
-    /// in a round the point that the normal of the last one meets. `None` where the face is curved
-    /// so much that there is none near the centre of mass.
+    /// Strike on the sweet spot, where the face normal passes through the centre of mass, by
+    /// fixed-point iteration: each step intersects the face with the last normal. `None` if the face
+    /// is so curved that there is no sweet spot near the centre of mass.
     pub fn on_sweet_spot(club: &Club<f64>) -> Option<Self> {
         let head = Head::new(club);
-        let Some([above, beside]) = head.beside else {
+        let Some([cg_high, cg_toe]) = head.cg_offset else {
             return Some(Self {
                 high: 0.0,
                 toe: 0.0,
             });
         };
-        let turn = club.loft.sin_cos();
+        let loft = club.loft.sin_cos();
         let [up, forward] = [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 0.0, 1.0)]
-            .map(|axis| pitched(turn, axis));
+            .map(|axis| pitched(loft, axis));
         let mut strike = Self {
-            high: above,
-            toe: beside,
+            high: cg_high,
+            toe: cg_toe,
         };
-        for _ in 0..ROUNDS {
+        for _ in 0..MOST_STEPS {
             let (FacePoint { position, normal }, q) = FacePoint::unchecked(&head, club, &strike);
             if q >= 1.0 || q.is_nan() {
                 return None;
             }
             let length = position.dot(forward) / normal.dot(forward);
             let next = Self {
-                high: above + length * normal.dot(up),
-                toe: beside + length * normal.y,
+                high: cg_high + length * normal.dot(up),
+                toe: cg_toe + length * normal.y,
             };
             let change = (next.high - strike.high)
                 .abs()
                 .max((next.toe - strike.toe).abs());
             strike = next;
-            if change < SETTLED {
+            if change < TOLERANCE {
                 return Some(strike);
             }
         }

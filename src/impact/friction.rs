@@ -2,31 +2,33 @@ use super::rigid_body::{Collision, ContactSystem, jammed};
 use crate::error::Result;
 use crate::number::{Mask, Number, Numbers, Vector};
 
-/// Where a contact stands against the limit of friction.
+/// State of the contact relative to the limit of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Grip {
     /// No limit to friction.
     Unlimited,
-    /// The ball sticks, with |J_t|/(μ J_n) of the friction used.
+    /// The ball sticks and uses the share |J_t|/(μ J_n) of the friction.
     Sticks(f64),
-    /// The ball slips; sticking would have needed |J_t|/(μ J_n) of the friction.
+    /// The ball slips; sticking would need the share |J_t|/(μ J_n) of the friction.
     Slips(f64),
 }
 
-/// An impulse under a limit of friction.
+/// Impulse under the limit of friction.
 pub(super) struct Limited<T: Numbers> {
     pub impulse: Vector<T>,
-    /// |J_t|² of the sticking contact, and μ J_n.
+    /// |J_t|² of the sticking contact, N² s².
     needed_squared: T,
+    /// Largest tangential impulse μ J_n, N s.
     limit: T,
+    /// Lanes in which the ball slips.
     slips: T::Mask,
-    /// n·K(n + μ t̂), 1/kg: where the ball slips it must be above 0.
+    /// n·K(n + μ t̂), 1/kg; must be above 0 if the ball slips.
     separating: T,
 }
 
-/// The impulse under Coulomb friction (docs/model.md, eq. 11): where the sticking impulse lies
-/// outside the friction cone, J = j (n + μ t̂) with t̂ the direction of the sticking J_t. It joins
-/// the sticking impulse continuously; its slope does not.
+/// Impulse under Coulomb friction (docs/model.md, eq. 11). If the sticking impulse is outside of the
+/// friction cone, J = j (n + μ t̂) with t̂ the direction of the sticking J_t. Continuous at the limit;
+/// the derivative is not.
 #[inline(always)]
 pub(super) fn limited<T: Numbers>(
     collision: &Collision<T>,
@@ -63,7 +65,7 @@ pub(super) fn limited<T: Numbers>(
 }
 
 impl<T: Numbers> Limited<T> {
-    /// Whether the bodies separate, if the ball slips.
+    /// Lanes in which the bodies separate; all lanes in which the ball sticks.
     #[inline(always)]
     pub fn separates(&self) -> T::Mask {
         !self.slips | (-self.separating).below(0.0)
@@ -71,11 +73,10 @@ impl<T: Numbers> Limited<T> {
 }
 
 impl<T: Number> Limited<T> {
-    /// The impulse, and where it stands against the limit.
+    /// The impulse, and the state of the contact.
     ///
     /// # Errors
-    /// [`Error::Jammed`](crate::error::Error::Jammed) where such an impulse cannot separate the
-    /// bodies.
+    /// [`Error::Jammed`](crate::error::Error::Jammed) if the impulse does not separate the bodies.
     pub fn checked(self, collision: &Collision<T>, friction: T) -> Result<(Vector<T>, Grip)> {
         let needed = self.needed_squared.re().sqrt();
         let used = if needed == 0.0 {
@@ -89,8 +90,7 @@ impl<T: Number> Limited<T> {
         if !self.separates() {
             return Err(jammed(&format!(
                 "with impact.friction = {} the ball slips but n·K(n + μ t) = {} /kg, which must be \
-                 above 0; check \
-                 impact.friction, strike.high, strike.toe and club.inertia",
+                 above 0; check impact.friction, strike.high, strike.toe and club.inertia",
                 friction.re(),
                 self.separating.re()
             )));

@@ -1,10 +1,11 @@
+//! Small linear systems of the impact.
+
 use crate::number::{Number, Numbers, inlined};
 
-/// Solves A x = b by Gaussian elimination with partial pivoting. `None` where A is exactly singular
-/// or holds a number that is not finite.
+/// Solves A x = b by Gaussian elimination with partial pivoting. `None` if A is exactly singular or
+/// has an entry that is not finite.
 ///
-/// nalgebra's and num-dual's decompositions ask for more than [`Number`] offers; a number type of
-/// our own need not be a field in their sense.
+/// The decompositions of nalgebra and num-dual need more operations than [`Number`] has.
 pub(super) fn solve<T: Number, const N: usize>(
     mut a: [[T; N]; N],
     mut b: [T; N],
@@ -39,45 +40,45 @@ pub(super) fn solve<T: Number, const N: usize>(
     Some(b)
 }
 
-/// A symmetric 3 × 3 matrix as L D Lᵀ, without a pivot: exact to rounding where it is positive
-/// definite, which inertia tensors and compliances are. There is no branch in it.
+/// L D Lᵀ factorization of a symmetric 3 × 3 matrix, without pivoting and branches. Accurate for
+/// positive definite matrices, such as inertia tensors and compliances.
 #[derive(Clone, Copy)]
 pub(super) struct SymmetricFactors<T> {
     /// 1/D.
     inverse_pivots: [T; 3],
-    /// L below its diagonal of ones: (1,0), (2,0), (2,1).
+    /// Entries (1,0), (2,0), (2,1) of the unit lower triangular L.
     below: [T; 3],
 }
 
 impl<T: Numbers> SymmetricFactors<T> {
-    /// From the lower triangle, row by row.
+    /// Factorizes the matrix with this lower triangle, row by row.
     #[inline(always)]
     pub fn new(lower: [T; 6]) -> Self {
-        T::outlined(inlined!(|| Self::factored(lower)))
+        T::outlined(inlined!(|| Self::new_inlined(lower)))
     }
 
     #[inline(always)]
-    fn factored([a00, a10, a11, a20, a21, a22]: [T; 6]) -> Self {
+    fn new_inlined([a00, a10, a11, a20, a21, a22]: [T; 6]) -> Self {
         let first = a00.recip();
         let (l10, l20) = (a10 * first, a20 * first);
         let second = (a11 - l10 * a10).recip();
-        let left = a21 - l20 * a10;
-        let l21 = left * second;
-        let third = (a22 - l20 * a20 - l21 * left).recip();
+        let reduced = a21 - l20 * a10;
+        let l21 = reduced * second;
+        let third = (a22 - l20 * a20 - l21 * reduced).recip();
         Self {
             inverse_pivots: [first, second, third],
             below: [l10, l20, l21],
         }
     }
 
-    /// The x of A x = b.
+    /// Solves A x = b.
     #[inline(always)]
     pub fn solve(&self, b: [T; 3]) -> [T; 3] {
-        T::outlined(inlined!(|| self.solved(b)))
+        T::outlined(inlined!(|| self.solve_inlined(b)))
     }
 
     #[inline(always)]
-    fn solved(&self, [b0, b1, b2]: [T; 3]) -> [T; 3] {
+    fn solve_inlined(&self, [b0, b1, b2]: [T; 3]) -> [T; 3] {
         let ([d0, d1, d2], [l10, l20, l21]) = (self.inverse_pivots, self.below);
         let y1 = b1 - l10 * b0;
         let y2 = b2 - l20 * b0 - l21 * y1;
@@ -86,7 +87,7 @@ impl<T: Numbers> SymmetricFactors<T> {
         [b0 * d0 - l10 * x1 - l20 * x2, x1, x2]
     }
 
-    /// Whether each pivot is positive and finite, as those of a positive definite matrix are.
+    /// Lanes in which the matrix is positive definite: all pivots are positive and finite.
     #[inline(always)]
     pub fn is_positive(&self) -> T::Mask {
         let [first, second, third] = self.inverse_pivots;

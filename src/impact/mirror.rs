@@ -1,17 +1,17 @@
-//! What a left-hander's impact is beside the same numbers of a right-hander: its mirror image in
-//! the vertical plane of the target line.
+//! Impact of a left-hander: the mirror image of a right-hander's impact with the same numbers, in the
+//! vertical plane of the target line.
 
 use super::Impact;
 use crate::launch::Launch;
 use crate::number::{Numbers, Vector};
 
-/// Of a velocity, an impulse, a direction or a place.
+/// Mirror image of a polar vector: velocity, impulse, direction or position.
 #[inline(always)]
 fn polar<T: Numbers>(v: Vector<T>) -> Vector<T> {
     Vector::new(v.x, -v.y, v.z)
 }
 
-/// Of an angular velocity: a mirror turns it the other way about all that lies in it.
+/// Mirror image of an axial vector: its components in the mirror plane change sign.
 #[inline(always)]
 fn axial<T: Numbers>(v: Vector<T>) -> Vector<T> {
     Vector::new(-v.x, v.y, -v.z)

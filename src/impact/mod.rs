@@ -1,8 +1,8 @@
-//! The impact of clubhead and ball: rigid bodies in three dimensions, an ellipsoidal face, after
-//! Winfield & Tan (1994) eqs. 1–20.
+//! Impact of the club head and the ball (docs/model.md, eqs. 1–11): rigid bodies in three
+//! dimensions, an ellipsoidal face, after Winfield & Tan (1994) eqs. 1–20.
 //!
-//! The collision is solved in the head frame (Z forward, X up, Y towards the toe), where the
-//! inertia tensor is given, and its result is turned into the ground frame.
+//! The collision is solved in the head frame (X up, Y towards the toe, Z forward), in which the
+//! inertia tensor is given; the result is transformed to the ground frame.
 
 mod delivery;
 mod face;
@@ -23,10 +23,10 @@ use crate::launch::Launch;
 use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::{Golfer, Setup};
 
-/// What an impact leaves behind, in the ground frame.
+/// Result of an impact, in the ground frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact<T> {
-    /// The ball as it leaves the face.
+    /// Launch of the ball.
     pub launch: Launch<T>,
     /// Velocity of the head's centre of mass after impact, m/s.
     pub club_velocity: Vector<T>,
@@ -38,7 +38,7 @@ pub struct Impact<T> {
     pub face_normal: Vector<T>,
     /// Impact point from the head's centre of mass, m.
     pub contact_point: Vector<T>,
-    /// Whether the ball sticks to the face or still slips as it leaves.
+    /// Whether the ball sticks to the face or slips at the end of the contact.
     pub grip: Grip,
 }
 
@@ -80,14 +80,15 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     })
 }
 
-/// A launch over any numbers, side by side too, with what is to be known of each before it is used.
+/// Impact without branches, for one club in each lane: the launch, and its validity.
 pub(crate) struct LaneImpact<T: Numbers> {
     pub launch: Launch<T>,
-    /// Where [`strike`] gives this launch and no error.
+    /// Lanes in which [`strike`] returns this launch, and not an error.
     pub is_valid: T::Mask,
 }
 
 impl<T: Numbers> LaneImpact<T> {
+    /// The impact of a setup.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         let delivery = Delivery::new(&setup.swing);
@@ -120,7 +121,7 @@ impl<T: Numbers> LaneImpact<T> {
             delivery.to_ground(rebound.ball_velocity),
             delivery.to_ground(rebound.ball_spin),
         );
-        // NaN is below nothing: what is not a number does not hold
+        // false for NaN
         let size = velocity.dot(velocity) + spin.dot(spin);
         let launch = Launch { velocity, spin };
         let launch = match setup.golfer {

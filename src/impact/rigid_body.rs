@@ -7,7 +7,7 @@ use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::{Setup, SpeedOf};
 use crate::units::significant;
 
-/// Two rigid bodies about to collide, in the head frame: a head that moves, and a ball at rest.
+/// Collision of two rigid bodies in the head frame: a moving head, and a ball at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Collision<T> {
     /// Mass of the head M, kg.
@@ -36,9 +36,9 @@ pub struct Collision<T> {
     pub gear_scale: Option<T>,
 }
 
-/// The closing speed at which the restitution is stated where it depends on the speed: 160 ft/s,
-/// that of the USGA's test of clubs, m/s.
-const SPEED_OF_RESTITUTION: f64 = 48.768;
+/// v₁: closing speed of a stated restitution that depends on the speed (docs/model.md, eq. 10a):
+/// 160 ft/s, the speed of the USGA's test of clubs, m/s.
+const REFERENCE_SPEED: f64 = 48.768;
 
 /// The bodies after the collision.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +56,7 @@ pub struct Rebound<T> {
 }
 
 impl<T: Numbers> Collision<T> {
-    /// The collision of a head that strikes the ball at a point of its face.
+    /// The collision with impact point `face`.
     #[inline(always)]
     pub(super) fn at(
         setup: &Setup<T>,
@@ -82,7 +82,7 @@ impl<T: Numbers> Collision<T> {
             gear_scale: setup.impact.gear_scale,
         };
         if setup.speed_of == SpeedOf::FaceCentre {
-            // what the face centre moves by beside the centre of mass (docs/model.md, eq. 1a)
+            // v_c = v − ω_c × r_F (docs/model.md, eq. 1a)
             let turning = T::outlined(inlined!(|| collision
                 .club_spin
                 .cross(head.face_centre(setup.club.loft))));
@@ -90,25 +90,25 @@ impl<T: Numbers> Collision<T> {
         }
         if let Some(slope) = setup.impact.restitution_slope {
             let closing = collision.approach().dot(collision.normal);
-            collision.restitution =
-                collision.restitution + (closing - SPEED_OF_RESTITUTION) * slope;
+            collision.restitution = collision.restitution + (closing - REFERENCE_SPEED) * slope;
         }
         collision
     }
 
-    /// Whether the restitution at this speed is one, between 0 and 1.
+    /// Lanes in which the restitution at this speed is between 0 and 1.
     #[inline(always)]
     pub(super) fn has_restitution(&self) -> T::Mask {
         !self.restitution.below(0.0) & !(-self.restitution).below(-1.0)
     }
 
-    /// u⁻: the velocity of the club's contact point relative to the ball's before impact, m/s.
+    /// u⁻: velocity of the contact point of the club relative to that of the ball before impact, m/s
+    /// (eq. 8).
     #[inline(always)]
     pub fn approach(&self) -> Vector<T> {
         self.club_velocity + self.club_spin.cross(self.contact)
     }
 
-    /// K, and the factors of K and of I_c.
+    /// K (eq. 9), and the factorizations of K and of I_c.
     #[inline(always)]
     pub(super) fn contact_system(&self) -> ContactSystem<T> {
         let [[xx, ..], [xy, yy, _], [xz, yz, zz]] = self.club_inertia;
@@ -122,19 +122,19 @@ impl<T: Numbers> Collision<T> {
         }
     }
 
-    /// The impulse on a ball that sticks to the face, which solves the 3 equations (docs/model.md,
-    /// eqs. 8–10): K J = u⁻ + e (n·u⁻) n + e_t (u⁻ − (n·u⁻) n).
+    /// Impulse on a ball that sticks to the face (eq. 10):
+    /// K J = u⁻ + e (n·u⁻) n + e_t (u⁻ − (n·u⁻) n).
     #[inline(always)]
     pub(super) fn sticking(&self, system: &ContactSystem<T>) -> Vector<T> {
         let approach = self.approach();
         let closing = self.normal * approach.dot(self.normal);
-        let wanted = approach
+        let change = approach
             + closing * self.restitution
             + (approach - closing) * self.tangential_restitution;
-        Vector::from_array(system.compliance.solve(wanted.to_array()))
+        Vector::from_array(system.compliance.solve(change.to_array()))
     }
 
-    /// The bodies after the impulse J on the ball.
+    /// The bodies after the impulse J on the ball (eq. 10).
     #[inline(always)]
     pub(super) fn after(&self, impulse: Vector<T>, system: &ContactSystem<T>) -> Rebound<T> {
         let turned =
@@ -148,25 +148,24 @@ impl<T: Numbers> Collision<T> {
         }
     }
 
-    /// K by columns: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e), the change
-    /// of the contact points' relative velocity that an impulse e takes away.
+    /// Columns of K (eqs. 9, 9a): K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e)
+    /// is the decrease of the relative velocity of the contact points by an impulse e.
     #[inline(always)]
     fn columns(&self, inertia: &SymmetricFactors<T>) -> [Vector<T>; 3] {
         let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();
         let rolling = self.ball_radius * self.ball_radius / self.ball_inertia;
         let (arm, n, zero) = (self.contact, self.normal, T::zero());
-        // of a unit vector e the product a × e has two of a's components: r_P × e and n × (n × e) =
-        // n (n·e) − (n·n) e
-        let turning = [
+        // r_P × e for the unit vectors e; and n × (n × e) = n (n·e) − (n·n) e
+        let arm_crosses = [
             [zero, arm.z, -arm.y],
             [-arm.z, zero, arm.x],
             [arm.y, -arm.x, zero],
         ];
         let mut columns = [n; 3];
-        // one after the other, in one place
+        // a loop, for a single call site
         for (column, (arm_cross_e, along)) in columns
             .iter_mut()
-            .zip(turning.into_iter().zip(n.to_array()))
+            .zip(arm_crosses.into_iter().zip(n.to_array()))
         {
             let turned = Vector::from_array(inertia.solve(arm_cross_e));
             *column = turned.cross(arm) - n * (along * rolling);
@@ -176,42 +175,41 @@ impl<T: Numbers> Collision<T> {
         columns[1].y = columns[1].y + squared;
         columns[2].z = columns[2].z + squared;
         if let Some(scale) = self.gear_scale {
-            let (beyond, turned) = (scale - 1.0, self.turned_along_face(&columns));
-            for ((column, along), turned_along) in
-                columns.iter_mut().zip(n.to_array()).zip(turned.to_array())
-            {
-                *column = *column + (turned * along + n * turned_along) * beyond;
+            // K + (g − 1)(w nᵀ + n wᵀ), eq. 9a
+            let (more, w) = (scale - 1.0, self.gear_velocity(&columns));
+            for ((column, n_e), w_e) in columns.iter_mut().zip(n.to_array()).zip(w.to_array()) {
+                *column = *column + (w * n_e + n * w_e) * more;
             }
         }
         columns
     }
 
-    /// w = K n − (n·K n) n: the velocity along the face that a push along its normal takes away by
-    /// turning the head, which makes the gear effect.
+    /// w = K n − (n·K n) n (eq. 9a): decrease of the velocity along the face by a unit impulse along
+    /// its normal, as the head turns. It causes the gear effect.
     #[inline(always)]
-    fn turned_along_face(&self, [x, y, z]: &[Vector<T>; 3]) -> Vector<T> {
+    fn gear_velocity(&self, [x, y, z]: &[Vector<T>; 3]) -> Vector<T> {
         let n = self.normal;
         let pushed = *x * n.x + *y * n.y + *z * n.z;
         pushed - n * n.dot(pushed)
     }
 }
 
-/// The two symmetric matrices of a collision, factored.
+/// The two symmetric matrices of a collision.
 pub(super) struct ContactSystem<T> {
-    /// I_c.
+    /// Factorization of I_c.
     pub inertia: SymmetricFactors<T>,
-    /// K by columns.
+    /// Columns of K.
     pub columns: [Vector<T>; 3],
-    /// K.
+    /// Factorization of K.
     pub compliance: SymmetricFactors<T>,
 }
 
 impl<T: Number> Collision<T> {
-    /// The collision that a setup's delivery leads to.
+    /// The collision of a setup with this delivery.
     ///
     /// # Errors
-    /// [`Error::OffFace`]; [`Error::Jammed`] where the restitution at this speed is not between 0
-    /// and 1.
+    /// [`Error::OffFace`]; [`Error::Jammed`] if the restitution at this speed is not between 0 and
+    /// 1.
     #[inline]
     pub fn new(setup: &Setup<T>, delivery: &Delivery<T>) -> Result<Self> {
         let (head, face) = (
@@ -222,8 +220,7 @@ impl<T: Number> Collision<T> {
         if setup.impact.restitution_slope.is_some() && !collision.has_restitution() {
             return Err(jammed(&format!(
                 "the restitution at the closing speed of {:.3} m/s would be {:.5}, which must be \
-                 between 0 and 1; check \
-                 impact.restitution, impact.restitution_slope and swing.speed",
+                 between 0 and 1; check impact.restitution, impact.restitution_slope and swing.speed",
                 collision.approach().dot(collision.normal).re(),
                 collision.restitution.re()
             )));
@@ -231,25 +228,29 @@ impl<T: Number> Collision<T> {
         Ok(collision)
     }
 
-    /// The impulse from 3 equations (docs/model.md, eqs. 8–10).
+    /// The bodies after the collision, from the 3 equations for the impulse (docs/model.md,
+    /// eqs. 8–10).
     ///
     /// # Errors
-    /// [`Error::Jammed`] where the impulse would have to pull.
+    /// [`Error::Jammed`] if the impulse would pull.
     #[inline]
     pub fn by_impulse(&self) -> Result<Rebound<T>> {
         let system = self.checked_system()?;
         Ok(self.after(self.pushing(self.sticking(&system))?, &system))
     }
 
-    /// K by columns (docs/model.md, eq. 9).
+    /// Columns of K (docs/model.md, eq. 9).
     ///
     /// # Errors
-    /// [`Error::Jammed`] where the head's inertia tensor is none.
+    /// [`Error::Jammed`] if the head's inertia tensor is not positive definite.
     pub fn compliance(&self) -> Result<[Vector<T>; 3]> {
         Ok(self.checked_system()?.columns)
     }
 
-    /// The system, where the head's inertia tensor is one.
+    /// The contact system.
+    ///
+    /// # Errors
+    /// [`Error::Jammed`] if one of its matrices is not positive definite.
     #[inline]
     pub(super) fn checked_system(&self) -> Result<ContactSystem<T>> {
         let system = self.contact_system();
@@ -267,103 +268,41 @@ impl<T: Number> Collision<T> {
         Ok(system)
     }
 
-    /// An impulse that pushes.
+    /// Checks that an impulse pushes.
+    ///
+    /// # Errors
+    /// [`Error::Jammed`] if it pulls.
     #[inline]
     pub(super) fn pushing(&self, impulse: Vector<T>) -> Result<Vector<T>> {
         let push = impulse.dot(self.normal).re();
         if push <= 0.0 || push.is_nan() {
             return Err(jammed(&format!(
                 "the impulse along the face normal would be {} N s, which must be above 0; check \
-                 strike.high, strike.toe, \
-                 club.inertia and impact.tangential_restitution",
+                 strike.high, strike.toe, club.inertia and impact.tangential_restitution",
                 significant(push, 3)
             )));
         }
         Ok(impulse)
     }
 
-    /// The same collision from Winfield & Tan's 15 equations in 15 unknowns: 12 generalized speeds
-    /// and 3 components of the impulse R on the club; 12 equations of momentum (their eq. 15),
-    /// restitution (18) and no slip (19, 20). Slower by two orders: the oracle of
-    /// [`by_impulse`](Self::by_impulse).
+    /// The bodies after the collision from Winfield & Tan's 15 equations in 15 unknowns: 12
+    /// generalized speeds and the 3 components of the impulse R on the club; 12 equations of
+    /// momentum (their eq. 15), restitution (18) and no slip (19, 20). A hundred times slower than
+    /// [`by_impulse`](Self::by_impulse), which it verifies.
     ///
     /// # Errors
-    /// [`Error::Jammed`] where the system is singular.
+    /// [`Error::Jammed`] if the system is singular.
     pub fn by_generalized_speeds(&self) -> Result<Rebound<T>> {
-        const CLUB_VELOCITY: usize = 0;
-        const CLUB_SPIN: usize = 3;
-        const BALL_VELOCITY: usize = 6;
-        const BALL_SPIN: usize = 9;
-        const IMPULSE: usize = 12;
-        const CONTACT: usize = 12;
-        let axes: [Vector<T>; 3] = std::array::from_fn(|k| {
-            Vector::from_array(std::array::from_fn(|i| {
-                T::constant(f64::from(u8::from(i == k)))
-            }))
-        });
-        let to_ball_surface = -self.normal * self.ball_radius;
-        let mut a = [[T::zero(); 15]; 15];
-        let mut b = [T::zero(); 15];
-
-        let (velocity, spin) = (self.club_velocity.to_array(), self.club_spin.to_array());
-        for i in 0..3 {
-            // momenta of the bodies: ΔP = ± R, ΔL = r × (± R)
-            a[CLUB_VELOCITY + i][CLUB_VELOCITY + i] = self.club_mass;
-            a[CLUB_VELOCITY + i][IMPULSE + i] = T::constant(-1.0);
-            b[CLUB_VELOCITY + i] = self.club_mass * velocity[i];
-            a[BALL_VELOCITY + i][BALL_VELOCITY + i] = self.ball_mass;
-            a[BALL_VELOCITY + i][IMPULSE + i] = T::constant(1.0);
-            a[BALL_SPIN + i][BALL_SPIN + i] = self.ball_inertia;
-            for (k, axis) in axes.into_iter().enumerate() {
-                a[CLUB_SPIN + i][CLUB_SPIN + k] = self.club_inertia[i][k];
-                b[CLUB_SPIN + i] = b[CLUB_SPIN + i] + self.club_inertia[i][k] * spin[k];
-                a[CLUB_SPIN + i][IMPULSE + k] = -self.contact.cross(axis).to_array()[i];
-                a[BALL_SPIN + i][IMPULSE + k] = to_ball_surface.cross(axis).to_array()[i];
-            }
-        }
-
-        // separation along the normal and the two tangents: each −(coefficient) × approach
-        let approach = self.approach();
-        let [first, second] = self.tangents();
-        let directions = [
-            (self.normal, self.restitution),
-            (first, self.tangential_restitution),
-            (second, self.tangential_restitution),
-        ];
-        for (row, (direction, coefficient)) in directions.into_iter().enumerate() {
-            let (along, club_arm, ball_arm) = (
-                direction.to_array(),
-                self.contact.cross(direction).to_array(),
-                to_ball_surface.cross(direction).to_array(),
-            );
-            for i in 0..3 {
-                a[CONTACT + row][CLUB_VELOCITY + i] = along[i];
-                a[CONTACT + row][CLUB_SPIN + i] = club_arm[i];
-                a[CONTACT + row][BALL_VELOCITY + i] = -along[i];
-                a[CONTACT + row][BALL_SPIN + i] = -ball_arm[i];
-            }
-            b[CONTACT + row] = -coefficient * approach.dot(direction);
-        }
-
-        // of the velocities along the face, (g − 1) of what the turning of the head gives
-        // (docs/model.md, eq. 9a)
-        if let Some(scale) = self.gear_scale {
-            let rigid = Self {
-                gear_scale: None,
-                ..*self
-            };
-            let turned = rigid.turned_along_face(&rigid.contact_system().columns);
-            for (row, direction) in [self.normal, first, second].into_iter().enumerate() {
-                let more =
-                    self.normal * direction.dot(turned) + turned * direction.dot(self.normal);
-                for (i, part) in more.to_array().into_iter().enumerate() {
-                    a[CONTACT + row][IMPULSE + i] =
-                        a[CONTACT + row][IMPULSE + i] + part * (scale - 1.0);
-                }
-            }
-        }
-
-        let u = solve(a, b).ok_or_else(|| jammed("the 15 × 15 system is singular"))?;
+        let mut system = SpeedSystem {
+            a: [[T::zero(); 15]; 15],
+            b: [T::zero(); 15],
+        };
+        let directions = self.contact_directions();
+        system.add_momentum(self);
+        system.add_separation(self, &directions);
+        system.add_gear_scale(self, &directions);
+        let u =
+            solve(system.a, system.b).ok_or_else(|| jammed("the 15 × 15 system is singular"))?;
         let vector = |at: usize| Vector::new(u[at], u[at + 1], u[at + 2]);
         Ok(Rebound {
             impulse: -vector(IMPULSE),
@@ -374,10 +313,16 @@ impl<T: Number> Collision<T> {
         })
     }
 
-    /// Two unit tangents of the face at the contact point, perpendicular to each other.
+    /// The normal and two tangents of the face.
+    fn contact_directions(&self) -> [Vector<T>; 3] {
+        let [first, second] = self.tangents();
+        [self.normal, first, second]
+    }
+
+    /// Two perpendicular unit tangents of the face at the contact point.
     fn tangents(&self) -> [Vector<T>; 2] {
         let n = self.normal;
-        // turn about whichever axis the normal is farther from
+        // perpendicular to the axis that is farther from the normal
         let across = if n.y.re().abs() < 0.9 {
             Vector::new(n.z, T::zero(), -n.x)
         } else {
@@ -385,6 +330,97 @@ impl<T: Number> Collision<T> {
         };
         let first = across * across.norm().recip();
         [first, n.cross(first)]
+    }
+}
+
+// first rows and columns of the blocks of the 15 × 15 system
+const CLUB_VELOCITY: usize = 0;
+const CLUB_SPIN: usize = 3;
+const BALL_VELOCITY: usize = 6;
+const BALL_SPIN: usize = 9;
+const IMPULSE: usize = 12;
+const CONTACT: usize = 12;
+
+/// Winfield & Tan's 15 equations A u = b.
+struct SpeedSystem<T> {
+    a: [[T; 15]; 15],
+    b: [T; 15],
+}
+
+impl<T: Number> SpeedSystem<T> {
+    /// Momentum and angular momentum of both bodies (eq. 6): ΔP = ±R, ΔL = r × (±R).
+    fn add_momentum(&mut self, collision: &Collision<T>) {
+        let Self { a, b } = self;
+        let axes: [Vector<T>; 3] = std::array::from_fn(|k| {
+            Vector::from_array(std::array::from_fn(|i| {
+                T::constant(f64::from(u8::from(i == k)))
+            }))
+        });
+        let to_ball_surface = -collision.normal * collision.ball_radius;
+        let velocity = collision.club_velocity.to_array();
+        let spin = collision.club_spin.to_array();
+        for i in 0..3 {
+            a[CLUB_VELOCITY + i][CLUB_VELOCITY + i] = collision.club_mass;
+            a[CLUB_VELOCITY + i][IMPULSE + i] = T::constant(-1.0);
+            b[CLUB_VELOCITY + i] = collision.club_mass * velocity[i];
+            a[BALL_VELOCITY + i][BALL_VELOCITY + i] = collision.ball_mass;
+            a[BALL_VELOCITY + i][IMPULSE + i] = T::constant(1.0);
+            a[BALL_SPIN + i][BALL_SPIN + i] = collision.ball_inertia;
+            for (k, axis) in axes.into_iter().enumerate() {
+                let inertia = collision.club_inertia[i][k];
+                a[CLUB_SPIN + i][CLUB_SPIN + k] = inertia;
+                b[CLUB_SPIN + i] = b[CLUB_SPIN + i] + inertia * spin[k];
+                a[CLUB_SPIN + i][IMPULSE + k] = -collision.contact.cross(axis).to_array()[i];
+                a[BALL_SPIN + i][IMPULSE + k] = to_ball_surface.cross(axis).to_array()[i];
+            }
+        }
+    }
+
+    /// Separation along the normal and the tangents (eq. 7): −(coefficient) × approach.
+    fn add_separation(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
+        let Self { a, b } = self;
+        let approach = collision.approach();
+        let to_ball_surface = -collision.normal * collision.ball_radius;
+        let coefficients = [
+            collision.restitution,
+            collision.tangential_restitution,
+            collision.tangential_restitution,
+        ];
+        for (row, (direction, coefficient)) in directions.iter().zip(coefficients).enumerate() {
+            let along = direction.to_array();
+            let club_arm = collision.contact.cross(*direction).to_array();
+            let ball_arm = to_ball_surface.cross(*direction).to_array();
+            for i in 0..3 {
+                a[CONTACT + row][CLUB_VELOCITY + i] = along[i];
+                a[CONTACT + row][CLUB_SPIN + i] = club_arm[i];
+                a[CONTACT + row][BALL_VELOCITY + i] = -along[i];
+                a[CONTACT + row][BALL_SPIN + i] = -ball_arm[i];
+            }
+            b[CONTACT + row] = -coefficient * approach.dot(*direction);
+        }
+    }
+
+    /// Scale of the gear effect (eq. 9a): (g − 1) of the velocities along the face from the rotation
+    /// of the head.
+    fn add_gear_scale(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
+        let Some(scale) = collision.gear_scale else {
+            return;
+        };
+        let rigid = Collision {
+            gear_scale: None,
+            ..*collision
+        };
+        let w = rigid.gear_velocity(&rigid.contact_system().columns);
+        let n = collision.normal;
+        for (row, direction) in directions.iter().enumerate() {
+            let more = n * direction.dot(w) + w * direction.dot(n);
+            for (entry, part) in self.a[CONTACT + row][IMPULSE..]
+                .iter_mut()
+                .zip(more.to_array())
+            {
+                *entry = *entry + part * (scale - 1.0);
+            }
+        }
     }
 }
 

@@ -1,15 +1,15 @@
-//! Which ways to give the air and the wind go together.
+//! Alternative parameters of the air and the wind, and their conflicts.
 
 use super::declare::{Parameter, is_unset};
 use super::table::{Air, Setup};
 use crate::error::{Error, Result};
 use crate::units::Message;
 
-/// Parameters that may be given in two ways: where one of `by` is given, those of `replaced` follow
-/// from them.
+/// Two sets of parameters that describe the same thing: if one of `by` is set, the parameters of
+/// `replaced` follow from it.
 #[derive(Debug, PartialEq)]
 pub struct Ways {
-    /// What they are together: `air`, `wind`.
+    /// Name of what they describe: `air`, `wind`.
     pub name: &'static str,
     by: &'static [&'static str],
     replaced: &'static [&'static str],
@@ -38,14 +38,14 @@ static WAYS: [Ways; 2] = [
 ];
 
 impl Ways {
-    /// Whether a parameter is one of them.
+    /// Whether a parameter is in one of the two sets.
     pub(crate) fn has(&self, parameter: &Parameter) -> bool {
         [self.by, self.replaced]
             .iter()
             .any(|names| names.contains(&parameter.name))
     }
 
-    /// Those by which a setup gives it: what is set of `by`, or `replaced` where nothing is.
+    /// The parameters that a setup uses: those of `by` that are set, else `replaced`.
     pub(crate) fn given_in(&self, setup: &Setup<f64>) -> Vec<&'static Parameter> {
         let set = |names: &[&str]| -> Vec<&'static Parameter> {
             let rows = names.iter().filter_map(|name| setup.parameter(name).ok());
@@ -60,7 +60,7 @@ impl Ways {
     }
 }
 
-/// What two setups give by different parameters.
+/// The alternatives in which two setups use different parameters.
 pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
     WAYS.iter()
         .filter(|ways| ways.given_in(a) != ways.given_in(b))
@@ -68,7 +68,7 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
 }
 
 impl<T> Air<T> {
-    /// Whether the weather is given, from which density and viscosity follow.
+    /// Whether the weather is set, from which density and viscosity follow.
     #[inline(always)]
     pub fn has_weather(&self) -> bool {
         self.temperature.is_some()
@@ -78,20 +78,19 @@ impl<T> Air<T> {
     }
 }
 
-/// Whether `none` takes this parameter back: another way can give what it gives.
-pub(crate) fn is_taken_back(name: &str, text: &str) -> bool {
+/// Whether this text resets a replaceable parameter to its default: `air.density = "none"`.
+pub(crate) fn is_reset(name: &str, text: &str) -> bool {
     is_unset(text) && WAYS.iter().any(|ways| ways.replaced.contains(&name))
 }
 
-/// Whether a parameter follows from this other one, where that is given.
+/// Whether a parameter follows from another one, if that is set.
 #[cfg(feature = "cli")]
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     WAYS.iter()
         .any(|ways| ways.replaced.contains(&name) && ways.by.contains(&other))
 }
 
-/// What else may be given in place of this parameter, as the end of a sentence; empty where nothing
-/// else may.
+/// End of a sentence with the parameters that may replace this one; empty if there are none.
 pub(super) fn instead(name: &str) -> String {
     let ways = WAYS.iter().find(|ways| ways.replaced.contains(&name));
     ways.map_or_else(String::new, |ways| {
@@ -99,11 +98,11 @@ pub(super) fn instead(name: &str) -> String {
     })
 }
 
-/// Whether nothing of these names, in the order in which they were given, is replaced by something
-/// else of them, or by what is set.
+/// Refuses a parameter that is replaced by another one, either among these names, in the order in
+/// which they were given, or already set.
 ///
 /// # Errors
-/// [`Error::Together`], with how to take back what was given first.
+/// [`Error::Together`], with advice how to unset the first one.
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
     for Ways {
         by: by_all,
@@ -120,7 +119,7 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
             .find(|name| names.contains(name) || is_set(name))
         {
             let place = |name: &&&str| names.iter().position(|given| *given == **name);
-            // what is set and not named was given before
+            // a parameter that is set and not named was given before
             let is_by_first = place(&by) < place(&given);
             let is_given = |name: &&&str| names.contains(*name) || is_by_first && is_set(name);
             let first = if is_by_first { by_all } else { replaced };
@@ -144,9 +143,8 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
 }
 
 impl Setup<f64> {
-    /// Whether nothing of these names, which are given, is replaced by something else that is
-    /// given: density and viscosity follow from the weather where any of it is set, and the
-    /// components of the wind from its speed and direction.
+    /// Refuses given parameters that others replace: density and viscosity follow from the weather
+    /// if any of it is set, and the components of the wind from its speed and direction.
     ///
     /// ```
     /// let mut setup = longdrive::Setup::default();
@@ -167,12 +165,12 @@ impl Setup<f64> {
             .is_ok_and(|parameter| self.value(parameter).is_some())
     }
 
-    /// The weather that is given outside of what the equation of the density was made for or
-    /// compared in (docs/sources.md): the density follows from it by extrapolation. Below 15 °C
-    /// there is little vapour in the air, and that of dry air is known.
-    pub(super) fn unproven_weather(&self) -> Vec<Message> {
+    /// Warnings about weather outside the validated range of the equation of the density
+    /// (docs/sources.md), which is then extrapolated. The equation is for 15 °C and above; colder
+    /// air holds little vapour, and the density of dry air is known.
+    pub(super) fn weather_warnings(&self) -> Vec<Message> {
         const PRESSURE: [f64; 2] = [60_000.0, 110_000.0];
-        // where the standard atmosphere has about these pressures, m
+        // altitudes with about these pressures in the standard atmosphere, m
         const ALTITUDE: [f64; 2] = [-700.0, 4200.0];
         const TEMPERATURE: [f64; 2] = [0.0, 273.15 + 40.0];
         let rows = [
@@ -180,7 +178,7 @@ impl Setup<f64> {
             ("air.altitude", ALTITUDE),
             ("air.temperature", TEMPERATURE),
         ];
-        let told = |(name, [low, high]): (&str, [f64; 2])| {
+        let warning = |(name, [low, high]): (&str, [f64; 2])| {
             let parameter = self.parameter(name).ok()?;
             let value = self
                 .value(parameter)
@@ -191,18 +189,18 @@ impl Setup<f64> {
                 ("above ", high)
             };
             let message = parameter
-                .place(format!("{name} = ").into(), value)
+                .append_value(format!("{name} = ").into(), value)
                 .words(format!(" is {before}"));
-            let message = parameter.place(message, end);
+            let message = parameter.append_value(message, end);
             Some(message.words(
                 ": there the equation of the air's density (CIPM-2007) is extrapolated, and its \
                  error is not known",
             ))
         };
-        rows.into_iter().filter_map(told).collect()
+        rows.into_iter().filter_map(warning).collect()
     }
 
-    /// Why the value of a parameter is not used, if something that is set replaces it.
+    /// Reason why the value of a parameter is not used: a set parameter replaces it.
     pub fn why_replaced(&self, parameter: &Parameter) -> Option<String> {
         let ways = WAYS
             .iter()
@@ -214,8 +212,7 @@ impl Setup<f64> {
         ))
     }
 
-    /// Whether the weather and the wind that are set, and those of these names, are each given once
-    /// and wholly.
+    /// Refuses weather and wind, set or among these names, that are given twice or in part.
     ///
     /// # Errors
     /// [`Error::Together`].
@@ -232,17 +229,15 @@ impl Setup<f64> {
             return refuse(
                 "air.pressure and air.altitude are both given",
                 "the altitude gives a pressure too, that of the standard atmosphere; keep one of \
-                 the two: \
-                 leave one out, or take back what the setup gives with `set air.altitude=none` or \
-                 `set air.pressure=none`",
+                 the two: leave one out, or take back what the setup gives with `set \
+                 air.altitude=none` or `set air.pressure=none`",
             );
         }
         match [has("wind.speed", wind.speed), has("wind.from", wind.from)] {
             [true, false] => refuse(
                 "wind.speed is given without wind.from",
                 "say where the wind comes from, clockwise from the target line: 0 deg is a head \
-                 wind, 90 deg is from the right, \
-                 180 deg is a tail wind",
+                 wind, 90 deg is from the right, 180 deg is a tail wind",
             ),
             [false, true] => refuse(
                 "wind.from is given without wind.speed",
@@ -251,8 +246,7 @@ impl Setup<f64> {
             [true, true] if wind.right != 0.0 || wind.downrange != 0.0 => refuse(
                 "wind.speed and a component of the wind along the ground are both given",
                 "wind.right and wind.downrange follow from wind.speed and wind.from; keep one of \
-                 the two (0 m/s for the \
-                 components, none for wind.speed and wind.from)",
+                 the two (0 m/s for the components, none for wind.speed and wind.from)",
             ),
             _ => self.refuse_replaced(names),
         }

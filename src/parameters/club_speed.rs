@@ -1,22 +1,22 @@
 use crate::error::{Error, Result};
 
-/// The point of the head whose motion `swing.speed`, `swing.attack_angle` and `swing.path` state. A
-/// head that turns moves differently at each of its points (docs/model.md, eq. 1a).
+/// Point of the head whose velocity `swing.speed`, `swing.attack_angle` and `swing.path` give. The
+/// points of a rotating head have different velocities (docs/model.md, eq. 1a).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum SpeedOf {
-    /// The centre of mass. Radars state the centre of the head's outline, which lies within
-    /// millimetres of it.
+    /// The centre of mass. Radars measure the centre of the head's outline, within millimetres of
+    /// it.
     #[default]
     CentreOfMass,
-    /// The centre of the face, to whose markers camera systems hold.
+    /// The centre of the face, where the markers of camera systems are.
     FaceCentre,
 }
 
-/// The name by which the point is chosen: `swing.speed_of = "face-centre"`.
+/// Name of the setting: `swing.speed_of = "face-centre"`.
 pub const SPEED_OF: &str = "swing.speed_of";
 
 impl SpeedOf {
-    /// Both.
+    /// All points.
     pub const ALL: &'static [Self] = &[Self::CentreOfMass, Self::FaceCentre];
 
     /// Its name in `swing.speed_of`.

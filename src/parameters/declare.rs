@@ -1,71 +1,116 @@
-//! The machinery behind the parameter table: what a row is, and the two macros that turn rows into
-//! typed fields of a [`Setup`](super::Setup). A parameter is declared once, in `table.rs`;
-//! everything else (setup files, `--set`, `--vary`, `--wrt`, JSON keys, listings) walks the rows.
+//! Macros that turn the rows of the parameter table (`table.rs`) into typed structs. Setup files,
+//! settings by name, JSON keys and listings iterate over the rows.
+//!
+//! The row
+//!
+//! ```text
+//! strike: Strike {
+//!     /// Impact point towards the toe.
+//!     toe: T = "strike.toe", "r₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "0 mm", "sweet spot";
+//! }
+//! ```
+//!
+//! expands to
+//!
+//! ```text
+//! pub struct Strike<T> { pub toe: T }
+//!
+//! impl Strike<f64> {
+//!     fn rows() -> &'static [Parameter; 1] {
+//!         static ROWS: [Parameter; 1] = [Parameter {
+//!             name: "strike.toe",
+//!             symbol: "r₂",
+//!             quantity: Quantity::LENGTH,
+//!             unit: "mm",
+//!             range: Range::from_to(-0.2, 0.2),
+//!             default: "0 mm",
+//!             source: "sweet spot",
+//!             doc: "Impact point towards the toe.",
+//!             kind: Kind::Required,           // Optional for an Option<T>, Setting for an f64
+//!             unset: None,                    // Some(0.0) for `or 0.0`
+//!             law: None,                      // Some(name) for a coefficient of a law
+//!         }];
+//!         &ROWS
+//!     }
+//!     fn defaults() -> Self { let [toe] = Self::rows(); Self { toe: value(toe) } }
+//! }
+//!
+//! impl<T: Copy> Strike<T> {
+//!     fn map<U>(&self, f) -> Strike<U> { let [toe] = rows(); Strike { toe: f(toe, self.toe) } }
+//!     fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
+//!         if parameter == toe { return Some(Slot::Required(&mut self.toe)); }
+//!         None
+//!     }
+//! }
+//! ```
+//!
+//! `parameter_struct!` writes this for one struct. `parameter_groups!` calls it for each group and
+//! writes [`Setup`](super::Setup), with one field a group; `law_coefficients!` calls it for each
+//! law and writes [`Law`](super::Law), with one variant a law. `slot!` selects between the three
+//! kinds of fields.
 
 use super::Range;
 use crate::units::{Digits, Message, Quantity};
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
-/// What kind of slot a parameter fills.
+/// Kind of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Always has a value.
     Required,
-    /// May be unset; its documentation says what then holds.
+    /// May be unset; its documentation gives the meaning of that.
     Optional,
-    /// A setting of the computation, not of the drive: it has no derivative.
+    /// A setting of the computation, without derivatives.
     Setting,
 }
 
-/// One row of the table: a scalar of the model. The rows are all there are:
-/// [`Setup::parameter`](super::Setup::parameter) finds one by its name. Two laws may each have a
-/// coefficient of the same name; these are two parameters.
+/// One row of the parameter table: a scalar of the model.
+/// [`Setup::parameter`](super::Setup::parameter) finds it by its name. Coefficients of two laws may
+/// have the same name; they are two parameters.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Parameter {
-    /// Dotted name, as in setup files: `club.loft`.
+    /// Dotted name in setup files: `club.loft`.
     pub name: &'static str,
     /// Symbol in `docs/model.md`.
     pub symbol: &'static str,
     /// Kind of quantity, with its SI unit.
     pub quantity: Quantity,
-    /// The unit people read it in.
+    /// Display unit.
     pub unit: &'static str,
-    /// The values it may have.
+    /// Allowed values.
     pub range: Range,
-    /// Its value in the preset `modern-driver`, or for a coefficient of an aerodynamic law the
-    /// published one.
+    /// Value in the preset `modern-driver`; for a coefficient of a law, the published value.
     pub default: &'static str,
-    /// Where the default comes from.
+    /// Source of the default.
     pub source: &'static str,
     /// One line of documentation.
     pub doc: &'static str,
     /// Required, optional or a setting.
     pub kind: Kind,
-    /// The value, SI, that it counts as where it is unset; `None` where no number says what then
-    /// holds.
+    /// Value, SI, of the unset parameter; `None` if unset does not mean a number.
     pub unset: Option<f64>,
-    /// The aerodynamic law it is a coefficient of, if any.
+    /// Aerodynamic law of a coefficient; `None` for other parameters.
     pub law: Option<&'static str>,
 }
 
 impl Parameter {
-    /// The default in SI; `None` where the parameter is unset by default.
+    /// The default, SI; `None` if the parameter is unset by default.
     pub fn default_value(&self) -> Option<f64> {
         if self.default == UNSET {
             return None;
         }
-        // every default is read back in a test
+        // a test parses every default
         Some(self.quantity.read(self.default).unwrap_or(f64::NAN))
     }
 
-    /// A message with a value of this parameter after it.
-    pub(crate) fn place(&self, message: Message, value: f64) -> Message {
+    /// Appends a value of this parameter to a message.
+    pub(crate) fn append_value(&self, message: Message, value: f64) -> Message {
         message.quantity(self.quantity, self.unit, value, Digits::Significant(5))
     }
 
-    /// A value as a person reads it.
+    /// A value as text, in the display unit.
     pub fn show(&self, value: Option<f64>) -> String {
         value.map_or_else(
             || UNSET.into(),
@@ -74,7 +119,7 @@ impl Parameter {
     }
 }
 
-/// Rows are statics: one is equal to itself only.
+/// Rows are statics, compared by address.
 impl PartialEq for Parameter {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
@@ -83,21 +128,21 @@ impl PartialEq for Parameter {
 
 impl Eq for Parameter {}
 
-/// Of its name and its law, which no other row has.
+/// Name and law identify a row.
 impl Hash for Parameter {
     fn hash<H: Hasher>(&self, state: &mut H) {
         (self.name, self.law).hash(state);
     }
 }
 
-/// Its name.
+/// The name.
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name)
     }
 }
 
-/// How an optional parameter is unset: `impact.friction = "none"`.
+/// Text that unsets an optional parameter: `impact.friction = "none"`.
 pub const UNSET: &str = "none";
 
 /// Whether a text unsets a parameter.
@@ -105,7 +150,7 @@ pub(crate) fn is_unset(text: &str) -> bool {
     [UNSET, "default"].contains(&text.trim())
 }
 
-/// A mutable place of a parameter in a setup.
+/// Mutable reference to the value of a parameter in a setup.
 pub(super) enum Slot<'a, T> {
     Required(&'a mut T),
     Optional(&'a mut Option<T>),
@@ -113,7 +158,7 @@ pub(super) enum Slot<'a, T> {
 }
 
 impl Slot<'_, f64> {
-    /// What stands there.
+    /// The value; `None` if unset.
     pub fn value(&self) -> Option<f64> {
         match self {
             Self::Required(value) | Self::Setting(value) => Some(**value),
@@ -122,7 +167,7 @@ impl Slot<'_, f64> {
     }
 }
 
-/// What the type of a field, `T`, `Option<T>` or `f64`, means for the walks over the rows.
+/// Code for the type of a field: `T`, `Option<T>` or `f64`.
 macro_rules! slot {
     (kind T) => {
         Kind::Required
@@ -169,7 +214,7 @@ macro_rules! slot {
     };
 }
 
-/// One struct with a public field per row, and the walks over its rows.
+/// A struct with one public field a row, and functions that iterate over its rows.
 macro_rules! parameter_struct {
     ($(#[doc = $doc:literal])* $Group:ident, $law:expr, {
         $( $(#[doc = $field_doc:literal])+ $field:ident : $kind:ident $(<$of:ident>)? $(or $unset:literal)? =
@@ -184,7 +229,7 @@ macro_rules! parameter_struct {
         }
 
         impl $Group<f64> {
-            /// The rows of the table that this struct is made of.
+            /// The rows of this struct.
             pub(super) fn rows() -> &'static [Parameter; [$(stringify!($field)),+].len()] {
                 static ROWS: [Parameter; [$(stringify!($field)),+].len()] = [$( Parameter {
                     name: $name,
@@ -210,17 +255,17 @@ macro_rules! parameter_struct {
         }
 
         impl<T: Copy> $Group<T> {
-            /// The same struct over another number.
+            /// Converts the number type.
             #[inline(always)]
             pub(super) fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> $Group<U> {
                 let [$($field),+] = $Group::<f64>::rows();
                 $Group { $( $field: slot!(map $kind f $field self.$field), )+ }
             }
 
-            /// The place of a parameter, if it is one of this struct.
+            /// The value of a parameter; `None` if it belongs to another struct.
             fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
                 let rows = $Group::<f64>::rows();
-                // most parameters are of another struct
+                // most parameters belong to another struct
                 if !rows.as_ptr_range().contains(&std::ptr::from_ref(parameter)) {
                     return None;
                 }
@@ -232,13 +277,13 @@ macro_rules! parameter_struct {
     };
 }
 
-/// The groups of a setup: a struct each, and the `Setup` that holds them all beside the law.
+/// The groups of a setup, a struct each, and `Setup` with one field a group and the law.
 macro_rules! parameter_groups {
     ($( $(#[doc = $doc:literal])* $group:ident : $Group:ident $rows:tt )+) => {
         $( parameter_struct! { $(#[doc = $doc])* $Group, None, $rows } )+
 
-        /// Everything a drive depends on: each parameter of `docs/model.md`, over the number `T`,
-        /// and the aerodynamic law with its coefficients.
+        /// Everything a drive depends on: the parameters of `docs/model.md` over the number type
+        /// `T`, and the aerodynamic law with its coefficients.
         ///
         /// ```
         /// use longdrive::Setup;
@@ -262,19 +307,19 @@ macro_rules! parameter_groups {
         impl Default for Setup<f64> {
             /// The preset `modern-driver`.
             fn default() -> Self {
-                // the table's texts are read once: with their units that takes longer than a drive
-                static READ: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
+                // parsed once: the texts with their units take longer to parse than a drive takes
+                static DEFAULT: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
                     let (law, method) = (Law::default(), Method::default());
                     let (golfer, speed_of) = (Golfer::default(), SpeedOf::default());
                     Setup { $( $group: $Group::defaults(), )+ law, method, golfer, speed_of }
                 });
-                *READ
+                *DEFAULT
             }
         }
 
         impl<T: Copy> Setup<T> {
-            /// The same setup over another number: `f` makes it from each parameter and its value.
-            /// Settings and unset parameters stay as they are.
+            /// Converts the number type: `f` converts the value of each parameter. Settings and
+            /// unset parameters are unchanged.
             #[inline(always)]
             pub fn map<U>(&self, mut f: impl FnMut(&'static Parameter, T) -> U) -> Setup<U> {
                 let f = &mut f;
@@ -282,14 +327,14 @@ macro_rules! parameter_groups {
                 Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method, golfer, speed_of }
             }
 
-            /// The parameters that this setup has, in the table's order: all groups, then the
+            /// The parameters of this setup in the order of the table: all groups, then the
             /// coefficients of its law.
             pub fn parameters(&self) -> Vec<&'static Parameter> {
                 let groups = [$( $Group::rows().as_slice(), )+ self.law.rows()];
                 groups.into_iter().flatten().collect()
             }
 
-            /// The place of a parameter; none where it belongs to another law.
+            /// The value of a parameter; `None` for a coefficient of another law.
             #[inline(never)]
             pub(super) fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
                 $( if let Some(slot) = self.$group.slot(parameter) { return Some(slot); } )+
@@ -299,23 +344,23 @@ macro_rules! parameter_groups {
     };
 }
 
-/// The aerodynamic laws: a struct of coefficients each, and the enum over them.
+/// The aerodynamic laws: a struct of coefficients each, and the enum `Law`.
 macro_rules! law_coefficients {
     ($d:tt $( $(#[doc = $doc:literal])* $name:literal : $Law:ident $rows:tt )+) => {
         $( parameter_struct! { $(#[doc = $doc])* $Law, Some($name), $rows } )+
 
-        /// An aerodynamic law with its coefficients. What it says of drag and lift stands in
-        /// [`aerodynamics`](crate::aerodynamics), a file per law.
+        /// An aerodynamic law with its coefficients. Its formulas are in
+        /// [`aerodynamics`](crate::aerodynamics), one file a law.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum Law<T> {
             $( $(#[doc = $doc])* $Law($Law<T>), )+
             /// Splines through your own table (`aero.table`): C_D = cd_factor D and C_L = cl_factor
-            /// L, held beyond its edges, no lift without spin.
+            /// L, constant beyond its edges, no lift without spin.
             Table(Table<T>),
         }
 
         impl Law<f64> {
-            /// The names of the published laws, as `aero.law` takes them.
+            /// Names of the published laws, for `aero.law`.
             pub const NAMES: &'static [&'static str] = &[$($name),+];
 
             /// The published law of this name with its coefficients.
@@ -326,7 +371,7 @@ macro_rules! law_coefficients {
                 }
             }
 
-            /// The rows of every law, one law after the other.
+            /// The rows of all laws.
             pub fn all_rows() -> impl Iterator<Item = &'static Parameter> {
                 [$( $Law::rows().as_slice(), )+ Table::rows()].into_iter().flatten()
             }
@@ -338,7 +383,7 @@ macro_rules! law_coefficients {
                 match self { $( Self::$Law(_) => $name, )+ Self::Table(_) => TABLE_LAW }
             }
 
-            /// What it says of drag and lift.
+            /// Its formulas of drag and lift, as text.
             pub fn formula(&self) -> &'static str {
                 match self { $( Self::$Law(_) => concat!($($doc),*).trim_ascii(), )+ Self::Table(_) => Table::FORMULA }
             }
@@ -357,7 +402,7 @@ macro_rules! law_coefficients {
             }
         }
 
-        /// Does the same with whichever law it is: `with_law!(law, |l| expression)`.
+        /// Evaluates an expression for the law of any variant: `with_law!(law, |l| expression)`.
         macro_rules! with_law {
             ($d law:expr, |$d l:ident| $d body:expr) => {
                 match $d law {

@@ -1,7 +1,7 @@
-//! Setup files: TOML whose keys are the parameters' dotted names. A quantity with a dimension is a
-//! string with its unit; every mistake is reported with its line and column.
+//! Setup files: TOML with the dotted names of parameters as keys. A quantity with a dimension is a
+//! string with its unit. Errors have a line and a column.
 
-use super::air::is_taken_back;
+use super::air::is_reset;
 use super::club_speed::SPEED_OF;
 use super::declare::{Parameter, UNSET};
 use super::golfer::GOLFER;
@@ -16,10 +16,10 @@ use crate::external_errors::toml_error_text;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
-/// The key that names the preset a file starts from.
+/// Key of the preset that a file starts from.
 const PRESET: &str = "preset";
 
-/// A value of the file with its dotted key, and where both stand.
+/// A value of the file with its dotted key; positions are byte offsets.
 struct Item<'a> {
     key: String,
     key_at: usize,
@@ -28,24 +28,24 @@ struct Item<'a> {
 }
 
 impl Item<'_> {
-    /// Whether it takes its parameter back, which something else gives.
-    fn is_taken_back(&self) -> bool {
+    /// Whether it resets a replaceable parameter (`none`).
+    fn is_reset(&self) -> bool {
         self.value
             .as_str()
-            .is_some_and(|text| is_taken_back(&self.key, text))
+            .is_some_and(|text| is_reset(&self.key, text))
     }
 }
 
-/// What a setup file says.
+/// Contents of a setup file.
 #[derive(Clone, Debug)]
 pub struct SetupFile {
     /// The setup.
     pub setup: Setup<f64>,
     /// The preset that it starts from: [`DEFAULT_PRESET`] where the file names none.
     pub preset: &'static Preset,
-    /// The parameters that the file itself gives, in their order there.
+    /// Parameters that the file gives, in its order.
     pub given: Vec<&'static Parameter>,
-    /// Whether the file itself says how to integrate: flight.method or flight.step.
+    /// Whether the file gives flight.method or flight.step.
     pub gives_step: bool,
 }
 
@@ -53,7 +53,7 @@ impl SetupFile {
     /// Reads a setup file.
     ///
     /// # Errors
-    /// [`Error::File`] where it cannot be opened; otherwise as [`Setup::from_toml`].
+    /// [`Error::File`] if it cannot be opened; those of [`Setup::from_toml`].
     pub fn open(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
         match std::fs::read_to_string(path) {
@@ -66,11 +66,11 @@ impl SetupFile {
         }
     }
 
-    /// Reads the text of a setup file; `file` is what messages call it, and other files are named
-    /// from where that is.
+    /// Parses the text of a setup file. `file` is its name in messages; paths in the text are
+    /// relative to its folder.
     ///
     /// # Errors
-    /// As [`Setup::from_toml`].
+    /// Those of [`Setup::from_toml`].
     pub fn read(text: &str, file: &str) -> Result<Self> {
         let table = DeTable::parse(text).map_err(|error| Error::Toml {
             file: file.into(),
@@ -78,80 +78,91 @@ impl SetupFile {
         })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
-        // as they stand in the file, but the preset and the law before what builds on them
+        // in the order of the file, but the preset, the table, the turf and the law first
         let rank = |key: &str| match key {
             PRESET => 0,
             TABLE | TURF => 1,
             LAW => 2,
             _ => 3,
         };
-        items.sort_by_key(|item| (rank(&item.key), item.is_taken_back(), item.key_at));
+        items.sort_by_key(|item| (rank(&item.key), item.is_reset(), item.key_at));
+        refuse_duplicate_keys(&items, text, file)?;
 
-        for (i, item) in items.iter().enumerate() {
-            if let Some(first) = items[..i].iter().find(|first| first.key == item.key) {
-                let (line, _) = place_in(text, first.key_at);
-                return Err(in_file(
-                    text,
-                    file,
-                    item.key_at,
-                    Error::Twice {
-                        key: item.key.clone(),
-                        line,
-                    },
-                ));
-            }
-        }
         let mut setup = Setup::preset(DEFAULT_PRESET)?;
-        // other files are named from where this one is
         let folder = Path::new(file).parent().unwrap_or(Path::new(""));
         for item in &items {
             setup
                 .apply(item, folder)
                 .map_err(|(at, source)| in_file(text, file, at, source))?;
         }
-        if let Some(turf) = items.iter().find(|item| item.key == TURF) {
-            refuse_idle_turf(|name| items.iter().any(|item| item.key == name))
-                .map_err(|source| in_file(text, file, turf.key_at, source))?;
-        }
-        for item in items.iter().filter(|item| !item.is_taken_back()) {
-            setup
-                .refuse_replaced(&[&item.key])
-                .map_err(|source| in_file(text, file, item.key_at, source))?;
-        }
-        let named = items
+        refuse_conflicts(&setup, &items, text, file)?;
+        Self::summarised(setup, &items)
+    }
+
+    /// The contents of a file with these items.
+    fn summarised(setup: Setup<f64>, items: &[Item<'_>]) -> Result<Self> {
+        let preset = items
             .iter()
             .find(|item| item.key == PRESET)
-            .and_then(|item| item.value.as_str());
+            .and_then(|item| item.value.as_str())
+            .unwrap_or(DEFAULT_PRESET);
         let given = items
             .iter()
-            .filter(|item| !item.is_taken_back())
+            .filter(|item| !item.is_reset())
             .filter_map(|item| setup.parameter(&item.key).ok())
             .collect();
-        let preset = Preset::known(named.unwrap_or(DEFAULT_PRESET))?;
         let gives_step = items
             .iter()
             .any(|item| matches!(item.key.as_str(), METHOD | "flight.step"));
         Ok(Self {
             setup,
-            preset,
+            preset: Preset::known(preset)?,
             given,
             gives_step,
         })
     }
 }
 
+fn refuse_duplicate_keys(items: &[Item<'_>], text: &str, file: &str) -> Result<()> {
+    for (i, item) in items.iter().enumerate() {
+        if let Some(first) = items[..i].iter().find(|first| first.key == item.key) {
+            let (line, _) = place_in(text, first.key_at);
+            let source = Error::Twice {
+                key: item.key.clone(),
+                line,
+            };
+            return Err(in_file(text, file, item.key_at, source));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a turf without effect, and parameters that others in the file replace.
+fn refuse_conflicts(setup: &Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<()> {
+    if let Some(turf) = items.iter().find(|item| item.key == TURF) {
+        refuse_idle_turf(|name| items.iter().any(|item| item.key == name))
+            .map_err(|source| in_file(text, file, turf.key_at, source))?;
+    }
+    for item in items.iter().filter(|item| !item.is_reset()) {
+        setup
+            .refuse_replaced(&[&item.key])
+            .map_err(|source| in_file(text, file, item.key_at, source))?;
+    }
+    Ok(())
+}
+
 impl Setup<f64> {
     /// Reads a setup file.
     ///
     /// # Errors
-    /// As [`SetupFile::open`].
+    /// Those of [`SetupFile::open`].
     pub fn from_file(path: &Path) -> Result<Self> {
         SetupFile::open(path).map(|file| file.setup)
     }
 
-    /// Reads the text of a setup file; `file` is what messages call it. What the file leaves out
-    /// comes from its `preset`, or from [`DEFAULT_PRESET`](crate::parameters::DEFAULT_PRESET) where
-    /// it names none.
+    /// Parses the text of a setup file; `file` is its name in messages. Parameters that the file
+    /// does not give have the values of its `preset`, by default
+    /// [`DEFAULT_PRESET`](crate::parameters::DEFAULT_PRESET).
     ///
     /// ```
     /// use longdrive::Setup;
@@ -162,7 +173,7 @@ impl Setup<f64> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Toml`] where it is not TOML; [`Error::InFile`] with the place of anything else.
+    /// [`Error::Toml`] if it is not TOML; [`Error::InFile`] with line and column of another error.
     pub fn from_toml(text: &str, file: &str) -> Result<Self> {
         SetupFile::read(text, file).map(|file| file.setup)
     }
@@ -209,7 +220,7 @@ impl Setup<f64> {
         }
         let parameter = self.parameter(&item.key).map_err(|e| (item.key_at, e))?;
         let value = match item.value {
-            DeValue::String(_) if item.is_taken_back() => Ok(None),
+            DeValue::String(_) if item.is_reset() => Ok(None),
             DeValue::String(text) => parameter.read(text, false),
             DeValue::Integer(number) => parameter.read(&number.to_string(), false),
             DeValue::Float(number) => parameter.read(number.as_str(), false),
@@ -268,7 +279,7 @@ fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) 
     }
 }
 
-/// What is wrong at a place of a file.
+/// Adds file, line and column to an error.
 pub(crate) fn in_file(text: &str, file: &str, at: usize, source: Error) -> Error {
     let (line, column) = place_in(text, at);
     Error::InFile {
@@ -279,7 +290,7 @@ pub(crate) fn in_file(text: &str, file: &str, at: usize, source: Error) -> Error
     }
 }
 
-/// Line and column of a byte, from 1.
+/// Line and column of a byte offset, from 1.
 pub(crate) fn place_in(text: &str, at: usize) -> (usize, usize) {
     let before = text.get(..at).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);

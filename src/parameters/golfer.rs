@@ -1,7 +1,7 @@
 use crate::error::{Error, Result};
 
-/// The hand of the golfer. Swing, strike and club are stated in the golfer's own terms, so that
-/// those of a left-hander give the mirror image of what they give of a right-hander.
+/// Handedness of the golfer. Swing, strike and club are in the golfer's own terms: the same numbers
+/// give mirror images for the two hands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Golfer {
     /// A right-handed golfer: out, open and the toe are to the right.
@@ -11,11 +11,11 @@ pub enum Golfer {
     Left,
 }
 
-/// The name by which the hand is chosen: `golfer = "left"`.
+/// Name of the setting: `golfer = "left"`.
 pub const GOLFER: &str = "golfer";
 
 impl Golfer {
-    /// Both.
+    /// Both hands.
     pub const ALL: &'static [Self] = &[Self::Right, Self::Left];
 
     /// Its name in `golfer`.

@@ -1,4 +1,4 @@
-//! What makes three moments and three products the inertia tensor of a body.
+//! Inertia tensor of the head, and the conditions for it.
 
 use super::declare::Parameter;
 use super::table::Club;
@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use nalgebra::Matrix3;
 
 impl Parameter {
-    /// Whether it is an entry of the inertia tensor, whose entries must fit each other.
+    /// Whether it is an entry of the inertia tensor, whose entries are checked together.
     pub(crate) fn is_of_inertia(&self) -> bool {
         self.name.starts_with("club.inertia")
     }
@@ -33,11 +33,13 @@ impl Club<f64> {
         moments
     }
 
+    /// Checks that the tensor is positive definite.
+    ///
     /// # Errors
-    /// [`Error::Inertia`] for a tensor that is no body's.
+    /// [`Error::Inertia`].
     pub(crate) fn check_inertia(&self) -> Result<()> {
         let [smallest, _, largest] = self.principal_moments();
-        // eigenvalues are good to rounding of the largest
+        // eigenvalues are accurate to the rounding of the largest
         if smallest > 1e-14 * largest {
             Ok(())
         } else {
@@ -45,14 +47,14 @@ impl Club<f64> {
         }
     }
 
-    /// Two principal moments of a rigid body are together at least as large as the third.
+    /// Warning about a violated triangle inequality: of a rigid body, the sum of two principal
+    /// moments is at least the third.
     pub(super) fn triangle_warning(&self) -> Option<String> {
         let [a, b, c] = self.principal_moments();
         (a + b < c * (1.0 - 1e-12)).then(|| {
             format!(
                 "club.inertia: no rigid body has the principal moments {a:.4e}, {b:.4e} and \
-                 {c:.4e} kg m^2 \
-                 (the sum of the two smaller must be at least the largest); the drive is computed \
+                 {c:.4e} kg m^2 (the sum of the two smaller must be at least the largest); the drive is computed \
                  with them all the same"
             )
         })

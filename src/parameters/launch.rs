@@ -1,13 +1,13 @@
-//! Which launch conditions go together.
+//! Launch conditions that must be given together.
 
 use super::table::{LaunchConditions, Setup};
 use crate::error::{Error, Result};
 
-/// The group of the launch conditions, in front of their names.
+/// Prefix of the names of launch conditions.
 const GROUP: &str = "launch.";
 
 impl super::Parameter {
-    /// Whether it is of the club and its strike, of which nothing depends where the launch is
+    /// Whether it is a parameter of swing, strike, club or impact: without effect if the launch is
     /// given.
     pub fn is_of_strike(&self) -> bool {
         ["swing.", "strike.", "club.", "impact."]
@@ -15,7 +15,7 @@ impl super::Parameter {
             .any(|group| self.name.starts_with(group))
     }
 
-    /// Whether it is of the ball, on which impact and flight depend.
+    /// Whether it is a parameter of the ball, on which impact and flight depend.
     pub(crate) fn is_of_ball(&self) -> bool {
         self.name.starts_with("ball.")
     }
@@ -27,18 +27,18 @@ impl super::Parameter {
 }
 
 impl<T: Copy> LaunchConditions<T> {
-    /// Whether a launch is given, so that no club strikes the ball.
+    /// Whether the launch is given and no club strikes the ball.
     pub fn is_given(&self) -> bool {
         self.ball_speed.is_some()
     }
 }
 
 impl Setup<f64> {
-    /// Whether the launch conditions that are set, and those of these names, make one launch: none
-    /// at all, or ball speed, launch angle, and the spin once.
+    /// Checks that the launch conditions that are set or among these names are complete: either
+    /// none, or ball speed, launch angle, and the spin in one form.
     ///
     /// # Errors
-    /// [`Error::Launch`] with what is missing or given twice.
+    /// [`Error::Launch`] with the missing or duplicate condition.
     pub(crate) fn check_launch(&self, names: &[&str]) -> Result<()> {
         let mut given = vec![];
         for parameter in self.parameters() {
@@ -76,8 +76,8 @@ impl Setup<f64> {
         }
     }
 
-    /// Where the spin is to be given in one form (backspin and sidespin, or spin and its axis),
-    /// unsets the other form.
+    /// Unsets the other form of the spin: for backspin and sidespin, total spin and axis; and vice
+    /// versa.
     pub fn replace_spin(&mut self, given: &super::Parameter) {
         match given.name {
             "launch.backspin" => (self.launch.spin, self.launch.spin_axis) = (None, None),
@@ -86,14 +86,14 @@ impl Setup<f64> {
         }
     }
 
-    /// The launch conditions that have a value.
+    /// Launch conditions with a value.
     pub fn given_launch_conditions(&self) -> Vec<&'static super::Parameter> {
         let mut given = self.parameters();
         given.retain(|parameter| parameter.is_of_launch() && self.value(parameter).is_some());
         given
     }
 
-    /// The names of the launch conditions, without their group.
+    /// Names of the launch conditions without their prefix: `ball_speed`.
     pub fn launch_conditions(&self) -> Vec<&'static str> {
         self.parameters()
             .iter()
@@ -101,7 +101,7 @@ impl Setup<f64> {
             .collect()
     }
 
-    /// The launch condition of this name, without its group: `ball_speed` for `launch.ball_speed`.
+    /// The launch condition with this name without its prefix: `ball_speed`.
     pub fn launch_condition(&self, name: &str) -> Option<&'static super::Parameter> {
         self.parameter(&format!("{GROUP}{name}")).ok()
     }

@@ -1,6 +1,6 @@
 use crate::error::{Error, Result};
 
-/// How a flight is integrated: methods of a fixed step. Each is flown to the same smooth landing.
+/// Runge–Kutta method with a fixed step. The interpolation of the landing is the same for all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Method {
     /// The classical Runge–Kutta method, order 4 (Kutta 1901).
@@ -15,7 +15,7 @@ impl Method {
     /// All methods, from the lowest order.
     pub const ALL: &'static [Self] = &[Self::Rk4, Self::DormandPrince8];
 
-    /// Its name in `flight.method`.
+    /// Name in `flight.method`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rk4 => "rk4",
@@ -23,7 +23,7 @@ impl Method {
         }
     }
 
-    /// The order p: the error of a flight shrinks with the p-th power of the step.
+    /// Order p: the error is proportional to the p-th power of the step.
     pub fn order(self) -> u32 {
         match self {
             Self::Rk4 => 4,
@@ -31,7 +31,7 @@ impl Method {
         }
     }
 
-    /// Evaluations of the force in one step.
+    /// Evaluations of the force a step.
     pub fn stages(self) -> u32 {
         match self {
             Self::Rk4 => 4,
@@ -40,7 +40,7 @@ impl Method {
     }
 }
 
-/// The name by which the method is chosen: `flight.method = "dp8"`.
+/// Name of the setting: `flight.method = "dp8"`.
 pub const METHOD: &str = "flight.method";
 
 impl Method {

@@ -1,4 +1,4 @@
-//! What a drive depends on: [`Setup`], one table that declares every parameter once, presets with
+//! Parameters of a drive: [`Setup`], the table that declares each parameter once, presets with
 //! their sources, and setup files.
 
 mod air;
@@ -23,7 +23,7 @@ mod wind_profile;
 
 pub use air::Ways;
 #[cfg(feature = "cli")]
-pub(crate) use air::{follows_from, is_taken_back};
+pub(crate) use air::{follows_from, is_reset};
 pub(crate) use air::{given_otherwise, refuse_replaced};
 pub use club_speed::{SPEED_OF, SpeedOf};
 #[cfg(feature = "cli")]
@@ -32,7 +32,7 @@ pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
 pub use golfer::{GOLFER, Golfer};
-pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};
+pub use law_table::{Axis, AxisVariable, LawTable, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, Grid, Surface, cells_of};
 pub use method::{METHOD, Method};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};

@@ -1,14 +1,14 @@
 use super::table::{LAW, Setup};
 use crate::error::{Error, Result};
 
-/// A named setup: what it changes against the table's defaults, each number with its source.
+/// A named setup: its differences from the defaults of the table, each number with its source.
 #[derive(Debug)]
 pub struct Preset {
     /// Name on the command line.
     pub name: &'static str,
-    /// What it is, in a sentence.
+    /// Description, a sentence.
     pub about: &'static str,
-    /// What differs from the defaults.
+    /// Differences from the defaults.
     pub entries: &'static [PresetEntry],
 }
 
@@ -19,11 +19,11 @@ pub struct PresetEntry {
     pub name: &'static str,
     /// Its value.
     pub value: &'static str,
-    /// Where it comes from.
+    /// Its source.
     pub source: &'static str,
 }
 
-/// An entry of a preset, or of a kind of ground.
+/// An entry of a preset or of a turf.
 pub(super) const fn entry(
     name: &'static str,
     value: &'static str,
@@ -51,7 +51,7 @@ const GROWTH: &str = "assumed: the load on the shaft grows with the square of th
 /// The preset of a command without a setup, and of a setup file that names none.
 pub const DEFAULT_PRESET: &str = "tour-average";
 
-/// The presets. `modern-driver` is the table's defaults themselves.
+/// The presets; `modern-driver` has the defaults of the table.
 pub static PRESETS: &[Preset] = &[
     Preset {
         name: "modern-driver",
@@ -312,7 +312,7 @@ impl Preset {
         })
     }
 
-    /// All presets' names, in a line.
+    /// Names of all presets, separated by commas.
     pub fn names() -> String {
         PRESETS
             .iter()
@@ -321,7 +321,7 @@ impl Preset {
             .join(", ")
     }
 
-    /// Where the value of a parameter in this preset comes from.
+    /// Source of the value of a parameter in this preset.
     pub fn source_of(&self, name: &str) -> Option<&'static str> {
         self.entries
             .iter()

@@ -1,6 +1,6 @@
 use crate::units::{Quantity, significant};
 
-/// The values a parameter may have: what is physically possible, not what is usual.
+/// Allowed values of a parameter: those physically possible, not just usual.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
     /// Lower end, SI.
@@ -53,15 +53,14 @@ impl Range {
     /// Every finite number.
     pub const FINITE: Self = Self::between(f64::NEG_INFINITY, f64::INFINITY);
 
-    /// Whether `value` is one of them. NaN never is, infinity only where it is an end that is
-    /// included.
+    /// Whether a value is in the range. NaN is not; infinity is if it is an included end.
     pub fn contains(self, value: f64) -> bool {
         let above = value > self.low || (self.low_included && value == self.low);
         let below = value < self.high || (self.high_included && value == self.high);
         above && below
     }
 
-    /// The range as a person reads it: "0 kg < … ≤ 2 kg".
+    /// The range as text: "0 kg < … ≤ 2 kg".
     pub fn show(self, quantity: Quantity, unit: &str) -> String {
         if self == Self::FINITE {
             return "any finite number".into();

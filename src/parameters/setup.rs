@@ -1,4 +1,4 @@
-use super::air::{instead, is_taken_back};
+use super::air::{instead, is_reset};
 use super::club_speed::{SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, is_unset};
 use super::golfer::{GOLFER, Golfer};
@@ -12,16 +12,15 @@ use crate::number::{Numbers, inlined};
 use crate::units::Message;
 use std::path::Path;
 
-/// Why a parameter of the club has no effect.
+/// Reason why a parameter of the club has no effect.
 pub(crate) const NO_CLUB: &str =
     "no club strikes the ball, since its launch is given; name launch.launch_angle and the like";
 
 const LISTING: &str = "`parameters()` lists them all";
 
 impl Parameter {
-    /// Reads a value of this parameter. With `bare`, a number without a unit is SI, as a bare
-    /// number in a setup file is; otherwise the text must carry its unit. `none` unsets an optional
-    /// parameter.
+    /// Parses a value. With `bare`, a number without a unit is SI, like a bare number in a setup
+    /// file; otherwise the text needs a unit. `none` unsets an optional parameter.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
@@ -50,10 +49,10 @@ impl Parameter {
                 range,
                 advice,
             } => {
-                let advice = self.meant_in_another_unit(text).unwrap_or(advice);
+                let advice = self.unit_suggestion(text).unwrap_or(advice);
                 Error::OutOfRange {
                     name,
-                    value: self.as_given(value, text),
+                    value: self.with_given_text(value, text),
                     range,
                     advice,
                 }
@@ -71,6 +70,8 @@ impl Parameter {
         }
     }
 
+    /// Checks a value, SI, against the range.
+    ///
     /// # Errors
     /// [`Error::OutOfRange`], [`Error::NotANumber`].
     pub fn check(&self, value: f64) -> Result<()> {
@@ -122,7 +123,7 @@ impl Parameter {
         })
     }
 
-    /// The value in SI, and in the unit people read if that is another.
+    /// The value as text in SI, and in the display unit if that is another one.
     fn show_twice(&self, value: f64) -> String {
         let si = self.quantity.show(value, self.quantity.si);
         let same = self.unit == self.quantity.si || !value.is_finite();
@@ -133,9 +134,8 @@ impl Parameter {
         }
     }
 
-    /// A value as it is shown, and as it was given where that is in neither of the units that are
-    /// shown.
-    fn as_given(&self, shown: String, text: &str) -> String {
+    /// A value as text, with the given text if that is in neither of the units shown.
+    fn with_given_text(&self, shown: String, text: &str) -> String {
         let is_another = |unit: &str| {
             ![self.quantity.si, self.unit]
                 .iter()
@@ -149,9 +149,9 @@ impl Parameter {
         }
     }
 
-    /// A bare number is SI: "10" for a loft is 10 rad, and most likely 10 deg was meant; so is "50"
-    /// for a share of 50 %.
-    fn meant_in_another_unit(&self, text: &str) -> Option<String> {
+    /// Suggestion for a bare number out of range, which is SI: "10" for a loft is 10 rad, and most
+    /// likely means 10 deg; "50" for a share means 50 %.
+    fn unit_suggestion(&self, text: &str) -> Option<String> {
         let (number, unit) = self.quantity.split(text).ok()?;
         if self.range == Range::from_to(0.0, 1.0)
             && unit.is_empty()
@@ -174,7 +174,7 @@ impl Parameter {
 }
 
 impl Setup<f64> {
-    /// The setup over another number, without derivatives.
+    /// Converts the number type, without derivatives.
     #[inline(always)]
     pub(crate) fn constant<T: Numbers>(&self) -> Setup<T> {
         T::outlined(inlined!(|| self.map(|_, value| T::constant(value))))
@@ -182,8 +182,7 @@ impl Setup<f64> {
 }
 
 impl<T: Copy> Setup<T> {
-    /// Puts numbers in the places of some parameters, unchecked; `value` makes each from its place
-    /// in the list.
+    /// Sets parameters without checks; `value` returns the number for each index of the list.
     #[inline(always)]
     pub(crate) fn put(
         &mut self,
@@ -233,7 +232,7 @@ impl Setup<f64> {
         ))
     }
 
-    /// The value of a parameter, `None` where it is unset or belongs to another law.
+    /// The value of a parameter; `None` if it is unset or belongs to another law.
     pub fn value(&self, parameter: &Parameter) -> Option<f64> {
         let mut copy = *self;
         copy.slot(parameter)?.value()
@@ -244,9 +243,9 @@ impl Setup<f64> {
     ///
     /// # Errors
     /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`];
-    /// [`Error::Together`] for what follows from other parameters that are set.
+    /// [`Error::Together`] for a parameter that follows from other parameters that are set.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
-        if !is_taken_back(name, text) {
+        if !is_reset(name, text) {
             self.refuse_replaced(&[name])?;
         }
         self.apply_text(name, text, false)
@@ -262,7 +261,7 @@ impl Setup<f64> {
             SPEED_OF => self.speed_of = SpeedOf::named(text)?,
             _ => {
                 let parameter = self.parameter(name)?;
-                let value = if is_taken_back(name, text) {
+                let value = if is_reset(name, text) {
                     None
                 } else {
                     parameter.read(text, bare)?
@@ -273,10 +272,10 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Applies settings in order, the choices of the law and of the ground before their numbers.
+    /// Applies settings in order, but law and turf before their numbers.
     ///
     /// # Errors
-    /// As [`set`](Self::set).
+    /// Those of [`set`](Self::set).
     pub fn set_all<'a>(
         &mut self,
         settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
@@ -288,8 +287,8 @@ impl Setup<f64> {
         self.set_each(&settings)
     }
 
-    /// As [`set_all`](Self::set_all), for settings of a name, a text, and whether a number without
-    /// a unit is SI, as a bare number in a setup file is.
+    /// [`set_all`](Self::set_all) for triples of name, text, and whether a number without a unit is
+    /// SI, like a bare number in a setup file.
     ///
     /// ```
     /// use longdrive::Setup;
@@ -299,7 +298,7 @@ impl Setup<f64> {
     /// ```
     ///
     /// # Errors
-    /// As [`set`](Self::set).
+    /// Those of [`set`](Self::set).
     pub fn set_each(&mut self, settings: &[(&str, &str, bool)]) -> Result<()> {
         let of = |wanted: &'static str| settings.iter().filter(move |(name, ..)| *name == wanted);
         for (name, text, bare) in of(TABLE) {
@@ -312,33 +311,33 @@ impl Setup<f64> {
             self.apply_text(name, text, *bare)?;
         }
         refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
-        // what is taken back needs what is given instead, so that it comes last
-        let is_back = |(name, text, _): &&(&str, &str, bool)| is_taken_back(name, text);
+        // last: a reset needs the parameter that replaces this one
+        let is_reset = |(name, text, _): &&(&str, &str, bool)| is_reset(name, text);
         let numbers = || {
             settings
                 .iter()
                 .filter(|(name, ..)| ![LAW, TABLE, TURF].contains(name))
         };
         for (name, text, bare) in numbers()
-            .filter(|one| !is_back(one))
-            .chain(numbers().filter(is_back))
+            .filter(|one| !is_reset(one))
+            .chain(numbers().filter(is_reset))
         {
             self.apply_text(name, text, *bare)?;
         }
         let given = settings
             .iter()
-            .filter(|one| !is_back(one))
+            .filter(|one| !is_reset(one))
             .map(|(name, ..)| *name);
         let given: Vec<&str> = given.filter(|name| self.is_set(name)).collect();
         self.refuse_replaced(&given)
     }
 
-    /// Changes the aerodynamic law; its coefficients are then the published ones, unless it is the
-    /// law already.
+    /// Changes the aerodynamic law, with the published coefficients. The law that is already set
+    /// keeps its coefficients.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name; [`Error::Together`] for the law of a table that is
-    /// not given.
+    /// [`Error::Unknown`] with the nearest name; [`Error::Together`] for the law of a table without
+    /// a table.
     pub fn set_law(&mut self, name: &str) -> Result<()> {
         let name = name.trim();
         if name == TABLE_LAW {
@@ -368,11 +367,11 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Takes the law of a user's own table from a CSV file, with the factors as they are if the law
-    /// is a table already.
+    /// Changes the law to a user's own table in a CSV file. The factors of a table that is already
+    /// set are kept.
     ///
     /// # Errors
-    /// As [`LawTable::open`].
+    /// Those of [`LawTable::open`].
     pub fn set_table(&mut self, path: &Path) -> Result<()> {
         let read = LawTable::open(path)?;
         match &mut self.law {
@@ -382,12 +381,12 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value; `None` unsets an optional one, and takes back one that
-    /// follows from others which are set.
+    /// Sets a parameter to an SI value. `None` unsets an optional parameter, and resets one that
+    /// others replace to its default.
     ///
     /// # Errors
     /// [`Error::OutOfRange`]; [`Error::OtherLaw`] for a coefficient of another law;
-    /// [`Error::Unreadable`] where a parameter that needs a value is to be unset.
+    /// [`Error::Unreadable`] for `None` if the parameter needs a value.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
@@ -397,15 +396,14 @@ impl Setup<f64> {
         match (self.slot(parameter), value) {
             (Some(Slot::Required(place) | Slot::Setting(place)), Some(value)) => *place = value,
             (Some(Slot::Optional(place)), value) => *place = value,
-            (Some(Slot::Required(_)), None) => self.take_back(parameter),
+            (Some(Slot::Required(_)), None) => self.reset(parameter),
             (Some(Slot::Setting(_)), None) => {}
             (None, _) => return Err(self.of_other_law(parameter)),
         }
         Ok(())
     }
 
-    /// A coefficient of another law than that of the setup, also where both laws have one of this
-    /// name.
+    /// The error for a coefficient of another law, which may have the name of one of this law.
     fn of_other_law(&self, parameter: &Parameter) -> Error {
         let owners = parameter.law.unwrap_or_default().into();
         Error::OtherLaw {
@@ -415,9 +413,8 @@ impl Setup<f64> {
         }
     }
 
-    /// Gives a parameter that follows from others the value that it has where it is not given: it
-    /// is not used.
-    pub(crate) fn take_back(&mut self, parameter: &Parameter) {
+    /// Resets a parameter that others replace to its default, which is not used.
+    pub(crate) fn reset(&mut self, parameter: &Parameter) {
         if let (Some(Slot::Required(place)), Some(default)) =
             (self.slot(parameter), parameter.default_value())
         {
@@ -425,22 +422,23 @@ impl Setup<f64> {
         }
     }
 
-    /// Checks every value against its range, the inertia tensor, and what must be given together.
+    /// Checks every value against its range, the inertia tensor, and parameters that must be given
+    /// together.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], also for a step so short that no one would wait for the flight;
-    /// [`Error::Inertia`]; [`Error::Launch`]; [`Error::Together`].
+    /// [`Error::OutOfRange`], also for more than 1e8 steps; [`Error::Inertia`]; [`Error::Launch`];
+    /// [`Error::Together`].
     pub fn validate(&self) -> Result<()> {
         self.validate_but_launch()?;
         self.check_launch(&[])?;
         self.check_air(&[])
     }
 
-    /// The same, but for whether launch, weather and wind are whole: the rest of them may be in the
+    /// [`validate`](Self::validate) for a setup whose launch, weather or wind is completed by the
     /// columns of a table.
     ///
     /// # Errors
-    /// As [`validate`](Self::validate).
+    /// Those of [`validate`](Self::validate).
     pub fn validate_but_launch(&self) -> Result<()> {
         for parameter in self.parameters() {
             if let Some(value) = self.value(parameter) {
@@ -451,21 +449,21 @@ impl Setup<f64> {
         self.club.check_inertia()
     }
 
-    /// Warnings about what is flown as it stands.
+    /// Warnings about values that are accepted.
     pub fn warnings(&self) -> Vec<Message> {
         let of_club = self
             .club
             .triangle_warning()
             .into_iter()
-            .chain(self.weightless())
+            .chain(self.massless_weight_warnings())
             .map(Message::from);
-        of_club.chain(self.unproven_weather()).collect()
+        of_club.chain(self.weather_warnings()).collect()
     }
 
-    /// The parameter of this name, if it can be varied and differentiated by.
+    /// The parameter of this name, if it can be varied and outcomes differentiated by it.
     ///
     /// # Errors
-    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting, the law, an
+    /// Those of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law, an
     /// unset parameter or an infinite radius.
     pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
         let refuse = |reason: String| {
@@ -515,12 +513,12 @@ impl Setup<f64> {
         }
     }
 
-    /// The parameter of this name, if drives may differ in it: one that is unset or infinite here
-    /// may have a value in each.
+    /// The parameter of this name, if the drives of a batch may differ in it. It may be unset or
+    /// infinite in this setup.
     ///
     /// # Errors
-    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting, the law, and
-    /// what follows from other parameters that are set.
+    /// Those of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law, and a
+    /// parameter that others replace.
     pub fn column(&self, name: &str) -> Result<&'static Parameter> {
         match self.parameter(name) {
             Ok(parameter)
@@ -532,20 +530,18 @@ impl Setup<f64> {
         }
     }
 
-    /// Whether a parameter is one of this setup that has a number, as [`variable`](Self::variable)
-    /// finds it by its name.
+    /// Checks that a parameter is a [`variable`](Self::variable) of this setup.
     ///
     /// # Errors
-    /// As [`variable`](Self::variable); [`Error::OtherLaw`].
+    /// Those of [`variable`](Self::variable); [`Error::OtherLaw`].
     pub(crate) fn check_variable(&self, parameter: &Parameter) -> Result<()> {
         self.check_found(parameter, self.variable(parameter.name)?)
     }
 
-    /// Whether a parameter is one of this setup that may have a number in each drive, as
-    /// [`column`](Self::column) finds it by its name.
+    /// Checks that a parameter may be a [`column`](Self::column) of this setup.
     ///
     /// # Errors
-    /// As [`column`](Self::column); [`Error::OtherLaw`].
+    /// Those of [`column`](Self::column); [`Error::OtherLaw`].
     pub(crate) fn check_column(&self, parameter: &Parameter) -> Result<()> {
         self.check_found(parameter, self.column(parameter.name)?)
     }
@@ -566,7 +562,7 @@ impl Setup<f64> {
     }
 }
 
-/// Derivatives by parameters of which one is given twice.
+/// Refuses a parameter that is given twice.
 ///
 /// # Errors
 /// [`Error::Together`].
@@ -584,7 +580,7 @@ pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
     })
 }
 
-/// A table and a law that is none.
+/// The error for a table with the name of another law.
 pub(super) fn table_beside(law: &str) -> Error {
     let reason = format!("a table is a law of its own, {LAW} = {TABLE_LAW}; keep one of the two");
     Error::Together {

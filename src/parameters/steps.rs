@@ -2,17 +2,17 @@ use super::declare::Parameter;
 use super::table::FlightConditions;
 use crate::error::{Error, Result};
 
-/// Steps of a flight that someone still waits for: tens of seconds.
-const MOST: f64 = 1e8;
+/// Largest number of steps of a flight; they take tens of seconds.
+const MOST_STEPS: f64 = 1e8;
 
 impl<T> FlightConditions<T> {
-    /// A flight of more steps than anyone waits for is refused before it begins.
+    /// Refuses a flight of more than 1e8 steps, and a step that is not positive.
     ///
     /// # Errors
     /// [`Error::OutOfRange`], [`Error::NotANumber`].
     #[inline]
     pub(crate) fn check_steps(&self) -> Result<()> {
-        let is_short = self.step > 0.0 && self.time_limit / self.step <= MOST;
+        let is_short = self.step > 0.0 && self.time_limit / self.step <= MOST_STEPS;
         if is_short {
             Ok(())
         } else {
@@ -21,7 +21,7 @@ impl<T> FlightConditions<T> {
     }
 }
 
-/// Why there would be too many steps, or an endless number of them.
+/// The error for a step or time limit with too many steps.
 #[cold]
 fn refusal(step: f64, limit: f64) -> Error {
     let row = |name: &str| {
@@ -37,9 +37,8 @@ fn refusal(step: f64, limit: f64) -> Error {
             name: "flight.step".into(),
             value: format!("{step:e} s"),
             range: format!(
-                "{:e} s <= …: at most {MOST:e} steps up to flight.time_limit = {limit} \
-                            s",
-                limit / MOST
+                "{:e} s <= …: at most {MOST_STEPS:e} steps up to flight.time_limit = {limit} s",
+                limit / MOST_STEPS
             ),
             advice: "take a longer step or a shorter time limit (10 ms, the default, keeps carry \
                      within 10 µm)"

@@ -1,14 +1,15 @@
-//! Kinds of ground by name: a choice that sets the numbers of the ground.
+//! Turfs by name: presets of the parameters of the ground.
 
 use super::presets::{Preset, PresetEntry, entry};
 use super::table::Setup;
 use crate::error::{Error, Result};
 
-/// The name by which a kind of ground is chosen: `ground.turf = "firm"`.
+/// Name of the setting that selects a turf: `ground.turf = "firm"`.
 pub const TURF: &str = "ground.turf";
 
-/// Group of the parameters of the ground, and the one of them that the flight depends on too.
+/// Prefix of the names of the parameters of the ground.
 const GROUP: &str = "ground.";
+/// The parameter of the ground that the flight depends on.
 const HEIGHT: &str = "ground.height";
 
 const PENNER: &str = "Penner (2002)";
@@ -21,7 +22,7 @@ const SOFT_ROLLING: &str =
     "assumed: half as much again as Penner (2001) fits on a fairway, docs/sources.md";
 const EMBEDS: &str = "the ball embeds";
 
-/// The kinds of ground. None of them is measured: a run is known to 10 yd at best.
+/// The turfs. None of them is measured: the run is uncertain by at least 10 yd.
 pub static TURFS: &[Preset] = &[
     Preset {
         name: "firm",
@@ -66,13 +67,13 @@ pub static TURFS: &[Preset] = &[
 ];
 
 impl super::Parameter {
-    /// Whether only the run of the ball on the ground depends on it, and nothing before.
+    /// Whether it affects the run only, not the flight.
     pub fn affects_only_run(&self) -> bool {
         self.name.starts_with(GROUP) && self.name != HEIGHT
     }
 }
 
-/// A kind of ground says nothing where each of its numbers is given beside it.
+/// Refuses a turf whose numbers are all given too: it would have no effect.
 ///
 /// # Errors
 /// [`Error::Together`].
@@ -91,8 +92,7 @@ pub(super) fn refuse_idle_turf(is_given: impl Fn(&str) -> bool) -> Result<()> {
 }
 
 impl Setup<f64> {
-    /// Sets the numbers of a kind of ground: restitution, friction, compliance and rolling. The
-    /// slopes stay.
+    /// Sets the numbers of a turf: restitution, friction, compliance and rolling; not the slopes.
     ///
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
@@ -113,9 +113,9 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// The kind of ground whose numbers these are; `None` where they are others.
+    /// The turf with these numbers; `None` if there is none.
     pub fn turf(&self) -> Option<&'static Preset> {
-        let is_so = |entry: &PresetEntry| {
+        let matches = |entry: &PresetEntry| {
             let Ok(parameter) = self.parameter(entry.name) else {
                 return false;
             };
@@ -123,11 +123,11 @@ impl Setup<f64> {
                 .read(entry.value, false)
                 .is_ok_and(|value| value == self.value(parameter))
         };
-        // a ball that embeds does not ask for the rest
+        // without a restitution the other numbers have no effect
         let embeds = |turf: &Preset| self.ground.restitution.is_none() && turf.name == "wet";
         TURFS
             .iter()
-            .find(|turf| embeds(turf) || turf.entries.iter().all(is_so))
+            .find(|turf| embeds(turf) || turf.entries.iter().all(matches))
     }
 }
 
@@ -186,9 +186,8 @@ mod tests {
                 .unwrap_err()
                 .to_string();
             let says = "ground.turf is given beside all of its numbers (ground.restitution, \
-                        ground.friction, ground.compliance, \
-                        ground.rolling): a number that is given comes before that of the turf, so \
-                        that the turf says nothing; \
+                        ground.friction, ground.compliance, ground.rolling): a number that is \
+                        given comes before that of the turf, so that the turf says nothing; \
                         delete ground.turf, or delete the numbers that it is to give";
             assert_eq!(message, format!("a.toml:3:1: {says}"));
             let remedied = text(restitution).replace("turf = 'firm'\n", "");

@@ -2,7 +2,7 @@ use super::declare::Parameter;
 use super::table::Setup;
 use crate::error::{Error, Result};
 
-/// A parameter to vary, and how far, SI.
+/// A parameter to vary, and its range, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vary {
     /// The parameter.
@@ -14,8 +14,8 @@ pub struct Vary {
 }
 
 impl Vary {
-    /// Reads `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg` or `club.loft=4..20deg`: a low
-    /// end without unit takes that of the high end, which needs one where the quantity has a
+    /// Parses `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg` or `club.loft=4..20deg`: a low
+    /// end without a unit has the unit of the high end, which needs one if the quantity has a
     /// dimension.
     ///
     /// ```
@@ -27,41 +27,41 @@ impl Vary {
     /// ```
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a text that is not a range, and for one that is reversed or
-    /// infinite; as [`Setup::variable`] and [`Parameter::read`].
+    /// [`Error::SearchRange`] for a text that is not a range, and for a reversed or infinite range;
+    /// those of [`Setup::variable`] and [`Parameter::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         Self::read_of(text, |name| setup.variable(name))
     }
 
-    /// The same of a parameter that has a value in each drive, and needs none in the setup.
+    /// [`read`](Self::read) for a parameter that need not have a value in the setup, since each
+    /// drive gives one.
     ///
     /// # Errors
-    /// As [`read`](Self::read), and [`Setup::column`].
+    /// Those of [`read`](Self::read) and [`Setup::column`].
     pub fn read_column(setup: &Setup<f64>, text: &str) -> Result<Self> {
         Self::read_of(text, |name| setup.column(name))
     }
 
-    /// Where a search begins: at the setup's own value, or in the middle of the range where it has
-    /// none.
+    /// Start of a search: the value of the setup, or the middle of the range if it has none.
     pub fn start(&self, setup: &Setup<f64>) -> f64 {
         setup
             .value(self.parameter)
             .unwrap_or(0.5 * (self.low + self.high))
     }
 
-    /// The setup with a value of everything that is varied.
+    /// The setup with a start value for each varied parameter that is unset.
     ///
     /// # Errors
-    /// As [`Setup::set_value`].
-    pub fn begun(setup: &Setup<f64>, vary: &[Self]) -> Result<Setup<f64>> {
-        let mut begun = *setup;
+    /// Those of [`Setup::set_value`].
+    pub fn initialised(setup: &Setup<f64>, vary: &[Self]) -> Result<Setup<f64>> {
+        let mut initialised = *setup;
         for vary in vary
             .iter()
             .filter(|vary| setup.value(vary.parameter).is_none())
         {
-            begun.set_value(vary.parameter, Some(vary.start(setup)))?;
+            initialised.set_value(vary.parameter, Some(vary.start(setup)))?;
         }
-        Ok(begun)
+        Ok(initialised)
     }
 
     fn read_of(text: &str, find: impl Fn(&str) -> Result<&'static Parameter>) -> Result<Self> {
@@ -95,7 +95,7 @@ impl Vary {
             low.into()
         };
         let end = |text: &str| parameter.read(text, false).map(Option::unwrap_or_default);
-        // the high end first: a missing unit is told of the text as it was given
+        // the high end first: an error about a missing unit quotes the text as given
         let high = end(high)?;
         Self::new(parameter, end(&low)?, high)
     }
@@ -103,7 +103,7 @@ impl Vary {
     /// A parameter with a range in SI.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] where it is reversed or infinite, [`Error::OutOfRange`].
+    /// [`Error::SearchRange`] for a reversed or infinite range, [`Error::OutOfRange`].
     pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
         parameter.check(low)?;
         parameter.check(high)?;
@@ -120,11 +120,11 @@ impl Vary {
         }
     }
 
-    /// Whether it is a range, which one that was not made by [`new`](Self::new) need not be. What
-    /// lies beyond the parameter's own range has no drives.
+    /// Checks a range that was not made by [`new`](Self::new). It may exceed the range of the
+    /// parameter, where there are no drives.
     ///
     /// # Errors
-    /// [`Error::NotANumber`]; [`Error::SearchRange`] where it is reversed.
+    /// [`Error::NotANumber`]; [`Error::SearchRange`] for a reversed range.
     pub(crate) fn check(&self) -> Result<()> {
         let Self {
             parameter,
@@ -139,7 +139,7 @@ impl Vary {
         if low <= high {
             return Ok(());
         }
-        // as one word of a command line
+        // without the space, as a single word of a command line
         let [low, high] = [low, high].map(|end| parameter.show(Some(end)).replacen(' ', "", 1));
         Err(self.refused(format!(
             "the range is reversed; did you mean {high}..{low}?"

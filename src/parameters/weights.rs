@@ -1,5 +1,4 @@
-//! Movable weights of a head: point masses beside the body that the other parameters of the club
-//! describe.
+//! Movable weights of the head: point masses in addition to the body of the head.
 
 use super::table::{Club, Setup};
 use crate::number::Numbers;
@@ -7,18 +6,18 @@ use crate::number::Numbers;
 /// A movable weight.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Weight<T> {
-    /// Its mass, kg.
+    /// Mass, kg.
     pub mass: T,
-    /// Its place from the centre of the face, m: behind the face, along the normal at its centre.
+    /// Distance behind the face centre, along the face normal there, m.
     pub depth: T,
-    /// Towards the toe.
+    /// Distance from the face centre towards the toe, m.
     pub toe: T,
-    /// Up the face.
+    /// Distance from the face centre up the face, m.
     pub high: T,
 }
 
 impl<T: Numbers> Club<T> {
-    /// The movable weights that have a mass.
+    /// Movable weights with a mass.
     #[inline(always)]
     pub(crate) fn weights(&self) -> [Option<Weight<T>>; 2] {
         let one = [
@@ -48,19 +47,19 @@ fn weight<T: Numbers>([mass, depth, toe, high]: [Option<T>; 4]) -> Option<Weight
     })
 }
 
-/// The name of a weight's mass, without the weight.
+/// Suffix of the name of a weight's mass.
 const MASS: &str = "mass";
 
 impl Setup<f64> {
-    /// Weights that have a place and no mass, or one of 0.
-    pub(super) fn weightless(&self) -> Vec<String> {
+    /// Warnings about weights with a position and no mass, or a mass of 0.
+    pub(super) fn massless_weight_warnings(&self) -> Vec<String> {
         let set: Vec<_> = self
             .parameters()
             .into_iter()
             .filter(|row| self.value(row).is_some())
             .collect();
         let weights = ["club.weight_1.", "club.weight_2."].into_iter();
-        let told = weights.filter_map(|weight| {
+        let warnings = weights.filter_map(|weight| {
             let of_it: Vec<_> = set
                 .iter()
                 .filter_map(|row| row.name.strip_prefix(weight))
@@ -93,6 +92,6 @@ impl Setup<f64> {
                 )
             })
         });
-        told.collect()
+        warnings.collect()
     }
 }

@@ -141,11 +141,12 @@ impl Reach {
             .iter()
             .enumerate()
             .fold(begun, |told, (i, [low, high])| {
-                let first = parameter.place(told.words(if i == 0 { " " } else { ", and " }), *low);
+                let first =
+                    parameter.append_value(told.words(if i == 0 { " " } else { ", and " }), *low);
                 if low == high {
                     first
                 } else {
-                    parameter.place(first.words(" to "), *high)
+                    parameter.append_value(first.words(" to "), *high)
                 }
             })
     }
@@ -251,7 +252,7 @@ pub fn chart_at(
             chart.ended = Some(
                 along
                     .parameter
-                    .place("interrupted: the chart ends at ".into(), here.at),
+                    .append_value("interrupted: the chart ends at ".into(), here.at),
             );
             chart.interrupted = true;
             break;
@@ -266,7 +267,7 @@ pub fn chart_at(
             Err(error) => {
                 let place = along
                     .parameter
-                    .place("no optimum was found beyond ".into(), here.at);
+                    .append_value("no optimum was found beyond ".into(), here.at);
                 chart.ended = Some(place.words(": ").message(why_none(&error)));
                 break;
             }
@@ -374,8 +375,9 @@ impl Follower<'_> {
                         return Ok((point, None));
                     };
                     let first = self.begin(without, point);
-                    let begins = parameter.place("the chart begins at ".into(), first.at);
-                    let none = parameter.place(begins.words(": no optimum was found at "), low);
+                    let begins = parameter.append_value("the chart begins at ".into(), first.at);
+                    let none =
+                        parameter.append_value(begins.words(": no optimum was found at "), low);
                     return Ok((first, Some(none.words(": ").message(why_none(&why)))));
                 }
                 Err(error) if self.observer.is_interrupted() => return Err(error),

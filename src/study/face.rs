@@ -110,7 +110,7 @@ impl Face {
         Ok(Self {
             golfer: setup.golfer,
             half,
-            is_from_centre: Head::new(&setup.club).beside.is_some(),
+            is_from_centre: Head::new(&setup.club).cg_offset.is_some(),
             sweet_spot: spot.map(|spot| [spot.toe, spot.high]),
             strike: [setup.strike.toe, setup.strike.high],
             carry,

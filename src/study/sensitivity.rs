@@ -217,7 +217,7 @@ fn in_words(search: &Search, event: Event) -> Message {
         } else {
             ("upper", vary.high)
         };
-        vary.parameter.place(
+        vary.parameter.append_value(
             format!("{} {what} its {name} bound ", vary.parameter.name).into(),
             end,
         )

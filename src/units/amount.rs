@@ -3,7 +3,7 @@ use super::dimension::Dimension;
 use super::expression::read_unit;
 use super::symbols::SYMBOLS;
 
-/// A number with whatever unit, SI.
+/// A number with any unit, SI.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Amount {
     pub value: f64,
@@ -11,10 +11,10 @@ pub(crate) struct Amount {
 }
 
 impl Amount {
-    /// Reads a number with a unit, or a plain number.
+    /// Parses a number with a unit, or a plain number.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The reason.
     pub fn read(text: &str) -> Result<Self, String> {
         let (number, unit) = Quantity::NUMBER
             .split(text)
@@ -36,7 +36,7 @@ impl Amount {
         })
     }
 
-    /// What it is times something of a kind: as much as one SI unit of that.
+    /// The product with one SI unit of a quantity.
     pub fn times(self, by: Quantity) -> Self {
         Self {
             dimension: self.dimension.times(by.dimension, 1),
@@ -44,7 +44,7 @@ impl Amount {
         }
     }
 
-    /// Its kind, where it has a name.
+    /// Its quantity, if that has a name.
     pub fn quantity(self) -> Option<Quantity> {
         Quantity::ALL
             .iter()
@@ -63,7 +63,7 @@ impl Quantity {
         }
     }
 
-    /// The unit of this kind that is written so, where it is a usual one or a symbol.
+    /// The unit with this spelling, if it is a usual unit or a symbol of this quantity.
     pub(crate) fn known_unit(self, written: &str) -> Option<&'static str> {
         let symbols = SYMBOLS.iter().flat_map(|symbol| symbol.names).copied();
         let known = self

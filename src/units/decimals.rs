@@ -1,9 +1,9 @@
-//! How many digits a number gets where people read it: those of a launch monitor's display.
+//! Digits of displayed numbers, like those of a launch monitor.
 
 use super::spelling::{leading_number, with_unit};
 use super::{Quantity, significant};
 
-/// Decimals by unit. A unit that is not listed gets [`DIGITS`] significant digits.
+/// Decimals by unit. A unit that is not listed has [`DIGITS`] significant digits.
 const DECIMALS: [(&str, usize); 13] = [
     ("yd", 1),
     ("m", 1),
@@ -17,22 +17,21 @@ const DECIMALS: [(&str, usize); 13] = [
     ("s", 2),
     ("g", 1),
     ("g cm^2", 0),
-    // ratios of two measured numbers, as the smash factor
+    // ratios of two measured numbers, such as the smash factor
     ("", 2),
 ];
 
-/// Significant digits where the unit does not say how many decimals are right.
+/// Significant digits for a unit without a number of decimals.
 const DIGITS: usize = 5;
 
-/// Below this part of a unit a number is the rounding of a computation: a thousandth of a
-/// millimetre in carry.
+/// Numbers below this part of a unit are rounding errors: a thousandth of a millimetre in carry.
 const NOISE: f64 = 1e-6;
 
-/// Above this a number is written with a power of ten.
+/// Numbers above this have a power of ten.
 const LARGE: f64 = 1e9;
 
 impl Quantity {
-    /// An SI value in `unit`, with the digits of a launch monitor.
+    /// An SI value as text in `unit`, with the digits of a launch monitor.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -44,7 +43,8 @@ impl Quantity {
         with_unit(&self.with(value, unit, fixed), unit)
     }
 
-    /// The same with one decimal more: a number that was computed to be set (an optimum's loft).
+    /// [`read_off`](Self::read_off) with one more decimal, for computed settings such as an optimum's
+    /// loft.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -54,7 +54,7 @@ impl Quantity {
         with_unit(&self.finely(value, unit), unit)
     }
 
-    /// A difference, or an uncertainty: one decimal more, and as many as its first two digits need.
+    /// A difference or an uncertainty: one more decimal, and at least two significant digits.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -97,7 +97,7 @@ impl Quantity {
     }
 }
 
-/// A number of things: "1 drive", "2 drives".
+/// A count with its noun: "1 drive", "2 drives".
 ///
 /// ```
 /// use longdrive::units::counted;
@@ -107,8 +107,8 @@ pub fn counted(count: u64, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
-/// Some of all things: "1 of 2 drives", and "the only drive" of one. Follow it with words that fit
-/// one thing and several.
+/// A part of a count with its noun: "1 of 2 drives", "the only drive". The words after it must fit
+/// singular and plural.
 ///
 /// ```
 /// use longdrive::units::counted_of;
@@ -123,7 +123,7 @@ pub fn counted_of(part: u64, all: u64, [one, several]: [&str; 2]) -> String {
     }
 }
 
-/// A number with these decimals; zero has no sign.
+/// A number with these decimals; zero without a sign.
 pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");
     if is_zero(&text) {
@@ -133,8 +133,7 @@ pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     }
 }
 
-/// A number as it was written, perhaps with its unit, with a plus where it is above 0; what is
-/// written as zero has no sign.
+/// The text of a number, perhaps with a unit, with a plus sign if positive and not written as zero.
 pub(crate) fn signed(number: f64, text: String) -> String {
     if number > 0.0 && !is_zero(leading_number(&text)) {
         format!("+{text}")
@@ -143,7 +142,7 @@ pub(crate) fn signed(number: f64, text: String) -> String {
     }
 }
 
-/// Whether nothing is left of a number in the digits that it is written with.
+/// Whether the text of a number is zero.
 fn is_zero(text: &str) -> bool {
     text.bytes()
         .all(|digit| matches!(digit, b'-' | b'.' | b'0'))

@@ -1,5 +1,5 @@
-/// Powers of length, mass, time, angle and temperature. An angle is a dimension of its own here, so
-/// that 10 rpm cannot be taken for 10 per minute.
+/// Powers of length, mass, time, angle and temperature. The angle is a dimension, so that 10 rpm are
+/// not 10 per minute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Dimension(pub [i8; 5]);
 

@@ -1,4 +1,4 @@
-/// What can be wrong with a quantity string.
+/// An error in a quantity string.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum UnitError {
     /// No number at the start.
@@ -9,54 +9,54 @@ pub enum UnitError {
     NoNumber {
         /// The string.
         text: String,
-        /// A unit that would fit; empty for a plain number.
+        /// A valid unit; empty for a plain number.
         unit: &'static str,
     },
-    /// The number NaN, which computers write where there is no number.
+    /// The number NaN.
     #[error("\"{text}\" is not a number; write for example \"{}\"", example(unit))]
     NotANumber {
         /// The string.
         text: String,
-        /// A unit that would fit; empty for a plain number.
+        /// A valid unit; empty for a plain number.
         unit: &'static str,
     },
-    /// A unit that is not known.
+    /// An unknown unit.
     #[error("\"{text}\" has the unknown unit '{unit}'{hint}; {wanted} takes {examples}")]
     UnknownUnit {
         /// The string.
         text: String,
         /// Its unit.
         unit: String,
-        /// What was meant, where that can be told.
+        /// The unit that was probably meant; may be empty.
         hint: String,
-        /// The kind of quantity wanted.
+        /// The required quantity.
         wanted: &'static str,
-        /// Units that fit.
+        /// Valid units.
         examples: String,
     },
-    /// A unit of another kind of quantity.
+    /// A unit of another quantity.
     #[error("\"{text}\" is not {wanted}; {wanted} takes {examples}")]
     WrongKind {
         /// The string.
         text: String,
-        /// The kind of quantity wanted.
+        /// The required quantity.
         wanted: &'static str,
-        /// Units that fit.
+        /// Valid units.
         examples: String,
     },
-    /// A string without a unit where one is needed.
+    /// A missing unit.
     #[error("\"{text}\" has no unit; {wanted} takes {examples}")]
     NoUnit {
         /// The string.
         text: String,
-        /// The kind of quantity wanted.
+        /// The required quantity.
         wanted: &'static str,
-        /// Units that fit.
+        /// Valid units.
         examples: String,
     },
 }
 
-/// A text that would be right.
+/// A valid text.
 fn example(unit: &str) -> String {
     if unit.is_empty() {
         "0.5".into()

@@ -1,82 +1,81 @@
-//! The grammar of units: products of symbols with powers, as a size, a dimension and perhaps a
-//! zero.
+//! Grammar of units: products of symbols with powers.
 
 use super::dimension::Dimension;
 use super::symbols::symbol;
 
-/// The SI size of a unit as a fraction, so that decimal units (g, cm², %) divide by whole numbers:
+/// SI size of a unit as a fraction. Decimal units (g, cm², %) have whole denominators, so that
 /// 5679 g cm² is 5679/10⁷ kg m² to the last bit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Size {
-    times: f64,
-    over: f64,
+    numerator: f64,
+    denominator: f64,
 }
 
 impl Size {
     const ONE: Self = Self {
-        times: 1.0,
-        over: 1.0,
+        numerator: 1.0,
+        denominator: 1.0,
     };
 
     fn new(size: f64) -> Self {
         let inverse = size.recip();
         if (inverse - inverse.round()).abs() <= 1e-12 * inverse {
             Self {
-                times: 1.0,
-                over: inverse.round(),
+                numerator: 1.0,
+                denominator: inverse.round(),
             }
         } else {
             Self {
-                times: size,
-                over: 1.0,
+                numerator: size,
+                denominator: 1.0,
             }
         }
     }
 
     fn times(self, other: Self) -> Self {
         Self {
-            times: self.times * other.times,
-            over: self.over * other.over,
+            numerator: self.numerator * other.numerator,
+            denominator: self.denominator * other.denominator,
         }
     }
 
     fn inverse(self) -> Self {
         Self {
-            times: self.over,
-            over: self.times,
+            numerator: self.denominator,
+            denominator: self.numerator,
         }
     }
 
     pub fn of(self, number: f64) -> f64 {
-        number * self.times / self.over
+        number * self.numerator / self.denominator
     }
 }
 
-/// A unit: how numbers in it become SI.
+/// A unit: size, dimension and zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unit {
     size: Size,
     pub(super) dimension: Dimension,
-    /// Where its zero lies, SI, for a scale of temperature that begins elsewhere.
+    /// SI value of its zero, for a temperature scale.
     zero: Option<f64>,
 }
 
 impl Unit {
-    /// So many of it, as a quantity: 25 degC is 298.15 K.
+    /// SI value of a quantity in this unit: 25 degC is 298.15 K.
     pub fn value(&self, number: f64) -> f64 {
         let above = self.difference(number);
         self.zero.map_or(above, |zero| zero + above)
     }
 
-    /// So many of it, as a difference of two quantities: 25 degC is 25 K.
+    /// SI value of a difference in this unit: 25 degC is 25 K.
     pub fn difference(&self, number: f64) -> f64 {
         self.size.of(number)
     }
 }
 
-/// The unit that a product of units is: factors separated by spaces, `*`, `·`, `.` or `/` (which
-/// divides by the one factor that follows), each perhaps with a power: `kg/m^3`, `g cm²`, `m s^-2`,
-/// `Pa.s`. A scale with a zero of its own stands alone.
+/// Parses a product of units: factors separated by spaces, `*`, `·`, `.` or `/` (which applies to the
+/// next factor), each with an optional power: `kg/m^3`, `g cm²`, `m s^-2`, `Pa.s`. A temperature
+/// scale with its own zero cannot be a factor.
 pub(super) fn read_unit(text: &str) -> Option<Unit> {
     let spaced = text.replace('/', " / ").replace(['*', '·', '⋅', '.'], " ");
     let (mut size, mut dimension, mut zero) = (Size::ONE, Dimension::NONE, None);

@@ -1,12 +1,12 @@
-//! Sentences with quantities in them.
+//! Messages that contain quantities.
 
 use super::spelling::{typed, with_unit};
 use super::{Quantity, System, significant};
 use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// A sentence that keeps its quantities as numbers, so that it can be shown in the units of either
-/// system. `Display` and JSON show each in the unit that it was given in, spelled as it is typed.
+/// A message with quantities as numbers, so that it can be displayed in the units of either system.
+/// `Display` and JSON use the given unit of each quantity, in the spelling of input: `deg`.
 ///
 /// ```
 /// use longdrive::units::{Digits, Message, Quantity, System};
@@ -33,16 +33,16 @@ enum Part {
 /// The digits of a quantity in a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Digits {
-    /// At most so many significant digits.
+    /// At most this number of significant digits.
     Significant(usize),
-    /// As [`Quantity::read_off_finely`].
+    /// Digits of [`Quantity::read_off_finely`].
     Fine,
-    /// As [`Quantity::read_off_difference`].
+    /// Digits of [`Quantity::read_off_difference`].
     Difference,
 }
 
 impl Message {
-    /// The same with more words.
+    /// Appends words.
     #[must_use]
     pub fn words(mut self, words: impl Into<String>) -> Self {
         match self.parts.last_mut() {
@@ -52,8 +52,7 @@ impl Message {
         self
     }
 
-    /// The same with a quantity: its unit is shown in a system as [`System::unit`] says, its value
-    /// is SI.
+    /// Appends a quantity with an SI value. [`System::unit`] converts its unit.
     #[must_use]
     pub fn quantity(
         mut self,
@@ -71,7 +70,7 @@ impl Message {
         self
     }
 
-    /// The same with another message.
+    /// Appends another message.
     #[must_use]
     pub fn message(self, other: Self) -> Self {
         other.parts.into_iter().fold(self, |all, part| match part {
@@ -85,7 +84,7 @@ impl Message {
         })
     }
 
-    /// The message with its words as `write` changes them; quantities stay.
+    /// Rewrites the words; quantities are unchanged.
     #[must_use]
     pub fn map_words(mut self, write: impl Fn(&str) -> String) -> Self {
         for part in &mut self.parts {
@@ -96,14 +95,14 @@ impl Message {
         self
     }
 
-    /// Messages in a row, with these words between them.
+    /// Joins messages with words between them.
     pub fn joined(messages: impl IntoIterator<Item = Self>, between: &str) -> Self {
         let mut messages = messages.into_iter();
         let first = messages.next().unwrap_or_default();
         messages.fold(first, |all, next| all.words(between).message(next))
     }
 
-    /// The sentence in the units of a system, as people read them.
+    /// The text in the units of a system, in the spelling of output: `°`.
     pub fn in_units(&self, system: System) -> String {
         self.text(|unit| system.unit(unit), with_unit)
     }

@@ -1,9 +1,9 @@
-//! Quantity strings to and from SI: `"110 mph"`, `"10.5 deg"`, `"5679 g cm^2"`. Nothing else
-//! converts.
+//! Conversion of quantity strings to and from SI: `"110 mph"`, `"10.5 deg"`, `"5679 g cm^2"`. No
+//! other module converts units.
 //!
-//! The sizes of the units are their definitions; tests hold them against those that NIST prints and
-//! those of Python's library pint. Beside them there is the grammar that puts them together
-//! (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
+//! The sizes of the units are their definitions; tests compare them with NIST's tables and with
+//! Python's library pint. A grammar combines units (`kg/m^3`, `g cm^2`), and the dimension of the
+//! result is checked.
 
 mod amount;
 mod decimals;
@@ -30,7 +30,7 @@ use expression::read_unit;
 use std::fmt;
 use symbols::SYMBOLS;
 
-/// A kind of quantity: what a parameter or an outcome is measured in.
+/// Physical quantity of a parameter or an outcome.
 ///
 /// ```
 /// use longdrive::units::Quantity;
@@ -40,11 +40,11 @@ use symbols::SYMBOLS;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
-    /// What it is called: "an angle".
+    /// Name with its article: "an angle".
     pub name: &'static str,
-    /// Its SI unit: "rad".
+    /// SI unit: "rad".
     pub si: &'static str,
-    /// The units that are usual, the first of them in examples.
+    /// Usual units, separated by commas; the first one is for examples.
     usual: &'static str,
     dimension: Dimension,
 }
@@ -55,7 +55,7 @@ macro_rules! quantities {
             $($(#[doc = $doc])* pub const $id: Self =
                 Self { name: $name, si: $si, usual: $usual, dimension: Dimension([$l, $m, $t, $a, $k]) };)*
 
-            /// Every kind.
+            /// All quantities.
             pub(crate) const ALL: &'static [Self] = &[$(Self::$id),*];
         }
     };
@@ -104,17 +104,16 @@ quantities! {
 }
 
 impl Quantity {
-    /// The SI value of a string with a unit. `inf` needs none, and a plain number may stand
-    /// without.
+    /// Parses a string with a unit to SI. `inf` and plain numbers need no unit.
     ///
     /// # Errors
-    /// [`UnitError`]: no number, a missing or unknown unit, or a unit of another kind.
+    /// [`UnitError`]: no number, a missing or unknown unit, or a unit of another quantity.
     pub fn read(self, text: &str) -> Result<f64, UnitError> {
         self.read_as(text, Unit::value)
     }
 
-    /// The same of a difference of two such quantities, such as an uncertainty: it differs where a
-    /// scale has a zero of its own.
+    /// Parses a difference of two values, such as an uncertainty. Unlike [`read`](Self::read), it
+    /// does not add the zero of a temperature scale.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -123,7 +122,7 @@ impl Quantity {
     /// ```
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Those of [`read`](Self::read).
     pub fn read_difference(self, text: &str) -> Result<f64, UnitError> {
         self.read_as(text, Unit::difference)
     }
@@ -142,10 +141,10 @@ impl Quantity {
         }
     }
 
-    /// As [`read`](Self::read), but a number without a unit is taken as SI.
+    /// [`read`](Self::read), but a number without a unit is SI.
     ///
     /// # Errors
-    /// [`UnitError`] as for [`read`](Self::read), except a missing unit.
+    /// Those of [`read`](Self::read), except a missing unit.
     pub fn read_bare(self, text: &str) -> Result<f64, UnitError> {
         match self.split(text)? {
             (number, "") => Ok(number),
@@ -153,7 +152,7 @@ impl Quantity {
         }
     }
 
-    /// The number and the unit (perhaps empty) that a string is made of.
+    /// Splits a string into number and unit; the unit may be empty.
     ///
     /// # Errors
     /// [`UnitError::NoNumber`], [`UnitError::NotANumber`].
@@ -176,7 +175,7 @@ impl Quantity {
         }
     }
 
-    /// How many SI units one `unit` is as a difference, where it is a unit of this kind.
+    /// SI size of `unit`, without the zero of a scale; `None` for a unit of another quantity.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -188,12 +187,12 @@ impl Quantity {
         (unit.dimension == self.dimension).then(|| unit.difference(1.0))
     }
 
-    /// The unit of this name, where it is one of this kind: for many numbers in the same unit.
+    /// The unit of this name, to convert many numbers; `None` for a unit of another quantity.
     pub(crate) fn unit_named(self, unit: &str) -> Option<Unit> {
         read_unit(unit).filter(|unit| unit.dimension == self.dimension)
     }
 
-    /// An SI value in `unit`, as a person types it.
+    /// An SI value as text in `unit`, in the spelling of input.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -208,8 +207,7 @@ impl Quantity {
         }
     }
 
-    /// The units that a value may have, as messages list them: the usual ones, then the other
-    /// symbols of its kind.
+    /// List of the valid units for messages: the usual ones, then the other symbols of this quantity.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -228,7 +226,7 @@ impl Quantity {
         units.join(", ")
     }
 
-    /// The head of a column of SI values: `club.loft [rad]`, as tables of points are read.
+    /// Head of a column of SI values: `club.loft [rad]`.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -243,8 +241,7 @@ impl Quantity {
         }
     }
 
-    /// What is meant by an unknown unit: one in other letters, a degree without its sign, or a
-    /// decimal comma before it.
+    /// Hint for an unknown unit: other case, a degree without `deg`, or a decimal comma before it.
     fn hint(self, unit: &str) -> String {
         if unit
             .strip_prefix(',')
@@ -262,7 +259,10 @@ impl Quantity {
         meant.map_or(String::new(), |known| format!(" (did you mean '{known}'?)"))
     }
 
-    /// The unit of a text, where it is one of this kind.
+    /// The unit of a text.
+    ///
+    /// # Errors
+    /// [`UnitError`] for an unknown unit, and a unit of another quantity.
     fn unit(self, unit: &str, text: &str) -> Result<Unit, UnitError> {
         let found = read_unit(unit).ok_or_else(|| UnitError::UnknownUnit {
             text: text.into(),
@@ -307,7 +307,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// The longest number at the start of `text`, and what follows it.
+/// The longest number at the start of a text, and the rest.
 fn split_number(text: &str) -> Option<(f64, &str)> {
     let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
     let number = |end: usize| {
@@ -394,7 +394,7 @@ mod tests {
             Quantity::SPEED.read_difference("110 mph"),
             Quantity::SPEED.read("110 mph")
         );
-        // a scale with a zero of its own is no factor of a product
+        // a temperature scale with its own zero is not a factor
         for text in ["2 degC^1 1", "2 1/degC", "2 degF^2", "2 K degC/K"] {
             assert!(
                 matches!(

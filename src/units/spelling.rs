@@ -1,7 +1,7 @@
-//! How numbers and units are spelled for people. What is typed or read by a program keeps its
-//! spelling: `10.5 deg`, `kg/m^3`.
+//! Spelling of numbers and units in output: `10.5°`, `kg/m³`. The spelling of input is `10.5 deg`,
+//! `kg/m^3`.
 
-/// A unit as people read it: `°`, `kg/m³`.
+/// A unit in the spelling of output: `°`, `kg/m³`.
 ///
 /// ```
 /// use longdrive::units::printed;
@@ -13,7 +13,7 @@ pub fn printed(unit: &str) -> String {
         .replace("^3", "³")
 }
 
-/// A number with its unit as people read it: "162.0 mph", "7.5°", "1.47".
+/// A number with its unit in the spelling of output: "162.0 mph", "7.5°", "1.47".
 pub(crate) fn with_unit(number: &str, unit: &str) -> String {
     match printed(unit).as_str() {
         "°" => format!("{number}°"),
@@ -21,12 +21,12 @@ pub(crate) fn with_unit(number: &str, unit: &str) -> String {
     }
 }
 
-/// A number with its unit as it is typed: "7.5 deg".
+/// A number with its unit in the spelling of input: "7.5 deg".
 pub(super) fn typed(number: &str, unit: &str) -> String {
     format!("{number} {unit}").trim_end().to_owned()
 }
 
-/// One of a unit, in words: what stands after "for each".
+/// A unit as a noun, for the phrase "for each …".
 ///
 /// ```
 /// use longdrive::units::one;
@@ -44,8 +44,8 @@ pub fn one(unit: &str) -> String {
     }
 }
 
-/// The SI unit of a derivative as the heads of tables have it, from the SI units of what changes
-/// and of what it changes by; empty where it has none.
+/// SI unit of a derivative for the heads of tables, from the SI units of the outcome and the
+/// parameter; empty for a plain number.
 ///
 /// ```
 /// use longdrive::units::ratio;
@@ -60,7 +60,7 @@ pub fn ratio(of: &str, by: &str) -> String {
     }
 }
 
-/// The unit of a derivative, from the units of what changes and of what it changes by.
+/// Unit of a derivative in words, from the units of the outcome and the parameter.
 ///
 /// ```
 /// use longdrive::units::per;
@@ -75,8 +75,7 @@ pub fn per(of: &str, by: &str) -> String {
     }
 }
 
-/// The number that a text begins with: "162.0" of "162.0 mph", "-7.5" of "-7.5°", "1e-9" of "1e-9
-/// m".
+/// The number at the start of a text: "162.0" of "162.0 mph", "-7.5" of "-7.5°", "1e-9" of "1e-9 m".
 pub(crate) fn leading_number(text: &str) -> &str {
     let end = text
         .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e')))
@@ -84,9 +83,8 @@ pub(crate) fn leading_number(text: &str) -> &str {
     &text[..end]
 }
 
-/// Words as pages and pictures print them: the sign of a number is a minus sign, `38 deg` is `38°`,
-/// `>=` is `≥`, `m^2` is `m²`. A terminal has the hyphen, so that a number can be copied into a
-/// command.
+/// Text for pages and pictures: minus signs, `38 deg` as `38°`, `>=` as `≥`, `m^2` as `m²`. On a
+/// terminal the hyphen stays, so that a number can be copied into a command.
 ///
 /// ```
 /// use longdrive::units::typeset;

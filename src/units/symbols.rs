@@ -4,16 +4,16 @@ use std::sync::LazyLock;
 
 /// A unit symbol.
 pub(super) struct Symbol {
-    /// How it is written; the first is the usual one.
+    /// Spellings; the first one is for output.
     pub names: &'static [&'static str],
-    /// Its SI size.
+    /// SI size.
     pub size: f64,
     pub dimension: Dimension,
-    /// Where its zero lies, SI, if that is not zero.
+    /// SI value of the zero of a temperature scale.
     pub zero: Option<f64>,
 }
 
-/// Every unit symbol.
+/// All unit symbols.
 pub(super) static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(symbols);
 
 /// Letters of a name that is read in capitals too: "Mm" and "mm", "MG" and "mg" are not one unit.
@@ -28,9 +28,9 @@ pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
     exact.or_else(|| SYMBOLS.iter().filter(|_| is_word).find(is_meant))
 }
 
-/// The sizes are definitions (SI brochure, 9th edition; the yard and the pound of 1959, from which
-/// inch, foot, mile and ounce follow; mercury of 13 595.1 kg/m³ at standard gravity), so that
-/// nothing is rounded but the last bit.
+/// The sizes are definitions, exact to the last bit: SI brochure, 9th edition; the yard and the pound
+/// of 1959, from which inch, foot, mile and ounce follow; mercury of 13 595.1 kg/m³ at standard
+/// gravity.
 fn symbols() -> Vec<Symbol> {
     use Dimension as D;
     let symbol = |names, size, dimension| Symbol {

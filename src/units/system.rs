@@ -1,12 +1,12 @@
 use std::fmt;
 
-/// The units that results are shown in.
+/// System of units for results.
 ///
 /// ```
 /// use longdrive::units::System;
 /// assert_eq!((System::Metric.unit("yd"), System::Us.unit("yd")), ("m", "yd"));
 /// assert_eq!((System::Metric.unit("mph"), System::Us.unit("m/s")), ("m/s", "mph"));
-/// assert_eq!(System::Metric.unit("deg"), "deg"); // and rpm, g, mm: the same for golfers everywhere
+/// assert_eq!(System::Metric.unit("deg"), "deg"); // like rpm, g and mm, in both systems
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum System {
@@ -17,14 +17,14 @@ pub enum System {
     Us,
 }
 
-/// Units that differ, metric and US.
+/// Pairs of metric and US units.
 const PAIRS: [(&str, &str); 3] = [("m", "yd"), ("m/s", "mph"), ("mm", "in")];
 
 impl System {
-    /// Both.
+    /// Both systems.
     pub const ALL: [Self; 2] = [Self::Metric, Self::Us];
 
-    /// Its name on the command line: `metric`, `us`.
+    /// Name on the command line: `metric`, `us`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Metric => "metric",
@@ -32,7 +32,7 @@ impl System {
         }
     }
 
-    /// The other one.
+    /// The other system.
     pub fn other(self) -> Self {
         match self {
             Self::Metric => Self::Us,
@@ -40,9 +40,8 @@ impl System {
         }
     }
 
-    /// The unit that stands in this system for a unit that golfers read: yards for metres, miles
-    /// per hour for metres per second, and the other way. Millimetres on the clubface are read
-    /// everywhere and stay.
+    /// The unit of this system for a unit of either system: yards for metres, miles per hour for
+    /// metres per second, and vice versa. Millimetres, of strikes on the face, are in both systems.
     pub fn unit(self, unit: &'static str) -> &'static str {
         match self {
             Self::Metric => PAIRS

@@ -459,7 +459,7 @@ fn messages_have_plain_numbers_chosen_units_and_suggestions() {
     }
 }
 
-/// Errors in a file: in this program's words, with file, line and advice.
+/// Errors in a file have file, line, reason and advice.
 #[test]
 fn broken_files_have_plain_messages() {
     let folder = tempfile::tempdir().unwrap();
@@ -467,48 +467,47 @@ fn broken_files_have_plain_messages() {
         (
             "a.toml",
             &b"[club]\nloft = \"10 deg\n"[..],
-            "a.toml: line 2, column 15 is not valid TOML: the string does not end; close it with \
-             \"",
+            "a.toml: line 2, column 15 is not valid TOML: invalid basic string, expected `\"`",
         ),
         (
             "a.toml",
             b"[club]\nloft = '10 deg\n",
-            "the string does not end; close it with '",
+            "invalid literal string, expected `'`",
         ),
         (
             "a.toml",
             b"[club]\nloft = 10 deg\n",
-            "a value is a number, or text in quotes where it has a unit",
+            "a value is a number, or text in quotes, as in loft = \"10.5 deg\"",
         ),
         (
             "a.toml",
             b"[club]\nloft = 10deg\n",
-            "a value is a number, or text in quotes where it has a unit",
+            "a value is a number, or text in quotes, as in loft = \"10.5 deg\"",
         ),
         (
             "a.toml",
             b"[club]\nloft =\n",
-            "a value is a number, or text in quotes where it has a unit",
+            "a value is a number, or text in quotes, as in loft = \"10.5 deg\"",
         ),
         (
             "a.toml",
             b"[club]\nloft = True\n",
-            "a value is a number, or text in quotes where it has a unit",
+            "a value is a number, or text in quotes, as in loft = \"10.5 deg\"",
         ),
         (
             "a.toml",
             b"[club]\nloft = 1\nloft = 2\n",
-            "line 3, column 1 is not valid TOML: this key or table is given twice; keep one",
+            "line 3, column 1 is not valid TOML: duplicate key",
         ),
         (
             "a.toml",
             b"[club\nloft = 1\n",
-            "the head of the table does not end; close it with ]",
+            "unclosed table, expected `]`",
         ),
         (
             "a.toml",
             b"[club]\nloft: 1\n",
-            "a key needs '=' and a value after it",
+            "key with no value, expected `=`",
         ),
         (
             "a.toml",
@@ -520,7 +519,11 @@ fn broken_files_have_plain_messages() {
             b"[club]\nlofft = 1\n",
             "did you mean 'club.loft'?",
         ),
-        ("a.toml", b"[club]\nloft = \"\x01\"\n", "the reader says: "),
+        (
+            "a.toml",
+            b"[club]\nloft = \"\x01\"\n",
+            "line 2, column 9 is not valid TOML: ",
+        ),
         (
             "a.toml",
             b"[club]\nloft = '\xff'\n",

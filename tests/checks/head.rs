@@ -38,7 +38,7 @@ fn exact_head_with_a_weight_is_that_of_two_masses() {
         1e-15,
         "depth",
     );
-    let [high, toe] = head.beside.unwrap();
+    let [high, toe] = head.cg_offset.unwrap();
     close(high, -share * 0.018, 0.01, 1e-15, "high");
     close(toe, -share * 0.030, 0.01, 1e-15, "toe");
     // in the head frame: pitched up by the loft

@@ -1,12 +1,12 @@
-//! C_D and C_L of Bearman & Harvey (1976), a row for each spin, a column for each speed.
+//! C_D and C_L of Bearman & Harvey (1976): one row a spin, one column a speed.
 
-// 0.3180 is measured, and not 1/π
+// 0.3180 is a measured value, not 1/π
 #![allow(clippy::approx_constant)]
 
-/// m/s.
+/// Speeds of the columns, m/s.
 pub(super) const SPEEDS: [f64; 10] = [13.7, 21.6, 29.9, 38.4, 46.9, 55.2, 63.1, 71.9, 80.2, 88.1];
 
-/// rpm: those of the first row and of the last, evenly spaced.
+/// Spins of the first and the last row, rpm; the rows are evenly spaced.
 pub(super) const SPINS: [f64; 2] = [2000.0, 6000.0];
 
 /// C_D.

@@ -1,28 +1,29 @@
 mod grid;
 
-use super::gridded::gridded;
+use super::gridded::grid_coefficients;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::Numbers;
-use crate::parameters::{Along, Axis, BearmanHarvey, Cell, Grid, Surface, cells_of};
+use crate::parameters::{Axis, AxisVariable, BearmanHarvey, Cell, Grid, Surface, cells_of};
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// rad/s in an rpm.
+/// 1 rpm, rad/s.
 const RPM: f64 = PI / 30.0;
 
-/// Beyond the edges of the grid speed, m/s, and spin, rpm, are held over these, at once where it is
-/// steep: at 13.7 m/s and 2000 rpm the lift halves within 200 rpm, and no one knows how it goes on.
+/// Widths of the clamps of speed, m/s, and spin, rpm, beyond the edges of the grid. They are narrow
+/// where the coefficients are steep: at 13.7 m/s and 2000 rpm the lift halves within 200 rpm.
 const SPEED_OVER: [f64; 2] = [1.0, 4.0];
 const SPIN_OVER: f64 = 100.0;
 
-/// m/s: what was measured. The last column of the grid repeats the drag of the last but one.
+/// Measured speeds, m/s. The last column of the grid, 88.1 m/s, is not measured: it repeats the drag
+/// of the column before.
 const MEASURED: [f64; 2] = [13.7, 80.2];
 
 const ROWS: usize = DRAG.len();
 const COLUMNS: usize = SPEEDS.len();
 
-/// The spins of the rows, rad/s.
+/// Spins of the rows, rad/s.
 static SPIN_OF_ROW: LazyLock<[f64; ROWS]> = LazyLock::new(|| {
     let [least, most] = SPINS.map(|rpm| rpm * RPM);
     std::array::from_fn(|row| least + (most - least) / (ROWS - 1) as f64 * row as f64)
@@ -38,27 +39,27 @@ static GRID: LazyLock<Grid> = LazyLock::new(|| {
     let [slowest, .., fastest] = SPEEDS;
     Grid {
         spin: Some(Axis {
-            along: Along::Spin,
+            variable: AxisVariable::Spin,
             ends: [least, most],
             over: [SPIN_OVER * RPM; 2],
         }),
         speed: Some(Axis {
-            along: Along::Speed,
+            variable: AxisVariable::Speed,
             ends: [slowest, fastest],
             over: SPEED_OVER,
         }),
-        begins: Some((Along::Spin, 1.0 / least)),
+        full_lift: Some((AxisVariable::Spin, 1.0 / least)),
         surface: Surface::of(&SPEEDS, SPIN_OF_ROW.as_slice(), CELLS.as_slice()),
     }
 });
 
-/// C_D = cd_factor D(v, |ω|), C_L = cl_factor L(v, |ω|): bicubic splines through a grid that was
-/// read off the curves of Bearman & Harvey (1976). With less spin than the grid's 2000 rpm the lift
-/// is that at its edge times 1 − (1 − |ω|/2000 rpm)³.
+/// C_D = cd_factor D(v, |ω|), C_L = cl_factor L(v, |ω|): bicubic splines through a grid read off the
+/// curves of Bearman & Harvey (1976). Below 2000 rpm, the least spin of the grid, the lift is that at
+/// 2000 rpm times 1 − (1 − |ω|/2000 rpm)³.
 impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        gridded(&GRID, [self.cd_factor, self.cl_factor], stream)
+        grid_coefficients(&GRID, [self.cd_factor, self.cl_factor], stream)
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {
@@ -74,7 +75,7 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
             spin: Some(SPINS.map(|rpm| rpm * RPM)),
             speed: Some(MEASURED),
             to: "a wind tunnel, Bearman & Harvey 1976",
-            // the grid has one column of speeds more than were measured
+            // not clamped above: the grid has one column more than was measured
             held: [[false; 2], [true; 2], [false; 2], [true, false]],
             ..Fitted::UNKNOWN
         }

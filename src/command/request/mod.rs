@@ -94,16 +94,15 @@ impl Request {
             self.note_replaced(&setup, &before, setting);
         }
         // columns may give what such a parameter follows from
-        let (taken_back, settings): (Vec<_>, Vec<_>) = settings
-            .into_iter()
-            .partition(|setting| setting.is_taken_back());
+        let (taken_back, settings): (Vec<_>, Vec<_>) =
+            settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(
             settings
                 .iter()
                 .map(|setting| (setting.parameter.as_str(), setting.value.as_str())),
         )?;
         for setting in taken_back {
-            setup.take_back(setup.parameter(&setting.parameter)?);
+            setup.reset(setup.parameter(&setting.parameter)?);
         }
         for setting in launch {
             setup.set(&setting.parameter, &setting.value)?;
@@ -401,7 +400,7 @@ impl Request {
     /// setup nor `more`.
     fn refuse_idle_unset(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
         let mut setup = *setup;
-        for setting in self.stated.iter().filter(|setting| setting.is_taken_back()) {
+        for setting in self.stated.iter().filter(|setting| setting.is_reset()) {
             let follows = more
                 .iter()
                 .any(|other| follows_from(&setting.parameter, other.name));

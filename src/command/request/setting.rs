@@ -1,6 +1,6 @@
 //! Settings of the command line: `--set club.loft=11deg`, `--launch ball_speed=70m/s`.
 
-use crate::parameters::{METHOD, is_taken_back, is_unset};
+use crate::parameters::{METHOD, is_reset, is_unset};
 use crate::units::Quantity;
 use crate::{Error, Result, Setup};
 use std::fmt;
@@ -101,8 +101,8 @@ impl Setting {
 
     /// Returns true for the value `none` of a parameter that other parameters can determine: air
     /// density follows from the weather.
-    pub fn is_taken_back(&self) -> bool {
-        is_taken_back(&self.parameter, &self.value)
+    pub fn is_reset(&self) -> bool {
+        is_reset(&self.parameter, &self.value)
     }
 
     /// The argument with the name, for messages: `--set club.loft`.

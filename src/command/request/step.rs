@@ -28,7 +28,7 @@ impl Request {
     /// # Errors
     /// As [`within_tolerance`](Self::within_tolerance).
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
-        let begun = Vary::begun(&setup, ranges)?;
+        let begun = Vary::initialised(&setup, ranges)?;
         Ok(self
             .accuracy_for_many(&begun, ranges, &of_the_flight())?
             .map_or(setup, |found| found.applied_to(&setup)))

@@ -1,23 +1,23 @@
-//! Whether nodes make a full grid, and the splines through it are a law.
+//! Checks that nodes form a full grid, and that the splines through it are a law.
 
-use super::grid::{Along, Axis, Grid};
-use super::read::{Node, Nodes, Wrong};
+use super::grid::{Axis, AxisVariable, Grid};
+use super::read::{Fault, Node, Nodes};
 use super::surface::{Cell, Surface};
 
-/// Below this spin ratio, slower spin than any drive has, a table that says nothing of the spin has
-/// less lift, and none without spin.
-const LIFT_BEGINS: f64 = 0.02;
+/// Spin ratio below which the lift of a table without an axis of the spin falls to 0: slower spin
+/// than in any drive.
+const FULL_LIFT: f64 = 0.02;
 
-/// Lines of a grid closer together than this, relative to the largest, are one line written in two
-/// ways.
-const SAME: f64 = 1e-9;
+/// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are one
+/// line, rounded differently.
+const LEAST_DISTANCE: f64 = 1e-9;
 
-/// Beyond its ends an axis is held over this part of its outer step: half as far, the splines are
-/// read off beyond their last node.
-const OVER: f64 = 0.5;
+/// Width of the smooth clamp beyond the ends of an axis, as a part of the outer step. The splines
+/// are evaluated up to half of it beyond the last node.
+const CLAMP_WIDTH: f64 = 0.5;
 
 /// The grid of some nodes.
-pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Wrong> {
+pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Fault> {
     let rows = &nodes.rows;
     if rows.len() < 2 {
         let found = if rows.is_empty() {
@@ -25,16 +25,15 @@ pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Wrong> {
         } else {
             "one row only"
         };
-        return Err((
-            String::new(),
-            format!("it has {found}; a law needs at least two nodes along an axis"),
-        ));
+        return Err(Fault::of_file(format!(
+            "it has {found}; a law needs at least two nodes along an axis"
+        )));
     }
-    let across = lines(rows.iter().map(|node| node.speed), nodes.speed)?;
-    let up = lines(rows.iter().map(|node| node.spin), nodes.spin)?;
-    let places = places(nodes, &across, &up)?;
-    let [drag, lift] = [|node: &Node| node.drag, |node: &Node| node.lift]
-        .map(|number| places.iter().map(|node| number(node)).collect::<Vec<f64>>());
+    let speeds = lines(rows.iter().map(|node| node.speed), nodes.speed)?;
+    let spins = lines(rows.iter().map(|node| node.spin), nodes.spin)?;
+    let sorted = full_grid(nodes, &speeds, &spins)?;
+    let drag: Vec<f64> = sorted.iter().map(|node| node.drag).collect();
+    let lift: Vec<f64> = sorted.iter().map(|node| node.lift).collect();
     if let Some(node) = rows
         .iter()
         .find(|node| nodes.spin.is_some() && node.spin == 0.0 && node.lift != 0.0)
@@ -44,55 +43,58 @@ pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Wrong> {
              without spin",
             node.lift
         );
-        return Err((format!(", line {}", node.line), reason));
+        return Err(Fault::at_line(node.line, reason));
     }
-    let speed = nodes.speed.map(|along| axis(along, &across));
-    let spin = nodes.spin.map(|along| axis(along, &up));
-    let begins = match spin {
+    let speed = nodes.speed.map(|variable| axis(variable, &speeds));
+    let spin = nodes.spin.map(|variable| axis(variable, &spins));
+    let full_lift = match spin {
         Some(Axis { ends: [0.0, _], .. }) => None,
         Some(Axis {
-            along,
+            variable,
             ends: [least, _],
             ..
-        }) => Some((along, 1.0 / least)),
-        None => Some((Along::SpinRatio, 1.0 / LIFT_BEGINS)),
+        }) => Some((variable, 1.0 / least)),
+        None => Some((AxisVariable::SpinRatio, 1.0 / FULL_LIFT)),
     };
-    let counts = [across.len(), up.len()];
-    let surface = Surface::new(across, up, [&drag, &lift]);
-    check_between(&surface, counts, nodes)?;
+    let counts = [speeds.len(), spins.len()];
+    let surface = Surface::new(speeds, spins, [&drag, &lift]);
+    check_between_nodes(&surface, counts, nodes)?;
     Ok(Grid {
         speed,
         spin,
-        begins,
+        full_lift,
         surface,
     })
 }
 
-/// The lines of a grid along an axis, rising.
-fn lines(values: impl Iterator<Item = f64>, along: Option<Along>) -> Result<Vec<f64>, Wrong> {
+/// The lines of the grid along an axis, in ascending order.
+fn lines(
+    values: impl Iterator<Item = f64>,
+    variable: Option<AxisVariable>,
+) -> Result<Vec<f64>, Fault> {
     let mut lines: Vec<f64> = values.collect();
     lines.sort_by(f64::total_cmp);
     lines.dedup();
     let most = lines.last().copied().unwrap_or_default();
     let close = lines
         .windows(2)
-        .find(|pair| pair[1] - pair[0] <= SAME * most);
-    if let (Some(pair), Some(along)) = (close, along) {
-        let (name, si) = (along.names()[0], along.quantity().0.si);
+        .find(|pair| pair[1] - pair[0] <= LEAST_DISTANCE * most);
+    if let (Some(pair), Some(variable)) = (close, variable) {
+        let (name, si) = (variable.names()[0], variable.quantity().0.si);
         let both = format!("{name} {:?} and {:?} {si}", pair[0], pair[1]);
         let reason = format!(
             "{} are nearly the same; write one number for both",
             both.trim_end()
         );
-        return Err((String::new(), reason));
+        return Err(Fault::of_file(reason));
     }
     Ok(lines)
 }
 
-/// The nodes row by row: one at each crossing of the lines.
-fn places<'a>(nodes: &'a Nodes, across: &[f64], up: &[f64]) -> Result<Vec<&'a Node>, Wrong> {
-    // each axis has at most as many lines as there are rows; but not both
-    let size = across.len().saturating_mul(up.len());
+/// The nodes of a full grid, row by row: one at each crossing of the lines.
+fn full_grid<'a>(nodes: &'a Nodes, speeds: &[f64], spins: &[f64]) -> Result<Vec<&'a Node>, Fault> {
+    // saturating: each axis may have as many lines as there are rows
+    let size = speeds.len().saturating_mul(spins.len());
     let mut sorted: Vec<&Node> = nodes.rows.iter().collect();
     sorted.sort_by(|a, b| {
         a.spin
@@ -109,10 +111,10 @@ fn places<'a>(nodes: &'a Nodes, across: &[f64], up: &[f64]) -> Result<Vec<&'a No
             place(nodes, twice[1].speed, twice[1].spin),
             twice[0].line
         );
-        return Err((format!(", line {}", twice[1].line), reason));
+        return Err(Fault::at_line(twice[1].line, reason));
     }
     if sorted.len() < size {
-        let nodes_at = (0..size).map(|i| (up[i / across.len()], across[i % across.len()]));
+        let nodes_at = (0..size).map(|i| (spins[i / speeds.len()], speeds[i % speeds.len()]));
         let missing = nodes_at.zip(
             sorted
                 .iter()
@@ -127,88 +129,57 @@ fn places<'a>(nodes: &'a Nodes, across: &[f64], up: &[f64]) -> Result<Vec<&'a No
         let reason = format!(
             "the grid of {} by {} nodes has {}: the first is {}; give every node a row, or leave \
              out the lines of the grid that are not full",
-            across.len(),
-            up.len(),
+            speeds.len(),
+            spins.len(),
             crate::units::counted((size - sorted.len()) as u64, "hole"),
             place(nodes, speed, spin)
         );
-        return Err((String::new(), reason));
+        return Err(Fault::of_file(reason));
     }
     Ok(sorted)
 }
 
-/// An axis with its ends, and how far it is held beyond them.
-fn axis(along: Along, lines: &[f64]) -> Axis {
+/// An axis with its ends and the widths of its clamps.
+fn axis(variable: AxisVariable, lines: &[f64]) -> Axis {
     let last = lines.len() - 1;
-    // where nothing changes along it, it does not matter
+    // any width along a single line: the surface is constant
     let over = if last == 0 {
         [1.0; 2]
     } else {
-        [lines[1] - lines[0], lines[last] - lines[last - 1]].map(|step| OVER * step)
+        [lines[1] - lines[0], lines[last] - lines[last - 1]].map(|step| CLAMP_WIDTH * step)
     };
     Axis {
-        along,
+        variable,
         ends: [lines[0], lines[last]],
         over,
     }
 }
 
-/// The splines are finite, and drag is nowhere below 0 between the nodes, nor beyond them as far as
-/// they are read off.
-fn check_between(
+/// Checks that the splines are finite, and that their drag is not negative between the nodes and as
+/// far beyond them as they are evaluated.
+fn check_between_nodes(
     surface: &Surface,
     [columns, rows]: [usize; 2],
     nodes: &Nodes,
-) -> Result<(), Wrong> {
-    const FINE: usize = 8;
+) -> Result<(), Fault> {
     let [wide, high] = [columns, rows].map(|count| count.saturating_sub(1).max(1));
     for (i, cell) in surface.cells().iter().enumerate() {
         if !cell.iter().all(|number| number.is_finite()) {
-            return Err((
-                String::new(),
+            return Err(Fault::of_file(
                 "its numbers differ too much for a smooth curve through them; check the columns"
                     .into(),
             ));
         }
-        // the coefficients bound what is between: most cells need no closer look
-        let swing: f64 = cell[5..20].iter().map(|number| number.abs()).sum();
-        if cell[4] > 4.0 * swing {
+        // the coefficients bound the drag in the cell: most cells need no samples
+        let variation: f64 = cell[5..20].iter().map(|number| number.abs()).sum();
+        if cell[4] > 4.0 * variation {
             continue;
         }
-        // no spin and no speed is below 0, which is at `none`
-        let places = |at: usize, count: usize, none: f64| {
-            let under = if at == 0 && count > 1 {
-                Some((-0.5 * OVER).max(none))
-            } else {
-                None
-            };
-            let above = if at + 2 >= count && count > 1 {
-                Some(1.0 + 0.5 * OVER)
-            } else {
-                None
-            };
-            under
-                .into_iter()
-                .chain((0..=FINE).map(|k| k as f64 / FINE as f64))
-                .chain(above)
-        };
-        for u in places(i % wide, columns, -cell[0] * cell[1]) {
-            for w in places(i / wide % high, rows, -cell[2] * cell[3]) {
+        for u in samples(i % wide, columns, -cell[0] * cell[1]) {
+            for w in samples(i / wide % high, rows, -cell[2] * cell[3]) {
                 let found = drag(cell, u, w);
                 if found < -1e-12 {
-                    let end = |corner: f64, per: f64, part: f64| {
-                        if per > 0.0 {
-                            corner + part / per
-                        } else {
-                            corner
-                        }
-                    };
-                    let at = place(nodes, end(cell[0], cell[1], u), end(cell[2], cell[3], w));
-                    let reason = format!(
-                        "the smooth curve through its nodes has a negative drag, cd = {found:.3}, \
-                         at {at}; give more nodes there"
-                    );
-                    return Err((String::new(), reason));
+                    return Err(negative_drag(cell, [u, w], found, nodes));
                 }
             }
         }
@@ -216,7 +187,45 @@ fn check_between(
     Ok(())
 }
 
-/// C_D at a place in a cell.
+/// Samples along one direction of a cell, 0 to 1 within it, and beyond it in the outermost cells
+/// (`at` of `count` lines). `zero` is the coordinate of zero speed or spin, the smallest possible.
+fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
+    const INTERVALS: usize = 8;
+    let below = if at == 0 && count > 1 {
+        Some((-0.5 * CLAMP_WIDTH).max(zero))
+    } else {
+        None
+    };
+    let above = if at + 2 >= count && count > 1 {
+        Some(1.0 + 0.5 * CLAMP_WIDTH)
+    } else {
+        None
+    };
+    below
+        .into_iter()
+        .chain((0..=INTERVALS).map(|k| k as f64 / INTERVALS as f64))
+        .chain(above)
+}
+
+/// The fault of a negative drag at [u, w] in a cell.
+fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &Nodes) -> Fault {
+    let coordinate = |corner: f64, per: f64, part: f64| {
+        if per > 0.0 {
+            corner + part / per
+        } else {
+            corner
+        }
+    };
+    let speed = coordinate(cell[0], cell[1], u);
+    let spin = coordinate(cell[2], cell[3], w);
+    Fault::of_file(format!(
+        "the smooth curve through its nodes has a negative drag, cd = {drag:.3}, at {}; give more \
+         nodes there",
+        place(nodes, speed, spin)
+    ))
+}
+
+/// C_D at (u, w) in a cell.
 fn drag(cell: &Cell, u: f64, w: f64) -> f64 {
     let along = |power: usize| {
         (0..4)
@@ -226,17 +235,19 @@ fn drag(cell: &Cell, u: f64, w: f64) -> f64 {
     (0..4).rev().fold(0.0, |sum, power| sum * u + along(power))
 }
 
-/// A place in the words of the table: "spin_ratio 0.1, reynolds 150000".
+/// A node as text: "spin_ratio 0.1, reynolds 150000".
 fn place(nodes: &Nodes, speed: f64, spin: f64) -> String {
-    let axes = [(nodes.spin, spin), (nodes.speed, speed)];
-    let told: Vec<String> = axes
-        .iter()
-        .filter_map(|(along, value)| Some(told((*along)?, *value)))
-        .collect();
-    told.join(", ")
-}
-
-fn told(along: Along, value: f64) -> String {
-    let (quantity, unit) = along.quantity();
-    format!("{} {}", along.names()[0], quantity.show(value, unit))
+    [(nodes.spin, spin), (nodes.speed, speed)]
+        .into_iter()
+        .filter_map(|(variable, value)| {
+            let variable = variable?;
+            let (quantity, unit) = variable.quantity();
+            Some(format!(
+                "{} {}",
+                variable.names()[0],
+                quantity.show(value, unit)
+            ))
+        })
+        .collect::<Vec<_>>()
+        .join(", ")
 }

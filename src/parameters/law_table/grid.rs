@@ -1,24 +1,24 @@
 use super::surface::Surface;
 use crate::units::Quantity;
 
-/// What a table of drag and lift goes along.
+/// Variable of an axis of a table of drag and lift.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Along {
-    /// s = R|ω|/|v|.
+pub enum AxisVariable {
+    /// Spin ratio s = R|ω|/|v|.
     SpinRatio,
-    /// |ω|, rad/s.
+    /// Spin |ω|, rad/s.
     Spin,
-    /// Re.
+    /// Reynolds number.
     Reynolds,
-    /// |v|, m/s.
+    /// Airspeed |v|, m/s.
     Speed,
 }
 
-impl Along {
-    /// All of them.
+impl AxisVariable {
+    /// All variables.
     pub const ALL: [Self; 4] = [Self::SpinRatio, Self::Spin, Self::Reynolds, Self::Speed];
 
-    /// Its names as heads of columns, lower case.
+    /// Names in the heads of columns, lower case.
     pub fn names(self) -> &'static [&'static str] {
         match self {
             Self::SpinRatio => &["spin_ratio", "s"],
@@ -28,7 +28,7 @@ impl Along {
         }
     }
 
-    /// What it is measured in, and the unit people read it in.
+    /// Quantity and display unit.
     pub fn quantity(self) -> (Quantity, &'static str) {
         match self {
             Self::SpinRatio | Self::Reynolds => (Quantity::NUMBER, ""),
@@ -37,12 +37,12 @@ impl Along {
         }
     }
 
-    /// Whether it is the axis of the spin, and not that of the speed.
+    /// Whether it belongs to the axis of the spin; else to the axis of the speed.
     pub fn is_of_spin(self) -> bool {
         matches!(self, Self::SpinRatio | Self::Spin)
     }
 
-    /// A head for its column: `speed [m/s]`.
+    /// Head of its column: `speed [m/s]`.
     pub fn head(self) -> String {
         let (_, unit) = self.quantity();
         let name = self.names()[0];
@@ -57,29 +57,28 @@ impl Along {
 /// An axis of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// What it measures.
-    pub along: Along,
-    /// Its first and last value, SI.
+    /// Its variable.
+    pub variable: AxisVariable,
+    /// First and last value, SI.
     pub ends: [f64; 2],
-    /// Beyond its ends the place is held, with two continuous derivatives, over these: below the
-    /// first and above the last.
+    /// Widths of the smooth (C²) clamps below the first and above the last value, SI.
     pub over: [f64; 2],
 }
 
-/// A grid of C_D and C_L with its splines: speed, or the Reynolds number, across, spin, or the spin
-/// ratio, up.
+/// A grid of C_D and C_L with its splines. Its columns are the speed or the Reynolds number, its
+/// rows the spin or the spin ratio.
 #[derive(Debug)]
 pub(crate) struct Grid {
     pub speed: Option<Axis>,
     pub spin: Option<Axis>,
-    /// Where the lift is whole, 1/SI: below it begins without spin. `None` where the grid itself
-    /// begins there.
-    pub begins: Option<(Along, f64)>,
+    /// Variable below which the lift falls to 0, and the reciprocal, SI, of the value at which it
+    /// is full. `None` if the grid begins at zero spin.
+    pub full_lift: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }
 
 impl Grid {
-    /// The axes that it has.
+    /// The axes of the grid.
     pub fn axes(&self) -> impl Iterator<Item = &Axis> {
         self.speed.iter().chain(&self.spin)
     }

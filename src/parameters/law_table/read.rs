@@ -1,55 +1,87 @@
-//! The nodes of a table as its file has them.
+//! Nodes of a table, parsed from the text of its file.
 
-use super::grid::Along;
+use super::grid::AxisVariable;
 use crate::csv_dialect::detect_separator;
 use crate::error::Error;
 use crate::external_errors::csv_row_error_text;
 use crate::units::Quantity;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-/// What is wrong, and where: ", line 3, column cd", or nothing for the whole file.
-pub(super) type Wrong = (String, String);
+/// A fault of a table.
+pub(super) struct Fault {
+    /// Place in the file, as the end of its name: ", line 3, column cd"; empty for the whole file.
+    pub place: String,
+    pub reason: String,
+}
 
-/// A table is read as a whole, and its splines are held in memory: no one measures more nodes.
+impl Fault {
+    /// A fault of the whole file.
+    pub fn of_file(reason: String) -> Self {
+        Self {
+            place: String::new(),
+            reason,
+        }
+    }
+
+    /// A fault of a line.
+    pub fn at_line(line: u64, reason: String) -> Self {
+        Self {
+            place: format!(", line {line}"),
+            reason,
+        }
+    }
+
+    /// A fault of the head of a column, counted from 0.
+    fn at_head(column: usize, reason: String) -> Self {
+        Self {
+            place: format!(", column {}", column + 1),
+            reason,
+        }
+    }
+}
+
+/// Largest number of nodes: more than anyone measures. The splines are held in memory.
 const MOST_NODES: usize = 200_000;
 
-/// A row.
+/// A row of the table.
 pub(super) struct Node {
     pub line: u64,
-    /// Its places on the axes of speed and spin, SI; 0 where there is no such axis.
+    /// Coordinates on the axes of speed and spin, SI; 0 without such an axis.
     pub speed: f64,
     pub spin: f64,
     pub drag: f64,
     pub lift: f64,
 }
 
-/// The rows of a table, and what it goes along.
+/// The rows of a table, and the variables of its axes.
 pub(super) struct Nodes {
-    pub speed: Option<Along>,
-    pub spin: Option<Along>,
+    pub speed: Option<AxisVariable>,
+    pub spin: Option<AxisVariable>,
     pub rows: Vec<Node>,
 }
 
-/// What a column holds.
+/// Content of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Holds {
-    Place(Along),
+enum Content {
+    Axis(AxisVariable),
     Drag,
     Lift,
 }
 
-/// A column: its head as written, what it holds, and one of its unit, SI.
+/// A column of the table.
 struct Column {
+    /// Head as written in the file.
     head: String,
-    holds: Holds,
-    one: f64,
+    content: Content,
+    /// Size of its unit, SI.
+    unit_size: f64,
 }
 
 const COLUMNS: &str = "the columns are cd, cl, spin_ratio (or s) or spin [rpm], and reynolds (or \
                        re) or speed [m/s]; one of these two axes may be left out";
 
-/// Reads the text of a table.
-pub(super) fn nodes(text: &str) -> Result<Nodes, Wrong> {
+/// Parses the text of a table.
+pub(super) fn nodes(text: &str) -> Result<Nodes, Fault> {
     let (separator, rest) = detect_separator(text);
     let skipped = text[..text.len() - rest.len()].matches('\n').count() as u64;
     let mut reader = ReaderBuilder::new()
@@ -59,70 +91,76 @@ pub(super) fn nodes(text: &str) -> Result<Nodes, Wrong> {
         .from_reader(rest.as_bytes());
     let line = |record: Option<&csv::Position>| record.map_or(0, csv::Position::line) + skipped;
     let unreadable = |error: &csv::Error| {
-        (
-            format!(", line {}", line(error.position())),
-            csv_row_error_text(error, text.as_bytes()),
-        )
+        let reason = csv_row_error_text(error, text.as_bytes());
+        Fault::at_line(line(error.position()), reason)
     };
     let heads = reader
         .headers()
         .map_err(|error| unreadable(&error))?
         .clone();
     let columns = columns(&heads)?;
-    let axis = |of_spin: bool| {
-        columns.iter().find_map(|column| match column.holds {
-            Holds::Place(along) if along.is_of_spin() == of_spin => Some(along),
+    let axis = |is_of_spin: bool| {
+        columns.iter().find_map(|column| match column.content {
+            Content::Axis(variable) if variable.is_of_spin() == is_of_spin => Some(variable),
             _ => None,
         })
     };
     let (speed, spin, mut rows) = (axis(false), axis(true), vec![]);
     for record in reader.records() {
         let record = record.map_err(|error| unreadable(&error))?;
-        // a row of empty cells ends what spreadsheets write
+        // spreadsheets end a table with rows of empty cells
         if record.iter().all(str::is_empty) {
             continue;
         }
-        let line = line(record.position());
         if rows.len() == MOST_NODES {
-            return Err((
-                String::new(),
-                format!(
-                    "it has more than {MOST_NODES} rows; give a coarser grid, since the law is \
-                     smooth between its nodes"
-                ),
-            ));
+            return Err(Fault::of_file(format!(
+                "it has more than {MOST_NODES} rows; give a coarser grid, since the law is smooth \
+                 between its nodes"
+            )));
         }
-        let mut node = Node {
-            line,
-            speed: 0.0,
-            spin: 0.0,
-            drag: 0.0,
-            lift: 0.0,
-        };
-        for (column, cell) in columns.iter().zip(record.iter()) {
-            let wrong = |reason| (format!(", line {line}, column {}", column.head), reason);
-            let value = number(cell, separator)
-                .and_then(|value| in_range(column, value * column.one))
-                .map_err(wrong)?;
-            *match column.holds {
-                Holds::Place(along) if along.is_of_spin() => &mut node.spin,
-                Holds::Place(_) => &mut node.speed,
-                Holds::Drag => &mut node.drag,
-                Holds::Lift => &mut node.lift,
-            } = value;
-        }
-        rows.push(node);
+        rows.push(node(&record, &columns, line(record.position()), separator)?);
     }
     Ok(Nodes { speed, spin, rows })
 }
 
-/// The columns by their heads.
-fn columns(heads: &StringRecord) -> Result<Vec<Column>, Wrong> {
+/// Parses a row.
+fn node(
+    record: &StringRecord,
+    columns: &[Column],
+    line: u64,
+    separator: u8,
+) -> Result<Node, Fault> {
+    let mut node = Node {
+        line,
+        speed: 0.0,
+        spin: 0.0,
+        drag: 0.0,
+        lift: 0.0,
+    };
+    for (column, cell) in columns.iter().zip(record.iter()) {
+        let value = number(cell, separator)
+            .and_then(|value| in_range(column, value * column.unit_size))
+            .map_err(|reason| Fault {
+                place: format!(", line {line}, column {}", column.head),
+                reason,
+            })?;
+        *match column.content {
+            Content::Axis(variable) if variable.is_of_spin() => &mut node.spin,
+            Content::Axis(_) => &mut node.speed,
+            Content::Drag => &mut node.drag,
+            Content::Lift => &mut node.lift,
+        } = value;
+    }
+    Ok(node)
+}
+
+/// Parses the heads of the columns.
+fn columns(heads: &StringRecord) -> Result<Vec<Column>, Fault> {
     let mut columns: Vec<Column> = vec![];
     for (at, head) in heads.iter().enumerate() {
-        let column = column(head).map_err(|reason| (format!(", column {}", at + 1), reason))?;
-        let is_same = |other: &&Column| match (other.holds, column.holds) {
-            (Holds::Place(a), Holds::Place(b)) => a.is_of_spin() == b.is_of_spin(),
+        let column = column(head).map_err(|reason| Fault::at_head(at, reason))?;
+        let is_same = |other: &&Column| match (other.content, column.content) {
+            (Content::Axis(a), Content::Axis(b)) => a.is_of_spin() == b.is_of_spin(),
             (a, b) => a == b,
         };
         if let Some(other) = columns.iter().find(is_same) {
@@ -130,27 +168,26 @@ fn columns(heads: &StringRecord) -> Result<Vec<Column>, Wrong> {
                 "'{}' and '{head}' give the same axis or number twice; keep one",
                 other.head
             );
-            return Err((format!(", column {}", at + 1), reason));
+            return Err(Fault::at_head(at, reason));
         }
         columns.push(column);
     }
-    let has = |holds: Holds| columns.iter().any(|column| column.holds == holds);
+    let has = |content: Content| columns.iter().any(|column| column.content == content);
     let missing = match columns
         .iter()
-        .any(|column| matches!(column.holds, Holds::Place(_)))
+        .any(|column| matches!(column.content, Content::Axis(_)))
     {
-        _ if !has(Holds::Drag) => "cd",
-        _ if !has(Holds::Lift) => "cl",
+        _ if !has(Content::Drag) => "cd",
+        _ if !has(Content::Lift) => "cl",
         false => "spin_ratio, spin, reynolds or speed",
         true => return Ok(columns),
     };
-    Err((
-        String::new(),
-        format!("it has no column {missing}; {COLUMNS}"),
-    ))
+    Err(Fault::of_file(format!(
+        "it has no column {missing}; {COLUMNS}"
+    )))
 }
 
-/// A column by its head, `speed [m/s]`.
+/// Parses the head of a column, such as `speed [m/s]`.
 fn column(head: &str) -> Result<Column, String> {
     let (name, unit) = match head.split_once(['[', '(']) {
         Some((name, unit)) => (
@@ -160,26 +197,26 @@ fn column(head: &str) -> Result<Column, String> {
         None => (head.trim(), None),
     };
     let small = name.to_lowercase();
-    let holds = match small.as_str() {
-        "cd" => Holds::Drag,
-        "cl" => Holds::Lift,
-        _ => match Along::ALL
+    let content = match small.as_str() {
+        "cd" => Content::Drag,
+        "cl" => Content::Lift,
+        _ => match AxisVariable::ALL
             .into_iter()
-            .find(|along| along.names().contains(&small.as_str()))
+            .find(|variable| variable.names().contains(&small.as_str()))
         {
-            Some(along) => Holds::Place(along),
+            Some(variable) => Content::Axis(variable),
             None => {
-                let names = Along::ALL
+                let names = AxisVariable::ALL
                     .into_iter()
-                    .flat_map(|along| along.names().iter().copied())
+                    .flat_map(|variable| variable.names().iter().copied())
                     .chain(["cd", "cl"]);
                 return Err(Error::unknown("column", name, names, COLUMNS).to_string());
             }
         },
     };
-    let one = match (holds, unit) {
-        (Holds::Place(along @ (Along::Spin | Along::Speed)), unit) => {
-            let (quantity, usual) = along.quantity();
+    let unit_size = match (content, unit) {
+        (Content::Axis(variable @ (AxisVariable::Spin | AxisVariable::Speed)), unit) => {
+            let (quantity, usual) = variable.quantity();
             let Some(unit) = unit else {
                 return Err(format!(
                     "'{head}' has no unit; write it into the head, as in '{name} [{usual}]'"
@@ -203,12 +240,12 @@ fn column(head: &str) -> Result<Column, String> {
     };
     Ok(Column {
         head: head.into(),
-        holds,
-        one,
+        content,
+        unit_size,
     })
 }
 
-/// A number, with a decimal comma where that separates no cells.
+/// Parses a number, with a decimal comma unless the comma separates cells.
 fn number(cell: &str, separator: u8) -> Result<f64, String> {
     if cell.is_empty() {
         return Err("the cell is empty; every row needs a value".into());
@@ -226,22 +263,22 @@ fn number(cell: &str, separator: u8) -> Result<f64, String> {
     }
 }
 
-/// Whether a value is possible.
+/// Checks that a value is physically possible.
 fn in_range(column: &Column, value: f64) -> Result<f64, String> {
-    let (least, most, is_least_in) = match column.holds {
-        Holds::Place(Along::SpinRatio) => (0.0, 1e3, true),
-        Holds::Place(Along::Spin) => (0.0, 1e5, true),
-        Holds::Place(Along::Reynolds) => (0.0, 1e9, false),
-        Holds::Place(Along::Speed) => (0.0, 1e3, false),
-        Holds::Drag => (0.0, 100.0, true),
-        Holds::Lift => (-100.0, 100.0, true),
+    let (least, most, is_least_in) = match column.content {
+        Content::Axis(AxisVariable::SpinRatio) => (0.0, 1e3, true),
+        Content::Axis(AxisVariable::Spin) => (0.0, 1e5, true),
+        Content::Axis(AxisVariable::Reynolds) => (0.0, 1e9, false),
+        Content::Axis(AxisVariable::Speed) => (0.0, 1e3, false),
+        Content::Drag => (0.0, 100.0, true),
+        Content::Lift => (-100.0, 100.0, true),
     };
     if (least..=most).contains(&value) && (is_least_in || value > least) {
         return Ok(value);
     }
-    let quantity = match column.holds {
-        Holds::Place(along) => along.quantity().0,
-        Holds::Drag | Holds::Lift => Quantity::NUMBER,
+    let quantity = match column.content {
+        Content::Axis(variable) => variable.quantity().0,
+        Content::Drag | Content::Lift => Quantity::NUMBER,
     };
     let [value, least, most] = [value, least, most].map(|value| quantity.show(value, quantity.si));
     let begins = if is_least_in { "at least" } else { "more than" };

@@ -1,34 +1,33 @@
-//! Cubic splines through a grid of numbers, natural at its edges: the surface has two continuous
-//! derivatives in both directions.
+//! Natural bicubic splines through a grid of numbers. The surface is C² in both directions.
 
-/// A cell of the grid: its corner and its sizes (x, 1/width, y, 1/height), then the coefficients of
-/// both numbers by the powers of the place in it, 0 to 1 in both directions, four of y for each of
-/// x.
+/// A cell of the grid: corner and reciprocal sizes (x, 1/width, y, 1/height), then for each of the
+/// two numbers the 16 coefficients of the powers of u and w, the coordinates in the cell from 0 to
+/// 1; for each power of u, four powers of w.
 pub(crate) type Cell = [f64; 36];
 
-/// The surfaces through two numbers at each node of a grid. They are kept until the program ends,
-/// and asking them takes no memory.
+/// Surfaces through two numbers at each node of a grid. They live until the program ends, and
+/// their evaluation allocates no memory.
 #[derive(Debug)]
 pub(crate) struct Surface {
     x: Knots,
     y: Knots,
-    /// Row by row: for each step of y, all of x.
+    /// Row by row: for each interval of y, all intervals of x.
     cells: &'static [Cell],
 }
 
-/// Where the lines of the grid are, rising.
+/// Coordinates of the lines of the grid, in ascending order.
 #[derive(Debug)]
 struct Knots {
     at: &'static [f64],
-    /// The number of the last step.
+    /// Index of the last interval.
     last: usize,
-    /// Where they are evenly spaced: how many there are to a unit.
+    /// Reciprocal of the interval, if all are equal.
     per_unit: Option<f64>,
 }
 
 impl Surface {
-    /// The surfaces over the lines `x` and `y`, each rising, through two tables of numbers, row by
-    /// row. Along a direction with one line nothing changes.
+    /// The surfaces over the lines `x` and `y`, each in ascending order, through two tables of
+    /// numbers, row by row. They are constant along a direction with a single line.
     pub fn new(x: Vec<f64>, y: Vec<f64>, tables: [&[f64]; 2]) -> Self {
         let mut cells = vec![[0.0; 36]; steps(&x) * steps(&y)];
         let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
@@ -42,7 +41,7 @@ impl Surface {
         Self::of(x.leak(), y.leak(), cells.leak())
     }
 
-    /// The surfaces with the cells that [`cells_of`] gives.
+    /// The surfaces with the cells of [`cells_of`].
     pub fn of(x: &'static [f64], y: &'static [f64], cells: &'static [Cell]) -> Self {
         Self {
             x: Knots::new(x),
@@ -51,7 +50,7 @@ impl Surface {
         }
     }
 
-    /// The cell where a place lies; outside of the grid the next one.
+    /// The cell that contains a point, or the nearest one outside of the grid.
     pub fn cell(&self, x: f64, y: f64) -> &'static Cell {
         &self.cells[self.y.step(y) * (self.x.last + 1) + self.x.step(x)]
     }
@@ -62,7 +61,7 @@ impl Surface {
     }
 }
 
-/// The cells of the surfaces through two tables of N numbers, without any memory of the heap.
+/// The cells of the surfaces through two tables of N numbers, without heap memory.
 pub(crate) fn cells_of<const N: usize, const CELLS: usize>(
     x: &[f64],
     y: &[f64],
@@ -79,8 +78,8 @@ pub(crate) fn cells_of<const N: usize, const CELLS: usize>(
     cells
 }
 
-/// Most steps that are counted, and not halved.
-const FEW: usize = 16;
+/// Largest number of intervals for a linear search, which has no branches; above, bisection.
+const MOST_LINEAR: usize = 16;
 
 impl Knots {
     fn new(at: &'static [f64]) -> Self {
@@ -97,16 +96,16 @@ impl Knots {
         }
     }
 
-    /// The number of the step that a value lies in, or next to.
+    /// Index of the interval that contains a value, or of the nearest one.
     #[inline]
     fn step(&self, value: f64) -> usize {
         if let Some(per_unit) = self.per_unit {
-            // what is no number lies in the first
+            // NaN as usize is 0
             let place = ((value - self.at[0]) * per_unit) as usize;
             return if place < self.last { place } else { self.last };
         }
-        // the inner knots that are not above the value: of few all are asked, which needs no branch
-        if self.last <= FEW {
+        // number of inner knots not above the value
+        if self.last <= MOST_LINEAR {
             return self.at[1..=self.last]
                 .iter()
                 .map(|knot| usize::from(*knot <= value))
@@ -116,12 +115,12 @@ impl Knots {
     }
 }
 
-/// How many steps there are along some lines: one along a single line.
+/// Number of intervals along some lines; one along a single line.
 fn steps(knots: &[f64]) -> usize {
     (knots.len() - 1).max(1)
 }
 
-/// Where a step begins, and its width; without end along a single line.
+/// Start and width of an interval; infinite width along a single line.
 fn step(knots: &[f64], i: usize) -> (f64, f64) {
     (
         knots[i],
@@ -131,7 +130,8 @@ fn step(knots: &[f64], i: usize) -> (f64, f64) {
     )
 }
 
-/// Writes the cells of the surfaces through two tables; `work` has four times the room of a table.
+/// Writes the cells of the surfaces through two tables. Each slice of `work` has the length of a
+/// table.
 fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells: &mut [Cell]) {
     let columns = x.len();
     // slopes by x, by y, and by both
@@ -147,7 +147,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
         for (place, cell) in cells.iter_mut().enumerate() {
             let (row, column) = (place / steps(x), place % steps(x));
             let ((corner, wide), (low, high)) = (step(x, column), step(y, row));
-            // the same line twice where there is but one
+            // a single line is both ends
             let ends = |first: usize, count: usize| [first, (first + 1).min(count - 1)];
             let part = |slope: f64, width: f64| {
                 if width.is_finite() {
@@ -156,7 +156,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
                     0.0
                 }
             };
-            // along x at both rows: the values, and their slopes by y
+            // cubics along x on both rows: of the values, and of their slopes by y
             let along = |values: &[f64], slopes: &[f64], row: usize| {
                 let places = ends(column, columns).map(|column| row * columns + column);
                 cubic(
@@ -180,8 +180,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
     }
 }
 
-/// The coefficients, by powers from 0 on, of the cubic between 0 and 1 that has these values and
-/// slopes there.
+/// Coefficients, by ascending powers, of the cubic with these values and slopes at 0 and 1.
 fn cubic([here, there]: [f64; 2], [slope, end]: [f64; 2]) -> [f64; 4] {
     let rise = there - here;
     [
@@ -192,9 +191,9 @@ fn cubic([here, there]: [f64; 2], [slope, end]: [f64; 2]) -> [f64; 4] {
     ]
 }
 
-/// Writes the slopes at the knots of the cubic spline through some values, without curvature at
-/// both ends; `place` says where in a table each value is and its slope goes, `diagonal` is room
-/// for a number at each knot.
+/// Writes the slopes at the knots of the natural cubic spline through some values (no curvature at
+/// both ends). `place` maps a knot to the index of its value and slope in a table; `diagonal` is
+/// working memory.
 fn slopes(
     knots: &[f64],
     values: &[f64],
@@ -211,8 +210,8 @@ fn slopes(
     }
     let per = |i: usize| 1.0 / (knots[i + 1] - knots[i]);
     let pull = |i: usize| 3.0 * (values[place(i + 1)] - values[place(i)]) * per(i) * per(i);
-    // row i: per(i−1) m(i−1) + 2 (per(i−1) + per(i)) m(i) + per(i) m(i+1) = pull(i−1) + pull(i),
-    // where there are such neighbours
+    // tridiagonal system, row i: per(i−1) m(i−1) + 2 (per(i−1) + per(i)) m(i) + per(i) m(i+1)
+    // = pull(i−1) + pull(i), without the terms of missing neighbours
     for i in 0..count - 1 {
         for at in [i, i + 1] {
             diagonal[at] += 2.0 * per(i);

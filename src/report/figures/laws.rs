@@ -1,6 +1,6 @@
 use crate::aerodynamics::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::atmosphere::AirState;
-use crate::parameters::{Along, Law, Setup};
+use crate::parameters::{AxisVariable, Law, Setup};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::units::significant;
 use std::f64::consts::PI;
@@ -244,7 +244,7 @@ impl Curve {
         let suffix = if self.within.is_empty() {
             String::new()
         } else {
-            format!(" ({})", fitted.beyond(fitted.left(range)))
+            format!(" ({})", fitted.continuation(fitted.exceeded_ends(range)))
         };
         let name = law.name();
         let mut layers = vec![];
@@ -319,19 +319,20 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
             })
             .collect(),
         Law::Table(law) => {
-            let has = |along: Along| law.table.axes().any(|axis| axis.along == along);
+            let has =
+                |variable: AxisVariable| law.table.axes().any(|axis| axis.variable == variable);
             let node = |[speed, spin, drag, lift]: &[f64; 4]| {
-                let reynolds = if has(Along::Reynolds) {
+                let reynolds = if has(AxisVariable::Reynolds) {
                     Some(*speed)
                 } else {
-                    has(Along::Speed).then_some(per_speed * speed)
+                    has(AxisVariable::Speed).then_some(per_speed * speed)
                 };
                 // a spin alone is a spin ratio at a known speed only
                 let at_speed = reynolds.map(|reynolds| reynolds / per_speed);
                 let by_spin = at_speed
-                    .filter(|_| has(Along::Spin))
+                    .filter(|_| has(AxisVariable::Spin))
                     .map(|speed| spin * radius / speed);
-                let spin_ratio = if has(Along::SpinRatio) {
+                let spin_ratio = if has(AxisVariable::SpinRatio) {
                     Some(*spin)
                 } else {
                     by_spin

@@ -1,49 +1,53 @@
+//! Sliding of a body to rest (docs/model.md, eq. 23).
+
 use crate::number::{Numbers, Vector, inlined};
 
-/// A body that a force of constant size slows, and another pulls along.
-pub(super) struct Rubbing<T> {
-    /// a, m/s², against the velocity.
+/// A body that slides under dry friction and a constant pull: dv/dt = G − a v/|v|.
+pub(super) struct Sliding<T> {
+    /// a: deceleration by friction, against the velocity, m/s².
     pub deceleration: T,
-    /// G, m/s².
+    /// G: acceleration by the pull, m/s².
     pub pull: Vector<T>,
 }
 
-/// m/s: |v| is √(v·v + η²) − η, smooth where the body rests.
+/// η, m/s: |v| is √(v·v + η²) − η, smooth at rest.
 const LEAST_SPEED: f64 = 1e-4;
 
-impl<T: Numbers> Rubbing<T> {
-    /// The time until it rests, and its way until then (docs/model.md, eq. 23). NaN where it does
-    /// not come to rest: |G| ≥ a.
+impl<T: Numbers> Sliding<T> {
+    /// Time T and displacement D to rest (eq. 23). NaN if |G| ≥ a: the body does not stop.
     ///
-    /// From dv/dt = G − a v/|v| follows d(a|v| + v·G)/dt = −(a² − |G|²), and likewise the way by
-    /// quadratic functions of |v| and v·G.
+    /// T follows from d(a|v| + v·G)/dt = −(a² − |G|²), D likewise from quadratic functions of |v|
+    /// and v·G.
     #[inline(always)]
     pub fn stop(&self, velocity: Vector<T>) -> (T, Vector<T>) {
-        T::outlined(inlined!(|| self.stopped(velocity)))
+        T::outlined(inlined!(|| self.stop_inlined(velocity)))
     }
 
     #[inline(always)]
-    fn stopped(&self, velocity: Vector<T>) -> (T, Vector<T>) {
+    fn stop_inlined(&self, velocity: Vector<T>) -> (T, Vector<T>) {
         let (a, pull) = (self.deceleration, self.pull);
         let speed = (velocity.dot(velocity) + LEAST_SPEED * LEAST_SPEED).sqrt() - LEAST_SPEED;
-        let (along, steep, rubbed) = (velocity.dot(pull), pull.dot(pull), a * a);
-        let left = rubbed - steep;
-        let left = left.blend(T::constant(f64::NAN), (-left).below(0.0));
-        let ahead = left.recip();
-        let beside = (rubbed * 4.0 - steep).recip();
-        let pushed = a * speed;
-        let by_pull = speed * speed + along * (pushed * 6.0 + along * 3.0) * beside;
-        let way = velocity * ((pushed * 2.0 + along) * beside) + pull * (by_pull * ahead * 0.25);
-        ((pushed + along) * ahead, way)
+        // v·G, |G|² and a²
+        let (v_g, g_squared, a_squared) = (velocity.dot(pull), pull.dot(pull), a * a);
+        let difference = a_squared - g_squared;
+        let difference = difference.blend(T::constant(f64::NAN), (-difference).below(0.0));
+        // 1/(a² − G²) and 1/(4a² − G²)
+        let per_difference = difference.recip();
+        let per_quadruple = (a_squared * 4.0 - g_squared).recip();
+        let a_speed = a * speed;
+        let by_pull = speed * speed + v_g * (a_speed * 6.0 + v_g * 3.0) * per_quadruple;
+        let displacement = velocity * ((a_speed * 2.0 + v_g) * per_quadruple)
+            + pull * (by_pull * per_difference * 0.25);
+        ((a_speed + v_g) * per_difference, displacement)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Rubbing;
+    use super::Sliding;
     use crate::number::Vector;
 
-    /// dv/dt = G − a v/|v| by many small steps of the second order.
+    /// dv/dt = G − a v/|v|, integrated by the midpoint method in small steps.
     fn stepped(deceleration: f64, pull: Vector<f64>, mut v: Vector<f64>) -> (f64, Vector<f64>) {
         const H: f64 = 1e-5;
         let rate = |v: Vector<f64>| pull - v * (deceleration / v.norm());
@@ -65,7 +69,7 @@ mod tests {
             [0.3, -0.9, 1.1],
         ] {
             let pull = Vector::from_array(pull);
-            let (time, way) = Rubbing {
+            let (time, way) = Sliding {
                 deceleration: 2.0,
                 pull,
             }
@@ -83,7 +87,7 @@ mod tests {
         // straight up and down the slope: v²/(2 (a ± G))
         for (pull, expected) in [(-1.0_f64, 100.0 / 6.0), (1.0, 100.0 / 2.0)] {
             let pull = Vector::new(0.0, 0.0, pull);
-            let (_, way) = Rubbing {
+            let (_, way) = Sliding {
                 deceleration: 2.0,
                 pull,
             }
@@ -96,7 +100,7 @@ mod tests {
     fn no_rest_where_gravity_along_the_slope_reaches_the_deceleration() {
         let velocity = Vector::new(0.0_f64, 0.0, 5.0);
         for pull in [2.0, 2.5] {
-            let (time, way) = Rubbing {
+            let (time, way) = Sliding {
                 deceleration: 2.0,
                 pull: Vector::new(0.0, pull, 0.0),
             }
