@@ -395,7 +395,7 @@ impl Error {
         }
     }
 
-    /// Whether the input is valid but has no result (a drive that does not fly, a flight that
+    /// True if the input is valid but has no result (a drive that does not fly, a flight that
     /// diverges, an angle without direction).
     pub fn is_an_outcome(&self) -> bool {
         self.status() != "error"

@@ -110,7 +110,7 @@ impl Fitted {
         std::array::from_fn(|k| [flown[k][0] < ranges[k][0], flown[k][1] > ranges[k][1]])
     }
 
-    /// Whether spin ratio, spin, Reynolds number and airspeed are within all known ranges. Always in
+    /// True if spin ratio, spin, Reynolds number and airspeed are within all known ranges. Always in
     /// a vacuum (Reynolds number 0).
     #[inline]
     pub fn holds(&self, [spin_ratio, spin, reynolds, speed]: [f64; 4]) -> bool {

@@ -89,10 +89,10 @@ pub trait AerodynamicLaw<T: Numbers> {
     /// vanishes.
     ///
     /// All laws are inlined into the equation of motion. A long law calls [`Numbers::outlined`] with
-    /// a `move` closure, so that it does not slow down the others (`src/number/mod.rs`, "Latency").
+    /// a `move` closure, so that it does not slow down the others (`src/number/mod.rs`, "Pipelines").
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 
-    /// Whether C_D has a slope in |ω| at zero spin, so that outcomes have a corner there.
+    /// True if C_D has a slope in |ω| at zero spin, so that outcomes have a corner there.
     fn has_corner_at_zero_spin(&self) -> bool {
         true
     }

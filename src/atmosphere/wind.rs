@@ -48,7 +48,7 @@ impl<T: Numbers> WindField<T> {
         }
     }
 
-    /// Whether the wind is a profile; else it is uniform.
+    /// True if the wind is a profile; else it is uniform.
     #[inline(always)]
     pub(crate) fn depends_on_height(&self) -> bool {
         self.profile.is_some()

@@ -104,7 +104,7 @@ impl<T: Number> Drive<T> {
 const SPIN_CORNER: f64 = 1e-3;
 
 impl Drive<f64> {
-    /// Whether the ball leaves without spin, at the corner of |ω| itself.
+    /// True if the ball leaves without spin, at the corner of |ω| itself.
     pub(crate) fn is_without_spin(&self) -> bool {
         self.launch.total_spin() < SPIN_CORNER
     }

@@ -226,7 +226,7 @@ impl Outcome {
             .filter(move |outcome| outcome.group() == group)
     }
 
-    /// Whether it depends on the apex.
+    /// True if it depends on the apex.
     pub(crate) fn needs_apex(self) -> bool {
         matches!(
             self,
@@ -234,7 +234,7 @@ impl Outcome {
         )
     }
 
-    /// Whether it depends on the run of the ball on the ground, after the landing.
+    /// True if it depends on the run of the ball on the ground, after the landing.
     pub fn needs_run(self) -> bool {
         matches!(self, Self::Total | Self::Run | Self::LateralTotal)
     }
@@ -276,7 +276,7 @@ impl Outcome {
         self.of(drive).ok().filter(|value| value.is_finite())
     }
 
-    /// Whether it is an angle between −180° and 180°, with a jump between the two.
+    /// True if it is an angle between −180° and 180°, with a jump between the two.
     fn is_direction(self) -> bool {
         matches!(self, Self::LaunchDirection | Self::SpinAxis)
     }

@@ -17,7 +17,7 @@ const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
 /// flatter landing is an assumption (docs/limitations.md).
 const FLATTEST_MEASURED: f64 = 25.0 * std::f64::consts::PI / 180.0;
 
-/// Whether a strike, m from the face centre, is outside the face of any conforming head.
+/// True if a strike, m from the face centre, is outside the face of any conforming head.
 pub(crate) fn is_outside_any_face(toe: f64, high: f64) -> bool {
     let [width, height] = LARGEST_HEAD;
     toe.abs() > 0.5 * width || high.abs() > 0.5 * height

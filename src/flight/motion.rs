@@ -1,7 +1,7 @@
 //! Equation of motion, its derivative in time, and the decay of the spin (docs/model.md,
 //! eqs. 12–14).
 //!
-//! The order of the operations is chosen for latency (`src/number/mod.rs`, "Latency").
+//! The order of the operations is chosen for latency (`src/number/mod.rs`, "Pipelines").
 
 use super::inputs::Inputs;
 use crate::aerodynamics::{AerodynamicLaw, Stream};

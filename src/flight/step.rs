@@ -21,7 +21,7 @@ pub(super) struct Stepper<'a, T> {
 #[derive(Debug)]
 pub(crate) struct Step<'n, T> {
     /// Start and end node. They swap places at each step: a copy of a node takes 16 to 24 % of a
-    /// drive with rk4 (`src/number/mod.rs`, "Latency").
+    /// drive with rk4 (`src/number/mod.rs`, "Pipelines").
     pub from: &'n mut Node<T>,
     pub to: &'n mut Node<T>,
     /// Position increment x₁ − x₀ − h v₀, before it is rounded in the sum.

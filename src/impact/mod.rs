@@ -38,7 +38,7 @@ pub struct Impact<T> {
     pub face_normal: Vector<T>,
     /// Impact point from the head's centre of mass, m.
     pub contact_point: Vector<T>,
-    /// Whether the ball sticks to the face or slips at the end of the contact.
+    /// State of the contact: sticking or slipping.
     pub grip: Grip,
 }
 

@@ -38,7 +38,7 @@ static WAYS: [Ways; 2] = [
 ];
 
 impl Ways {
-    /// Whether a parameter is in one of the two sets.
+    /// True if a parameter is in one of the two sets.
     pub(crate) fn has(&self, parameter: &Parameter) -> bool {
         [self.by, self.replaced]
             .iter()
@@ -68,7 +68,7 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
 }
 
 impl<T> Air<T> {
-    /// Whether the weather is set, from which density and viscosity follow.
+    /// True if the weather is set, from which density and viscosity follow.
     #[inline(always)]
     pub fn has_weather(&self) -> bool {
         self.temperature.is_some()
@@ -78,12 +78,12 @@ impl<T> Air<T> {
     }
 }
 
-/// Whether this text resets a replaceable parameter to its default: `air.density = "none"`.
+/// True if this text resets a replaceable parameter to its default: `air.density = "none"`.
 pub(crate) fn is_reset(name: &str, text: &str) -> bool {
     is_unset(text) && WAYS.iter().any(|ways| ways.replaced.contains(&name))
 }
 
-/// Whether a parameter follows from another one, if that is set.
+/// True if a parameter follows from another one, if that is set.
 #[cfg(feature = "cli")]
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     WAYS.iter()
@@ -159,7 +159,7 @@ impl Setup<f64> {
         refuse_replaced(names, |name| self.is_set(name))
     }
 
-    /// Whether an optional parameter is set.
+    /// True if an optional parameter is set.
     pub(super) fn is_set(&self, name: &str) -> bool {
         self.parameter(name)
             .is_ok_and(|parameter| self.value(parameter).is_some())

@@ -145,7 +145,7 @@ impl fmt::Display for Parameter {
 /// Text that unsets an optional parameter: `impact.friction = "none"`.
 pub const UNSET: &str = "none";
 
-/// Whether a text unsets a parameter.
+/// True if a text unsets a parameter.
 pub(crate) fn is_unset(text: &str) -> bool {
     [UNSET, "default"].contains(&text.trim())
 }

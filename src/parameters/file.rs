@@ -28,7 +28,7 @@ struct Item<'a> {
 }
 
 impl Item<'_> {
-    /// Whether it resets a replaceable parameter (`none`).
+    /// True if it resets a replaceable parameter (`none`).
     fn is_reset(&self) -> bool {
         self.value
             .as_str()
@@ -45,7 +45,7 @@ pub struct SetupFile {
     pub preset: &'static Preset,
     /// Parameters that the file gives, in its order.
     pub given: Vec<&'static Parameter>,
-    /// Whether the file gives flight.method or flight.step.
+    /// True if the file gives flight.method or flight.step.
     pub gives_step: bool,
 }
 

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use nalgebra::Matrix3;
 
 impl Parameter {
-    /// Whether it is an entry of the inertia tensor, whose entries are checked together.
+    /// True if it is an entry of the inertia tensor, whose entries are checked together.
     pub(crate) fn is_of_inertia(&self) -> bool {
         self.name.starts_with("club.inertia")
     }

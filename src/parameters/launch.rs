@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 const GROUP: &str = "launch.";
 
 impl super::Parameter {
-    /// Whether it is a parameter of swing, strike, club or impact: without effect if the launch is
+    /// True if it is a parameter of swing, strike, club or impact: without effect if the launch is
     /// given.
     pub fn is_of_strike(&self) -> bool {
         ["swing.", "strike.", "club.", "impact."]
@@ -15,19 +15,19 @@ impl super::Parameter {
             .any(|group| self.name.starts_with(group))
     }
 
-    /// Whether it is a parameter of the ball, on which impact and flight depend.
+    /// True if it is a parameter of the ball, on which impact and flight depend.
     pub(crate) fn is_of_ball(&self) -> bool {
         self.name.starts_with("ball.")
     }
 
-    /// Whether it is a launch condition.
+    /// True if it is a launch condition.
     pub fn is_of_launch(&self) -> bool {
         self.name.starts_with(GROUP)
     }
 }
 
 impl<T: Copy> LaunchConditions<T> {
-    /// Whether the launch is given and no club strikes the ball.
+    /// True if the launch is given and no club strikes the ball.
     pub fn is_given(&self) -> bool {
         self.ball_speed.is_some()
     }

@@ -7,9 +7,9 @@ pub struct Range {
     pub low: f64,
     /// Upper end, SI.
     pub high: f64,
-    /// Whether the lower end itself is allowed.
+    /// True if the lower end itself is allowed.
     pub low_included: bool,
-    /// Whether the upper end itself is allowed.
+    /// True if the upper end itself is allowed.
     pub high_included: bool,
 }
 
@@ -53,7 +53,7 @@ impl Range {
     /// Every finite number.
     pub const FINITE: Self = Self::between(f64::NEG_INFINITY, f64::INFINITY);
 
-    /// Whether a value is in the range. NaN is not; infinity is if it is an included end.
+    /// True if a value is in the range. NaN is not; infinity is if it is an included end.
     pub fn contains(self, value: f64) -> bool {
         let above = value > self.low || (self.low_included && value == self.low);
         let below = value < self.high || (self.high_included && value == self.high);

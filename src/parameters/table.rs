@@ -65,7 +65,7 @@ parameter_groups! {
             "0 rad/s", "Winfield & Tan (1994): none";
     }
 
-    /// Where on the face the ball is struck.
+    /// Impact point on the face.
     strike: Strike {
         /// Impact point above the sweet spot, or above the centre of the face where club.cg_high,
         /// club.cg_toe or a movable weight is set.
@@ -485,7 +485,7 @@ law_coefficients! { $
         /// Height of the part of the lift coefficient that saturates with spin.
         cl_hill: T = "aero.cl_hill", "cl_hill", NUMBER in "", Range::FINITE,
             "0.240357", "longdrive: fit, docs/validation.md";
-        /// Where that part is half its height, in x.
+        /// Value of x at which that part is half its height.
         cl_half: T = "aero.cl_half", "cl_half", NUMBER in "", Range::above_to(0.0, 100.0),
             "0.0587927", "longdrive: fit, docs/validation.md";
         /// Slope in x of the part of the lift coefficient that does not saturate.
@@ -494,7 +494,7 @@ law_coefficients! { $
         /// Speed at which the lift coefficient is largest.
         cl_speed: T = "aero.cl_speed", "cl_speed", SPEED in "m/s", Range::from_to(-1000.0, 1000.0),
             "41.74701 m/s", "longdrive: fit, docs/validation.md";
-        /// How far from that speed it has fallen to half.
+        /// Distance from that speed at which it is half of its maximum.
         cl_width: T = "aero.cl_width", "cl_width", SPEED in "m/s", Range::above_to(0.0, 1000.0),
             "27.33617 m/s", "longdrive: fit, docs/validation.md";
     }
@@ -700,7 +700,7 @@ impl<T> Law<T> {
 }
 
 impl Law<f64> {
-    /// Whether two laws are the same, apart from their coefficients.
+    /// True if two laws are the same, apart from their coefficients.
     pub fn is_same(&self, other: &Self) -> bool {
         self.name() == other.name() && self.table() == other.table()
     }

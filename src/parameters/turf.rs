@@ -67,7 +67,7 @@ pub static TURFS: &[Preset] = &[
 ];
 
 impl super::Parameter {
-    /// Whether it affects the run only, not the flight.
+    /// True if it affects the run only, not the flight.
     pub fn affects_only_run(&self) -> bool {
         self.name.starts_with(GROUP) && self.name != HEIGHT
     }
@@ -113,7 +113,7 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// The turf with these numbers; `None` if there is none.
+    /// The turf with these numbers; `None` for other numbers.
     pub fn turf(&self) -> Option<&'static Preset> {
         let matches = |entry: &PresetEntry| {
             let Ok(parameter) = self.parameter(entry.name) else {

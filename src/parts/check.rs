@@ -1,111 +1,145 @@
+use super::definition::SweepDefinition;
 use super::footer::{Footer, Manifest};
 use super::hash::Hash;
-use super::question::Question;
 use super::share::{file_name, rows_of};
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::statistics::Summary;
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// What is wrong with a file.
+/// Kind of a fault of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FaultKind {
-    /// It cannot be read to its end, or its rows are not those that were written.
+    /// It cannot be read completely, or its rows have changed.
     Damaged,
     /// A part of another sweep.
     OtherQuestion,
-    /// The same sweep by another version of longdrive.
+    /// A part of this sweep by another version of longdrive.
     OtherVersion,
-    /// The same sweep with other instructions of the processor, or another C library.
+    /// A part of this sweep with another instruction set of the processor, or another C library.
     OtherInstructions,
-    /// A part that is there under its own name too.
+    /// A second copy of a part.
     Doubled,
-    /// A Parquet file that is no part, or not under its name.
+    /// A Parquet file that is not a part, or has the name of another part.
     Foreign,
 }
 
-/// A file of the folder that is not what it should be.
+/// A fault of a file in the folder.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Fault {
-    /// Its name.
+    /// File name.
     pub file: String,
-    /// In a word.
+    /// Kind of the fault.
     pub kind: FaultKind,
-    /// In a sentence.
+    /// Reason, a sentence.
     pub reason: String,
 }
 
-/// What a folder of parts holds.
+/// Result of the check of a folder of parts.
 #[derive(Clone, Debug, Serialize)]
 pub struct Checked {
-    /// The question of its parts.
-    pub question: Question,
-    /// Parts that are there and sound.
+    /// Definition of the sweep.
+    pub question: SweepDefinition,
+    /// Number of valid parts.
     pub present: u64,
-    /// The numbers of those that are not, from 1.
+    /// Numbers of the missing parts, from 1.
     pub missing: Vec<u64>,
-    /// Files that are not what they should be.
+    /// Faults of files.
     pub faults: Vec<Fault>,
-    /// Files of writers that are at work or were killed: they count for nothing.
+    /// Temporary files of running or killed writers; ignored.
     pub unfinished: Vec<String>,
-    /// Rows of the parts that are there.
+    /// Number of rows of the valid parts.
     pub rows: u64,
-    /// Their bytes.
+    /// Size of the valid parts, bytes.
     pub bytes: u64,
     /// SHA-256 of the lines `SHA-256 of the file, two spaces, name of the file` of all parts in
-    /// their order, what `sha256sum part-*.parquet | sha256sum` prints. Only of a complete set
-    /// whose contents were read.
+    /// order: the output of `sha256sum part-*.parquet | sha256sum`. Only for a complete set whose
+    /// contents were read.
     pub sha256: Option<String>,
-    /// What the rows are like in all.
+    /// Statistics of the rows.
     #[serde(flatten)]
     pub summary: Summary,
 }
 
 impl Checked {
-    /// Whether every part is there, and nothing else that could be taken for one.
+    /// True if no part is missing, and no file has a fault.
     pub fn is_complete(&self) -> bool {
         self.missing.is_empty() && self.faults.is_empty()
     }
 }
 
-/// Looks through the footers of a folder of parts: which are there, which are missing, and what
-/// else there is. The question is `wanted`, where its number of parts and its instructions are
-/// those of the files, or else that of most files. With `contents` the rows are read too, held
-/// against the SHA-256 in each footer, and the SHA-256 of the set is found.
+/// Checks the footers of a folder of parts: valid, missing and faulty files. The sweep is `wanted`
+/// (with the number of parts and the instructions of the files), or else that of most files. With
+/// `contents`, also reads the rows, compares them with the SHA-256 in each footer, and computes the
+/// SHA-256 of the set.
 ///
 /// # Errors
-/// [`Error::Results`] for a folder that cannot be read, and one without a part that can be.
-pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result<Checked> {
+/// [`Error::Results`] for a folder that cannot be read, or without a readable part.
+pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) -> Result<Checked> {
     let refuse = |reason: String| Error::Results {
         file: folder.display().to_string(),
         reason,
     };
-    let unreadable = |error: std::io::Error| {
+    let names = file_names(folder).map_err(|error| {
         refuse(format!(
             "{}; name the folder of the parts",
             read_error_text(&error)
         ))
-    };
-    let mut names = vec![];
-    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-        names.push(
-            entry
-                .map_err(unreadable)?
-                .file_name()
-                .to_string_lossy()
-                .into_owned(),
-        );
-    }
-    names.sort();
+    })?;
     let unfinished = names
         .iter()
         .filter(|name| name.starts_with(".longdrive-"))
         .cloned()
         .collect();
     let mut faults = vec![];
+    let found = footers(folder, names, &mut faults);
+    let Some(question) = question(&found, wanted) else {
+        let reason = match faults.first() {
+            Some(fault) => format!(
+                "no part of a sweep in it can be read; {}: {}",
+                fault.file, fault.reason
+            ),
+            None => {
+                "there is no part of a sweep in it; name the folder that sweep --part wrote into"
+                    .into()
+            }
+        };
+        return Err(refuse(reason));
+    };
+    let parts = valid_parts(&question, found, &mut faults);
+    let merged = merge_parts(folder, parts, contents, &mut faults);
+    let missing: Vec<u64> = (1..=question.parts)
+        .filter(|part| !merged.present.contains(part))
+        .collect();
+    let is_whole = contents && missing.is_empty();
+    Ok(Checked {
+        present: merged.present.len() as u64,
+        missing,
+        faults,
+        unfinished,
+        rows: merged.rows,
+        bytes: merged.bytes,
+        sha256: is_whole.then(|| merged.hashes.hex()),
+        summary: merged.summary.unwrap_or_default(),
+        question,
+    })
+}
+
+/// Names of the files in a folder, sorted.
+fn file_names(folder: &Path) -> std::io::Result<Vec<String>> {
+    let mut names = vec![];
+    for entry in std::fs::read_dir(folder)? {
+        names.push(entry?.file_name().to_string_lossy().into_owned());
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// Footers of the Parquet files; files without a readable footer become faults.
+fn footers(folder: &Path, names: Vec<String>, faults: &mut Vec<Fault>) -> Vec<(String, Footer)> {
     let mut found = vec![];
     for name in names.into_iter().filter(|name| name.ends_with(".parquet")) {
         match Footer::read(&folder.join(&name)) {
@@ -124,38 +158,34 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
             }
         }
     }
-    let Some(question) = question(&found, wanted) else {
-        let reason = match faults.first() {
-            Some(fault) => format!(
-                "no part of a sweep in it can be read; {}: {}",
-                fault.file, fault.reason
-            ),
-            None => {
-                "there is no part of a sweep in it; name the folder that sweep `part` wrote into"
-                    .into()
-            }
-        };
-        return Err(refuse(reason));
-    };
-    let (mut sound, mut misnamed) = (BTreeMap::new(), vec![]);
+    found
+}
+
+/// Valid parts of the sweep by number; other files become faults.
+fn valid_parts(
+    question: &SweepDefinition,
+    found: Vec<(String, Footer)>,
+    faults: &mut Vec<Fault>,
+) -> BTreeMap<u64, (String, Footer)> {
+    let (mut valid, mut misnamed) = (BTreeMap::new(), vec![]);
     let hash = question.hash();
     for (name, footer) in found {
         let number = footer.part.part;
-        if let Some((kind, reason)) = fault(&question, &hash, &footer) {
+        if let Some((kind, reason)) = fault(question, &hash, &footer) {
             faults.push(Fault {
                 file: name,
                 kind,
                 reason,
             });
         } else if name == file_name(number, question.parts) {
-            sound.insert(number, (name, footer));
+            valid.insert(number, (name, footer));
         } else {
             misnamed.push((number, name));
         }
     }
     for (part, file) in misnamed {
         let name = file_name(part, question.parts);
-        faults.push(match sound.contains_key(&part) {
+        faults.push(match valid.contains_key(&part) {
             true => Fault {
                 file,
                 kind: FaultKind::Doubled,
@@ -168,15 +198,36 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
             },
         });
     }
-    let mut merged: Option<Summary> = None;
-    let (mut hashes, mut rows, mut bytes) = (Hash::default(), 0, 0);
-    let mut present = std::collections::BTreeSet::new();
-    for (number, (name, footer)) in sound {
-        let (summary, of_rows, of_bytes) =
-            (footer.part.summary.clone(), footer.part.rows, footer.bytes);
+    valid
+}
+
+/// Totals of the valid parts.
+#[derive(Default)]
+struct Merged {
+    present: BTreeSet<u64>,
+    rows: u64,
+    bytes: u64,
+    hashes: Hash,
+    summary: Option<Summary>,
+}
+
+/// Merges the summaries of the parts in order. With `contents`, reads the rows too; parts whose rows
+/// have changed become faults.
+fn merge_parts(
+    folder: &Path,
+    parts: BTreeMap<u64, (String, Footer)>,
+    contents: bool,
+    faults: &mut Vec<Fault>,
+) -> Merged {
+    let mut merged = Merged::default();
+    for (number, (name, footer)) in parts {
+        let summary = footer.part.summary.clone();
+        let (rows, bytes) = (footer.part.rows, footer.bytes);
         if contents {
             match footer.manifest(&folder.join(&name)) {
-                Ok(Manifest { sha256, .. }) => hashes.add(format!("{sha256}  {name}\n").as_bytes()),
+                Ok(Manifest { sha256, .. }) => {
+                    merged.hashes.add(format!("{sha256}  {name}\n").as_bytes());
+                }
                 Err(reason) => {
                     faults.push(Fault {
                         file: name,
@@ -187,35 +238,25 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
                 }
             }
         }
-        present.insert(number);
-        (rows, bytes) = (rows + of_rows, bytes + of_bytes);
-        match &mut merged {
-            Some(merged) => merged.merge(&summary),
-            None => merged = Some(summary),
+        merged.present.insert(number);
+        merged.rows += rows;
+        merged.bytes += bytes;
+        match &mut merged.summary {
+            Some(all) => all.merge(&summary),
+            None => merged.summary = Some(summary),
         }
     }
-    let missing: Vec<u64> = (1..=question.parts)
-        .filter(|part| !present.contains(part))
-        .collect();
-    let is_whole = contents && missing.is_empty();
-    Ok(Checked {
-        present: present.len() as u64,
-        missing,
-        faults,
-        unfinished,
-        rows,
-        bytes,
-        sha256: is_whole.then(|| hashes.hex()),
-        summary: merged.unwrap_or_default(),
-        question,
-    })
+    merged
 }
 
-/// The question of a set of files.
-fn question(found: &[(String, Footer)], wanted: Option<&Question>) -> Option<Question> {
-    let like_wanted = |of: &&Question| {
+/// The sweep of a set of files.
+fn question(
+    found: &[(String, Footer)],
+    wanted: Option<&SweepDefinition>,
+) -> Option<SweepDefinition> {
+    let like_wanted = |of: &&SweepDefinition| {
         wanted.is_none_or(|wanted| {
-            let wanted = Question {
+            let wanted = SweepDefinition {
                 parts: of.parts,
                 instructions: of.instructions.clone(),
                 functions: of.functions.clone(),
@@ -224,7 +265,7 @@ fn question(found: &[(String, Footer)], wanted: Option<&Question>) -> Option<Que
             wanted.difference(of).is_none()
         })
     };
-    let mut counts: BTreeMap<String, (usize, &Question)> = BTreeMap::new();
+    let mut counts: BTreeMap<String, (usize, &SweepDefinition)> = BTreeMap::new();
     for (_, footer) in found {
         counts
             .entry(footer.part.question.clone())
@@ -235,12 +276,12 @@ fn question(found: &[(String, Footer)], wanted: Option<&Question>) -> Option<Que
         .values()
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
-    // where no file is of the question, its parts are as many as there are of another
+    // without a file of the wanted sweep: with the number of parts of another one
     let of_none = || {
         found
             .first()
             .zip(wanted)
-            .map(|((_, other), wanted)| Question {
+            .map(|((_, other), wanted)| SweepDefinition {
                 parts: other.question.parts,
                 instructions: other.question.instructions.clone(),
                 functions: other.question.functions.clone(),
@@ -250,8 +291,8 @@ fn question(found: &[(String, Footer)], wanted: Option<&Question>) -> Option<Que
     most.map(|(_, of)| (*of).clone()).or_else(of_none)
 }
 
-/// What is wrong with a file that is a part of some sweep.
-fn fault(question: &Question, hash: &str, footer: &Footer) -> Option<(FaultKind, String)> {
+/// Fault of a file that is a part of some sweep.
+fn fault(question: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(FaultKind, String)> {
     if footer.part.question != hash {
         let theirs = &footer.question;
         let difference = question.difference(theirs).unwrap_or_default();
@@ -279,11 +320,10 @@ fn fault(question: &Question, hash: &str, footer: &Footer) -> Option<(FaultKind,
     })
 }
 
-/// The summary of all rows of some parts, in the order of their numbers; each counts once, however
-/// often it is given.
+/// Merges the summaries of parts in the order of their numbers. Duplicates of a part count once.
 ///
 /// # Errors
-/// [`Error::Together`] for parts of different questions.
+/// [`Error::Together`] for parts of different sweeps.
 pub fn merge(manifests: &[Manifest]) -> Result<Summary> {
     let mut by_number: BTreeMap<u64, &Manifest> = BTreeMap::new();
     for manifest in manifests {

@@ -1,5 +1,5 @@
+use super::definition::SweepDefinition;
 use super::hash::Hash;
-use super::question::Question;
 use crate::external_errors::{parquet_error_text, read_error_text};
 use crate::statistics::Summary;
 use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
@@ -8,57 +8,57 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// The keys of a file's notes: the question, and what its part is.
+/// Keys of a file's metadata: the definition of the sweep, and the part.
 pub(super) const QUESTION: &str = "longdrive";
 pub(super) const PART: &str = "longdrive.part";
 
-/// What a file's footer says of its part of a sweep.
+/// Description of a part in the footer of its file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// Which part it is, from 1.
+    /// Number of the part, from 1.
     pub part: u64,
-    /// Of how many.
+    /// Number of parts.
     pub parts: u64,
-    /// Its first row among those of the whole sweep, from 0.
+    /// First row in the whole sweep, from 0.
     pub first_row: u64,
-    /// How many rows it has.
+    /// Number of rows.
     pub rows: u64,
-    /// SHA-256 of the [`Question`].
+    /// SHA-256 of the [`SweepDefinition`].
     pub question: String,
-    /// The processor's architecture and the instructions that were used: `x86_64 avx2`.
+    /// Architecture and instruction set of the processor: `x86_64 avx2`.
     pub instructions: String,
     /// SHA-256 of the bytes before the footer: the rows.
     pub data: String,
-    /// What the rows are like in all.
+    /// Statistics of the rows.
     #[serde(flatten)]
     pub summary: Summary,
 }
 
-/// A part's file, and what is in it: the same for whoever writes it.
+/// File of a part, and its content, which does not depend on the writer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
-    /// The name of the file in its folder.
+    /// Name of the file.
     pub file: String,
-    /// Its length.
+    /// Size, bytes.
     pub bytes: u64,
-    /// SHA-256 of all of it, as `sha256sum` prints it.
+    /// SHA-256 of the whole file, like the output of `sha256sum`.
     pub sha256: String,
-    /// Its footer.
+    /// The footer.
     #[serde(flatten)]
     pub part: Part,
 }
 
-/// What a footer tells without a look at the rows.
+/// The footer of a file, read without its rows.
 pub(super) struct Footer {
-    pub question: Question,
+    pub question: SweepDefinition,
     pub part: Part,
     pub bytes: u64,
-    /// Bytes before the footer.
+    /// Number of bytes before the footer.
     data: u64,
 }
 
 impl Footer {
-    /// Reads it; or why it cannot be read.
+    /// Reads the footer of a file, or returns the reason why it cannot be read.
     pub fn read(path: &Path) -> Result<Self, String> {
         let mut file = File::open(path).map_err(|error| read_error_text(&error))?;
         let metadata = ParquetMetaDataReader::new().parse_and_finish(&file);
@@ -70,9 +70,10 @@ impl Footer {
             .key_value_metadata()
             .map(Vec::as_slice)
             .unwrap_or_default();
-        let (Some(question), Some(part)) =
-            (note::<Question>(notes, QUESTION), note::<Part>(notes, PART))
-        else {
+        let (Some(question), Some(part)) = (
+            note::<SweepDefinition>(notes, QUESTION),
+            note::<Part>(notes, PART),
+        ) else {
             return Err("it is not a part of a sweep of longdrive".into());
         };
         let (bytes, data) = lengths(&mut file).map_err(|error| read_error_text(&error))?;
@@ -103,7 +104,7 @@ impl Footer {
         })
     }
 
-    /// The manifest of the file, whose bytes are all read.
+    /// The manifest of the file. Reads and hashes the whole file.
     pub fn manifest(self, path: &Path) -> Result<Manifest, String> {
         let file = File::open(path).map_err(|error| read_error_text(&error))?;
         let (data, sha256) =
@@ -133,8 +134,8 @@ fn note<T: for<'de> Deserialize<'de>>(notes: &[KeyValue], key: &str) -> Option<T
     serde_json::from_str(note.value.as_deref()?).ok()
 }
 
-/// How long a file is, and how much of it stands before the footer, whose length is in four of the
-/// last eight bytes.
+/// Size of a file, and number of bytes before its footer. The length of the footer is in the first
+/// four of the last eight bytes.
 fn lengths(file: &mut File) -> std::io::Result<(u64, u64)> {
     let mut tail = [0; 4];
     let bytes = file.seek(SeekFrom::End(0))?;

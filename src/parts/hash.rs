@@ -2,7 +2,7 @@ use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::{self, Read};
 
-/// SHA-256 of bytes that come piece by piece.
+/// SHA-256 of a stream of bytes.
 #[derive(Clone, Default)]
 pub(super) struct Hash(Sha256);
 
@@ -11,7 +11,7 @@ impl Hash {
         self.0.update(bytes);
     }
 
-    /// In hexadecimal, as `sha256sum` prints it.
+    /// Hexadecimal digits, like the output of `sha256sum`.
     pub fn hex(self) -> String {
         self.0
             .finalize()
@@ -26,7 +26,7 @@ impl Hash {
         hash.hex()
     }
 
-    /// Of the first bytes of a file, and of all of it.
+    /// Hashes of the first bytes of a file, and of the whole file.
     pub fn of_file(mut file: File, first: u64) -> io::Result<(String, String)> {
         let mut hash = Self::default();
         let mut of_first = None;

@@ -1,15 +1,15 @@
-//! A sweep divided into parts, for many processes or machines: each part is a Parquet file of its
-//! own, whose content follows from the question and its number alone.
+//! A sweep divided into parts, for many processes or machines. Each part is a Parquet file, whose
+//! content depends only on the definition of the sweep and the number of the part.
 //!
 //! ```text
 //!   rows of a sweep, in blocks of 1024:  |  part 1  |  part 2  |  …  |  part M  |
 //!
-//!   write(K)  ──▶  part-0000K.parquet  ──footer──▶  question, rows, tally, moments, histograms, best rows
-//!   check     ──▶  what is missing; all of that merged, without a look at the rows
+//!   write(K)  ──▶  part-0000K.parquet  ──footer──▶  definition, rows, status counts, moments, histograms, best rows
+//!   check     ──▶  missing parts; the merged summary, without reading the rows
 //! ```
 //!
-//! Whoever computes a part, on however many threads, how often and in what order, gets the same
-//! bytes. A file takes its place once it is whole, so a part is there or it is not.
+//! The bytes of a part do not depend on threads, order or repetition. A file is renamed to its final
+//! name when it is complete.
 //!
 //! ```
 //! use longdrive::batch::{Axis, Batch, Grid, Run};
@@ -23,7 +23,7 @@
 //! let dataset = Dataset::new(batch, &points, 2, &[], &[]).unwrap();
 //! let folder = tempfile::tempdir().unwrap();
 //!
-//! // the second part first: 3000 rows are three blocks, of which it has two
+//! // the second part first: it has two of the three blocks of 3000 rows
 //! let mut write = |part| dataset.write(&mut points, part, folder.path(), &Run::default(), false, |_| ()).unwrap();
 //! let Written::New(second) = write(2) else { panic!() };
 //! assert_eq!((second.file.as_str(), second.part.first_row, second.part.rows), ("part-00002.parquet", 1024, 1976));
@@ -35,15 +35,15 @@
 //! ```
 
 mod check;
-mod elementary;
+mod definition;
 mod footer;
 mod hash;
-mod question;
 mod share;
 mod write;
 
 pub use check::{Checked, Fault, FaultKind, check, merge};
+pub use definition::SweepDefinition;
 pub use footer::{Manifest, Part};
-pub use question::Question;
+
 pub use share::{file_name, most_parts, rows_of};
 pub use write::{Dataset, Written};

@@ -2,17 +2,16 @@ use crate::batch::CHUNK;
 use crate::error::{Error, Result};
 use std::ops::Range;
 
-/// Digits of a part's number in the name of its file, at least.
+/// Least number of digits of a part's number in its file name.
 const DIGITS: usize = 5;
 
-/// The most parts that so many rows can be divided into: a part has a block of [`CHUNK`] rows at
-/// least.
+/// Largest number of parts for a number of rows: a part has at least one block of [`CHUNK`] rows.
 pub fn most_parts(rows: u64) -> u64 {
     rows.div_ceil(CHUNK as u64)
 }
 
-/// The rows of part K of M, from 0: whole blocks of [`CHUNK`] rows, shared out as evenly as they
-/// can be. With B blocks it has those from ⌊(K − 1)B/M⌋ on, before ⌊K B/M⌋.
+/// Rows of part K of M, from 0: whole blocks of [`CHUNK`] rows, divided as evenly as possible. Of B
+/// blocks it has those from ⌊(K − 1)B/M⌋ to ⌊K B/M⌋ − 1.
 ///
 /// ```
 /// use longdrive::parts::rows_of;
@@ -44,15 +43,14 @@ pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
              {blocks} parts"
         ));
     }
-    // the product of two numbers of 64 bits has 128
+    // 128 bits for the product of two numbers of 64 bits
     let begin = |part: u64| {
         (u128::from(part) * u128::from(blocks) / u128::from(parts)) as u64 * CHUNK as u64
     };
     Ok(begin(part - 1)..begin(part).min(rows))
 }
 
-/// The name of a part's file: its number, with as many digits as the number of parts and at least
-/// five.
+/// File name of a part: its number has as many digits as the number of parts, and at least five.
 ///
 /// ```
 /// assert_eq!(longdrive::parts::file_name(17, 1000), "part-00017.parquet");

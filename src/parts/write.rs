@@ -1,43 +1,42 @@
+use super::definition::SweepDefinition;
 use super::footer::{Footer, Manifest, PART, Part};
 use super::hash::Hash;
-use super::question::Question;
 use super::share::{file_name, rows_of};
 use crate::atomic_file::create_beside;
 use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
-use crate::statistics::{Bins, Sought, Summarized};
+use crate::statistics::{Bins, Sought, Summarized, Summary};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::ops::Range;
 use std::path::Path;
 
-/// A sweep that is divided into parts.
+/// A sweep divided into parts.
 pub struct Dataset {
     batch: Batch,
     summarized: Summarized,
-    question: Question,
+    question: SweepDefinition,
     table: SweepParquet,
 }
 
-/// What became of a part that was to be written.
+/// Result of writing a part.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Written {
-    /// It was computed, and its file is in its place.
+    /// The part was computed and its file written.
     New(Manifest),
-    /// It was there already, whole, and stays.
+    /// The complete file existed already.
     There(Manifest),
-    /// It was stopped, and nothing is left of it.
+    /// The computation was stopped, without a file.
     Stopped,
 }
 
 impl Dataset {
-    /// The sweep of a batch over all of these points, in so many parts. The footer of each has
-    /// these histograms and best rows.
+    /// The sweep of a batch over these points in `parts` parts. Each footer has these histograms and
+    /// best rows.
     ///
     /// # Errors
-    /// [`Error::Together`] for more parts than there are blocks of rows, and as
-    /// [`Summarized::new`].
+    /// [`Error::Together`] for more parts than blocks of rows; those of [`Summarized::new`].
     pub fn new(
         batch: Batch,
         points: &dyn Points,
@@ -47,7 +46,7 @@ impl Dataset {
     ) -> Result<Self> {
         rows_of(parts, parts, points.rows())?;
         let summarized = Summarized::new(&batch, bins, sought)?;
-        let question = Question::new(&batch, points, &summarized, parts);
+        let question = SweepDefinition::new(&batch, points, &summarized, parts);
         let table = SweepParquet::new(&batch, &question.text())?;
         Ok(Self {
             batch,
@@ -57,26 +56,26 @@ impl Dataset {
         })
     }
 
-    /// What tells it from any other.
-    pub fn question(&self) -> &Question {
+    /// Definition of the sweep.
+    pub fn question(&self) -> &SweepDefinition {
         &self.question
     }
 
-    /// The rows of a part, from 0.
+    /// Rows of a part, from 0.
     ///
     /// # Errors
-    /// [`Error::Together`] for a part that is not from 1 to their number.
+    /// [`Error::Together`] for a part that is not from 1 to the number of parts.
     pub fn rows_of(&self, part: u64) -> Result<Range<u64>> {
         rows_of(part, self.question.parts, self.question.rows)
     }
 
-    /// Writes a part into a folder that exists, unless it is there already: beside its place, and
-    /// there once it is whole and safe on the disk. Of `run` the threads and the stop count.
-    /// `progress` is told how many rows are computed.
+    /// Computes and writes a part into an existing folder, unless it is there already. The file is
+    /// synced to the disk before it is renamed. `run` gives the threads and the stop flag;
+    /// `progress` receives the number of computed rows.
     ///
     /// # Errors
-    /// [`Error::Results`] for a file of another question in the folder or of none in its place,
-    /// which only `overwrite` replaces, and for what cannot be written; as
+    /// [`Error::Results`] for a part of another sweep in the folder, for another file of this name
+    /// (`overwrite` replaces it), and for a file that cannot be written; those of
     /// [`rows_of`](Self::rows_of) and [`Batch::run`].
     pub fn write(
         &self,
@@ -97,7 +96,7 @@ impl Dataset {
         if !overwrite && path.exists() {
             return self.found(part, &path).map(Written::There).map_err(results);
         }
-        self.refuse_strangers(folder, &path)?;
+        self.refuse_other_sweep(folder, &path)?;
         let unwritten = |error: io::Error| {
             let why = Error::why_unwritten(&error);
             results(format!(
@@ -106,50 +105,30 @@ impl Dataset {
             ))
         };
         let mut file = Unfinished::new(create_beside(&path).map_err(unwritten)?);
-        file.write(&self.table.head()).map_err(unwritten)?;
-        let mut summary = self.summarized.none();
-        let (mut waiting, mut placed, mut done) = (vec![], vec![], 0);
         let run = Run {
             first_row: rows.start,
             end_row: Some(rows.end),
             ..*run
         };
-        let end = self.batch.run(
-            points,
-            &run,
-            |block| (self.summarized.of(&block), block),
-            |(of_block, block)| {
-                summary.merge(&of_block);
-                done += block.rows() as u64;
-                waiting.push(block);
-                if waiting.len() == self.table.blocks_of_group() {
-                    self.write_group(&mut file, &mut waiting, &mut placed, unwritten)?;
-                }
-                progress(done);
-                Ok(())
-            },
-        )?;
-        if end < rows.end {
+        let Some(content) = self.write_rows(&mut file, points, &run, &mut progress, unwritten)?
+        else {
             return Ok(Written::Stopped);
-        }
-        if !waiting.is_empty() {
-            self.write_group(&mut file, &mut waiting, &mut placed, unwritten)?;
-        }
+        };
         let part = Part {
             part,
             parts: self.question.parts,
             first_row: rows.start,
-            rows: done,
+            rows: content.rows,
             question: self.question.hash(),
             instructions: self.question.instructions.clone(),
             data: file.hash.clone().hex(),
-            summary,
+            summary: content.summary,
         };
-        // names are texts, and numbers finite or null
+        // strings and finite numbers always serialise
         let note = serde_json::to_string(&part).unwrap_or_default();
-        file.write(&self.table.foot_with(&placed, &[(PART, note)])?)
-            .map_err(unwritten)?;
-        let (bytes, sha256) = file.put(&path).map_err(unwritten)?;
+        let foot = self.table.foot_with(&content.groups, &[(PART, note)])?;
+        file.write(&foot).map_err(unwritten)?;
+        let (bytes, sha256) = file.persist(&path).map_err(unwritten)?;
         Ok(Written::New(Manifest {
             file: name,
             bytes,
@@ -158,7 +137,47 @@ impl Dataset {
         }))
     }
 
-    /// Writes the blocks that wait as a row group.
+    /// Computes the rows of `run` and writes them; `None` if stopped.
+    fn write_rows(
+        &self,
+        file: &mut Unfinished,
+        points: &mut dyn Points,
+        run: &Run<'_>,
+        progress: &mut impl FnMut(u64),
+        unwritten: impl Fn(io::Error) -> Error + Copy,
+    ) -> Result<Option<Content>> {
+        file.write(&self.table.head()).map_err(unwritten)?;
+        let mut content = Content {
+            rows: 0,
+            groups: vec![],
+            summary: self.summarized.none(),
+        };
+        let mut waiting = vec![];
+        let end = self.batch.run(
+            points,
+            run,
+            |block| (self.summarized.of(&block), block),
+            |(of_block, block)| {
+                content.summary.merge(&of_block);
+                content.rows += block.rows() as u64;
+                waiting.push(block);
+                if waiting.len() == self.table.blocks_of_group() {
+                    self.write_group(file, &mut waiting, &mut content.groups, unwritten)?;
+                }
+                progress(content.rows);
+                Ok(())
+            },
+        )?;
+        if run.end_row.is_some_and(|last| end < last) {
+            return Ok(None);
+        }
+        if !waiting.is_empty() {
+            self.write_group(file, &mut waiting, &mut content.groups, unwritten)?;
+        }
+        Ok(Some(content))
+    }
+
+    /// Writes the waiting blocks as a row group.
     fn write_group(
         &self,
         file: &mut Unfinished,
@@ -171,7 +190,7 @@ impl Dataset {
         file.write(&bytes).map_err(unwritten)
     }
 
-    /// The part that is in its place, if it is this one; or why it is not.
+    /// The manifest of the existing file, if it is this part, or the reason why it is not.
     fn found(&self, part: u64, path: &Path) -> Result<Manifest, String> {
         let advice = "take another folder, or replace it with `overwrite`";
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;
@@ -191,9 +210,9 @@ impl Dataset {
             .map_err(|reason| format!("{reason}; {advice}"))
     }
 
-    /// Refuses a folder with a part of another sweep. One file is looked at, so that it takes no
-    /// time; a check looks at all.
-    fn refuse_strangers(&self, folder: &Path, place: &Path) -> Result<()> {
+    /// Refuses a folder with a part of another sweep. Reads one file only, for speed; `check` reads
+    /// all of them.
+    fn refuse_other_sweep(&self, folder: &Path, place: &Path) -> Result<()> {
         let entries = fs::read_dir(folder).map_err(|error| Error::Results {
             file: folder.display().to_string(),
             reason: crate::external_errors::read_error_text(&error),
@@ -224,7 +243,14 @@ impl Dataset {
     }
 }
 
-/// A file that is not in its place yet.
+/// Rows written to a file.
+struct Content {
+    rows: u64,
+    groups: Vec<PlacedGroup>,
+    summary: Summary,
+}
+
+/// A file before it is renamed to its final name.
 struct Unfinished {
     file: tempfile::NamedTempFile,
     hash: Hash,
@@ -247,8 +273,8 @@ impl Unfinished {
         Ok(())
     }
 
-    /// Puts it in its place, where it is also after a loss of power; its length and SHA-256.
-    fn put(self, path: &Path) -> io::Result<(u64, String)> {
+    /// Syncs the file to the disk and renames it to its final path. Returns its size and SHA-256.
+    fn persist(self, path: &Path) -> io::Result<(u64, String)> {
         self.file.as_file().sync_all()?;
         self.file.persist(path)?;
         #[cfg(unix)]

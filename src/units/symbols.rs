@@ -114,9 +114,9 @@ mod tests {
     /// Half of the seventh digit.
     const SEVEN_DIGITS: f64 = 5e-7;
 
-    /// NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and appendix B.8. Each
-    /// digit of what has no seven digits is held against the library pint by a test of the Python
-    /// package.
+    /// NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and appendix B.8.
+    /// Sizes printed with fewer than seven digits are compared with the library pint by a test of the
+    /// Python package.
     #[test]
     fn published_sizes_are_those_of_nist_sp_811() {
         let sizes = [
@@ -174,7 +174,7 @@ mod tests {
         }
     }
 
-    /// The same, B.7: t/°C = T/K − 273.15 and t/°F = 1.8 T/K − 459.67.
+    /// NIST SP 811, appendix B.7: t/°C = T/K − 273.15 and t/°F = 1.8 T/K − 459.67.
     #[test]
     fn published_zeros_are_those_of_nist_sp_811() {
         let zeros = [("degC", 273.15), ("degF", 459.67 / 1.8)];

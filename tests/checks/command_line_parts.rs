@@ -4,7 +4,7 @@
 use crate::command_line::{json, longdrive, number};
 use crate::program;
 use longdrive::number::Level;
-use longdrive::parts::{Manifest, Question, check, file_name, merge};
+use longdrive::parts::{Manifest, SweepDefinition, check, file_name, merge};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use serde_json::Value;
@@ -424,10 +424,11 @@ fn of_other_version(path: &Path) {
             .position(|window| window == part.as_bytes())
     };
     let at = find(&text, "{\"version\"").unwrap();
-    let mut questions = serde_json::Deserializer::from_slice(&text[at..]).into_iter::<Question>();
+    let mut questions =
+        serde_json::Deserializer::from_slice(&text[at..]).into_iter::<SweepDefinition>();
     let question = questions.next().unwrap().unwrap();
     let length = questions.byte_offset();
-    let other = Question {
+    let other = SweepDefinition {
         version: "0.0.9".into(),
         ..question.clone()
     };

@@ -8,7 +8,7 @@ use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, bar, system, tell};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
-use crate::parts::{self, Checked, Dataset, Manifest, Question, Written};
+use crate::parts::{self, Checked, Dataset, Manifest, SweepDefinition, Written};
 use crate::report::{Reply, summary_document};
 use crate::statistics::{Bins, Sought};
 use crate::units::{Message, counted};
@@ -186,7 +186,7 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
 }
 
 /// The identity of the sweep that the options describe; `None` without points.
-fn wanted(args: &Sweep) -> Result<Option<Question>> {
+fn wanted(args: &Sweep) -> Result<Option<SweepDefinition>> {
     if args.over.is_empty() && args.points.is_none() {
         return match args.instructions {
             None => Ok(None),

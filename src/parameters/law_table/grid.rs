@@ -37,7 +37,7 @@ impl AxisVariable {
         }
     }
 
-    /// Whether it belongs to the axis of the spin; else to the axis of the speed.
+    /// True if it belongs to the axis of the spin; else to the axis of the speed.
     pub fn is_of_spin(self) -> bool {
         matches!(self, Self::SpinRatio | Self::Spin)
     }

@@ -40,7 +40,7 @@ impl Fault {
     }
 }
 
-/// Largest number of nodes: more than anyone measures. The splines are held in memory.
+/// Largest number of nodes, more than anyone measures: the splines are kept in memory.
 const MOST_NODES: usize = 200_000;
 
 /// A row of the table.

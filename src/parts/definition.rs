@@ -1,40 +1,39 @@
-use super::elementary::elementary_functions;
 use super::hash::Hash;
 use crate::batch::{Batch, Points};
+use crate::fingerprint::Fingerprint;
 use crate::statistics::Summarized;
 use serde::{Deserialize, Serialize};
 
-/// What makes the files of a sweep different from those of another: the same question gives the
-/// same bytes of each part. Numbers are written to the last digit.
+/// Definition of a sweep: everything that the bytes of its parts depend on. Numbers are written to
+/// the last digit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Question {
-    /// The version of longdrive.
+pub struct SweepDefinition {
+    /// Version of longdrive.
     pub version: String,
-    /// Every parameter of the setup.
+    /// All parameters of the setup.
     pub setup: String,
-    /// Where the points come from.
+    /// Source of the points.
     pub points: String,
     /// The outcomes, separated by commas.
     pub outcomes: String,
-    /// What they are differentiated by; empty for values alone.
+    /// Parameters of the derivatives; empty for values only.
     pub derivatives: String,
-    /// The largest defect of a drive, m (docs/model.md, eq. 16a); `inf` where the setup's own step
-    /// is kept.
+    /// The largest defect of a drive, m (docs/model.md, eq. 16a); `inf` for the step of the setup.
     pub largest_defect: String,
     /// The histograms and best rows of each footer.
     pub summary: String,
-    /// The processor's architecture and the instructions that are used: `x86_64 avx2`.
+    /// Architecture and instruction set of the processor: `x86_64 avx2`.
     pub instructions: String,
-    /// A fingerprint of the C library's sine, cosine, arctangent, exponential and logarithm: other
-    /// libraries, and the same on processors for which it has other variants, round otherwise.
+    /// Hash of values of the C library's sine, cosine, arctangent, exponential and logarithm, whose
+    /// rounding depends on the library and on the processor.
     pub functions: String,
-    /// Rows of all parts together.
+    /// Number of rows of all parts.
     pub rows: u64,
-    /// How many parts there are.
+    /// Number of parts.
     pub parts: u64,
 }
 
-impl Question {
+impl SweepDefinition {
     pub(super) fn new(
         batch: &Batch,
         points: &dyn Points,
@@ -57,18 +56,18 @@ impl Question {
         }
     }
 
-    /// As it is written into each file.
+    /// JSON for the metadata of each file.
     pub(super) fn text(&self) -> String {
-        // strings and whole numbers serialise
+        // strings and integers always serialise
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// Its SHA-256, in hexadecimal.
+    /// SHA-256, in hexadecimal.
     pub fn hash(&self) -> String {
         Hash::of(self.text().as_bytes())
     }
 
-    /// What this question differs in from another, in words; `None` where it does not.
+    /// Difference from another definition, in words; `None` if they are equal.
     pub fn difference(&self, other: &Self) -> Option<String> {
         let named = |what: &str, ours: &str, theirs: &str| format!("{what} {ours} and {theirs}");
         if self.version != other.version {
@@ -112,4 +111,28 @@ impl Question {
         let differ: Vec<_> = differ.collect();
         (!differ.is_empty()).then(|| format!("different {}", differ.join(", ")))
     }
+}
+
+/// Hash of values of the elementary functions of the C library that drives use. They are rounded
+/// differently by other libraries, versions, and processors, for which a library has variants. Equal
+/// hashes mean equal values at some thousand arguments of each function.
+fn elementary_functions() -> u64 {
+    let functions: [fn(f64) -> f64; 6] = [
+        f64::sin,
+        f64::cos,
+        f64::atan,
+        f64::exp,
+        f64::exp_m1,
+        f64::ln,
+    ];
+    let mut fingerprint = Fingerprint::new();
+    for i in 1..=4096 {
+        // 0 to 12.7: two turns of a circle, and usual arguments of logarithms and exponentials
+        let x = f64::from(i) * 3.1e-3;
+        functions
+            .iter()
+            .for_each(|function| fingerprint.add(function(x)));
+        fingerprint.add(x.atan2(12.7 - x));
+    }
+    fingerprint.0
 }
