@@ -14,7 +14,6 @@ mod macdonald_hanzely;
 mod naruo_mizota;
 mod nathan;
 mod origin;
-mod published;
 mod robinson;
 mod smits_smith;
 mod table;
@@ -22,7 +21,6 @@ mod usga_itr;
 mod winfield_tan;
 
 pub use fitted::{Fitted, FittedRange, range_in_words};
-pub use published::Published;
 
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
@@ -81,6 +79,19 @@ pub struct Coefficients<T> {
     pub drag: T,
     /// C_L.
     pub lift: T,
+}
+
+/// Source of a law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Published {
+    /// Authors of the publication, or of the fit to published data.
+    pub authors: &'static str,
+    /// Year of the publication.
+    pub year: Option<u16>,
+    /// The measured ball, if the source names it.
+    pub ball: Option<&'static str>,
+    /// The publication, and how its numbers were obtained.
+    pub source: &'static str,
 }
 
 /// A law of drag and lift. Two methods are required.

@@ -88,15 +88,7 @@ impl<T: Numbers> Inputs<T> {
                 };
                 observe(result.time, &step);
             }
-            // comparisons with NaN are false: an overflow diverges too
-            let is_resolved = self.is_resolved(step.from, h, tableau.largest_relative_change)
-                & step.to.position.x.is_finite();
-            result.diverges = result.diverges | lanes.flying & !is_resolved;
-            lanes.flying = lanes.flying & is_resolved;
-            if let Some(sum) = &mut result.landed.defect {
-                let defect = step.defect(h).without_derivatives();
-                *sum = (*sum + defect).blend(*sum, lanes.flying);
-            }
+            lanes.flying = self.check_step(&step, tableau, lanes.flying, &mut result);
 
             let end = (result.landed.steps + 1) as f64 * h;
             let is_above = (ground - step.to.position.x).below(0.0);
@@ -124,6 +116,28 @@ impl<T: Numbers> Inputs<T> {
             result.landed.rest = Some(turf.rest(&landing, result.has_landed));
         }
         result
+    }
+
+    /// Ends the flights that the step does not resolve, and adds its defect to the others. Returns
+    /// the lanes in flight.
+    #[inline(always)]
+    fn check_step(
+        &self,
+        step: &Step<'_, T>,
+        tableau: &Tableau,
+        flying: T::Mask,
+        result: &mut FlightResult<T>,
+    ) -> T::Mask {
+        // comparisons with NaN are false: an overflow diverges too
+        let is_resolved = self.is_resolved(step.from, self.step, tableau.largest_relative_change)
+            & step.to.position.x.is_finite();
+        result.diverges = result.diverges | flying & !is_resolved;
+        let flying = flying & is_resolved;
+        if let Some(sum) = &mut result.landed.defect {
+            let defect = step.defect(self.step).without_derivatives();
+            *sum = (*sum + defect).blend(*sum, flying);
+        }
+        flying
     }
 
     /// Events that the step up to time `end` may contain, from its nodes.

@@ -2,11 +2,9 @@
 //! string with its unit. Errors have a line and a column.
 
 use super::air::is_reset;
-use super::club_speed::SPEED_OF;
+use super::choices::{GOLFER, METHOD, SPEED_OF};
 use super::declare::{Parameter, UNSET};
-use super::golfer::GOLFER;
 use super::law_table::{TABLE, TABLE_LAW};
-use super::method::METHOD;
 use super::presets::{DEFAULT_PRESET, Preset};
 use super::setup::table_beside;
 use super::table::{LAW, Law, Setup};

@@ -2,15 +2,13 @@
 //! their sources, and setup files.
 
 mod air;
-mod club_speed;
+mod choices;
 #[macro_use]
 mod declare;
 mod file;
-mod golfer;
 mod inertia;
 mod launch;
 mod law_table;
-mod method;
 mod presets;
 mod range;
 mod setup;
@@ -19,22 +17,19 @@ mod table;
 mod turf;
 mod vary;
 mod weights;
-mod wind_profile;
 
 pub use air::Ways;
 #[cfg(feature = "cli")]
 pub(crate) use air::{follows_from, is_reset};
 pub(crate) use air::{given_otherwise, refuse_replaced};
-pub use club_speed::{SPEED_OF, SpeedOf};
+pub use choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 #[cfg(feature = "cli")]
 pub(crate) use declare::is_unset;
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
-pub use golfer::{GOLFER, Golfer};
 pub use law_table::{Axis, AxisVariable, LawTable, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, Grid, Surface, cells_of};
-pub use method::{METHOD, Method};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};
 pub use range::Range;
 pub(crate) use setup::{NO_CLUB, refuse_twice};

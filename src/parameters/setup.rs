@@ -1,9 +1,7 @@
 use super::air::{instead, is_reset};
-use super::club_speed::{SPEED_OF, SpeedOf};
+use super::choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, is_unset};
-use super::golfer::{GOLFER, Golfer};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
-use super::method::{METHOD, Method};
 use super::range::Range;
 use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};

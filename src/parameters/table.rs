@@ -6,11 +6,9 @@
 //! `modern-driver`; the ranges are physically possible values. `declare.rs` shows the struct that a
 //! row expands to.
 
-use super::club_speed::SpeedOf;
+use super::choices::{Golfer, Method, SpeedOf};
 use super::declare::{Kind, Parameter, Slot};
-use super::golfer::Golfer;
 use super::law_table::{LawTable, TABLE_LAW};
-use super::method::Method;
 use super::range::Range;
 use crate::units::Quantity;
 

@@ -102,7 +102,7 @@ impl SearchProblem {
                 of.push(outcome);
             }
         }
-        let begun = Vary::begun(setup, &search.vary)?;
+        let begun = Vary::initialised(setup, &search.vary)?;
         // second derivatives of a goal with an edge come from the few drives at the edge: no part
         // of the drives represents them
         let (part, represents) = if goals.iter().any(Goal::has_edge) {

@@ -1,7 +1,6 @@
 use super::Quantity;
-use super::dimension::Dimension;
 use super::expression::read_unit;
-use super::symbols::SYMBOLS;
+use super::symbols::{Dimension, SYMBOLS};
 
 /// A number with any unit, SI.
 #[derive(Clone, Copy, Debug)]

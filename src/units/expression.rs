@@ -1,7 +1,6 @@
 //! Grammar of units: products of symbols with powers.
 
-use super::dimension::Dimension;
-use super::symbols::symbol;
+use super::symbols::{Dimension, symbol};
 
 /// SI size of a unit as a fraction. Decimal units (g, cm², %) have whole denominators, so that
 /// 5679 g cm² is 5679/10⁷ kg m² to the last bit.

@@ -7,7 +7,6 @@
 
 mod amount;
 mod decimals;
-mod dimension;
 mod error;
 mod expression;
 mod message;
@@ -25,10 +24,9 @@ pub(crate) use spelling::{leading_number, with_unit};
 pub use spelling::{one, per, printed, ratio, typeset};
 pub use system::System;
 
-use dimension::Dimension;
 use expression::read_unit;
 use std::fmt;
-use symbols::SYMBOLS;
+use symbols::{Dimension, SYMBOLS};
 
 /// Physical quantity of a parameter or an outcome.
 ///

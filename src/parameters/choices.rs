@@ -1,0 +1,162 @@
+//! Settings that select by name: the golfer, the point of the head, the method of integration.
+
+use crate::error::{Error, Result};
+
+/// Handedness of the golfer. Swing, strike and club are in the golfer's own terms: the same numbers
+/// give mirror images for the two hands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Golfer {
+    /// A right-handed golfer: out, open and the toe are to the right.
+    #[default]
+    Right,
+    /// A left-handed golfer: out, open and the toe are to the left.
+    Left,
+}
+
+/// Name of the setting: `golfer = "left"`.
+pub const GOLFER: &str = "golfer";
+
+impl Golfer {
+    /// Both hands.
+    pub const ALL: &'static [Self] = &[Self::Right, Self::Left];
+
+    /// Its name in `golfer`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Left => "left",
+        }
+    }
+
+    /// The golfer of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn named(name: &str) -> Result<Self> {
+        let name = name.trim();
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|golfer| golfer.name() == name)
+            .ok_or_else(|| {
+                let names = Self::ALL.iter().map(|golfer| golfer.name());
+                Error::unknown(
+                    GOLFER,
+                    name,
+                    names,
+                    "a golfer is right or left, by the hand",
+                )
+            })
+    }
+}
+
+/// Point of the head whose velocity `swing.speed`, `swing.attack_angle` and `swing.path` give. The
+/// points of a rotating head have different velocities (docs/model.md, eq. 1a).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum SpeedOf {
+    /// The centre of mass. Radars measure the centre of the head's outline, within millimetres of
+    /// it.
+    #[default]
+    CentreOfMass,
+    /// The centre of the face, where the markers of camera systems are.
+    FaceCentre,
+}
+
+/// Name of the setting: `swing.speed_of = "face-centre"`.
+pub const SPEED_OF: &str = "swing.speed_of";
+
+impl SpeedOf {
+    /// All points.
+    pub const ALL: &'static [Self] = &[Self::CentreOfMass, Self::FaceCentre];
+
+    /// Its name in `swing.speed_of`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::CentreOfMass => "centre-of-mass",
+            Self::FaceCentre => "face-centre",
+        }
+    }
+
+    /// The point of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn named(name: &str) -> Result<Self> {
+        let name = name.trim();
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|point| point.name() == name)
+            .ok_or_else(|| {
+                let names = Self::ALL.iter().map(|point| point.name());
+                let advice =
+                    "the speed of the club is that of its centre-of-mass or of its face-centre";
+                Error::unknown(SPEED_OF, name, names, advice)
+            })
+    }
+}
+
+/// Runge–Kutta method with a fixed step. The interpolation of the landing is the same for all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Method {
+    /// The classical Runge–Kutta method, order 4 (Kutta 1901).
+    #[default]
+    Rk4,
+    /// Dormand & Prince's method of order 8 with 12 evaluations a step (Hairer, Nørsett & Wanner
+    /// 1993, DOP853).
+    DormandPrince8,
+}
+
+impl Method {
+    /// All methods, from the lowest order.
+    pub const ALL: &'static [Self] = &[Self::Rk4, Self::DormandPrince8];
+
+    /// Name in `flight.method`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rk4 => "rk4",
+            Self::DormandPrince8 => "dp8",
+        }
+    }
+
+    /// Order p: the error is proportional to the p-th power of the step.
+    pub fn order(self) -> u32 {
+        match self {
+            Self::Rk4 => 4,
+            Self::DormandPrince8 => 8,
+        }
+    }
+
+    /// Evaluations of the force a step.
+    pub fn stages(self) -> u32 {
+        match self {
+            Self::Rk4 => 4,
+            Self::DormandPrince8 => 12,
+        }
+    }
+}
+
+/// Name of the setting: `flight.method = "dp8"`.
+pub const METHOD: &str = "flight.method";
+
+impl Method {
+    /// The method of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn named(name: &str) -> Result<Self> {
+        let name = name.trim();
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|method| method.name() == name)
+            .ok_or_else(|| {
+                let names = Self::ALL.iter().map(|method| method.name());
+                let advice = format!(
+                    "the methods are {}",
+                    names.clone().collect::<Vec<_>>().join(", ")
+                );
+                Error::unknown("method of integration", name, names, advice)
+            })
+    }
+}
