@@ -7,11 +7,11 @@
 //!   subject to low ≤ x ≤ high    what the club maker and the golfer can do
 //! ```
 //!
-//! where carry is the distance at which a ball lands that a rigid clubhead has struck ([`impact`])
-//! and that has flown through air with drag, lift and spin decay ([`flight`]). Both are written
-//! once, over a [`Number`](number::Number): with `f64` they give values, with dual numbers the
-//! exact gradients and Hessians ([`derivative`]) that the bound-constrained optimizer
-//! ([`optimize`]) and every study ([`study`]) stand on.
+//! where carry is the distance to the landing point of a ball that a rigid clubhead has struck
+//! ([`impact`]) and that flies through air with drag, lift and spin decay ([`flight`]). Both are
+//! written once, generic over a [`Number`](number::Number): `f64` gives values, dual numbers give
+//! exact gradients and Hessians ([`derivative`]), which the optimizer ([`optimize`]) and every
+//! study ([`study`]) use.
 //!
 //! ```
 //! use longdrive::{Outcome, Setup, derivative};
@@ -23,15 +23,15 @@
 //! assert!((carry.gradient[0] - 336.769746388603).abs() < 1e-8); // m per radian of loft
 //! ```
 //!
-//! A debug build should optimize the library, by `[profile.dev.package.longdrive] opt-level = 1` in
+//! Debug builds should optimize the library, by `[profile.dev.package.longdrive] opt-level = 1` in
 //! the `Cargo.toml` of the program: without it, derivatives need more stack than a thread has.
 //!
 //! # Frame
-//! X up, Y right of the target line, Z downrange; right-handed. SI units and radians everywhere
-//! inside; degrees, mph and yards only in strings ([`units`]) and reports.
+//! X up, Y right of the target line, Z downrange; right-handed. SI units and radians inside;
+//! degrees, mph and yards only in texts ([`units`]) and reports.
 //!
 //! # Modules
-//! Imports point downward, without a circle between modules; docs/architecture.md lists them.
+//! Modules import only from those below, without cycles; docs/architecture.md lists them.
 //!
 //! | | |
 //! |---|---|
@@ -50,7 +50,7 @@
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 
 #![warn(clippy::missing_errors_doc, missing_docs)]
-// what the modules below keep for the reports alone
+// items used only by the reports
 #![cfg_attr(not(feature = "reports"), allow(dead_code, unused_imports))]
 
 pub mod aerodynamics;
@@ -89,13 +89,13 @@ pub use drive::{Drive, Outcome};
 pub use error::{Error, Result};
 pub use parameters::Setup;
 
-/// The examples of README and docs/library.md run with those of the documentation.
+/// Runs the examples of README and docs/library.md as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 #[doc = include_str!("../docs/library.md")]
 struct Readme;
 
-/// And that of the plots.
+/// Runs the examples of docs/plots.md as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/plots.md")]
 struct Plots;

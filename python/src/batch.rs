@@ -7,7 +7,7 @@ use crate::names::{listed, outcomes_named, variables};
 use crate::pool;
 use crate::setup::PySetup;
 use crate::step::Asked;
-use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, Tally};
+use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, StatusCounts};
 use longdrive::drive::CheckScope;
 use longdrive::parameters::Parameter;
 use longdrive::parameters::Vary;
@@ -33,7 +33,7 @@ struct Results {
     status: Vec<i8>,
     /// Row after row.
     hessians: Vec<f64>,
-    tally: Tally,
+    status_counts: StatusCounts,
 }
 
 /// The results of a chunk.
@@ -41,7 +41,7 @@ struct Piece {
     columns: Vec<f64>,
     status: Vec<i8>,
     hessians: Vec<f64>,
-    tally: Tally,
+    status_counts: StatusCounts,
 }
 
 impl Piece {
@@ -82,14 +82,14 @@ impl Piece {
                 *status = UNDEFINED;
             }
         }
-        let mut tally = Tally::default();
-        tally.add(block);
+        let mut status_counts = StatusCounts::default();
+        status_counts.add(block);
         points.append(&mut columns);
         Self {
             columns: points,
             status,
             hessians: seconds,
-            tally,
+            status_counts,
         }
     }
 }
@@ -118,7 +118,7 @@ impl Results {
             columns,
             status,
             hessians,
-            tally: Tally::default(),
+            status_counts: StatusCounts::default(),
         })
     }
 
@@ -136,7 +136,7 @@ impl Results {
         let width = piece.hessians.len() / rows;
         self.hessians[self.done * width..(self.done + rows) * width]
             .copy_from_slice(&piece.hessians);
-        self.tally.merge(piece.tally);
+        self.status_counts.merge(piece.status_counts);
         self.done += rows;
     }
 }
@@ -294,7 +294,7 @@ pub fn batch<'py>(
             .with(Option::take)
             .ok_or_else(|| Failure::Panic("a batch without results".into()))?;
         let done = results.done;
-        let beyond = results.tally.beyond().warnings(
+        let beyond = results.status_counts.beyond().warnings(
             &setup.setup.law,
             ["drive that landed", "drives that landed"],
             CheckScope::Launch,
@@ -305,7 +305,7 @@ pub fn batch<'py>(
                 .map(|message| message.in_units(System::default())),
         );
         let is_whole = raised.is_none();
-        if is_whole && first_row == 0 && !results.tally.has_any(&of) {
+        if is_whole && first_row == 0 && !results.status_counts.has_any(&of) {
             warnings.push(none(&setup.setup, &parameters, &results, &of));
         }
         warnings.extend(in_degrees);
@@ -334,7 +334,10 @@ fn none(
     results: &Results,
     of: &[Outcome],
 ) -> String {
-    let ended = results.tally.counts().filter(|(_, count)| *count > 0);
+    let ended = results
+        .status_counts
+        .counts()
+        .filter(|(_, count)| *count > 0);
     let ended: Vec<_> = ended
         .map(|(status, count)| format!("{count} {status}"))
         .collect();

@@ -1,7 +1,7 @@
 //! Laws of splines through a grid, from a publication or a user's own table.
 
 use super::{Coefficients, Stream};
-use crate::number::{Numbers, held_above, held_below, inlined};
+use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::{Axis, AxisVariable, Grid};
 
 /// C_D and C_L of a grid, times their factors. Beyond the edges of the grid, speed and spin are
@@ -12,7 +12,7 @@ pub(super) fn grid_coefficients<T: Numbers>(
     factors: [T; 2],
     stream: Stream<T>,
 ) -> Coefficients<T> {
-    T::outlined(inlined!(move || grid_coefficients_inlined(
+    T::not_inlined(inlined!(move || grid_coefficients_inlined(
         grid, factors, stream
     )))
 }
@@ -25,7 +25,7 @@ fn grid_coefficients_inlined<T: Numbers>(
 ) -> Coefficients<T> {
     let speed = coordinate(&grid.speed, &stream);
     let spin = coordinate(&grid.spin, &stream);
-    let c = speed.looked_up(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
+    let c = speed.gather(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
     // coordinates in the cell, then Horner's scheme in w and u
     let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
     let (mut drag, mut lift) = (T::zero(), T::zero());
@@ -41,7 +41,7 @@ fn grid_coefficients_inlined<T: Numbers>(
     let mut lift = cl_factor * lift;
     if let Some((variable, per_least)) = grid.full_lift {
         let part = value(variable, &stream) * per_least;
-        let short = T::constant(1.0) - part.blend(T::constant(1.0), part.below(1.0));
+        let short = T::constant(1.0) - part.select(T::constant(1.0), part.below(1.0));
         lift = lift * (T::constant(1.0) - short * short * short);
     }
     Coefficients {
@@ -72,8 +72,8 @@ fn coordinate<T: Numbers>(axis: &Option<Axis>, stream: &Stream<T>) -> T {
     else {
         return T::zero();
     };
-    held_above(
-        held_below(value(variable, stream), first, under),
+    smooth_clamp_above(
+        smooth_clamp_below(value(variable, stream), first, under),
         last,
         over,
     )

@@ -1,5 +1,5 @@
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, held_above, inlined};
+use crate::number::{Numbers, inlined, smooth_clamp_above};
 use crate::parameters::Lyu;
 
 /// Spin ratios of the measurements.
@@ -19,7 +19,7 @@ const WIDTH: f64 = 0.06;
 impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(move || {
+        T::not_inlined(inlined!(move || {
             let r = stream.reynolds() * 1e-5;
             let low = self
                 .cd_low2
@@ -30,7 +30,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
                 .mul_add(r, self.cd_high1)
                 .mul_add(r, self.cd_high0);
             let part = ((r - BETWEEN) * (1.0 / WIDTH)).tanh() * 0.5 + 0.5;
-            let s = held_above(stream.spin_ratio(), MEASURED[1], HELD_OVER);
+            let s = smooth_clamp_above(stream.spin_ratio(), MEASURED[1], HELD_OVER);
             Coefficients {
                 drag: part.mul_add(high - low, low),
                 lift: self.cl2.mul_add(s, self.cl1) * s,

@@ -12,7 +12,7 @@ const SMOOTH_BELOW: f64 = 0.02;
 impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(move || {
+        T::not_inlined(inlined!(move || {
             let per_speed = stream.speed.recip();
             let lift = polynomial(
                 [self.cl_speed * per_speed],

@@ -99,7 +99,7 @@ pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this flow. C_L must tend to 0 with the spin, as the direction of the lift
     /// vanishes.
     ///
-    /// All laws are inlined into the equation of motion. A long law calls [`Numbers::outlined`] with
+    /// All laws are inlined into the equation of motion. A long law calls [`Numbers::not_inlined`] with
     /// a `move` closure, so that it does not slow down the others (`src/number/mod.rs`, "Pipelines").
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 

@@ -1,6 +1,6 @@
 use super::origin::{horner, polynomial};
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, held_above, inlined};
+use crate::number::{Numbers, inlined, smooth_clamp_above};
 use crate::parameters::NaruoMizota;
 
 /// Spin ratios of the measurements. Below, a cubic replaces the lift, as the formula has a lift
@@ -14,9 +14,9 @@ const HELD_OVER: f64 = 0.2;
 impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(move || {
+        T::not_inlined(inlined!(move || {
             let [low, high] = MEASURED;
-            let s = held_above(stream.spin_ratio(), high, HELD_OVER);
+            let s = smooth_clamp_above(stream.spin_ratio(), high, HELD_OVER);
             let drag = [self.cd0, self.cd1, self.cd2, self.cd3, self.cd4];
             let lift = [self.cl0, self.cl1, self.cl2, self.cl3, self.cl4];
             Coefficients {

@@ -1,6 +1,6 @@
 use super::origin::power;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, held_above, held_below, inlined};
+use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::Nathan;
 
 /// Ends, in Re/10⁵, of the fall of the drag without spin from cd_low to cd_high.
@@ -14,11 +14,11 @@ const ROUNDED: f64 = 0.05;
 impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(move || {
+        T::not_inlined(inlined!(move || {
             let [low, high] = FALLS;
             let half = 0.5 * ROUNDED;
-            let r = held_above(
-                held_below(stream.reynolds() * 1e-5, low + half, ROUNDED),
+            let r = smooth_clamp_above(
+                smooth_clamp_below(stream.reynolds() * 1e-5, low + half, ROUNDED),
                 high - half,
                 ROUNDED,
             );

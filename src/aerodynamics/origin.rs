@@ -46,7 +46,7 @@ pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
         };
         origin.lift(s)
     });
-    T::choose(
+    T::select_lazily(
         s.below(SMOOTH_BELOW),
         smooth,
         inlined!(|| factor * (exponent * s.ln()).exp()),
@@ -74,7 +74,7 @@ pub(super) fn polynomial<T: Numbers, const N: usize>(c: [T; N], join: f64, s: T)
         }
         origin.lift(s)
     });
-    T::choose(s.below(join), smooth, inlined!(|| horner(c, s)))
+    T::select_lazily(s.below(join), smooth, inlined!(|| horner(c, s)))
 }
 
 /// c₀ + c₁ s + c₂ s² ….

@@ -1,6 +1,6 @@
 use super::origin::polynomial;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, held_above, held_below, inlined};
+use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::UsgaItr;
 
 /// Lowest spin ratio of the measured shots. Below, a cubic replaces the lift, as the formula has a
@@ -21,9 +21,9 @@ const HELD_UNDER: f64 = 0.2;
 impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(move || {
-            let s = held_above(stream.spin_ratio(), LARGEST, HELD_OVER);
-            let r = held_below(stream.reynolds() * 1e-5, SMALLEST, HELD_UNDER);
+        T::not_inlined(inlined!(move || {
+            let s = smooth_clamp_above(stream.spin_ratio(), LARGEST, HELD_OVER);
+            let r = smooth_clamp_below(stream.reynolds() * 1e-5, SMALLEST, HELD_UNDER);
             let drag = self
                 .cd2
                 .mul_add(s, self.cd1)

@@ -34,7 +34,7 @@ impl<T: Numbers> AirState<T> {
                 viscosity: air.viscosity,
             };
         }
-        T::outlined(inlined!(|| Self::of_weather(air)))
+        T::not_inlined(inlined!(|| Self::of_weather(air)))
     }
 
     #[inline(always)]

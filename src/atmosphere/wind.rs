@@ -76,7 +76,7 @@ pub(super) fn horizontal_components<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
         Some(from) => from,
         None => T::zero(),
     };
-    T::outlined(inlined!(|| {
+    T::not_inlined(inlined!(|| {
         let (sin, cos) = from.sin_cos();
         [-(speed * sin), -(speed * cos)]
     }))

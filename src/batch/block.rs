@@ -3,25 +3,24 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// How a drive of a batch ended.
+/// Status of a drive in a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
-    /// On the ground: it has every outcome.
+    /// The ball landed; all outcomes exist.
     Landed,
-    /// It left the face and did not fly: launched down, or below the ground all the way. Outcomes
-    /// of the launch only.
+    /// The ball left the face but did not fly: launched downwards, or below the ground all the way.
+    /// Only outcomes of the launch exist.
     NoFlight,
-    /// Still in the air at `flight.time_limit`. Outcomes of the launch only.
+    /// The ball is still in the air at `flight.time_limit`. Only outcomes of the launch exist.
     Aloft,
-    /// `flight.step` is too coarse: drag and lift change the airspeed too much within a step,
-    /// numbers overflow, or the defect stays above the largest one also in the shortest step. No
-    /// outcomes.
+    /// `flight.step` is too long: drag and lift change the airspeed too much within a step, numbers
+    /// overflow, or the defect exceeds its limit even in the shortest step. No outcomes.
     Diverged,
     /// The club does not strike the ball: off the face, moving away, or jammed. No outcomes.
     NoStrike,
-    /// A value of the point is outside its parameter's range, or the inertia tensor is one that no
-    /// body can have. No outcomes.
+    /// A value is outside its parameter's range, or the inertia tensor is impossible for a rigid
+    /// body. No outcomes.
     OutOfRange,
 }
 
@@ -36,7 +35,7 @@ impl Status {
         Self::OutOfRange,
     ];
 
-    /// Its name in files: `landed`.
+    /// Name in files: `landed`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Landed => "landed",
@@ -55,15 +54,14 @@ impl fmt::Display for Status {
     }
 }
 
-/// How many drives ended in which way, and how many of those that landed are outside of what the
-/// model is made for.
+/// Number of drives by status, and number of landed drives beyond each validity limit of the model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally {
+pub struct StatusCounts {
     statuses: [u64; Status::ALL.len()],
     beyond: ExceededCount,
 }
 
-impl Tally {
+impl StatusCounts {
     /// Counts the drives of a block.
     pub fn add(&mut self, block: &Block) {
         for (status, beyond) in block.status.iter().zip(&block.beyond) {
@@ -74,7 +72,7 @@ impl Tally {
         }
     }
 
-    /// Adds another tally.
+    /// Adds other counts.
     pub fn merge(&mut self, other: Self) {
         for (ours, theirs) in self.statuses.iter_mut().zip(other.statuses) {
             *ours += theirs;
@@ -82,7 +80,7 @@ impl Tally {
         self.beyond.merge(other.beyond);
     }
 
-    /// The tally of these counts, and of the landed drives outside of what the model is made for.
+    /// Counts from a map of statuses and the validity counts.
     pub fn of(counts: &BTreeMap<Status, u64>, beyond: ExceededCount) -> Self {
         Self {
             statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()),
@@ -90,13 +88,13 @@ impl Tally {
         }
     }
 
-    /// How many of the landed drives are outside of what the model is made for.
+    /// Number of landed drives beyond each validity limit.
     pub fn beyond(&self) -> ExceededCount {
         self.beyond
     }
 
-    /// Whether any drive has one of these outcomes, or there are no drives: those of the launch are
-    /// there also where the ball does not land.
+    /// True if any drive has one of these outcomes, or if there are no drives. Outcomes of the
+    /// launch also exist for balls that do not land.
     pub fn has_any(&self, of: &[Outcome]) -> bool {
         let is_of_the_launch = of
             .iter()
@@ -121,39 +119,37 @@ impl Tally {
     }
 }
 
-/// Drives of consecutive points. A value that does not exist is `None`, and never a NaN. To ask for
-/// a row, or an outcome, that the block does not have is a panic.
+/// Results of consecutive points. Missing values are `None`, never NaN. Rows and columns outside
+/// the block panic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     pub(super) first_row: u64,
-    /// The points, one after the other.
+    /// Points, row by row.
     pub(super) points: Vec<f64>,
     pub(super) parameters: usize,
     pub(super) status: Vec<Status>,
-    /// What each drive that landed lies beyond.
+    /// Validity limits that each landed drive exceeds.
     pub(super) beyond: Vec<ExceededLimits>,
-    /// What tells of the error of the integration, of each drive that landed.
+    /// Defect of the integration of each landed drive, m.
     pub(super) defect: Vec<f64>,
-    /// A column for each outcome; a number that is not finite stands for a value that does not
-    /// exist.
+    /// A column for each outcome; a number that is not finite marks a missing value.
     pub(super) outcomes: Vec<Vec<f64>>,
-    /// A column for each outcome and parameter, the parameters of the first outcome first;
-    /// likewise.
+    /// A column for each outcome and parameter, by outcome, then parameter; not finite if missing.
     pub(super) derivatives: Vec<Vec<f64>>,
 }
 
 impl Block {
-    /// How many columns it has: parameters, outcomes, derivatives.
+    /// Numbers of columns: parameters, outcomes, derivatives.
     pub(crate) fn columns(&self) -> [usize; 3] {
         [self.parameters, self.outcomes.len(), self.derivatives.len()]
     }
 
-    /// The row of its first point, from 0.
+    /// Row number of the first point, from 0.
     pub fn first_row(&self) -> u64 {
         self.first_row
     }
 
-    /// How many drives it holds.
+    /// Number of drives.
     pub fn rows(&self) -> usize {
         self.status.len()
     }
@@ -168,12 +164,12 @@ impl Block {
         self.status[row]
     }
 
-    /// In what a drive that landed is, by its launch, outside of what the model is made for.
+    /// Validity limits of the model that a landed drive exceeds at launch.
     pub fn beyond(&self, row: usize) -> ExceededLimits {
         self.beyond[row]
     }
 
-    /// What tells of the error of the integration, of each drive that landed: its defect, m.
+    /// Defects of the integration of all landed drives, m.
     pub(crate) fn defects(&self) -> impl Iterator<Item = f64> {
         self.status
             .iter()
@@ -182,26 +178,24 @@ impl Block {
             .map(|(_, defect)| *defect)
     }
 
-    /// The outcome of this number, SI.
+    /// Outcome by column number, SI.
     pub fn outcome(&self, row: usize, outcome: usize) -> Option<f64> {
         Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
     }
 
-    /// The derivatives of all outcomes by all parameters, SI, the parameters of the first outcome
-    /// first.
+    /// Derivatives of all outcomes by all parameters, SI, by outcome, then parameter.
     pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         self.derivatives
             .iter()
             .map(move |column| Some(column[row]).filter(|value| value.is_finite()))
     }
 
-    /// The outcomes, SI.
+    /// Outcomes of a row, SI.
     pub fn outcomes(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
     }
 
-    /// A column of results: the outcomes, then the derivatives. Empty where there is no such
-    /// column.
+    /// A result column: outcomes first, then derivatives. Empty if there is no such column.
     pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> + Clone {
         let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
         column

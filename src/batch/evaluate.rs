@@ -1,8 +1,8 @@
-//! The drives of a block: side by side where that is possible, the rows left over one by one.
+//! Evaluation of a block: lane batches first, then scalar evaluation of the remaining rows.
 
-use super::abreast::Abreast;
 use super::block::{Block, Status};
-use super::question::Batch;
+use super::definition::Batch;
+use super::lane_batch::LaneBatch;
 use crate::derivative::{Evaluator, Order};
 use crate::drive::{CheckScope, Drive, ExceededLimits, Outcome};
 use crate::error::{Error, Result};
@@ -10,14 +10,14 @@ use crate::flight::{Flight, NoFlight};
 use crate::number::MOST_PER_LANE;
 use crate::parameters::{Parameter, Setup};
 
-/// Halvings of the step within which a drive has to get below the largest defect.
-const HALVINGS: usize = 12;
+/// Maximum number of halvings of the step to reach the largest accepted defect.
+const MAX_HALVINGS: usize = 12;
 
 impl Batch {
-    /// The drives of some points, given one after the other.
+    /// Computes the drives of some points, given row by row.
     ///
     /// # Panics
-    /// Where the last point has not a value for each parameter.
+    /// If the last point is incomplete.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
         let (values, parameters) = (points.len(), self.parameters.len());
         assert!(
@@ -37,26 +37,26 @@ impl Batch {
             derivatives: empty(self.of.len() * self.wrt.len()),
             points,
         };
-        let mut alone = self.abreast(&mut block);
-        alone.extend((0..rows).filter(|&row| block.defect[row] > self.largest_defect));
-        for row in alone {
-            // what was found of it side by side
+        let mut scalar_rows = self.evaluate_in_lanes(&mut block);
+        scalar_rows.extend((0..rows).filter(|&row| block.defect[row] > self.largest_defect));
+        for row in scalar_rows {
+            // discard the results of the lane batch
             block
                 .outcomes
                 .iter_mut()
                 .chain(&mut block.derivatives)
                 .for_each(|column| column[row] = f64::NAN);
-            if let Ok(setup) = self.moved(block.point(row)) {
-                self.drive(setup, row, &mut block);
+            if let Ok(setup) = self.setup_at(block.point(row)) {
+                self.evaluate_scalar(setup, row, &mut block);
             }
         }
         block
     }
 
-    /// Computes the drives of a block side by side; left over are the rows that have to be looked
-    /// at one by one. Those are all where the inertia tensor is swept, which must be checked in
-    /// each row, and by so many parameters that the derivatives of one drive fill the lanes.
-    fn abreast(&self, block: &mut Block) -> Vec<usize> {
+    /// Computes the drives of a block in lane batches, and returns the rows that need scalar
+    /// evaluation. These are all rows if the inertia tensor is swept (it must be checked in each
+    /// row), or if there are so many parameters of differentiation that one drive fills the lanes.
+    fn evaluate_in_lanes(&self, block: &mut Block) -> Vec<usize> {
         if self.wrt.len() > 4 * MOST_PER_LANE
             || self
                 .parameters
@@ -65,23 +65,23 @@ impl Batch {
         {
             return (0..block.rows()).collect();
         }
-        let mut alone = vec![];
-        // without derivatives there is one pass all the same
+        let mut scalar_rows = vec![];
+        // at least one pass, also without derivatives
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
-            alone.extend(self.level.run(Abreast {
+            scalar_rows.extend(self.level.run(LaneBatch {
                 batch: self,
                 block,
                 wrt,
                 first,
             }));
         }
-        alone.sort_unstable();
-        alone.dedup();
-        alone
+        scalar_rows.sort_unstable();
+        scalar_rows.dedup();
+        scalar_rows
     }
 
-    fn moved(&self, point: &[f64]) -> Result<Setup<f64>> {
+    fn setup_at(&self, point: &[f64]) -> Result<Setup<f64>> {
         let mut setup = self.setup;
         for (parameter, value) in self.parameters.iter().zip(point) {
             setup.set_value(parameter, Some(*value))?;
@@ -90,11 +90,10 @@ impl Batch {
         Ok(setup)
     }
 
-    /// A drive by itself, with the longest of some steps, each half of the one before, that follows
-    /// it closely enough.
-    fn drive(&self, mut setup: Setup<f64>, row: usize, block: &mut Block) {
+    /// Scalar evaluation of a drive. The step is halved until the defect is accepted.
+    fn evaluate_scalar(&self, mut setup: Setup<f64>, row: usize, block: &mut Block) {
         let mut halvings = if self.largest_defect.is_finite() {
-            HALVINGS
+            MAX_HALVINGS
         } else {
             0
         };
@@ -133,7 +132,7 @@ impl Batch {
         }
     }
 
-    /// The derivatives that exist: all at once, or where one is missing each by itself.
+    /// Derivatives of all outcomes at once; if one is undefined, each separately.
     fn differentiate(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
         let gradients = |of: &[Outcome], wrt: &[&'static Parameter]| {
             let evaluator = Evaluator::new(setup, of, wrt, Order::First)
@@ -145,14 +144,14 @@ impl Batch {
         for (column, values) in block.derivatives.iter_mut().enumerate() {
             let (i, k) = (column / self.wrt.len(), column % self.wrt.len());
             let exists = block.outcomes[i][row].is_finite();
-            let by_itself = || {
+            let separately = || {
                 exists
                     .then(|| gradients(&self.of[i..=i], &self.wrt[k..=k]))
                     .flatten()
             };
             values[row] = match &all {
                 Some(taylors) => taylors[i].gradient[k],
-                None => by_itself().map_or(f64::NAN, |taylors| taylors[0].gradient[0]),
+                None => separately().map_or(f64::NAN, |taylors| taylors[0].gradient[0]),
             };
         }
     }

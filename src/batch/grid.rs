@@ -2,12 +2,12 @@ use super::points::{Points, refuse_repeated};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 
-/// Values of a parameter at equal distances, both ends among them.
+/// Equally spaced values of a parameter, including both ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// The parameter and its range, SI.
+    /// Parameter and range, SI.
     pub over: Vary,
-    /// How many values; a single one is the lower end.
+    /// Number of values; with 1, only the lower end.
     pub count: u64,
 }
 
@@ -21,14 +21,14 @@ impl Axis {
     /// ```
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a count that is missing or 0; as [`Vary::read`].
+    /// [`Error::SearchRange`] for a missing or zero count; errors of [`Vary::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange {
             name: text.trim().into(),
             reason,
         };
         let Some((range, count)) = text.rsplit_once(':') else {
-            // a range that is none is the greater mistake
+            // report an invalid range before a missing count
             Vary::read_column(setup, text)?;
             return Err(refuse(format!(
                 "the number of values is missing; write for example {}:101",
@@ -50,20 +50,19 @@ impl Axis {
         }
     }
 
-    /// The value of this number, from 0, SI: low + (high − low) i/(count − 1).
+    /// Value i, from 0, SI: low + (high − low) i/(count − 1).
     pub fn value(&self, i: u64) -> f64 {
         let Vary { low, high, .. } = self.over;
         match i {
             0 => low,
-            // the end itself, without the rounding of the way there
+            // the exact end, without rounding
             i if i + 1 >= self.count => high,
             i => low + (high - low) * i as f64 / (self.count - 1) as f64,
         }
     }
 }
 
-/// Every combination of the values of some parameters; the first axis is outermost, the last one
-/// changes from row to row.
+/// Cartesian grid of several axes; the first axis varies slowest, the last fastest.
 #[derive(Clone, Debug)]
 pub struct Grid {
     axes: Vec<Axis>,
@@ -73,11 +72,11 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The grid of these axes.
+    /// Grid of these axes.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] for more rows than can be counted; [`Error::SearchRange`] for an axis
-    /// without values or a parameter given twice; [`Error::Nothing`] without axes.
+    /// [`Error::TooLarge`] if the number of rows overflows; [`Error::SearchRange`] for an axis
+    /// without values or a repeated parameter; [`Error::Nothing`] without axes.
     pub fn new(axes: Vec<Axis>) -> Result<Self> {
         let parameters: Vec<_> = axes.iter().map(|axis| axis.over.parameter).collect();
         refuse_repeated(&parameters)?;
@@ -130,7 +129,7 @@ impl Points for Grid {
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
         let rows = self.rows.saturating_sub(self.next).min(most as u64);
         for row in self.next..self.next + rows {
-            // rows over which the value of an axis stays the same
+            // number of rows over which an axis keeps its value
             let mut stride = self.rows;
             values.extend(self.axes.iter().map(|axis| {
                 stride /= axis.count;

@@ -1,27 +1,25 @@
-//! Work on chunks by several threads, whose results come in the order of the chunks.
+//! Parallel work on chunks with results in the order of the chunks.
 
 use crate::error::{Error, Result};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 
-/// Chunks under way at a time, for each thread: enough that none waits for the order to be
-/// restored.
+/// Chunks in flight per thread: enough that no thread waits for the ordering.
 const UNDER_WAY: u64 = 4;
 
-/// More threads than this take longer to start than they save.
+/// Maximum number of threads: starting more takes longer than they save.
 const MOST_THREADS: usize = 256;
 
-/// WebAssembly has none unless it is compiled with atomics.
+/// WebAssembly has threads only if compiled with atomics.
 const HAS_THREADS: bool = cfg!(any(not(target_family = "wasm"), target_feature = "atomics"));
 
-/// Works on each chunk that `next` gives, until there is none, and hands the results to `sink` in
-/// the order of the chunks. A bounded number of chunks is under way at a time. Threads: 0 for as
-/// many as there are processors, at most 256. Where the system has no threads, one chunk after the
-/// other.
+/// Processes each chunk from `next` in parallel and passes the results to `sink` in order. A
+/// bounded number of chunks is in flight. `threads`: 0 for one per processor, at most 256. Without
+/// threads (WebAssembly) the chunks are processed one by one.
 ///
 /// # Errors
-/// What `next` and `sink` return; what comes before an error of `next` is handed on first.
+/// Errors of `next` and `sink`. Results before an error of `next` are delivered first.
 pub(crate) fn in_order<T: Send, R: Send>(
     threads: usize,
     mut next: impl FnMut() -> Result<Option<T>>,
@@ -52,7 +50,7 @@ pub(crate) fn in_order<T: Send, R: Send>(
                     Ok(Some(chunk)) => {
                         let (finished, work) = (finished.clone(), &work);
                         scope.spawn(move |_| {
-                            // nobody listens once the sink has refused
+                            // the receiver is gone after an error of the sink
                             let _ = finished
                                 .send((begun, catch_unwind(AssertUnwindSafe(|| work(chunk)))));
                         });

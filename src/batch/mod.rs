@@ -1,13 +1,13 @@
-//! Drives by the million: the outcomes, and their exact derivatives, at every point of a grid, a
-//! quasi-random sequence or a table of points ([`table`](crate::table)).
+//! Batches of millions of drives: outcomes, and their exact derivatives, at every point of a grid,
+//! a quasi-random sequence or a table of points ([`table`](crate::table)).
 //!
 //! ```text
 //!   points ──chunks──▶ drives, side by side ──in order──▶ whoever takes the rows
 //! ```
 //!
-//! Points are read in chunks of [`CHUNK`] rows, a bounded number of chunks is under way at a time,
-//! and finished ones are handed on in the order of the points: memory does not grow with the batch,
-//! and what is handed on does not depend on the number of threads.
+//! Points are read in chunks of [`CHUNK`] rows, a bounded number of chunks is in flight at a time,
+//! and results are delivered in the order of the points: memory use is independent of the batch
+//! size, and the output is independent of the number of threads.
 //!
 //! ```
 //! use longdrive::batch::{Axis, Grid, Run, simulate_batch};
@@ -29,21 +29,21 @@
 //! assert!((rows[1].1.unwrap() / rows[0].1.unwrap() - 50.0 / 40.0).abs() < 1e-12);
 //! ```
 
-mod abreast;
 mod block;
+mod definition;
 mod evaluate;
 mod grid;
 mod in_order;
+mod lane_batch;
 mod points;
-mod question;
 mod run;
 mod sequence;
 
-pub use block::{Block, Status, Tally};
+pub use block::{Block, Status, StatusCounts};
+pub use definition::Batch;
 pub use grid::{Axis, Grid};
 pub(crate) use in_order::in_order;
 pub use points::Points;
 pub(crate) use points::refuse_repeated;
-pub use question::Batch;
 pub use run::{CHUNK, Run, gradient_batch, simulate_batch};
 pub use sequence::Sequence;

@@ -2,43 +2,41 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Vary};
 use crate::units::Message;
 
-/// Where the points of a batch come from: the values of some parameters, a row for each drive, in
-/// an order that is the same every time.
+/// Source of a batch's points: rows of parameter values in a reproducible order.
 pub trait Points {
-    /// The parameters that have a value in each row.
+    /// Parameters of each row.
     fn parameters(&self) -> &[&'static Parameter];
 
-    /// The ranges that the values lie in. Values that no drive can have do not count; a parameter
-    /// that has no others is left out.
+    /// Ranges of the values. Impossible values are ignored; a parameter with no other values is
+    /// left out.
     fn ranges(&self) -> Vec<Vary>;
 
-    /// How many rows there are.
+    /// Number of rows.
     fn rows(&self) -> u64;
 
-    /// Goes to a row; [`read`](Self::read) goes on from there.
+    /// Moves to a row, from which [`read`](Self::read) continues.
     ///
     /// # Errors
-    /// What keeps the rows before it from being read.
+    /// Errors of reading the rows before it.
     fn seek(&mut self, row: u64) -> Result<()>;
 
-    /// Appends the next rows to `values`, SI, one row after the other with a value for each
-    /// parameter, at most `most` of them; how many there were, 0 at the end only. Who reads them
-    /// refuses other numbers of values.
+    /// Appends up to `most` rows to `values`, SI, with a value for each parameter, and returns
+    /// their number: 0 only at the end. The caller checks the number of values.
     ///
     /// # Errors
-    /// [`Error::Table`] for what cannot be read.
+    /// [`Error::Table`] for unreadable input.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
-    /// Notes on where they come from: columns of a table that are not read.
+    /// Notes on the source, such as ignored columns of a table.
     fn notes(&self) -> Vec<Message> {
         vec![]
     }
 
-    /// What tells these points from any others: the same words for the same points.
+    /// Identity of the points: equal texts if and only if the points are equal.
     fn identity(&self) -> String;
 }
 
-/// A parameter that is given twice has two values.
+/// Refuses repeated parameters, and an empty list.
 pub(crate) fn refuse_repeated(parameters: &[&'static Parameter]) -> Result<()> {
     for (at, parameter) in parameters.iter().enumerate() {
         if parameters[..at].contains(parameter) {

@@ -1,41 +1,40 @@
 use super::block::Block;
+use super::definition::Batch;
 use super::in_order::in_order;
 use super::points::Points;
-use super::question::Batch;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Rows of a chunk: the piece of a batch that one thread computes at a time.
+/// Rows of a chunk, the unit of work of one thread.
 pub const CHUNK: usize = 1024;
 
-/// How a batch is run.
+/// Options of a run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Run<'a> {
-    /// The first row to compute (0): a multiple of [`CHUNK`] where the blocks are to be those of an
-    /// uninterrupted run.
+    /// First row to compute (0). A multiple of [`CHUNK`] gives the same blocks as an uninterrupted
+    /// run.
     pub first_row: u64,
-    /// The row to end before (`None`: after the last point).
+    /// End row, exclusive (`None`: after the last point).
     pub end_row: Option<u64>,
-    /// Threads, and no more than there are chunks to compute, nor than 256 (0: one for a single
-    /// chunk, as many as there are processors for more).
+    /// Number of threads, limited to the number of chunks and 256 (0: one per processor, or one for
+    /// a single chunk).
     pub threads: usize,
-    /// Ends the batch, after the chunks under way, once it is true.
+    /// Interrupt flag: once true, the run ends after the chunks in flight.
     pub stop: Option<&'a AtomicBool>,
 }
 
 impl Batch {
-    /// Computes the drives of all points. Each block goes through `work` on the thread that
-    /// computed it, and what that makes of it to `sink`, in the order of the points. Returns the
-    /// row after the last one handed on: the number of points or the end that was asked for, unless
-    /// it was stopped; `run.first_row` where none was, as there is no point from there on.
+    /// Computes the drives of all points. Each block passes through `work` on the thread that
+    /// computed it, and the result to `sink` in the order of the points. Returns the row after the
+    /// last delivered one: the number of points or the requested end, unless the run was
+    /// interrupted; `run.first_row` if there was no row.
     ///
     /// # Errors
-    /// [`Error::Together`] for points of other parameters than those of the batch, or in another
-    /// order, and for points whose [`read`](Points::read) does not append as many values as the
-    /// rows it tells of have, or more rows than it was asked for; what `points` and `sink` return.
-    /// Rows before an unreadable point are handed on first.
+    /// [`Error::Together`] for points of other parameters, or in another order, and for a
+    /// [`read`](Points::read) with inconsistent numbers of rows and values; errors of `points` and
+    /// `sink`. Rows before an unreadable point are delivered first.
     pub fn run<R: Send>(
         &self,
         points: &mut dyn Points,
@@ -82,7 +81,7 @@ impl Batch {
         Ok(done)
     }
 
-    /// Whether points are of the swept parameters, in their order.
+    /// Checks that the points have the swept parameters, in their order.
     fn check_parameters(&self, of_points: &[&'static Parameter]) -> Result<()> {
         if of_points == self.parameters() {
             return Ok(());
@@ -101,7 +100,7 @@ impl Batch {
         Err(Error::Together { given, reason })
     }
 
-    /// Whether so many rows, of which there were to be `most`, have so many values.
+    /// Checks the numbers of rows and values of a chunk.
     fn check_chunk(&self, rows: usize, most: usize, values: usize) -> Result<()> {
         let parameters = self.parameters().len();
         if rows <= most && Some(values) == rows.checked_mul(parameters) {
@@ -118,13 +117,13 @@ impl Batch {
     }
 }
 
-/// Outcomes of the drives at all points, handed to `sink` in order, a block of at most [`CHUNK`]
-/// rows at a time. Returns the row after the last one handed on, or `run.first_row` where there was
-/// none. The drives are integrated as the setup says: [`accuracy`](crate::study::accuracy()) finds
-/// method and step for a stated error.
+/// Outcomes of the drives at all points, passed to `sink` in order, in blocks of at most [`CHUNK`]
+/// rows. Returns the row after the last delivered one, or `run.first_row` if there was none. The
+/// setup determines the integration: [`accuracy`](crate::study::accuracy()) finds method and step
+/// for a given error.
 ///
 /// # Errors
-/// As [`Batch::new`] and [`Batch::run`]. A drive that does not fly is no error but has its
+/// Errors of [`Batch::new`] and [`Batch::run`]. A drive without flight is not an error but has its
 /// [`Status`](super::Status).
 pub fn simulate_batch(
     setup: &Setup<f64>,
@@ -141,10 +140,10 @@ pub fn simulate_batch(
     )
 }
 
-/// As [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
+/// Like [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
 ///
 /// # Errors
-/// As [`simulate_batch`]; [`Error::Nothing`] without parameters to differentiate by.
+/// Errors of [`simulate_batch`]; [`Error::Nothing`] without parameters of differentiation.
 pub fn gradient_batch(
     setup: &Setup<f64>,
     points: &mut dyn Points,
@@ -167,7 +166,7 @@ pub fn gradient_batch(
     )
 }
 
-/// Compiled once, whatever becomes of the blocks.
+/// Shared code, not generic over the sink, so that it is compiled once.
 fn of_batch(
     batch: &Batch,
     points: &mut dyn Points,

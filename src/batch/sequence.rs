@@ -3,8 +3,8 @@ use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::{Parameter, Vary};
 
-/// Points spread evenly over ranges of some parameters, however many are taken: Sobol's sequence,
-/// scrambled (Owen 1995; Burley 2020). After 65 536 points it goes on with another scrambling.
+/// Scrambled Sobol sequence over ranges of some parameters (Owen 1995; Burley 2020): evenly spread
+/// for any number of points. After each 65 536 points it continues with another scrambling.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     over: Vec<Vary>,
@@ -15,10 +15,10 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// The first `rows` points over these ranges; another seed gives other points.
+    /// First `rows` points over these ranges; another seed gives other points.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a parameter given twice; [`Error::Nothing`] without ranges.
+    /// [`Error::SearchRange`] for a repeated parameter; [`Error::Nothing`] without ranges.
     pub fn new(over: Vec<Vary>, rows: u64, seed: u32) -> Result<Self> {
         let parameters: Vec<_> = over.iter().map(|vary| vary.parameter).collect();
         refuse_repeated(&parameters)?;

@@ -5,7 +5,7 @@ use crate::command::output::{Answer, Warnings, system, tell};
 use crate::command::reproduce::{DOCUMENT, write};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::optimize::least_squares::{Follow, Loss, Status};
+use crate::optimize::least_squares::{FitObserver, Loss, Status};
 use crate::parameters::{Law, Vary};
 use crate::report::{CalibrationReport, Report};
 use crate::study::calibrate::{

@@ -10,7 +10,7 @@ use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{not_stated, of_a_drive};
 use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
-use crate::optimize::{Follow, Iteration, Options};
+use crate::optimize::{Iteration, Observers, Options};
 use crate::parameters::Vary;
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, pareto_csv, pareto_toml};
@@ -100,10 +100,10 @@ fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
         }
     });
     let interrupt = interrupt::stops("stopping with the points so far");
-    let follow = Follow {
+    let follow = Observers {
         iteration: Some(iteration),
         interrupt: interrupt.clone(),
-        ..Follow::default()
+        ..Observers::default()
     };
     let found = pareto(&setup, search, scenarios, &follow);
     spinner.finish_and_clear();

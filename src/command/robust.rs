@@ -7,7 +7,7 @@ use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, tell, warn};
 use crate::command::request::Request;
 use crate::command::swings::{ranges, searched};
-use crate::optimize::Follow;
+use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
@@ -48,9 +48,9 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     }
     let spinner = spinner("searching for one design for all models");
     let interrupt = interrupt::stops("stopping with the best design so far");
-    let follow = Follow {
+    let follow = Observers {
         interrupt: interrupt.clone(),
-        ..Follow::default()
+        ..Observers::default()
     };
     let found = robust(models, search, args.starts as usize, &follow);
     spinner.finish_and_clear();

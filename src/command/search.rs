@@ -145,7 +145,7 @@ impl WorkArgs {
         &self,
         setup: &Setup<f64>,
         search: &Search,
-        (follow, bar): &(Follow, ProgressBar),
+        (follow, bar): &(Observers, ProgressBar),
     ) -> Result<Optima> {
         let found = optima(setup, search, self.starts as usize, follow);
         bar.finish_and_clear();
@@ -159,7 +159,7 @@ impl WorkArgs {
 
     /// The progress of a search: every iteration as a line, or of several searches a bar. It keeps
     /// the checkpoint, and ends on Ctrl-C.
-    pub fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Follow, ProgressBar)> {
+    pub fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Observers, ProgressBar)> {
         let checkpoint = match &self.checkpoint {
             Some(path) => Some(Arc::new(Checkpoint::open(
                 path,
@@ -167,10 +167,10 @@ impl WorkArgs {
             )?)),
             None => None,
         };
-        let mut follow = Follow {
+        let mut follow = Observers {
             interrupt: interrupt::stops(BEST_SO_FAR),
             checkpoint,
-            ..Follow::default()
+            ..Observers::default()
         };
         let bar = match self.starts {
             1 => one(search, &mut follow),
@@ -180,7 +180,7 @@ impl WorkArgs {
     }
 
     /// A bar of the searches that have ended, with the best value so far.
-    fn many(&self, search: &Search, follow: &mut Follow) -> ProgressBar {
+    fn many(&self, search: &Search, follow: &mut Observers) -> ProgressBar {
         let (of, sign, system) = (search.of.clone(), search.sense.sign(), system());
         let show = move |value: f64| goal_text(&of, sign * value, system);
         let bar = bar_of(
@@ -285,7 +285,7 @@ fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
 }
 
 /// Every iteration as a line.
-fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
+fn one(search: &Search, follow: &mut Observers) -> ProgressBar {
     let (shown, running) = (search.clone(), running());
     let line = move |_, iteration: &Iteration| {
         running.tell(&iteration_line(&shown, iteration, running.system()))

@@ -1,77 +1,96 @@
-//! The chain rule between impact and flight. Club and strike change a flight through the launch
-//! alone: by more parameters than the six components of its velocity and spin, derivatives of the
-//! flight are taken by these, and by what changes it besides.
+//! Chain rule between impact and flight. Club and strike change a flight only through the launch:
+//! if there are more of their parameters than the six components of the launch (velocity and spin),
+//! the flight is differentiated by the components and by its own parameters, and the chain rule
+//! combines both stages.
 
 use super::Taylor;
-use super::pass::{COMPONENTS, Leg, Point};
+use super::pass::{COMPONENTS, Point, Stage};
 use super::split::Split;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 
-/// The outcomes at a point, by the chain rule where the parameters are split. `progress` is told
-/// how many passes of how many are done.
+/// Outcomes and derivatives at a point, by the chain rule if `split` is given. `progress` receives
+/// the numbers of completed and of all passes.
 pub(super) fn derivatives(
     point: &Point<'_>,
     split: Option<&Split>,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
-    let zero = |columns: usize| Taylor::zero(columns, point.first_row.map_or(0, |_| columns));
-    let (outcomes, parameters) = (point.of.len(), point.columns);
     let Some(split) = split else {
-        let mut taylors = vec![zero(parameters); outcomes];
-        point.differentiate(
-            Leg::Whole,
-            &(0..parameters).collect::<Vec<_>>(),
-            &mut taylors,
-            progress,
-        )?;
+        let variables: Vec<_> = (0..point.columns).collect();
+        let mut taylors = vec![zero(point, point.columns); point.of.len()];
+        point.differentiate(Stage::Whole, &variables, &mut taylors, progress)?;
         return Ok(taylors);
     };
-    let mut taylors = vec![zero(parameters); outcomes + COMPONENTS];
-    point.differentiate(Leg::Impact, &split.of_launch, &mut taylors, &mut |_, _| ())?;
-    let launch = taylors.split_off(outcomes);
+    let mut taylors = vec![zero(point, point.columns); point.of.len() + COMPONENTS];
+    point.differentiate(
+        Stage::Impact,
+        &split.of_launch,
+        &mut taylors,
+        &mut |_, _| (),
+    )?;
+    let launch = taylors.split_off(point.of.len());
     if !point.flies {
         progress(1, 1);
         return Ok(taylors);
     }
-    let moves = |component: &Taylor| {
+    let variables = flight_variables(point, split, &launch);
+    let columns = |outcome: &Outcome| {
+        if is_of_flight(outcome) {
+            point.columns + COMPONENTS
+        } else {
+            0
+        }
+    };
+    let mut by_variables: Vec<Taylor> = point
+        .of
+        .iter()
+        .map(|outcome| zero(point, columns(outcome)))
+        .collect();
+    point.differentiate(
+        Stage::Flight(&launch),
+        &variables,
+        &mut by_variables,
+        progress,
+    )?;
+    for (outcome, (taylor, by_variables)) in
+        point.of.iter().zip(taylors.iter_mut().zip(&by_variables))
+    {
+        if is_of_flight(outcome) {
+            chain(taylor, by_variables, &variables, &launch);
+        }
+    }
+    Ok(taylors)
+}
+
+/// Zero polynomial with this number of variables, to the order of the point.
+fn zero(point: &Point<'_>, columns: usize) -> Taylor {
+    Taylor::zero(columns, point.first_row.map_or(0, |_| columns))
+}
+
+fn is_of_flight(outcome: &Outcome) -> bool {
+    outcome.group() == OutcomeGroup::Flight
+}
+
+/// Variables of the flight: components of the launch that depend on a parameter, then the flight's
+/// own parameters.
+fn flight_variables(point: &Point<'_>, split: &Split, launch: &[Taylor]) -> Vec<usize> {
+    let is_nonzero = |component: &Taylor| {
         component
             .gradient
             .iter()
             .chain(component.hessian.iter().flatten())
             .any(|d| *d != 0.0)
     };
-    let components = (0..COMPONENTS).filter(|&component| moves(&launch[component]));
-    let variables: Vec<usize> = components
-        .map(|component| parameters + component)
+    (0..COMPONENTS)
+        .filter(|&component| is_nonzero(&launch[component]))
+        .map(|component| point.columns + component)
         .chain(split.of_flight.iter().copied())
-        .collect();
-    let is_flown = |outcome: &Outcome| outcome.group() == OutcomeGroup::Flight;
-    let columns = |outcome: &Outcome| {
-        if is_flown(outcome) {
-            parameters + COMPONENTS
-        } else {
-            0
-        }
-    };
-    let mut slopes: Vec<Taylor> = point
-        .of
-        .iter()
-        .map(|outcome| zero(columns(outcome)))
-        .collect();
-    point.differentiate(Leg::Flight(&launch), &variables, &mut slopes, progress)?;
-    for (i, _) in point
-        .of
-        .iter()
-        .enumerate()
-        .filter(|(_, outcome)| is_flown(outcome))
-    {
-        chain(&mut taylors[i], &slopes[i], &variables, &launch);
-    }
-    Ok(taylors)
+        .collect()
 }
 
-/// The chain rule: derivatives by the parameters from those by the variables of a flight.
+/// Chain rule: adds the derivatives by the parameters, from those by the variables of the flight
+/// and the launch's derivatives.
 fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch: &[Taylor]) {
     let parameters = taylor.gradient.len();
     let component = |variable: usize| {
@@ -84,7 +103,7 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch
             .zip(terms)
             .for_each(|(sum, term)| *sum += factor * term);
     };
-    // adds how a variable changes with the parameters
+    // adds factor · d variable/d parameters
     let add_change = |sums: &mut [f64], factor: f64, variable: usize| match component(variable) {
         Some(component) => add(sums, factor, &component.gradient),
         None => sums[variable] += factor,
@@ -96,7 +115,7 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch
         if taylor.hessian.is_empty() {
             continue;
         }
-        // how the slope by this variable changes with the parameters
+        // derivative of the slope by the parameters
         let mut slope_by_parameters = vec![0.0; parameters];
         for &other in variables {
             add_change(
@@ -117,7 +136,7 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch
             add(row, slope, second);
         }
     }
-    // symmetric to the last bit, as its terms are
+    // make the Hessian symmetric to the last bit
     for i in 0..taylor.hessian.len() {
         for j in 0..i {
             taylor.hessian[j][i] = taylor.hessian[i][j];

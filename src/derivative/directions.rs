@@ -1,16 +1,16 @@
 use crate::number::{Lanes, Level, MOST_PER_LANE, Mask, inlined};
 
-/// The variables, by their indices, that are differentiated by: the lanes all hold the same drive,
-/// each with directions of its own.
+/// Variables of differentiation, by index. All lanes compute the same drive, each with its own
+/// directions.
 #[derive(Clone, Copy)]
 pub(super) struct Directions<'a> {
-    /// One after the other, as many in each lane as its number has directions.
+    /// Indices in order; each lane takes as many as its number type has directions.
     pub variables: &'a [usize],
-    /// Whether they are pairs, one in each lane, for a second derivative by both.
+    /// True if they are pairs, one per lane, for a mixed second derivative.
     pub are_pairs: bool,
 }
 
-/// The entries of a Hessian by some variables, as pairs of them, from this row on to its diagonal.
+/// Pairs of variables for the lower triangle of a Hessian, from row `first_row` on.
 pub(super) fn pairs(variables: &[usize], first_row: usize) -> Vec<usize> {
     let row = |i: usize| {
         variables[..=i]
@@ -21,7 +21,7 @@ pub(super) fn pairs(variables: &[usize], first_row: usize) -> Vec<usize> {
 }
 
 impl Directions<'_> {
-    /// As many at a time as fit into a pass. By nothing there is one pass, for the values.
+    /// Splits the directions into passes. Without variables there is one pass, for the values.
     pub fn passes(self, level: Level) -> impl ExactSizeIterator<Item = Self> {
         let per_lane = if self.are_pairs { 2 } else { MOST_PER_LANE };
         let most = per_lane * self.level(level).width();
@@ -32,8 +32,8 @@ impl Directions<'_> {
         })
     }
 
-    /// This level, or AVX2 where its lanes hold as many with the same number: they are quicker
-    /// there.
+    /// Level for these directions: AVX2, which is faster, if its lanes suffice with the same number
+    /// type.
     pub fn level(&self, level: Level) -> Level {
         let count = self.variables.len() / if self.are_pairs { 2 } else { 1 };
         let lanes = Level::Avx2.width();
@@ -45,7 +45,7 @@ impl Directions<'_> {
         }
     }
 
-    /// The variables in a lane.
+    /// Variables of one lane.
     #[inline(always)]
     pub fn in_lane(&self, lane: usize, per_lane: usize) -> &[usize] {
         self.variables
@@ -54,13 +54,13 @@ impl Directions<'_> {
             .unwrap_or_default()
     }
 
-    /// How many lanes have any, and at least one.
+    /// Number of lanes with variables, at least one.
     pub fn lanes(&self, per_lane: usize) -> usize {
         self.variables.len().div_ceil(per_lane).max(1)
     }
 
-    /// Passes each variable to `put` as a number, seeded in the lanes and directions that
-    /// differentiate by it; of pairs, once for each.
+    /// Passes each variable to `put` as a number, seeded in its lanes and directions; a variable of
+    /// several pairs once for each.
     #[inline(always)]
     pub fn seeded<J: Lanes>(
         &self,

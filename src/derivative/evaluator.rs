@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::number::Level;
 use crate::parameters::{Parameter, Setup, refuse_twice};
 
-/// How far a differentiation goes.
+/// Order of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Order {
     /// Values.
@@ -18,8 +18,8 @@ pub enum Order {
     Second,
 }
 
-/// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at
-/// changing values of these parameters. What can be checked once is checked when it is made.
+/// Evaluates outcomes and their derivatives by parameters of one setup, at changing values of these
+/// parameters. Arguments are checked once, at construction.
 ///
 /// ```
 /// use longdrive::derivative::{Evaluator, Order};
@@ -37,7 +37,7 @@ pub struct Evaluator {
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
     order: Order,
-    /// The first row of the Hessians that is computed, with its column.
+    /// First row (and column) of the Hessians that is computed.
     first_row: usize,
     split: Split,
     level: Level,
@@ -45,9 +45,9 @@ pub struct Evaluator {
 
 impl Evaluator {
     /// # Errors
-    /// What [`Setup::validate`] and [`Setup::variable`] refuse, for values alone [`Setup::column`];
-    /// [`Error::OtherLaw`] for a coefficient of another law; [`Error::Together`] for a parameter
-    /// given twice; [`Error::Nothing`] without outcomes or, beyond values, without parameters.
+    /// Errors of [`Setup::validate`] and [`Setup::variable`] (for values only: [`Setup::column`]);
+    /// [`Error::OtherLaw`] for a coefficient of another law; [`Error::Together`] for a repeated
+    /// parameter; [`Error::Nothing`] without outcomes or, above order `Value`, without parameters.
     pub fn new(
         setup: &Setup<f64>,
         of: &[Outcome],
@@ -88,38 +88,38 @@ impl Evaluator {
         })
     }
 
-    /// The same with those second derivatives alone that the last parameter takes part in.
-    pub(super) fn towards_last(self) -> Self {
+    /// Limits second derivatives to those with the last parameter.
+    pub(super) fn with_last_parameter(self) -> Self {
         Self {
             first_row: self.wrt.len().saturating_sub(1),
             ..self
         }
     }
 
-    /// The same with no more of what the processor can do than this level has.
+    /// Limits evaluation to this instruction level.
     pub(crate) fn at_level(self, level: Level) -> Self {
         Self { level, ..self }
     }
 
-    /// The parameters, in the order of the values and derivatives.
+    /// Parameters, in the order of values and derivatives.
     pub fn parameters(&self) -> &[&'static Parameter] {
         &self.wrt
     }
 
-    /// The outcomes where the parameters have these values, SI.
+    /// Outcomes at these values of the parameters, SI.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] and [`Error::Inertia`] for values no drive can have; what
-    /// [`Drive::new`](crate::Drive::new) refuses; [`Error::NoFlight`] for an outcome of a ball that
-    /// does not fly; [`Error::Undefined`] where a value or derivative does not exist.
+    /// [`Error::OutOfRange`] and [`Error::Inertia`] for impossible values; errors of
+    /// [`Drive::new`](crate::Drive::new); [`Error::NoFlight`] for an outcome of a ball that does
+    /// not fly; [`Error::Undefined`] if a value or derivative does not exist.
     ///
     /// # Panics
-    /// Where there are not as many values as parameters.
+    /// If the numbers of values and parameters differ.
     pub fn at(&self, values: &[f64]) -> Result<Vec<Taylor>> {
         self.at_order(values, self.order)
     }
 
-    /// The same with derivatives to this order, and at most to its own.
+    /// Outcomes with derivatives up to this order, at most the evaluator's own.
     pub(crate) fn at_order(&self, values: &[f64], order: Order) -> Result<Vec<Taylor>> {
         assert_eq!(values.len(), self.wrt.len(), "a value for each parameter");
         for (parameter, value) in self.wrt.iter().zip(values) {
@@ -133,7 +133,8 @@ impl Evaluator {
         self.unchecked(&setup, values, order.min(self.order), &mut |_, _| ())
     }
 
-    /// The outcomes of the setup itself, telling `progress` how many passes of how many are done.
+    /// Outcomes of the setup itself. `progress` receives the numbers of completed and of all
+    /// passes.
     pub(crate) fn at_setup(&self, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let values: Vec<f64> = self
             .wrt
@@ -166,7 +167,7 @@ impl Evaluator {
         };
         let is_chained = order > Order::Value
             && self.first_row == 0
-            && self.split.pays(x.len(), is_second, self.level);
+            && self.split.is_cheaper(x.len(), is_second, self.level);
         let taylors = chain::derivatives(&point, is_chained.then_some(&self.split), progress)?;
         for (outcome, taylor) in self.of.iter().zip(&taylors) {
             check(taylor, *outcome, &self.wrt)?;
@@ -175,7 +176,7 @@ impl Evaluator {
     }
 }
 
-/// No NaN leaves: a value or derivative that is not finite does not exist.
+/// Returns an error for a value or derivative that is not finite.
 fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Result<()> {
     let undefined = |what: String, reason: &str| {
         Err(Error::Undefined {

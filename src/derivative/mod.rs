@@ -1,4 +1,4 @@
-//! Exact derivatives of any outcomes with respect to any parameters, chosen by name at run time.
+//! Exact derivatives of outcomes by parameters, chosen by name at run time.
 
 mod chain;
 pub mod check;
@@ -57,9 +57,9 @@ pub fn jacobian(
 /// Outcomes of a drive with their derivatives up to `order`.
 ///
 /// # Errors
-/// What [`Evaluator::new`] and [`Drive::new`](crate::Drive::new) refuse;
+/// Errors of [`Evaluator::new`] and [`Drive::new`](crate::Drive::new);
 /// [`Error::NoFlight`](crate::Error::NoFlight) for an outcome of a ball that does not fly;
-/// [`Error::Undefined`](crate::Error::Undefined) where a value or derivative does not exist.
+/// [`Error::Undefined`](crate::Error::Undefined) if a value or derivative does not exist.
 pub fn evaluate(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -69,7 +69,7 @@ pub fn evaluate(
     evaluate_with(setup, of, wrt, order, |_, _| ())
 }
 
-/// As [`evaluate`], telling `progress` how many passes of how many are done.
+/// Like [`evaluate`]; `progress` receives the numbers of completed and of all passes.
 ///
 /// # Errors
 /// As [`evaluate`].
@@ -83,9 +83,8 @@ pub fn evaluate_with(
     Evaluator::new(setup, of, wrt, order)?.at_setup(&mut progress)
 }
 
-/// As [`evaluate`] to second order, with those second derivatives alone that the last parameter
-/// takes part in: what the sensitivity of an optimum to it asks for. The other entries of the
-/// Hessians are 0.
+/// Like [`evaluate`] to second order, but only the second derivatives with the last parameter are
+/// computed, for the sensitivity of an optimum. The other entries of the Hessians are 0.
 ///
 /// # Errors
 /// As [`evaluate`].
@@ -95,6 +94,6 @@ pub(crate) fn towards_last(
     wrt: &[&'static Parameter],
 ) -> Result<Vec<Taylor>> {
     Evaluator::new(setup, of, wrt, Order::Second)?
-        .towards_last()
+        .with_last_parameter()
         .at_setup(&mut |_, _| ())
 }

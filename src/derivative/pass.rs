@@ -11,44 +11,43 @@ use crate::number::{
 };
 use crate::parameters::{Parameter, Setup};
 
-/// Components of a launch: of its velocity, then of its spin.
+/// Number of components of a launch: velocity, then spin.
 pub(super) const COMPONENTS: usize = 6;
 
-/// A point at which outcomes and their derivatives are taken. Variables are numbered: first the
-/// parameters, then the components of the launch.
+/// Point of evaluation. Variables are numbered: parameters first, then the components of the
+/// launch.
 pub(super) struct Point<'a> {
-    /// The setup at this point.
+    /// Setup at this point.
     pub setup: &'a Setup<f64>,
     pub of: &'a [Outcome],
     pub wrt: &'a [&'static Parameter],
-    /// The parameters' values.
+    /// Values of the parameters.
     pub x: &'a [f64],
-    /// How many parameters are differentiated by: all, or none for values.
+    /// Number of parameters of differentiation: all, or 0 for values.
     pub columns: usize,
-    /// The first row of the Hessians that is computed, with its column, where they are asked for.
+    /// First computed row (and column) of the Hessians; `None` for first order.
     pub first_row: Option<usize>,
-    /// Whether an outcome is of the flight, whether one is of its apex, and whether one is of the
-    /// run after it.
+    /// True if an outcome belongs to the flight, the apex, or the run after landing.
     pub flies: bool,
     pub has_apex: bool,
     pub has_run: bool,
-    /// The most that is used of what the processor can do.
+    /// Instruction level.
     pub level: Level,
 }
 
-/// How much of a drive is computed.
+/// Stage of a drive that is differentiated.
 #[derive(Clone, Copy)]
-pub(super) enum Leg<'a> {
-    /// All of it.
+pub(super) enum Stage<'a> {
+    /// The whole drive.
     Whole,
-    /// The impact, with the components of the launch after the outcomes.
+    /// Impact only; the components of the launch follow the outcomes.
     Impact,
-    /// The flight of a ball that leaves like this.
+    /// Flight only, from this launch.
     Flight(&'a [Taylor]),
 }
 
-impl Leg<'_> {
-    fn shows(self, outcome: Outcome) -> bool {
+impl Stage<'_> {
+    fn has(self, outcome: Outcome) -> bool {
         match self {
             Self::Whole => true,
             Self::Impact => outcome.group() != OutcomeGroup::Flight,
@@ -58,11 +57,11 @@ impl Leg<'_> {
 }
 
 impl Point<'_> {
-    /// Fills in the derivatives by some variables, telling `progress` how many passes of how many
-    /// are done.
+    /// Computes the derivatives by some variables. `progress` receives the numbers of completed and
+    /// of all passes.
     pub fn differentiate(
         &self,
-        leg: Leg<'_>,
+        stage: Stage<'_>,
         variables: &[usize],
         taylors: &mut [Taylor],
         progress: &mut dyn FnMut(usize, usize),
@@ -77,7 +76,7 @@ impl Point<'_> {
         for (done, directions) in passes.enumerate() {
             directions.level(self.level).run(Pass {
                 point: self,
-                leg,
+                stage,
                 directions,
                 taylors,
             })?;
@@ -86,8 +85,8 @@ impl Point<'_> {
         Ok(())
     }
 
-    /// Why there is no drive, where a pass has found none.
-    fn refusal(&self) -> Error {
+    /// Error of a pass without a valid impact.
+    fn impact_error(&self) -> Error {
         strike(self.setup)
             .err()
             .unwrap_or_else(|| Error::Undefined {
@@ -97,10 +96,10 @@ impl Point<'_> {
     }
 }
 
-/// Derivatives of outcomes in as many directions as there are.
+/// One pass: derivatives of the outcomes in the directions of all lanes.
 struct Pass<'a> {
     point: &'a Point<'a>,
-    leg: Leg<'a>,
+    stage: Stage<'a>,
     directions: Directions<'a>,
     taylors: &'a mut [Taylor],
 }
@@ -123,26 +122,116 @@ impl OverNumbers for Pass<'_> {
 
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Result<()> {
-        let Self {
-            point,
-            leg,
-            directions,
-            ..
-        } = *self;
-        let taylors = &mut *self.taylors;
-        let (parameters, lanes) = (point.wrt.len(), directions.lanes(per_lane));
-        let given = if let Leg::Flight(launch) = leg {
-            launch
-        } else {
-            &[]
-        };
+        let (point, lanes) = (self.point, self.directions.lanes(per_lane));
         let mut setup = point.setup.constant::<J>();
-        let mut components: [J; COMPONENTS] = std::array::from_fn(|i| {
+        let mut components = self.launch_constants::<J>();
+        self.seed(per_lane, &mut setup, &mut components);
+        let launched = if let Stage::Flight(_) = self.stage {
+            let [up, right, downrange, spin @ ..] = components;
+            let launch = Launch {
+                velocity: Vector::new(up, right, downrange),
+                spin: Vector::from_array(spin),
+            };
+            LaunchState {
+                launch,
+                club_speed: None,
+                is_valid: J::Mask::first(lanes),
+            }
+        } else {
+            LaunchState::new(&setup)
+        };
+        if !launched.is_valid.holds(0) {
+            return Err(point.impact_error());
+        }
+        let has_head = launched.club_speed.is_some()
+            && point
+                .of
+                .iter()
+                .any(|outcome| outcome.group() == OutcomeGroup::Head);
+        let head = has_head.then(|| J::not_inlined(|| Head::new(&setup.club)));
+        let mut ended = None;
+        if point.flies && !matches!(self.stage, Stage::Impact) {
+            let inputs = Inputs::new(&setup, &launched.launch, point.has_run);
+            let found = ended.insert(inputs.integrate(
+                J::Mask::first(lanes),
+                RequestedOutputs {
+                    apex: point.has_apex,
+                    defect: false,
+                },
+                None,
+            ));
+            // all lanes compute the same drive
+            if let Some(why) = found.no_landing_reason(&inputs, |number| number.lane(0).re())? {
+                return Err(Error::NoFlight {
+                    reason: why.message(),
+                });
+            }
+        }
+        for lane in 0..lanes {
+            let drive = OutcomeInputs {
+                launch: &launched.launch,
+                club_speed: launched.club_speed,
+                landed: ended.as_ref().map(|ended| &ended.landed),
+                head: head.as_ref(),
+                read: in_lane(lane),
+            };
+            let variables = self.directions.in_lane(lane, per_lane);
+            let (outcomes, components) = self.taylors.split_at_mut(point.of.len());
+            for (outcome, taylor) in point
+                .of
+                .iter()
+                .zip(outcomes)
+                .filter(|(outcome, _)| self.stage.has(**outcome))
+            {
+                let number = outcome
+                    .evaluate(&drive)
+                    .ok_or_else(|| outcome.unavailable())?;
+                put(taylor, variables, &number);
+            }
+            let Launch {
+                velocity: v,
+                spin: s,
+            } = &launched.launch;
+            let numbers = [&v.x, &v.y, &v.z, &s.x, &s.y, &s.z];
+            for (taylor, number) in components.iter_mut().zip(numbers) {
+                put(taylor, variables, &number.lane(lane));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Pass<'_> {
+    /// The given launch of a flight stage; empty for other stages.
+    fn given_launch(&self) -> &[Taylor] {
+        match self.stage {
+            Stage::Flight(launch) => launch,
+            _ => &[],
+        }
+    }
+
+    /// Components of the given launch, as constants.
+    #[inline(always)]
+    fn launch_constants<J: Lanes>(&self) -> [J; COMPONENTS] {
+        let given = self.given_launch();
+        std::array::from_fn(|i| {
             given
                 .get(i)
                 .map_or(J::zero(), |component| J::constant(component.value))
-        });
-        directions.seeded(
+        })
+    }
+
+    /// Seeds the variables of this pass in the setup and in the components of the launch.
+    #[inline(always)]
+    fn seed<J: Lanes>(
+        &self,
+        per_lane: usize,
+        setup: &mut Setup<J>,
+        components: &mut [J; COMPONENTS],
+    ) {
+        let (point, given) = (self.point, self.given_launch());
+        let parameters = point.wrt.len();
+        self.directions.seeded(
             per_lane,
             |variable| {
                 if variable < parameters {
@@ -158,89 +247,10 @@ impl OverNumbers for Pass<'_> {
                 }
             ),
         );
-        let launched = if let Leg::Flight(_) = leg {
-            let [up, right, downrange, spin @ ..] = components;
-            let launch = Launch {
-                velocity: Vector::new(up, right, downrange),
-                spin: Vector::from_array(spin),
-            };
-            LaunchState {
-                launch,
-                club_speed: None,
-                is_valid: J::Mask::first(lanes),
-            }
-        } else {
-            LaunchState::new(&setup)
-        };
-        if !launched.is_valid.holds(0) {
-            return Err(point.refusal());
-        }
-        let has_head = launched.club_speed.is_some()
-            && point
-                .of
-                .iter()
-                .any(|outcome| outcome.group() == OutcomeGroup::Head);
-        let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
-        let mut ended = None;
-        if point.flies && !matches!(leg, Leg::Impact) {
-            let inputs = Inputs::new(&setup, &launched.launch, point.has_run);
-            let found = ended.insert(inputs.integrate(
-                J::Mask::first(lanes),
-                RequestedOutputs {
-                    apex: point.has_apex,
-                    defect: false,
-                },
-                None,
-            ));
-            // the drive is the same in all lanes
-            if let Some(why) = found.no_landing_reason(&inputs, |number| number.lane(0).re())? {
-                return Err(Error::NoFlight {
-                    reason: why.message(),
-                });
-            }
-        }
-        for lane in 0..lanes {
-            let read = in_lane(lane);
-            let LaunchState {
-                launch, club_speed, ..
-            } = &launched;
-            let landed = ended.as_ref().map(|ended| &ended.landed);
-            let drive = OutcomeInputs {
-                launch,
-                club_speed: *club_speed,
-                landed,
-                head: head.as_ref(),
-                read,
-            };
-            let variables = directions.in_lane(lane, per_lane);
-            for (outcome, taylor) in point
-                .of
-                .iter()
-                .zip(&mut *taylors)
-                .filter(|(outcome, _)| leg.shows(**outcome))
-            {
-                put(
-                    taylor,
-                    variables,
-                    &outcome
-                        .evaluate(&drive)
-                        .ok_or_else(|| outcome.unavailable())?,
-                );
-            }
-            let Launch {
-                velocity: v,
-                spin: s,
-            } = launch;
-            let components = [&v.x, &v.y, &v.z, &s.x, &s.y, &s.z];
-            for (taylor, number) in taylors[point.of.len()..].iter_mut().zip(components) {
-                put(taylor, variables, &read(*number));
-            }
-        }
-        Ok(())
     }
 }
 
-/// Writes what a number tells of its directions to the indices of their variables.
+/// Writes a number's derivatives to the indices of their variables.
 fn put<J: Derivatives>(taylor: &mut Taylor, variables: &[usize], number: &J) {
     taylor.value = number.re();
     for (i, &variable) in variables.iter().enumerate() {

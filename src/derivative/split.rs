@@ -2,21 +2,19 @@ use super::pass::COMPONENTS;
 use crate::number::{Level, MOST_PER_LANE};
 use crate::parameters::Parameter;
 
-/// Which parameters the launch depends on, and which the flight depends on beside the launch. A
-/// derivative of the flight is then that by the launch and by its own parameters, chained with
-/// those of the launch.
+/// Division of the parameters: those that the launch depends on, and those that the flight depends
+/// on besides the launch. The flight is then differentiated by the launch and its own parameters,
+/// and chained with the derivatives of the launch.
 #[derive(Clone, Debug)]
 pub(super) struct Split {
-    /// The indices of the parameters of the launch: club, strike and ball, or the launch where it
-    /// is given.
+    /// Indices of the parameters of the launch: club, strike and ball, or a given launch.
     pub of_launch: Vec<usize>,
-    /// The indices of those that change the flight of a ball that leaves the same: ball, air, wind,
-    /// law and ground.
+    /// Indices of the parameters of the flight at fixed launch: ball, air, wind, law and ground.
     pub of_flight: Vec<usize>,
 }
 
 impl Split {
-    /// The parameters, divided. Those of the run change nothing unless an outcome is of the run
+    /// Divides the parameters. Parameters of the run count only if an outcome belongs to it
     /// (`runs`).
     pub fn of(wrt: &[&'static Parameter], runs: bool) -> Self {
         let indices = |holds: &dyn Fn(&Parameter) -> bool| {
@@ -32,15 +30,15 @@ impl Split {
         }
     }
 
-    /// Whether derivatives take fewer or smaller flights by these variables than by the parameters;
-    /// gradients also where these fill more than a pass.
-    pub fn pays(&self, parameters: usize, to_second: bool, level: Level) -> bool {
+    /// True if the chain rule needs fewer or smaller flights than direct differentiation; for
+    /// gradients, also if the parameters exceed one pass.
+    pub fn is_cheaper(&self, parameters: usize, to_second: bool, level: Level) -> bool {
         let most_variables = COMPONENTS + self.of_flight.len();
         if to_second {
             return most_variables < parameters;
         }
         let most = MOST_PER_LANE * level.width();
-        // passes times directions in a lane
+        // cost: passes times directions per lane
         let size = |count: usize| {
             if count <= level.width() {
                 1

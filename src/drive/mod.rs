@@ -150,7 +150,7 @@ impl<T: Numbers> LaunchState<T> {
     /// The launch that a setup gives, or that its impact leads to.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
-        T::outlined(inlined!(|| {
+        T::not_inlined(inlined!(|| {
             if let Some(launch) = Launch::given(setup) {
                 return Self {
                     launch,

@@ -47,7 +47,7 @@ impl<T: Numbers> Inputs<T> {
     /// The inputs of a flight from this launch in the air of a setup; with the turf, if `has_run`.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, has_run: bool) -> Self {
-        T::outlined(inlined!(|| {
+        T::not_inlined(inlined!(|| {
             let radius = setup.ball.radius;
             let AirState { density, viscosity } = AirState::of(&setup.air);
             let (spin, per_spin) =

@@ -46,7 +46,7 @@ impl<T: Numbers> Inputs<T> {
         outputs: RequestedOutputs,
         mut observer: Observer<'_, T>,
     ) -> FlightResult<T> {
-        T::outlined(inlined!(|| self.integrate_inlined(
+        T::not_inlined(inlined!(|| self.integrate_inlined(
             lanes,
             outputs,
             &mut observer
@@ -99,7 +99,7 @@ impl<T: Numbers> Inputs<T> {
                     to: &mut *step.to,
                     ..step
                 };
-                lanes = T::outlined(inlined!(|| self.locate_events(
+                lanes = T::not_inlined(inlined!(|| self.locate_events(
                     &step,
                     lanes,
                     events,
@@ -135,7 +135,7 @@ impl<T: Numbers> Inputs<T> {
         let flying = flying & is_resolved;
         if let Some(sum) = &mut result.landed.defect {
             let defect = step.defect(self.step).without_derivatives();
-            *sum = (*sum + defect).blend(*sum, flying);
+            *sum = (*sum + defect).select(*sum, flying);
         }
         flying
     }
@@ -178,12 +178,12 @@ impl<T: Numbers> Inputs<T> {
         let path = Path::new(self, step, self.step);
         if events.has_time_limit {
             let s = T::constant((self.time_limit - result.time) / self.step);
-            result.height = path.up.value(s).blend(result.height, lanes.flying);
+            result.height = path.up.value(s).select(result.height, lanes.flying);
         }
         let mut from_apex = T::zero();
         if events.needs_apex {
             let s = path.up.find_maximum(events.has_apex);
-            from_apex = s.blend(from_apex, events.has_apex);
+            from_apex = s.select(from_apex, events.has_apex);
             lanes = self.record_apex(step, &path, s, lanes, events.has_apex, result);
         }
         let lands = lanes.flying & events.may_land & lanes.has_been_above;
@@ -210,9 +210,9 @@ impl<T: Numbers> Inputs<T> {
         let top = path.position(s);
         if let Some(apex) = &mut result.landed.apex {
             let is_higher = has_apex & (apex.height - top.x).below(0.0);
-            apex.height = top.x.blend(apex.height, is_higher);
-            apex.time = (s * h + result.time).blend(apex.time, is_higher);
-            apex.downrange = top.z.blend(apex.downrange, is_higher);
+            apex.height = top.x.select(apex.height, is_higher);
+            apex.time = (s * h + result.time).select(apex.time, is_higher);
+            apex.downrange = top.z.select(apex.downrange, is_higher);
             // D_A = 400 d |v_A|/(h a_A), eq. 16a. An error of the path proportional to s⁴ (1 − s)⁴
             // has a derivative by s of up to 4 times its maximum, which shifts the apex.
             if result.landed.defect.is_some() {
@@ -221,12 +221,12 @@ impl<T: Numbers> Inputs<T> {
                 let apex_defect = step.defect(h) * per_defect;
                 result.apex_defect = apex_defect
                     .without_derivatives()
-                    .blend(result.apex_defect, is_higher);
+                    .select(result.apex_defect, is_higher);
             }
         }
         let clears = has_apex & (self.ground - top.x).below(0.0);
         let stays_below = has_apex & !clears & !lanes.has_been_above;
-        result.height = top.x.blend(result.height, stays_below);
+        result.height = top.x.select(result.height, stays_below);
         result.stays_below = result.stays_below | stays_below;
         lanes.flying = lanes.flying & !stays_below;
         lanes.has_been_above = lanes.has_been_above | clears;
@@ -248,10 +248,10 @@ impl<T: Numbers> Inputs<T> {
         let lands = lands & !(-time).below(-self.time_limit);
         let (x, v) = (path.position(s), path.velocity(s));
         let landed = &mut result.landed;
-        landed.carry = x.z.blend(landed.carry, lands);
-        landed.lateral = x.y.blend(landed.lateral, lands);
-        landed.flight_time = time.blend(landed.flight_time, lands);
-        landed.velocity = v.blend(landed.velocity, lands);
+        landed.carry = x.z.select(landed.carry, lands);
+        landed.lateral = x.y.select(landed.lateral, lands);
+        landed.flight_time = time.select(landed.flight_time, lands);
+        landed.velocity = v.select(landed.velocity, lands);
         // D = (sum + 100 d) |v_L|/|v_L,up| + D_A, eq. 16a
         if let Some(sum) = &mut landed.defect {
             let per_sine = (v.norm() / -v.x).without_derivatives();
@@ -259,11 +259,11 @@ impl<T: Numbers> Inputs<T> {
             let total = defect
                 .scale_add(INTERPOLATION_WEIGHT, *sum)
                 .mul_add(per_sine, result.apex_defect);
-            *sum = total.blend(*sum, lands);
+            *sum = total.select(*sum, lands);
         }
         if self.turf.is_some() {
             let spin = self.spin_within([step.from, step.to], s);
-            result.spin = spin.blend(result.spin, lands);
+            result.spin = spin.select(result.spin, lands);
         }
         result.has_landed = result.has_landed | lands;
         lands

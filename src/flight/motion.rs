@@ -87,7 +87,7 @@ impl<T: Numbers> Inputs<T> {
     /// rate with many derivatives is long.
     #[inline(always)]
     fn write_rate(&self, v_r: Vector<T>, spin: T, rate: &mut Rate<T>) {
-        T::outlined(inlined!(|| *rate = self.rate(v_r, spin)));
+        T::not_inlined(inlined!(|| *rate = self.rate(v_r, spin)));
     }
 
     /// The node at launch.
@@ -144,7 +144,7 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T) -> T {
         let Some(damping) = self.damping else {
-            return T::outlined(inlined!(
+            return T::not_inlined(inlined!(
                 || from.spin * (-(self.decay * s * self.step)).exp()
             ));
         };

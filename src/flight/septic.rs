@@ -132,12 +132,12 @@ fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> 
         }
         let newton = newton.without_derivatives();
         let is_before = (-value).below(0.0);
-        low = s.blend(low, is_before);
-        high = high.blend(s, is_before);
+        low = s.select(low, is_before);
+        high = high.select(s, is_before);
         let is_inside = (low - newton).below(0.0) & (newton - high).below(0.0);
         // after convergence, rounding may put the last Newton step outside of the bracket
         let is_short = inlined!(|step: T| (step * step).below(1e-18));
-        let next = newton.blend((low + high) * 0.5, is_inside | is_short(newton - s));
+        let next = newton.select((low + high) * 0.5, is_inside | is_short(newton - s));
         if !(lanes & !is_short(next - s)).any() {
             (steps_left, has_converged) = (DERIVATIVE_STEPS, true);
         }

@@ -137,7 +137,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
             let speed = self.stage_rate(start, stage).speed;
             distance = speed.scale_add(self.h * weight, distance);
         }
-        T::outlined(inlined!(|| decayed * (-(damping * distance)).exp()))
+        T::not_inlined(inlined!(|| decayed * (-(damping * distance)).exp()))
     }
 
     /// `sum` + k Σ wⱼ aⱼ, over the accelerations aⱼ of the stages.

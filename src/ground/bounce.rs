@@ -1,7 +1,7 @@
 //! A bounce on the turf (docs/model.md, eqs. 19–22).
 
 use super::Turf;
-use crate::number::{Numbers, Vector, held_above, inlined, smooth_step};
+use crate::number::{Numbers, Vector, inlined, smooth_clamp_above, smooth_step};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Velocity and spin of the ball.
@@ -58,7 +58,7 @@ impl<T: Numbers> Turf<T> {
         let u = -normal.dot(ball.velocity);
         let along = ball.velocity + normal * u;
         // e, eq. 20
-        let h = held_above(u, CLAMP_SPEED, CLAMP_WIDTH);
+        let h = smooth_clamp_above(u, CLAMP_SPEED, CLAMP_WIDTH);
         let e = restitution * (h * h.scale_add(RESTITUTION[1], T::constant(RESTITUTION[0])) + 1.0);
         // k s q, eq. 21
         let slip = ball.slip(along, normal, radius);
@@ -80,7 +80,7 @@ impl<T: Numbers> Turf<T> {
         let speed = (level * level + down * down).sqrt();
         // φ = 2 arctan(v_t/(|v| + v_n))
         let incidence = (level / (speed + down)).atan() * 2.0;
-        let tilt_ratio = held_above(
+        let tilt_ratio = smooth_clamp_above(
             self.compliance * speed * (1.0 / (SPEED * INCIDENCE)),
             TILT_CLAMP[0],
             TILT_CLAMP[1],
@@ -97,17 +97,17 @@ impl<T: Numbers> Turf<T> {
         let k = self.sticking_factor();
         let needed_squared = slip.dot(slip) * (k * k);
         let sticks = (needed_squared - limit * limit * (STICKS * STICKS)).below(NO_SLIP);
-        T::choose(
+        T::select_lazily(
             sticks,
             inlined!(|| T::constant(1.0)),
             inlined!(|| {
                 let needed = needed_squared.sqrt();
-                T::choose(
+                T::select_lazily(
                     (limit * (STICKS + SLIPS_OVER) - needed).below(0.0),
                     inlined!(|| limit / needed),
                     inlined!(|| {
                         let x = needed / limit;
-                        held_above(x, STICKS, SLIPS_OVER) / x
+                        smooth_clamp_above(x, STICKS, SLIPS_OVER) / x
                     }),
                 )
             }),

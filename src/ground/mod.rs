@@ -122,7 +122,7 @@ impl<T: Numbers> Turf<T> {
                 bounces: 0,
             };
         };
-        T::outlined(inlined!(|| self.run(
+        T::not_inlined(inlined!(|| self.run(
             ball,
             restitution,
             lanes,
@@ -152,16 +152,16 @@ impl<T: Numbers> Turf<T> {
             let after = self.bounce(&motion, slope.normal, ball.radius, restitution);
             let hop = slope.hop(after.velocity, ball.force_per_mass * HOP_DRAG);
             observe(position, &hop);
-            position = (position + hop.displacement(1.0)).blend(position, bouncing);
+            position = (position + hop.displacement(1.0)).select(position, bouncing);
             motion = Motion {
-                velocity: hop.final_velocity().blend(motion.velocity, bouncing),
-                spin: after.spin.blend(motion.spin, bouncing),
+                velocity: hop.final_velocity().select(motion.velocity, bouncing),
+                spin: after.spin.select(motion.spin, bouncing),
             };
             bouncing = bouncing & hop.leaves;
             bounces += 1;
         }
         position = position + self.roll_out(&motion, &slope, ball.radius);
-        let or_nan = |start: T, more: T| (start + more).blend(T::constant(f64::NAN), comes_down);
+        let or_nan = |start: T, more: T| (start + more).select(T::constant(f64::NAN), comes_down);
         Rest {
             downrange: or_nan(ball.downrange, position.z),
             right: or_nan(ball.right, position.y),

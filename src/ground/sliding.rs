@@ -20,7 +20,7 @@ impl<T: Numbers> Sliding<T> {
     /// and v·G.
     #[inline(always)]
     pub fn stop(&self, velocity: Vector<T>) -> (T, Vector<T>) {
-        T::outlined(inlined!(|| self.stop_inlined(velocity)))
+        T::not_inlined(inlined!(|| self.stop_inlined(velocity)))
     }
 
     #[inline(always)]
@@ -30,7 +30,7 @@ impl<T: Numbers> Sliding<T> {
         // v·G, |G|² and a²
         let (v_g, g_squared, a_squared) = (velocity.dot(pull), pull.dot(pull), a * a);
         let difference = a_squared - g_squared;
-        let difference = difference.blend(T::constant(f64::NAN), (-difference).below(0.0));
+        let difference = difference.select(T::constant(f64::NAN), (-difference).below(0.0));
         // 1/(a² − G²) and 1/(4a² − G²)
         let per_difference = difference.recip();
         let per_quadruple = (a_squared * 4.0 - g_squared).recip();

@@ -45,7 +45,7 @@ impl<T: Numbers> FacePoint<T> {
             // 1/P_k = √(1/(R_b R_r)); 0 for a flat direction, where the root has no derivative
             None => {
                 let product = roll * bulge;
-                T::choose(
+                T::select_lazily(
                     product.below(f64::MIN_POSITIVE),
                     T::zero,
                     inlined!(|| product.sqrt()),

@@ -54,7 +54,7 @@ pub(super) fn limited<T: Numbers>(
     let [x, y, z] = system.columns;
     let separating = normal.dot(x * direction.x + y * direction.y + z * direction.z);
     let size = collision.approach().dot(normal) * (collision.restitution + 1.0) / separating;
-    let impulse = (direction * size).blend(sticking, slips);
+    let impulse = (direction * size).select(sticking, slips);
     Limited {
         impulse,
         needed_squared,

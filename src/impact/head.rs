@@ -36,7 +36,7 @@ impl<T: Numbers> Head<T> {
         if weights.iter().all(Option::is_none) {
             return body;
         }
-        T::outlined(inlined!(|| body.with_weights(weights, club.loft)))
+        T::not_inlined(inlined!(|| body.with_weights(weights, club.loft)))
     }
 
     /// The head with point masses added (eqs. 5b, 5c).

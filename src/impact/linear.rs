@@ -54,7 +54,7 @@ impl<T: Numbers> SymmetricFactors<T> {
     /// Factorizes the matrix with this lower triangle, row by row.
     #[inline(always)]
     pub fn new(lower: [T; 6]) -> Self {
-        T::outlined(inlined!(|| Self::new_inlined(lower)))
+        T::not_inlined(inlined!(|| Self::new_inlined(lower)))
     }
 
     #[inline(always)]
@@ -74,7 +74,7 @@ impl<T: Numbers> SymmetricFactors<T> {
     /// Solves A x = b.
     #[inline(always)]
     pub fn solve(&self, b: [T; 3]) -> [T; 3] {
-        T::outlined(inlined!(|| self.solve_inlined(b)))
+        T::not_inlined(inlined!(|| self.solve_inlined(b)))
     }
 
     #[inline(always)]

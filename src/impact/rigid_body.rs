@@ -83,7 +83,7 @@ impl<T: Numbers> Collision<T> {
         };
         if setup.speed_of == SpeedOf::FaceCentre {
             // v_c = v − ω_c × r_F (docs/model.md, eq. 1a)
-            let turning = T::outlined(inlined!(|| collision
+            let turning = T::not_inlined(inlined!(|| collision
                 .club_spin
                 .cross(head.face_centre(setup.club.loft))));
             collision.club_velocity = collision.club_velocity - turning;

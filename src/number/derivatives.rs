@@ -1,11 +1,11 @@
 use super::{Jet, Number};
 
-/// A number whose derivatives are read by direction: those of the outer jet first, then those of
-/// the jets it is made of.
+/// Access to derivatives by direction. The directions of the outer jet come first, those of its
+/// inner jets follow.
 pub(crate) trait Derivatives: Number {
-    /// First derivative in a direction.
+    /// First derivative in one direction.
     fn first(&self, direction: usize) -> f64;
-    /// Second derivative in directions 0 and 1, where it is held, and else 0.
+    /// Second derivative in directions 0 and 1; 0 if the type has none.
     fn second(&self) -> f64;
 }
 

@@ -1,10 +1,10 @@
-//! The numbers of num-dual: `f64`, and its dual numbers.
+//! [`Numbers`] for num-dual's types: `f64` and dual numbers.
 
 use super::tanh::tanh;
 use super::{Number, Numbers};
 use num_dual::DualNum;
 
-/// The functions that num-dual has under the same name.
+/// Functions with the same name in num-dual.
 macro_rules! num_dual_has {
     ($($function:ident)+) => {$(
         #[inline(always)]
@@ -31,7 +31,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
         num_dual::DualStruct::re(&self) < limit
     }
     #[inline(always)]
-    fn blend(self, other: Self, mask: bool) -> Self {
+    fn select(self, other: Self, mask: bool) -> Self {
         if mask { self } else { other }
     }
     #[inline(always)]
@@ -43,7 +43,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
         num_dual::DualStruct::re(&self).is_finite()
     }
     #[inline(always)]
-    fn looked_up<const N: usize>(
+    fn gather<const N: usize>(
         self,
         other: Self,
         place: impl Fn(f64, f64) -> &'static [f64; N],

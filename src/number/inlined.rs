@@ -1,5 +1,4 @@
-/// A closure that is always inlined: one that is called twice and not inlined would be compiled for
-/// no vector unit at all. An attribute may stand on an argument, not on the right of a `let`.
+/// A closure with `#[inline(always)]`; see [Inlining](crate::number).
 macro_rules! inlined {
     ($($closure:tt)+) => {
         std::convert::identity(

@@ -1,15 +1,15 @@
-//! Dual numbers of a fixed number of directions, held in plain arrays or in vector registers.
+//! Dual numbers with a fixed number of directions, in plain arrays or vector registers.
 //!
-//! num-dual keeps its vectors of derivatives in an `Option`, which saves work where much is
-//! constant but costs a branch and a copy in every operation: through a flight, two to three times
-//! these. Its types are the oracle these are tested against.
+//! num-dual keeps vectors of derivatives in an `Option`. That saves work where most numbers are
+//! constant, but costs a branch and a copy in every operation: a flight takes two to three times as
+//! long. The tests compare these types with num-dual's.
 
 use super::{Number, Numbers, inlined};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `each!(self, i: K => expression)`: `expression` for each index `i` of the gradient of `self`.
-/// The first three are unrolled by hand: loops of one to three rounds took two thirds of the time
-/// of compiling.
+/// The first three are unrolled by hand: loops of one to three rounds took two thirds of the
+/// compile time.
 macro_rules! each {
     ($self:ident, $i:ident : $K:expr => $value:expr) => {{
         let mut all = $self.gradient;
@@ -36,7 +36,7 @@ macro_rules! each {
     }};
 }
 
-/// An array of equal numbers, without a loop up to three.
+/// Array of equal numbers, without a loop up to three.
 #[inline(always)]
 fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
     [number, number, number]
@@ -45,25 +45,25 @@ fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
         .unwrap_or([number; K])
 }
 
-/// A value with its first derivatives in `K` directions. `Jet<2>` holds plain numbers; where `B` is
-/// lanes, as many drives, or directions of one, lie side by side. A jet over a jet holds second
-/// derivatives: [`Jet<1, Jet<1>>`](Mixed) one of them.
+/// Dual number: a value with its first derivatives in `K` directions. `Jet<2>` contains plain
+/// numbers; with lanes as `B` each lane is one drive, or one set of directions. A nested jet has
+/// second derivatives: [`Jet<1, Jet<1>>`](Mixed) has one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const K: usize, B = f64> {
-    /// The value.
+    /// Value.
     pub re: B,
     /// First derivatives.
     pub gradient: [B; K],
 }
 
-/// A value with its derivatives in two directions and the second derivative in both.
+/// Value, derivatives in two directions, and the mixed second derivative.
 pub type Mixed<B = f64> = Jet<1, Jet<1, B>>;
 
 impl<const K: usize, B: Numbers> Jet<K, B> {
-    /// The independent variable of a direction, from 0 to K − 1.
+    /// Independent variable of one direction, from 0 to K − 1.
     ///
     /// # Panics
-    /// Where there is no such direction.
+    /// If there is no such direction.
     pub fn variable(re: B, direction: usize) -> Self {
         let mut jet = Self {
             re,
@@ -247,10 +247,10 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
         self.re.below(limit)
     }
     #[inline(always)]
-    fn blend(self, other: Self, mask: Self::Mask) -> Self {
-        let gradient = each!(self, i: K => self.gradient[i].blend(other.gradient[i], mask));
+    fn select(self, other: Self, mask: Self::Mask) -> Self {
+        let gradient = each!(self, i: K => self.gradient[i].select(other.gradient[i], mask));
         Self {
-            re: self.re.blend(other.re, mask),
+            re: self.re.select(other.re, mask),
             gradient,
         }
     }
@@ -266,12 +266,12 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
         self.re.is_finite()
     }
     #[inline(always)]
-    fn looked_up<const N: usize>(
+    fn gather<const N: usize>(
         self,
         other: Self,
         place: impl Fn(f64, f64) -> &'static [f64; N],
     ) -> [Self; N] {
-        let found = self.re.looked_up(other.re, place);
+        let found = self.re.gather(other.re, place);
         let mut all = [Self::zero(); N];
         let mut i = 0;
         while i < N {
@@ -281,8 +281,8 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
         all
     }
     #[inline(always)]
-    fn outlined<R>(work: impl FnMut() -> R) -> R {
-        B::outlined(work)
+    fn not_inlined<R>(work: impl FnMut() -> R) -> R {
+        B::not_inlined(work)
     }
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {

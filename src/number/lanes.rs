@@ -1,32 +1,30 @@
 use super::{Jet, Number, Numbers, inlined};
 
-/// Several numbers side by side: of drives next to each other, or of one drive, each with
-/// derivatives in directions of its own.
+/// Numbers in lanes: one drive per lane, or one drive with different derivative directions per
+/// lane.
 pub(crate) trait Lanes: Numbers {
-    /// How many.
+    /// Number of lanes.
     const WIDTH: usize;
-    /// The number in one lane.
+    /// Number type of one lane.
     type Lane: Number;
 
-    /// The number in a lane.
+    /// Number in lane i.
     fn lane(self, i: usize) -> Self::Lane;
-    /// Numbers with these values in lanes 0, 1, 2 … and without derivatives; `f` is asked for each
-    /// of them.
+    /// Lanes with the values `f(0)`, `f(1)`, … and zero derivatives.
     fn with_values(f: impl FnMut(usize) -> f64) -> Self;
-    /// These values as independent variables: the derivative in direction d is 1 in the lanes of
-    /// `changes_in(d)`, else 0. The directions of an outer jet are numbered from `first` on, those
-    /// of the jets it is made of follow.
+    /// Seeds derivatives: the derivative in direction d is 1 in the lanes of `changes_in(d)`, else
+    /// 0. The directions of the outer jet are numbered from `first` on, those of its inner jets
+    /// follow.
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
 }
 
-/// Reads the numbers in a lane. Whoever reads a drive's outcomes out of lanes reads them with this,
-/// so that they are compiled once.
+/// Function that extracts one lane. All readers of outcomes use it, so that they are compiled once.
 #[inline(always)]
 pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
     inlined!(move |number: J| number.lane(lane))
 }
 
-/// A number alone.
+/// A single lane.
 impl Lanes for f64 {
     const WIDTH: usize = 1;
     type Lane = f64;
@@ -76,7 +74,7 @@ impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
             gradient: self.gradient,
         };
         for (k, change) in jet.gradient.iter_mut().enumerate() {
-            *change = B::constant(1.0).blend(B::zero(), changes_in(first + k));
+            *change = B::constant(1.0).select(B::zero(), changes_in(first + k));
         }
         jet
     }

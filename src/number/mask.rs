@@ -1,27 +1,27 @@
 use std::fmt::Debug;
 use std::ops::{BitAnd, BitOr, Not};
 
-/// The answers to a comparison of several numbers.
+/// Result of a comparison: one bit per lane.
 pub trait Mask:
     Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// Whether it holds for each.
+    /// True if all lanes are true.
     fn all(self) -> bool;
-    /// Whether it holds for one at least.
+    /// True if at least one lane is true.
     #[inline(always)]
     fn any(self) -> bool {
         !(!self).all()
     }
-    /// Whether it holds for this one, counted from 0.
+    /// Value in a lane, counted from 0.
     fn holds(self, lane: usize) -> bool;
-    /// The mask that holds for the first of several.
+    /// Mask that is true in the first `count` lanes.
     fn first(count: usize) -> Self;
-    /// The mask that holds for none.
+    /// Mask that is false in all lanes.
     #[inline(always)]
     fn none() -> Self {
         Self::first(0)
     }
-    /// The mask that holds for one, counted from 0.
+    /// Mask that is true in one lane, counted from 0.
     #[inline(always)]
     fn only(lane: usize) -> Self {
         Self::first(lane + 1) & !Self::first(lane)

@@ -1,12 +1,26 @@
-//! The numbers the physics is written over.
+//! Number types of the physics: the physics is written once, generic over the number.
 //!
-//! [`Numbers`] lists the few operations that a drive needs, [`Number`] adds that there is one value
-//! to look at. One implementation is for every [`num_dual::DualNum`] over `f64`: for `f64` itself
-//! (plain values) and for each of num-dual's dual numbers (values with exact derivatives). [`Jet`],
-//! which carries derivatives and, over itself, second derivatives, and the lanes, which hold
-//! several drives, or several directions of one, side by side, have implementations of their own.
+//! [`Numbers`] declares the operations that a drive needs; [`Number`] adds access to a single
+//! value. One implementation covers every [`num_dual::DualNum`] over `f64`: `f64` itself and
+//! num-dual's dual numbers. [`Jet`] (dual numbers with a fixed number of directions; nested for
+//! second derivatives) and the lanes (SIMD registers, with one drive or one direction per lane)
+//! have their own implementations.
+//!
+//! # Inlining
+//!
+//! A function is compiled for a vector unit (`target_feature`) only if it is inlined into one that
+//! is. Everything from a `Task` down to the instructions is therefore `#[inline(always)]`, and so
+//! are closures (macro `inlined!`: the attribute may stand on an argument, but not on the right
+//! side of a `let`). Code too large to inline at each use goes through [`Numbers::not_inlined`],
+//! which calls a function compiled for the same instructions. Code that is not inlined elsewhere
+//! silently falls back to baseline instructions, which is several times slower.
 //!
 //! # Pipelines
+//!
+//! Polynomials are summed in pairs or as a tree (Estrin's scheme): the dependency chain is as long
+//! as the logarithm of the degree. [`Numbers::sqrt_recip`] computes 1/√x as √x · (1/x), because the
+//! quotient need not wait for the root; with AVX-512 a table and one iteration replace both,
+//! because root and quotient would occupy the divider three times as long.
 //!
 //! A flight is a chain of dependent operations: each stage needs the acceleration of the stage
 //! before. The equation of motion (`flight/motion.rs`, `flight/step.rs`) is ordered for latency:
@@ -18,38 +32,38 @@
 //! - The nodes at both ends of a step swap places by reference. A copy would load what was just
 //!   stored in smaller pieces, which the processor cannot forward: 16 to 24 % of a drive with rk4.
 //! - Long functions that are called rarely, or at several places, are compiled once for each number
-//!   type ([`Numbers::outlined`]). A loop over two evaluations has one call site instead of two.
+//!   type ([`Numbers::not_inlined`]). A loop over two evaluations has one call site instead of two.
 
 mod compiled;
 mod derivatives;
 mod dual;
-mod held;
 mod inlined;
 mod jet;
 mod lanes;
 mod level;
 mod mask;
-mod outlined;
+mod not_inlined;
+mod smooth_clamp;
 mod tanh;
 mod taylor;
 mod vector;
 
 pub(crate) use compiled::{MOST_PER_LANE, OverNumbers, over_directions, over_drives};
 pub(crate) use derivatives::Derivatives;
-pub(crate) use held::{held_above, held_below, smooth_step};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::{Lanes, in_lane};
 pub use level::Level;
 pub(crate) use level::Task;
 pub use mask::Mask;
+pub(crate) use smooth_clamp::{smooth_clamp_above, smooth_clamp_below, smooth_step};
 pub use taylor::Taylor;
 pub use vector::Vector;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The four operations with a right-hand side `R`.
+/// The four basic operations with a right-hand side `R`.
 pub trait Arithmetic<R>:
     Sized
     + Add<R, Output = Self>
@@ -64,17 +78,17 @@ impl<T, R> Arithmetic<R> for T where
 {
 }
 
-/// A real number, possibly carrying derivatives, or several of them side by side.
+/// A real number with optional derivatives, or several of them in lanes.
 ///
-/// Where there may be several, there is no one value to branch on: a formula that changes its form
-/// asks [`below`](Numbers::below) and [`choose`](Numbers::choose)s.
+/// Several lanes have no single value to branch on: a formula with cases compares with
+/// [`below`](Numbers::below) and combines the cases with [`select_lazily`](Numbers::select_lazily).
 pub trait Numbers:
     Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self> + Arithmetic<f64>
 {
-    /// The answer to a comparison: `bool`, or one for each of several.
+    /// Result of a comparison: `bool`, or one bit per lane.
     type Mask: Mask;
 
-    /// The number with this value and no derivatives.
+    /// Number with this value and zero derivatives.
     fn constant(value: f64) -> Self;
     /// 1/x.
     fn recip(self) -> Self;
@@ -90,18 +104,18 @@ pub trait Numbers:
     fn sin_cos(self) -> (Self, Self);
     /// arctan x.
     fn atan(self) -> Self;
-    /// Whether the value is below a limit.
+    /// Comparison x < limit, by value.
     fn below(self, limit: f64) -> Self::Mask;
-    /// `self` where the mask holds, `other` where it does not.
-    fn blend(self, other: Self, mask: Self::Mask) -> Self;
-    /// The value without its derivatives: what is not to be differentiated costs no more than over
-    /// plain numbers.
+    /// Selects lanes: `self` where the mask is true, `other` elsewhere.
+    fn select(self, other: Self, mask: Self::Mask) -> Self;
+    /// The value with zero derivatives. Computations that are not differentiated then cost no more
+    /// than with plain numbers.
     fn without_derivatives(self) -> Self;
-    /// Whether the value, and that of each of several, is finite.
+    /// True where the value is finite.
     fn is_finite(self) -> Self::Mask;
-    /// The constants of a table at (`self`, `other`), looked up lane by lane; they have no
-    /// derivatives.
-    fn looked_up<const N: usize>(
+    /// Gathers `N` constants of a table per lane: `entry` returns those at the values of (`self`,
+    /// `other`). The result has zero derivatives.
+    fn gather<const N: usize>(
         self,
         other: Self,
         place: impl Fn(f64, f64) -> &'static [f64; N],
@@ -113,7 +127,7 @@ pub trait Numbers:
         Self::constant(0.0)
     }
 
-    /// x a + b, rounded once where that is as fast.
+    /// x a + b, fused (rounded once) where that is as fast.
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
@@ -128,47 +142,46 @@ pub trait Numbers:
     /// √x and 1/√x.
     #[inline(always)]
     fn sqrt_recip(self) -> (Self, Self) {
-        // the quotient does not wait for the root
         let (root, inverse) = (self.sqrt(), self.recip());
         (root, root * inverse)
     }
 
-    /// `yes()` where the mask holds, `no()` where it does not; what no one needs is not computed.
+    /// Selects between two cases, `yes()` where the mask is true and `no()` elsewhere. A case that
+    /// no lane needs is not computed.
     #[inline(always)]
-    fn choose(mask: Self::Mask, yes: impl Fn() -> Self, no: impl Fn() -> Self) -> Self {
+    fn select_lazily(mask: Self::Mask, yes: impl Fn() -> Self, no: impl Fn() -> Self) -> Self {
         if mask.all() {
             yes()
         } else if !mask.any() {
             no()
         } else {
-            yes().blend(no(), mask)
+            yes().select(no(), mask)
         }
     }
 
-    /// Does `work` in a function of its own, compiled for the instructions of this number: for code
-    /// too large to inline at each use. (`FnMut`, since a `FnOnce` is called through a function
-    /// that no attribute reaches.)
+    /// Runs `work` in a function that is not inlined but compiled for the instructions of this
+    /// number type. (`FnMut`: a `FnOnce` would be called through a shim without the attribute.)
     #[inline(always)]
-    fn outlined<R>(work: impl FnMut() -> R) -> R {
-        outlined::plain::outlined(work)
+    fn not_inlined<R>(work: impl FnMut() -> R) -> R {
+        not_inlined::plain::not_inlined(work)
     }
 
-    /// sin x.
+    /// Sine sin x.
     #[inline(always)]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
 
-    /// cos x.
+    /// Cosine cos x.
     #[inline(always)]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
 
-    /// xⁿ, exact in every derivative also at 0.
+    /// xⁿ, with exact derivatives of any order, also at 0.
     #[inline]
     fn powi(self, n: u32) -> Self {
-        // by squaring: no division, and no logarithm of a negative number
+        // repeated squaring: no division, and no logarithm of a negative number
         let (mut power, mut square, mut left) = (Self::constant(1.0), self, n);
         while left > 0 {
             if left % 2 == 1 {
@@ -180,11 +193,12 @@ pub trait Numbers:
         power
     }
 
-    /// xᵃ, exact in every derivative that exists.
+    /// xᵃ, with exact derivatives where they exist.
     ///
-    /// - a whole: [`powi`](Numbers::powi), so any x; for a < 0 its reciprocal, infinite at 0.
-    /// - a > 0, not whole: 0 at 0, with derivatives up to the order ⌊a⌋; the next is infinite.
-    /// - a < 0, not whole: infinite at 0. For x < 0 NaN, as for every a that is not whole.
+    /// - integer a: [`powi`](Numbers::powi), for any x; for a < 0 its reciprocal, infinite at 0.
+    /// - non-integer a > 0: 0 at 0, with derivatives up to order ⌊a⌋; the next one is infinite. NaN
+    ///   for x < 0.
+    /// - non-integer a < 0: infinite at 0, NaN for x < 0.
     #[inline(always)]
     fn powf(self, a: f64) -> Self {
         if a.fract() == 0.0 && a.abs() <= f64::from(u32::MAX) {
@@ -196,22 +210,23 @@ pub trait Numbers:
             return power();
         }
         let is_nonzero = self.below(0.0) | (-self).below(0.0);
-        // 2 f64::MAX is infinite, but 0 times each factor is 0
-        Self::choose(
+        // at 0: two factors with an infinite product keep 0, but make the first nonzero
+        // derivative infinite
+        Self::select_lazily(
             is_nonzero,
             power,
             inlined!(|| self.powi(a.ceil() as u32) * f64::MAX * 2.0),
         )
     }
 
-    /// tanh x, finite for every x (sinh/cosh overflows).
+    /// Hyperbolic tangent tanh x, finite for every x (sinh/cosh overflows).
     fn tanh(self) -> Self;
 }
 
-/// A real number, possibly carrying derivatives, with one value to look at.
+/// A single real number with optional derivatives.
 ///
-/// Branches and iterations look at [`re`](Number::re) only, so that a drive takes the same path
-/// whatever it is evaluated over.
+/// Branches and iterations depend on [`re`](Number::re) only, so that a drive takes the same path
+/// for every number type.
 ///
 /// ```
 /// use longdrive::number::Number;
@@ -224,12 +239,12 @@ pub trait Numbers:
 /// assert_eq!((at_two.re, at_two.eps), (8.0, 12.0)); // 3 x²
 /// ```
 pub trait Number: Numbers<Mask = bool> {
-    /// The value, without derivatives.
+    /// Value without derivatives.
     fn re(self) -> f64;
 
-    /// The angle of the point (x, y), with `self` as y. The derivatives are exact in every
-    /// direction, also along the axes: the point is turned onto the positive x-axis first. At the
-    /// origin there is no angle.
+    /// Angle of the point (x, y), with `self` as y. Derivatives are exact in every direction, also
+    /// along the axes: the point is first rotated onto the positive x-axis. Undefined at the
+    /// origin.
     #[inline]
     fn atan2(self, x: Self) -> Self {
         let angle = self.re().atan2(x.re());

@@ -1,10 +1,11 @@
 use super::{Numbers, inlined};
 
-/// x² up to which tanh x is a polynomial: beyond every spin ratio that a law of drag caps this way.
+/// Largest x² at which the polynomial is used. It covers the spin ratios of all drag laws that
+/// saturate by tanh.
 const MOST_SQUARED: f64 = 0.5;
 
-/// tanh(x)/x − 1 over x², by powers of x²: interpolated where Chebyshev's polynomial of degree 12
-/// is 0 over [0, ½] (computed with 60 digits), within 1e-17.
+/// Polynomial for (tanh(x)/x − 1)/x² in powers of x²: interpolation at the zeros of Chebyshev's
+/// polynomial of degree 12 over [0, ½] (computed with 60 digits), error below 1e-17.
 const COEFFICIENTS: [f64; 12] = [
     -0.33333333333333326,
     0.13333333333329847,
@@ -20,12 +21,12 @@ const COEFFICIENTS: [f64; 12] = [
     5.1287079738925226e-06,
 ];
 
-/// tanh x: a polynomial where x is small, and what is finite for every x (sinh/cosh overflows)
-/// beyond.
+/// Hyperbolic tangent: a polynomial for small x, an exponential formula without overflow for large
+/// x.
 #[inline(always)]
 pub(super) fn tanh<T: Numbers>(x: T) -> T {
     let square = x * x;
-    T::choose(
+    T::select_lazily(
         square.below(MOST_SQUARED),
         inlined!(|| small(x, square)),
         inlined!(|| large(x)),
@@ -36,7 +37,6 @@ pub(super) fn tanh<T: Numbers>(x: T) -> T {
 fn small<T: Numbers>(x: T, y: T) -> T {
     let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10, c11] = COEFFICIENTS;
     let pair = inlined!(|low: f64, high: f64| y.scale_add(high, T::constant(low)));
-    // in pairs: the chain is as long as the logarithm of the degree
     let (y2, x_cubed) = (y * y, x * y);
     let y4 = y2 * y2;
     let low = pair(c2, c3).mul_add(y2, pair(c0, c1));
@@ -50,8 +50,8 @@ fn small<T: Numbers>(x: T, y: T) -> T {
 #[inline(always)]
 fn large<T: Numbers>(x: T) -> T {
     let is_negative = x.below(0.0);
-    let size = (-x).blend(x, is_negative);
+    let size = (-x).select(x, is_negative);
     let decay = (size * -2.0).exp_m1();
     let tanh = -decay / (decay + 2.0);
-    (-tanh).blend(tanh, is_negative)
+    (-tanh).select(tanh, is_negative)
 }

@@ -1,16 +1,17 @@
-/// A function's value with its exact derivatives, in the order of the variables asked for.
+/// Value of a function with its exact first and second derivatives, in the order of the requested
+/// variables.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Taylor {
-    /// The value.
+    /// Value.
     pub value: f64,
-    /// ∂/∂xᵢ; empty where only values were asked for.
+    /// Gradient ∂/∂xᵢ; empty if only values were requested.
     pub gradient: Vec<f64>,
-    /// ∂²/∂xᵢ∂xⱼ, row by row, symmetric; empty where no Hessian was asked for.
+    /// Hessian ∂²/∂xᵢ∂xⱼ, row by row, symmetric; empty if not requested.
     pub hessian: Vec<Vec<f64>>,
 }
 
 impl Taylor {
-    /// 0, with so many first derivatives and rows of second ones.
+    /// Zero, with `columns` first derivatives and `rows` rows of the Hessian.
     pub(crate) fn zero(columns: usize, rows: usize) -> Self {
         Self {
             value: 0.0,
@@ -19,17 +20,17 @@ impl Taylor {
         }
     }
 
-    /// Whether the value and every derivative is finite.
+    /// True if the value and all derivatives are finite.
     pub fn is_finite(&self) -> bool {
         let mut derivatives = self.gradient.iter().chain(self.hessian.iter().flatten());
         self.value.is_finite() && derivatives.all(|d| d.is_finite())
     }
 
-    /// Whether there are as many derivatives as there are of something else, second ones too where
-    /// there are any.
+    /// Checks that there are `count` first derivatives, and `count` rows of second ones if there
+    /// are any.
     ///
     /// # Panics
-    /// Where there are not, with both numbers.
+    /// If the numbers differ; the message names both.
     #[track_caller]
     pub(crate) fn expect_derivatives_by(&self, count: usize, of_what: &str) {
         let (first, rows) = (
@@ -47,7 +48,7 @@ impl Taylor {
         );
     }
 
-    /// The function with the opposite sign.
+    /// The function −f.
     #[must_use]
     pub fn negated(mut self) -> Self {
         self.value = -self.value;
@@ -61,10 +62,10 @@ impl Taylor {
         self
     }
 
-    /// Σ wₖ fₖ, added in the order given.
+    /// Weighted sum Σ wₖ fₖ, added in the given order.
     ///
     /// # Panics
-    /// Where the terms do not all have as many derivatives, of each order, as the first.
+    /// If a term has another number of derivatives than the first.
     pub fn sum<'a>(terms: impl IntoIterator<Item = (&'a Self, f64)>) -> Self {
         let mut all: Option<Self> = None;
         for (term, weight) in terms {

@@ -19,13 +19,13 @@ pub struct Vector<T> {
 }
 
 impl<T> Vector<T> {
-    /// The vector with these components.
+    /// Vector with these components.
     #[inline(always)]
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
 
-    /// The same over another number.
+    /// Converts each component.
     #[inline(always)]
     pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Vector<U>
     where
@@ -59,7 +59,7 @@ impl<T: Numbers> Vector<T> {
         )
     }
 
-    /// k v + b with a plain factor.
+    /// k v + b with a plain factor k.
     #[inline(always)]
     pub(crate) fn scale_add(self, k: f64, b: Self) -> Self {
         Self::new(
@@ -69,29 +69,29 @@ impl<T: Numbers> Vector<T> {
         )
     }
 
-    /// `self` where the mask holds, `other` where it does not.
+    /// Selects lanes: `self` where the mask is true, `other` elsewhere.
     #[inline(always)]
-    pub(crate) fn blend(self, other: Self, mask: T::Mask) -> Self {
+    pub(crate) fn select(self, other: Self, mask: T::Mask) -> Self {
         Self::new(
-            self.x.blend(other.x, mask),
-            self.y.blend(other.y, mask),
-            self.z.blend(other.z, mask),
+            self.x.select(other.x, mask),
+            self.y.select(other.y, mask),
+            self.z.select(other.z, mask),
         )
     }
 
-    /// Euclidean length. Its derivative does not exist at zero length.
+    /// Euclidean norm; not differentiable at 0.
     #[inline(always)]
     pub fn norm(self) -> T {
         self.dot(self).sqrt()
     }
 
-    /// The components in order.
+    /// Components in order.
     #[inline(always)]
     pub fn to_array(self) -> [T; 3] {
         [self.x, self.y, self.z]
     }
 
-    /// The vector with these components in order.
+    /// Vector with these components in order.
     #[inline(always)]
     pub fn from_array([x, y, z]: [T; 3]) -> Self {
         Self::new(x, y, z)

@@ -1,52 +1,51 @@
-//! The other sides of corners. Where a function has a corner, the quadratic model of one side
-//! promises what the other does not keep: steps fail, and the trust region shrinks to nothing far
-//! from the lowest point of the corner's edge. So a point met on another side is remembered, and
-//! its side becomes a piece of the model (a bundle of at most one piece for each side, carried by
-//! second-order expansions).
+//! Bundle of the other sides of kinks. At a kink the quadratic model of one side does not describe
+//! the other: steps fail, and the trust region shrinks to nothing far from the minimum along the
+//! kink. So a trial point on another side adds a term to a piecewise model: at most one term per
+//! side, from its second-order expansion.
 
 use super::qp::MaxTerm;
 use super::scaling::{Point, Scaling};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// Points farther than this, in units of the scale, tell nothing of a side here.
+/// Points farther than this, in units of the scale, are not used.
 const NEARBY: f64 = 0.05;
-/// Points of another side are trusted to rule out further progress only within this distance.
+/// Distance within which the expansion of another side is accurate enough to rule out further
+/// progress.
 const CLOSE: f64 = 1e-4;
 
-/// What a search knows of the other sides of corners: the nearest known point of each, nearest
-/// first.
+/// Nearest known point of each other side of nearby kinks, nearest first.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Bundle(Vec<Point>);
 
 impl Bundle {
-    /// Whether its points are of `n` variables, with `m` constraints.
-    pub fn is_of(&self, n: usize, m: usize) -> bool {
-        self.0.iter().all(|point| point.is_of(n, m))
+    /// True if the dimensions fit `n` variables and `m` constraints.
+    pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
+        self.0.iter().all(|point| point.has_dimensions(n, m))
     }
 
-    /// Keeps, of the points known around `at`, the nearest of each other side of a corner nearby.
+    /// Adds a candidate, and keeps the nearest point of each other side near `at`.
     pub fn update(&mut self, scaling: &Scaling, at: &Point, candidate: Option<Point>) {
         let is_side = |point: &Point| {
-            scaling.distance(point, at) <= NEARBY && are_sides_of_a_corner(scaling, at, point)
+            scaling.distance(point, at) <= NEARBY && are_sides_of_a_kink(scaling, at, point)
         };
-        let mut known = std::mem::take(&mut self.0);
-        known.retain(is_side);
-        known.extend(candidate.filter(is_side));
-        known.sort_by(|a, b| scaling.distance(a, at).total_cmp(&scaling.distance(b, at)));
-        for point in known {
+        let mut points = std::mem::take(&mut self.0);
+        points.retain(is_side);
+        points.extend(candidate.filter(is_side));
+        points.sort_by(|a, b| scaling.distance(a, at).total_cmp(&scaling.distance(b, at)));
+        for point in points {
             if self
                 .0
                 .iter()
-                .all(|side| are_sides_of_a_corner(scaling, side, &point))
+                .all(|side| are_sides_of_a_kink(scaling, side, &point))
             {
                 self.0.push(point);
             }
         }
     }
 
-    /// Forgets the farthest side, if it is too far to be trusted.
-    pub fn forget_one_too_far(&mut self, scaling: &Scaling, at: &Point) -> bool {
+    /// Removes the farthest side if it is not [close](CLOSE). Returns true if one was removed.
+    pub fn drop_farthest(&mut self, scaling: &Scaling, at: &Point) -> bool {
         let too_far = self
             .0
             .last()
@@ -57,15 +56,15 @@ impl Bundle {
         too_far
     }
 
-    /// Each other side's function around `at`, in scaled variables: carried here by its
-    /// second-order expansion, and at most f, for at a corner that holds a search f is the largest
-    /// of its sides.
+    /// Terms of the piecewise model: the second-order expansion of each other side, in scaled
+    /// variables, moved to `at`. Its value there is at most f, because at a kink that stalls a
+    /// search f is the maximum of its sides.
     pub fn max_terms(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<MaxTerm> {
         if self.0.is_empty() {
             return vec![];
         }
-        // the sides' curvature is the mildest known: in the rounded tip of a smoothed corner it is
-        // that of no side
+        // use the smallest known curvature: the rounded tip of a smoothed kink has a curvature that
+        // belongs to no side
         let mildest = |least: DMatrix<f64>, other: &Point| {
             let other = scaled_hessian(scaling, other);
             if other.amax() < least.amax() {
@@ -76,42 +75,42 @@ impl Bundle {
         };
         let curvature = self.0.iter().fold(hessian.clone(), mildest);
         let max_term = |other: &Point| {
-            let way =
+            let displacement =
                 DVector::from_fn(at.x.len(), |i, _| (at.x[i] - other.x[i]) / scaling.scale[i]);
-            let (slope, bend) = (scaled_gradient(scaling, other), &curvature * &way);
+            let (slope, change) = (scaled_gradient(scaling, other), &curvature * &displacement);
             let offset = other.f.objective.value - at.f.objective.value
-                + slope.dot(&way)
-                + 0.5 * bend.dot(&way);
+                + slope.dot(&displacement)
+                + 0.5 * change.dot(&displacement);
             MaxTerm {
                 offset: offset.min(0.0),
-                gradient: slope + bend,
+                gradient: slope + change,
             }
         };
         self.0.iter().map(max_term).collect()
     }
 }
 
-/// Whether two points lie on different sides of a corner: the gradient changes between them, and
-/// neither Hessian accounts for it.
-fn are_sides_of_a_corner(scaling: &Scaling, a: &Point, b: &Point) -> bool {
-    let is_plain = |p: &Point| p.f.objective.hessian.is_empty();
-    if is_plain(a) || is_plain(b) {
-        // without second derivatives a corner cannot be told from a bend
+/// True if two points lie on different sides of a kink: the change of the gradient is not explained
+/// by either Hessian, nor by their mean.
+fn are_sides_of_a_kink(scaling: &Scaling, a: &Point, b: &Point) -> bool {
+    let has_no_hessian = |p: &Point| p.f.objective.hessian.is_empty();
+    if has_no_hessian(a) || has_no_hessian(b) {
+        // without Hessians a kink cannot be distinguished from curvature
         return false;
     }
     let jump = |i: usize| b.f.objective.gradient[i] - a.f.objective.gradient[i];
-    let bend = |at: &Point, i: usize| -> f64 {
-        let way = b.x.iter().zip(&a.x).map(|(to, from)| to - from);
+    let curvature = |at: &Point, i: usize| -> f64 {
+        let displacement = b.x.iter().zip(&a.x).map(|(to, from)| to - from);
         at.f.objective.hessian[i]
             .iter()
-            .zip(way)
-            .map(|(bend, way)| bend * way)
+            .zip(displacement)
+            .map(|(curvature, displacement)| curvature * displacement)
             .sum()
     };
     let n = a.x.len();
     let change = scaling.largest((0..n).map(jump));
     let is_unexplained = |here_part: f64, there_part: f64| {
-        let rest = |i: usize| jump(i) - here_part * bend(a, i) - there_part * bend(b, i);
+        let rest = |i: usize| jump(i) - here_part * curvature(a, i) - there_part * curvature(b, i);
         scaling.largest((0..n).map(rest)) > 0.5 * change
     };
     change > 1e-6 * scaling.size(a)

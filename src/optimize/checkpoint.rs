@@ -1,4 +1,4 @@
-//! Long work kept in a file: what searches have found, and how far the others have come.
+//! Checkpoint file of several searches: results of those that have ended, snapshots of the others.
 
 use super::observer::Snapshot;
 use super::solution::Solution;
@@ -11,18 +11,19 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// A search that is kept.
+/// State of one search in a checkpoint.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Run {
-    /// It has ended.
+    /// The search has ended.
     Done(Box<Solution>),
-    /// It is between two iterations.
-    Going(Box<Snapshot>),
+    /// The search is between two iterations.
+    #[serde(rename = "going")]
+    Unfinished(Box<Snapshot>),
 }
 
-/// Searches of one question, kept in a file that is whole at every moment: each state is written
-/// beside it and put in its place at once.
+/// Checkpoint file of the searches of one problem. Each state is written to a temporary file and
+/// renamed, so that the file is complete at any time.
 #[derive(Debug)]
 pub struct Checkpoint {
     path: PathBuf,
@@ -31,17 +32,17 @@ pub struct Checkpoint {
 
 #[derive(Debug, Serialize, Deserialize)]
 struct Content {
-    /// What was asked, in whatever words tell one question from another.
+    /// Identifies the problem: any text that differs between problems.
     question: String,
     runs: BTreeMap<usize, Run>,
 }
 
 impl Checkpoint {
-    /// The checkpoint in a file, with what it holds; a new one where there is no such file.
+    /// Opens a checkpoint file, or creates it if it does not exist.
     ///
     /// # Errors
-    /// [`Error::Checkpoint`] for a file that cannot be read, is none of this kind, or belongs to
-    /// another question.
+    /// [`Error::Checkpoint`] for a file that cannot be read or written, is not a checkpoint, or
+    /// belongs to another problem.
     pub fn open(path: &Path, question: &str) -> Result<Self> {
         let refuse = |reason: String| Error::Checkpoint {
             file: path.display().to_string(),
@@ -81,17 +82,17 @@ impl Checkpoint {
             path: path.into(),
             content: Mutex::new(content),
         };
-        // what cannot be written is told now, not after hours
+        // report a file that cannot be written now, not after hours of work
         checkpoint.write(&checkpoint.lock(), text.is_some())?;
         Ok(checkpoint)
     }
 
-    /// The search of this number, if it was kept.
+    /// Saved state of a search, by its number.
     pub fn run(&self, number: usize) -> Option<Run> {
         self.lock().runs.get(&number).cloned()
     }
 
-    /// Searches that have ended.
+    /// Number of searches that have ended.
     pub fn done(&self) -> usize {
         self.lock()
             .runs
@@ -100,11 +101,11 @@ impl Checkpoint {
             .count()
     }
 
-    /// Keeps a search.
+    /// Saves the state of a search.
     ///
     /// # Errors
-    /// [`Error::Checkpoint`] where the file cannot be written.
-    pub fn keep(&self, number: usize, run: Run) -> Result<()> {
+    /// [`Error::Checkpoint`] if the file cannot be written.
+    pub fn save(&self, number: usize, run: Run) -> Result<()> {
         let mut content = self.lock();
         content.runs.insert(number, run);
         self.write(&content, true)
@@ -139,8 +140,7 @@ impl Checkpoint {
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, Content> {
-        // a search that panicked elsewhere leaves a whole content: it is only ever replaced entry
-        // by entry
+        // a poisoned lock is safe to use: the content only changes by whole entries
         self.content
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner)

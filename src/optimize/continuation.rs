@@ -1,29 +1,29 @@
-//! What following an optimum along a number needs: steps that adapt, predictions, and the place
-//! where something changes.
+//! Continuation of an optimum along a parameter: adaptive steps, the predictor, and the location of
+//! changes.
 
 use super::domain::Bounds;
 
-/// The longest step, as a part of the range.
+/// Longest step, as a fraction of the range.
 pub(crate) const LONGEST: f64 = 1.0 / 16.0;
-/// The shortest.
+/// Shortest step, as a fraction of the range.
 const SHORTEST: f64 = 1.0 / 65_536.0;
-/// Steps whose predicted optimum is farther than this from the one found, in units of the ranges,
-/// are halved …
+/// A step is halved if its corrected optimum is farther from the predicted one than this, in units
+/// of the ranges …
 pub(crate) const TOO_FAR: f64 = 0.02;
-/// … and those nearer than this are followed by longer ones.
+/// … and the next step is doubled if it is nearer than this.
 const NEAR: f64 = 0.002;
-/// The trust region of a corrector: it stays with the optimum it follows.
+/// Trust-region radius of the corrector. It keeps the search on the followed optimum.
 pub(crate) const RADIUS: f64 = 0.05;
 
-/// A step along a range that adapts to how far optima lie from where they were predicted.
+/// Adaptive step length along a range, from the distance between predicted and corrected optima.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stride {
+pub(crate) struct AdaptiveStep {
     width: f64,
     step: f64,
 }
 
-impl Stride {
-    /// The longest step of a range of this width.
+impl AdaptiveStep {
+    /// Starts with the longest step of a range of this width.
     pub fn new(width: f64) -> Self {
         Self {
             width,
@@ -31,9 +31,9 @@ impl Stride {
         }
     }
 
-    /// Where the next optimum is looked for, in a range that ends there.
+    /// Next parameter value, at most `end`.
     pub fn to(&self, here: f64, end: f64) -> f64 {
-        // no short step is left for the end
+        // avoid a tiny last step
         if here + 1.001 * self.step >= end {
             end
         } else {
@@ -41,7 +41,7 @@ impl Stride {
         }
     }
 
-    /// Halves it; `false` where it cannot be shorter.
+    /// Halves the step; `false` if it is already the shortest.
     pub fn halve(&mut self) -> bool {
         let can = self.step > SHORTEST * self.width;
         if can {
@@ -50,15 +50,15 @@ impl Stride {
         can
     }
 
-    /// A longer one after an optimum that was predicted well.
-    pub fn adapt(&mut self, apart: f64) {
-        if apart < NEAR {
+    /// Doubles the step after a good prediction.
+    pub fn adapt(&mut self, distance: f64) {
+        if distance < NEAR {
             self.step = (2.0 * self.step).min(LONGEST * self.width);
         }
     }
 }
 
-/// Where an optimum that moves at these rates is after a change, within its bounds.
+/// Predictor: the optimum after a change of the parameter, from its derivatives, within its bounds.
 pub(crate) fn predicted(x: &[f64], rates: &[f64], change: f64, bounds: &Bounds) -> Vec<f64> {
     let moved: Vec<f64> = x
         .iter()
@@ -68,8 +68,8 @@ pub(crate) fn predicted(x: &[f64], rates: &[f64], change: f64, bounds: &Bounds) 
     bounds.project(&moved)
 }
 
-/// How far two points are apart in any variable, in units of its range.
-pub(crate) fn apart(x: &[f64], predicted: &[f64], bounds: &Bounds) -> f64 {
+/// Distance of two points in the maximum norm, in units of the variables' ranges.
+pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -> f64 {
     let parts = x
         .iter()
         .zip(predicted)
@@ -85,10 +85,10 @@ pub(crate) fn apart(x: &[f64], predicted: &[f64], bounds: &Bounds) -> f64 {
     parts.fold(0.0, f64::max)
 }
 
-/// The first place found, within a tolerance, that is no longer as `before`: `guess` says where
-/// that is expected, `next` finds what is at a place, starting from what is known before it. Where
-/// nothing is found, the last place that was.
-pub(crate) fn located<P>(
+/// Locates the first point, within a tolerance, at which `is_as_before` no longer holds. `guess`
+/// predicts the location, `next` computes the point at a location from one before it. If `next`
+/// fails, the last located point is returned.
+pub(crate) fn locate_change<P>(
     [mut before, mut after]: [P; 2],
     tolerance: f64,
     at: impl Fn(&P) -> f64,
@@ -99,8 +99,8 @@ pub(crate) fn located<P>(
     let mut is_guessed = true;
     while at(&after) - at(&before) > tolerance {
         let (low, high) = (at(&before), at(&after));
-        // just beyond the place that is expected or just before it, and every other time the
-        // middle, so that a bad guess costs little
+        // try just after or just before the predicted location, alternating with bisection, so that
+        // a bad prediction costs little
         let expected = guess(&before, high).filter(|_| is_guessed);
         let beside = expected.map(|place| [place + 0.4 * tolerance, place - 0.4 * tolerance]);
         let place = beside

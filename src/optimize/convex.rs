@@ -1,41 +1,39 @@
 use super::null_space::null_space;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// Least curvature kept by the reflection, of the largest.
+/// Smallest eigenvalue kept by the reflection, relative to the largest.
 const FLOOR: f64 = 1e-8;
-/// The Hessian is raised by its size first, then by this factor more …
+/// The Hessian is first raised by its own size, then by this factor more at each attempt.
 const GROWTH: f64 = 4.0;
-/// … so often at most: beyond that the sum is no longer told from singular.
+/// Maximum number of attempts. A larger raise makes the sum numerically singular.
 const MOST_RAISES: u32 = 15;
-/// Before its eigenvalues are reflected it is raised by so many times its size, which sets those of
-/// the normals apart from those of the directions along them.
+/// Raise before a reflection, relative to the Hessian's size. It separates the eigenvalues of the
+/// active normals from those of the tangents.
 const APART: f64 = 100.0;
 
-/// The changes that made a Hessian positive definite.
+/// Changes that made a Hessian positive definite.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Convexified {
-    /// The amount added along each unit normal of what is active, before a reflection.
+    /// Raise along each active unit normal before a reflection.
     pub raise: f64,
-    /// Whether eigenvalues were reflected.
+    /// True if eigenvalues were reflected.
     pub is_reflected: bool,
 }
 
-/// A positive definite stand-in for a Hessian, equal to it where the search converges.
+/// Replaces a Hessian by a positive definite matrix, equal to it near a minimum.
 ///
-/// No method for the quadratic program can use an indefinite matrix (Clarabel answers with a wrong
+/// A quadratic program needs a convex matrix (for an indefinite one Clarabel returns a wrong
 /// point). In order of preference:
 /// 1. the Hessian itself, where it is positive definite;
-/// 2. where only directions across active bounds and constraints make it indefinite: the Hessian
-///    raised along their normals. On the tangents it stays exact, and with it Newton's rate (the
-///    augmented Lagrangian's term; Nocedal & Wright 2006, §18.3);
-/// 3. raised along them, and its negative eigenvalues then reflected to `reflection` |λ| (Gill,
-///    Murray & Wright 1981, §4.4.2.1, with reflection for truncation), no smaller than 1e-8 of the
-///    largest. So the tangents have their own curvature, with the sign turned, and not that of the
-///    normals, which may be far larger. Where `reflection` is below 1 the Hessian is reflected on
-///    the tangents alone.
+/// 2. if only directions along active normals make it indefinite: the Hessian raised along them
+///    (the term of the augmented Lagrangian; Nocedal & Wright 2006, §18.3). It stays exact on the
+///    tangents, which preserves Newton's rate of convergence;
+/// 3. the raised Hessian with its negative eigenvalues λ reflected to `reflection` |λ|, at least
+///    1e-8 of the largest (Gill, Murray & Wright 1981, §4.4.2.1, with reflection in place of
+///    truncation). The raise keeps the larger curvature of the normals out of the tangents'
+///    eigenvalues. If `reflection` < 1, the Hessian is reflected on the tangents only.
 ///
-/// A Hessian of zeros stays as it is: what it leaves of a program is linear. It is written to
-/// `convex`.
+/// A zero Hessian stays zero: the program is then linear. The result is written to `convex`.
 pub(super) fn convexify(
     hessian: &DMatrix<f64>,
     active_normals: impl FnOnce() -> Vec<DVector<f64>>,
@@ -64,7 +62,7 @@ pub(super) fn convexify(
         });
     };
     let size = hessian.amax();
-    // some finite amount is enough (Debreu 1952) if anything is
+    // a finite raise is enough if the Hessian is positive definite on the tangents (Debreu 1952)
     let mut raise = size;
     for _ in 0..MOST_RAISES {
         raised(convex, raise);
@@ -88,8 +86,8 @@ pub(super) fn convexify(
     }
 }
 
-/// A Hessian reflected on the tangents of what is active alone, with its own size along the
-/// normals.
+/// The Hessian reflected on the tangents of the active constraints, with the Hessian's size as
+/// curvature along their normals.
 fn reflected_along(
     hessian: &DMatrix<f64>,
     active: &[DVector<f64>],
@@ -108,7 +106,7 @@ fn reflected_along(
     &tangents * along * tangents.transpose() + across * hessian.amax()
 }
 
-/// A matrix with its negative eigenvalues reflected to `reflection` |λ|.
+/// The matrix with its negative eigenvalues λ reflected to `reflection` |λ|.
 fn reflected(matrix: DMatrix<f64>, reflection: f64) -> DMatrix<f64> {
     if matrix.is_empty() {
         return matrix;
@@ -129,9 +127,9 @@ fn reflected(matrix: DMatrix<f64>, reflection: f64) -> DMatrix<f64> {
     &eigenvectors * DMatrix::from_diagonal(&reflected) * eigenvectors.transpose()
 }
 
-/// Whether a symmetric matrix is positive definite by a margin that survives rounding: each entry
-/// of the diagonal can be smaller by that part of itself, so that curvatures of very different
-/// sizes do not hide each other.
+/// True if a symmetric matrix is positive definite with a margin for rounding. The margin is
+/// relative to each diagonal entry, so that curvatures of very different sizes do not hide each
+/// other.
 fn is_positive_definite(matrix: &DMatrix<f64>) -> bool {
     const MARGIN: f64 = 1e-13;
     let mut smaller = matrix.clone();

@@ -1,28 +1,27 @@
 use crate::error::{Error, Result};
 
-/// Limits low ≤ v ≤ high of several numbers. An end may be infinite; with low = high a number is
-/// fixed.
+/// Limits low ≤ v ≤ high of several numbers. Limits may be infinite; low = high fixes a number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bounds {
-    /// Lower ends.
+    /// Lower limits.
     pub low: Vec<f64>,
-    /// Upper ends.
+    /// Upper limits.
     pub high: Vec<f64>,
 }
 
 impl Bounds {
-    /// Limits.
+    /// Creates the limits and checks them.
     ///
     /// # Errors
-    /// [`Error::Optimizer`] for ends that are NaN, reversed, infinite on the wrong side, or of
-    /// different number.
+    /// [`Error::Optimizer`] for limits that are NaN, reversed or infinite on the wrong side, and
+    /// for vectors of different lengths.
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         let bounds = Self { low, high };
         bounds.check()?;
         Ok(bounds)
     }
 
-    /// What [`new`](Self::new) refuses: the ends may have been changed since.
+    /// Repeats the checks of [`new`](Self::new): the fields are public.
     fn check(&self) -> Result<()> {
         let Self { low, high } = self;
         if low.len() != high.len() {
@@ -45,15 +44,15 @@ impl Bounds {
         Ok(())
     }
 
-    /// How many numbers they limit.
+    /// Number of limited values.
     pub fn dimension(&self) -> usize {
         self.low.len()
     }
 
-    /// The nearest point within.
+    /// Projection of a point on the limits.
     ///
     /// # Panics
-    /// Where ends were made NaN or reversed.
+    /// If a field was changed to NaN or reversed limits.
     pub fn project(&self, x: &[f64]) -> Vec<f64> {
         x.iter()
             .zip(self.low.iter().zip(&self.high))
@@ -61,12 +60,11 @@ impl Bounds {
             .collect()
     }
 
-    /// What a sensible change of each number is: the width of its range, but no more than ten times
-    /// its own size at `x` or 1, whichever is larger; where the range is infinite, that size
-    /// itself.
+    /// Scale of each number: the width of its range, but at most ten times max(|x|, 1); that size
+    /// itself if the range is infinite.
     ///
     /// # Panics
-    /// Where `x` has fewer numbers.
+    /// If `x` has fewer numbers.
     pub fn scale(&self, x: &[f64]) -> Vec<f64> {
         let scale = |i: usize| match self.high[i] - self.low[i] {
             0.0 => 1.0,
@@ -76,29 +74,29 @@ impl Bounds {
         (0..self.dimension()).map(scale).collect()
     }
 
-    /// Whether the two ends of a number are one.
+    /// True if both limits of a number are equal.
     ///
     /// # Panics
-    /// Where there is no such number.
+    /// If there is no such number.
     pub fn is_fixed(&self, i: usize) -> bool {
         self.low[i] == self.high[i]
     }
 
-    /// How far a number is beyond its limits: above the upper > 0, below the lower < 0, within 0.
+    /// Signed violation of a number's limits: > 0 above the upper, < 0 below the lower, 0 within.
     ///
     /// # Panics
-    /// Where there is no such number, or its ends were made NaN or reversed.
+    /// If there is no such number, or its limits are NaN or reversed.
     pub fn excess(&self, i: usize, value: f64) -> f64 {
         value - value.clamp(self.low[i], self.high[i])
     }
 }
 
-/// Where a solution is looked for: bounds of the variables and limits of the constraint functions.
+/// Feasible set: bounds of the variables and limits of the constraint functions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Domain {
-    /// low ≤ x ≤ high.
+    /// Bounds low ≤ x ≤ high.
     pub variables: Bounds,
-    /// low ≤ c(x) ≤ high; an equality where both are one number.
+    /// Limits low ≤ c(x) ≤ high; low = high is an equality constraint.
     pub constraints: Bounds,
 }
 
@@ -106,7 +104,7 @@ impl Domain {
     /// A box, without constraints.
     ///
     /// # Errors
-    /// [`Error::Optimizer`] as [`Bounds::new`], and for a box of no variables.
+    /// Errors of [`Bounds::new`]; [`Error::Optimizer`] without variables.
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         if low.is_empty() {
             return Err(Error::Optimizer(
@@ -119,10 +117,10 @@ impl Domain {
         })
     }
 
-    /// The same box with limits for the problem's constraint functions c₁ … cₘ.
+    /// Adds limits for the problem's constraint functions c₁ … cₘ.
     ///
     /// # Errors
-    /// [`Error::Optimizer`] as [`Bounds::new`].
+    /// Errors of [`Bounds::new`].
     pub fn subject_to(self, low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         Ok(Self {
             constraints: Bounds::new(low, high)?,
@@ -130,8 +128,7 @@ impl Domain {
         })
     }
 
-    /// Refuses what [`new`](Self::new) and [`subject_to`](Self::subject_to) refuse, and a start of
-    /// another length or that is not finite.
+    /// Checks the domain again, and that the start is finite and of the right length.
     pub(super) fn check(&self, start: &[f64]) -> Result<()> {
         self.variables.check()?;
         self.constraints.check()?;

@@ -2,8 +2,8 @@ use super::problem::{Evaluation, Problem};
 use crate::number::{Derivatives, Lanes, Mixed, Number, Numbers, Taylor};
 use num_dual::Dual64;
 
-/// The functions of a problem, written once over the number: their derivatives are then exact by
-/// themselves.
+/// The functions of a problem, written once over a generic number type. Dual numbers then give
+/// exact derivatives.
 ///
 /// ```
 /// use longdrive::number::Number;
@@ -26,19 +26,20 @@ use num_dual::Dual64;
 /// assert!((can.x[0] - r).abs() < 1e-12 && (can.x[1] - 2.0 * r).abs() < 1e-12);
 /// ```
 pub trait Functions {
-    /// f and c₁ … cₘ at `x`.
+    /// Values of f and c₁ … cₘ at `x`.
     ///
     /// # Errors
-    /// A sentence saying why there is no value at `x`. The search then steps back.
+    /// The reason, in a sentence, why the functions have no value at `x`. The search then shortens
+    /// its step.
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String>;
 }
 
-/// The values of a problem's functions.
+/// Values of a problem's functions.
 #[derive(Clone, Debug)]
 pub struct Values<T> {
-    /// f.
+    /// Objective f.
     pub objective: T,
-    /// c₁ … cₘ.
+    /// Constraint functions c₁ … cₘ.
     pub constraints: Vec<T>,
 }
 
@@ -70,7 +71,7 @@ impl<F: Functions> Problem for Exact<F> {
     }
 }
 
-/// Functions with exact gradients; the search builds its own Hessian.
+/// Functions with exact gradients. The search builds a quasi-Newton Hessian.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradients<F>(pub F);
 
@@ -95,8 +96,8 @@ impl<F: Functions> Problem for Gradients<F> {
     }
 }
 
-/// Writes what the numbers of one pass tell into a problem's Taylor polynomials, of so many columns
-/// and rows of second derivatives.
+/// Writes the derivatives of one pass to the Taylor polynomials of all functions; allocates them in
+/// the first pass, with `columns` gradient entries and `rows` rows of the Hessian.
 fn put<T>(
     evaluation: &mut Option<Evaluation>,
     values: Values<T>,

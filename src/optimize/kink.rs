@@ -1,38 +1,52 @@
-//! Corners: recognising one, and saying what is known of it.
+//! Detection of kinks (corners of the objective).
 
 use super::problem::Evaluation;
 use super::scaling::{Point, Scaling};
 use serde::{Deserialize, Serialize};
 
-/// A corner of the objective along one variable.
+/// A kink of the objective along one variable.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Kink {
-    /// The variable's index.
+    /// Index of the variable.
     pub variable: usize,
-    /// The slope just below the corner; `None` where that is outside the bounds.
+    /// Derivative just below the kink; `None` outside the bounds.
     pub slope_below: Option<f64>,
-    /// The slope just above it; `None` where that is outside the bounds.
+    /// Derivative just above the kink; `None` outside the bounds.
     pub slope_above: Option<f64>,
 }
 
 impl Kink {
-    /// The slope inside, where the corner lies on a bound that the objective falls towards; and
-    /// whether that is the lower one.
-    pub(super) fn slope_towards_bound(&self) -> Option<(f64, bool)> {
-        match (self.slope_below, self.slope_above) {
-            (None, Some(above)) if above > 0.0 => Some((above, true)),
-            (Some(below), None) if below < 0.0 => Some((-below, false)),
-            _ => None,
-        }
+    /// The kink as an active bound, if it lies on a bound towards which the objective falls.
+    pub(super) fn on_bound(self) -> Option<KinkOnBound> {
+        let (multiplier, is_lower) = match (self.slope_below, self.slope_above) {
+            (None, Some(above)) if above > 0.0 => (above, true),
+            (Some(below), None) if below < 0.0 => (-below, false),
+            _ => return None,
+        };
+        Some(KinkOnBound {
+            kink: self,
+            multiplier,
+            is_lower,
+        })
     }
+}
+
+/// A kink on a bound towards which the objective falls.
+#[derive(Clone, Copy)]
+pub(super) struct KinkOnBound {
+    pub kink: Kink,
+    /// Multiplier of the bound: the one-sided derivative.
+    pub multiplier: f64,
+    /// True for the lower bound.
+    pub is_lower: bool,
 }
 
 /// Half the distance between the points compared, in units of the variables' scale.
 const REACH: f64 = 1e-6;
 
-/// Looks for a corner at a point: a variable whose slope jumps between two points 2·REACH apart by
-/// much more than the curvature on either side accounts for. `evaluate` gives `None` where the
-/// functions are not defined.
+/// Looks for a kink at a point: a variable whose derivative changes between two points 2·REACH
+/// apart by much more than the curvature on either side explains. `evaluate` returns `None` where
+/// the functions are undefined.
 pub(super) fn find<E>(
     scaling: &Scaling,
     at: &Point,
@@ -55,7 +69,7 @@ pub(super) fn find<E>(
         let (Some(below), Some(above)) = (side(-1.0)?, side(1.0)?) else {
             return Ok(None);
         };
-        if is_corner(scaling, at, i, &below, &above) {
+        if is_kink(scaling, at, i, &below, &above) {
             let slope = |side: &Side| side.is_inside.then_some(side.slope);
             return Ok(Some(Kink {
                 variable: i,
@@ -67,32 +81,36 @@ pub(super) fn find<E>(
     Ok(None)
 }
 
-/// The objective a little to one side of a point.
+/// The objective just to one side of a point.
 struct Side {
     x: f64,
     slope: f64,
     hessian: Vec<Vec<f64>>,
-    /// Whether it is where it was meant to be; on a bound it is not.
+    /// False if a bound limited the displacement.
     is_inside: bool,
 }
 
-fn is_corner(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) -> bool {
+fn is_kink(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) -> bool {
     if below.hessian.is_empty() || above.hessian.is_empty() {
         return false;
     }
-    let (apart, jump) = (above.x - below.x, above.slope - below.slope);
-    let matters = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
-    // on a bound the one side is the rounded tip of the corner itself, whose curvature may account
-    // for anything
+    let (distance, jump) = (above.x - below.x, above.slope - below.slope);
+    let is_significant = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
+    // at a bound one side is the rounded tip of the kink itself, whose curvature could explain any
+    // change
     let is_unexplained = |side: &Side| {
-        !side.is_inside || (side.hessian[i][i] * apart - jump).abs() > 0.5 * jump.abs()
+        !side.is_inside || (side.hessian[i][i] * distance - jump).abs() > 0.5 * jump.abs()
     };
-    let is_seen = below.is_inside || above.is_inside;
-    apart > 0.0 && matters && is_seen && is_unexplained(below) && is_unexplained(above)
+    let has_inner_side = below.is_inside || above.is_inside;
+    distance > 0.0
+        && is_significant
+        && has_inner_side
+        && is_unexplained(below)
+        && is_unexplained(above)
 }
 
-/// Whether a converged point may in truth be a smoothed corner: a curvature so high that the slope
-/// changes by all of φ within a thousandth of the variable's scale.
+/// True if a converged point may be a smoothed kink: the curvature changes the derivative by φ
+/// within a thousandth of the variable's scale.
 pub(super) fn is_suspected(scaling: &Scaling, at: &Point) -> bool {
     let hessian = &at.f.objective.hessian;
     let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];

@@ -1,8 +1,8 @@
-//! A search from its start to its end, with its observer.
+//! Runs one search with its observer, through argmin's `Executor`.
 
 use super::domain::Domain;
-use super::kink::Kink;
-use super::observer::{Keep, Observer, Snapshot};
+use super::kink::{Kink, KinkOnBound};
+use super::observer::{Observer, SaveSnapshot, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::{Iteration, Solution};
@@ -15,11 +15,11 @@ use argmin::core::{Executor, KV, State};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Minimises a function within a domain from a start, which is moved into the bounds first.
+/// Minimises a function within a domain from a start, which is first projected on the bounds.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for a domain, a start or options that make no sense. Not converging is a
-/// [`Status`], not an error.
+/// [`Error::Optimizer`] for an invalid domain, start or option. A search that does not converge has
+/// a [`Status`], not an error.
 pub fn minimize(
     problem: &dyn Problem,
     domain: &Domain,
@@ -29,11 +29,11 @@ pub fn minimize(
     minimize_observed(problem, domain, start, options, Observer::default())
 }
 
-/// As [`minimize`], with an observer.
+/// Like [`minimize`], with an observer.
 ///
 /// # Errors
-/// As [`minimize`]; [`Error::Optimizer`] for a kept search of another problem; whatever keeping the
-/// search fails with.
+/// Errors of [`minimize`]; [`Error::Optimizer`] for a snapshot of another problem; errors of saving
+/// a snapshot.
 pub fn minimize_observed(
     problem: &dyn Problem,
     domain: &Domain,
@@ -46,40 +46,32 @@ pub fn minimize_observed(
     if observer
         .resume
         .as_ref()
-        .is_some_and(|kept| !kept.is_of(domain))
+        .is_some_and(|snapshot| !snapshot.fits(domain))
     {
         return Err(other_problem());
     }
     let (failure, interrupt) = (Arc::default(), observer.interrupt.clone());
     let problem = ProblemRef(problem);
     let found = run(problem, domain, start, options, observer, &failure)?;
-    match found
-        .kink
-        .and_then(|kink| Some((kink, kink.slope_towards_bound()?)))
-    {
-        Some((kink, (price, is_lower))) if found.status == Status::StalledAtKink => {
+    match found.kink.and_then(Kink::on_bound) {
+        Some(kink) if found.status == Status::StalledAtKink => {
             let observer = Observer {
                 interrupt,
                 ..Observer::default()
             };
-            Ok(held_at_corner(
-                problem,
-                domain,
-                options,
-                observer,
-                found,
-                (kink, price, is_lower),
+            Ok(fix_on_bound(
+                problem, domain, options, observer, found, kink,
             ))
         }
         _ => Ok(found),
     }
 }
 
-/// A search that was kept belongs to a problem of another shape.
+/// Error for a snapshot of a problem with other dimensions.
 pub(super) fn other_problem() -> Error {
     Error::Optimizer(
-        "the search that was kept is of another problem: its numbers of variables or \
-                      constraints differ; begin without it"
+        "the saved search belongs to another problem: the numbers of variables or constraints \
+         differ; start without it"
             .into(),
     )
 }
@@ -102,8 +94,8 @@ fn run(
     let fresh = SqpState::new()
         .param(start.to_vec())
         .max_iters(options.max_iterations);
-    let keeper = Keeper {
-        keep: observer.keep.map(RefCell::new),
+    let checkpoint = SnapshotIo {
+        save: observer.save.map(RefCell::new),
         resumed: observer.resume.map(|snapshot| {
             (
                 resumed(&solver, snapshot.clone()),
@@ -119,14 +111,15 @@ fn run(
             ObserverMode::Always,
         )
         .timer(false);
-    if keeper.keep.is_some() || keeper.resumed.is_some() {
-        executor = executor.checkpointing(keeper);
+    if checkpoint.save.is_some() || checkpoint.resumed.is_some() {
+        executor = executor.checkpointing(checkpoint);
     }
     let result = executor.run().map_err(|e| {
         let own = failure.lock().ok().and_then(|mut failure| failure.take());
         own.unwrap_or_else(|| Error::Optimizer(e.to_string()))
     })?;
-    let iterations = result.state.get_iter() - u64::from(result.solver.progress.is_stopped_within);
+    let iterations =
+        result.state.get_iter() - u64::from(result.solver.progress.is_interrupted_within);
     let start = result.state.param.unwrap_or_default();
     Ok(Solution::new(
         domain,
@@ -136,43 +129,61 @@ fn run(
     ))
 }
 
-/// Where a corner of the objective lies on a bound that it falls towards, that variable stays on
-/// the bound, at the price of the slope inside, and the others are searched on.
-fn held_at_corner(
+/// A kink on a bound towards which the objective falls is an optimum in that variable. Fixes the
+/// variable on the bound, with the one-sided derivative as multiplier, and minimises over the other
+/// variables.
+fn fix_on_bound(
     problem: ProblemRef<'_>,
     domain: &Domain,
     options: &Options,
     observer: Observer,
     found: Solution,
-    (kink, price, is_lower): (Kink, f64, bool),
+    on_bound: KinkOnBound,
 ) -> Solution {
-    let (i, mut held) = (kink.variable, domain.clone());
+    let KinkOnBound {
+        kink,
+        multiplier,
+        is_lower,
+    } = on_bound;
+    let (i, mut fixed) = (kink.variable, domain.clone());
     let bound = if is_lower {
         domain.variables.low[i]
     } else {
         domain.variables.high[i]
     };
-    (held.variables.low[i], held.variables.high[i]) = (bound, bound);
-    let Ok(mut end) = run(problem, &held, &found.x, options, observer, &Arc::default()) else {
+    (fixed.variables.low[i], fixed.variables.high[i]) = (bound, bound);
+    let Ok(mut end) = run(
+        problem,
+        &fixed,
+        &found.x,
+        options,
+        observer,
+        &Arc::default(),
+    ) else {
         return found;
     };
     if end.status != Status::Converged {
         return found;
     }
-    let (lower, upper) = if is_lower { (price, 0.0) } else { (0.0, price) };
+    let (lower, upper) = if is_lower {
+        (multiplier, 0.0)
+    } else {
+        (0.0, multiplier)
+    };
     (end.lower_multipliers[i], end.upper_multipliers[i]) = (lower, upper);
     end.gradient[i] = lower - upper;
-    end.message += &format!("; variable {i} lies on its bound, where the objective has a corner");
+    end.message += &format!("; variable {i} lies on its bound, where the objective has a kink");
     end.iterations += found.iterations;
     end.evaluations += found.evaluations;
     Solution {
         kink: Some(kink),
-        begun_at: found.begun_at,
+        initial_point: found.initial_point,
         undefined_at_start: found.undefined_at_start,
         ..end
     }
 }
 
+/// The solver with the progress of a snapshot.
 fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
     let mut solver = Sqp {
         progress: snapshot.progress,
@@ -184,6 +195,7 @@ fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
     solver
 }
 
+/// argmin's state at the iteration of a snapshot.
 fn at_iteration(fresh: &SqpState, snapshot: &Snapshot) -> SqpState {
     let mut state = fresh.clone();
     if let Some(search) = &snapshot.progress.state {
@@ -195,20 +207,20 @@ fn at_iteration(fresh: &SqpState, snapshot: &Snapshot) -> SqpState {
     state
 }
 
-/// argmin's checkpointing, by whoever keeps the search.
-struct Keeper {
-    keep: Option<RefCell<Box<Keep>>>,
+/// Connects the observer's `save` and `resume` to argmin's checkpointing.
+struct SnapshotIo {
+    save: Option<RefCell<Box<SaveSnapshot>>>,
     resumed: Option<(Sqp, SqpState)>,
     failure: Arc<std::sync::Mutex<Option<Error>>>,
 }
 
-impl Checkpoint<Sqp, SqpState> for Keeper {
+impl Checkpoint<Sqp, SqpState> for SnapshotIo {
     fn save(&self, solver: &Sqp, state: &SqpState) -> std::result::Result<(), argmin::core::Error> {
-        // an iteration that was stopped within is done anew by whoever goes on
-        let Some(keep) = self
-            .keep
+        // an interrupted iteration is repeated after a resume
+        let Some(save) = self
+            .save
             .as_ref()
-            .filter(|_| !solver.progress.is_stopped_within)
+            .filter(|_| !solver.progress.is_interrupted_within)
         else {
             return Ok(());
         };
@@ -216,7 +228,7 @@ impl Checkpoint<Sqp, SqpState> for Keeper {
             iterations: state.get_iter(),
             progress: solver.progress.clone(),
         };
-        (keep.borrow_mut())(&snapshot).map_err(|error| {
+        (save.borrow_mut())(&snapshot).map_err(|error| {
             let message = error.to_string();
             if let Ok(mut failure) = self.failure.lock() {
                 *failure = Some(error);
@@ -234,18 +246,18 @@ impl Checkpoint<Sqp, SqpState> for Keeper {
     }
 }
 
-/// Passes argmin's observations on.
+/// Passes argmin's iterations to the observer.
 struct IterationObserver {
-    show: Box<dyn FnMut(&Iteration)>,
-    /// What was shown last; it is filled anew each time.
-    shown: Iteration,
+    callback: Box<dyn FnMut(&Iteration)>,
+    /// Last iteration passed on; its allocation is reused.
+    current: Iteration,
 }
 
 impl IterationObserver {
-    fn new(show: Box<dyn FnMut(&Iteration)>) -> Self {
+    fn new(callback: Box<dyn FnMut(&Iteration)>) -> Self {
         Self {
-            show,
-            shown: Iteration::default(),
+            callback,
+            current: Iteration::default(),
         }
     }
 
@@ -253,7 +265,7 @@ impl IterationObserver {
         let (Some(at), Some(info)) = (state.get_param(), state.get_residuals()) else {
             return;
         };
-        let mut x = std::mem::take(&mut self.shown.x);
+        let mut x = std::mem::take(&mut self.current.x);
         x.clone_from(at);
         let &IterationInfo {
             kkt_residual,
@@ -261,16 +273,16 @@ impl IterationObserver {
             radius,
             accepted,
         } = info;
-        self.shown = Iteration {
+        self.current = Iteration {
             number,
             value: state.get_cost(),
             x,
             kkt_residual,
             violation,
             radius,
-            kept: accepted,
+            accepted,
         };
-        (self.show)(&self.shown);
+        (self.callback)(&self.current);
     }
 }
 

@@ -1,19 +1,18 @@
-//! A minimiser for smooth functions with exact Hessians, over bounds and nonlinear constraints. It
-//! knows no golf.
+//! Minimisation of smooth functions with exact Hessians, within bounds and nonlinear constraints.
+//! The module contains nothing about golf.
 //!
 //! ```text
 //!   minimise f(x)  subject to  low ≤ x ≤ high  and  least ≤ c(x) ≤ most
 //! ```
 //!
-//! by sequential quadratic programming: at each iterate the quadratic model of the Lagrangian is
-//! minimised over the bounds, the linearised constraints and a box-shaped trust region ([`qp`]: by
-//! the active set of the step before, or by Clarabel, polished so that active bounds are exact),
-//! the step is accepted if the merit falls as the model predicts, and the search ends where the KKT
-//! conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`, run by argmin's
-//! `Executor`.
+//! by sequential quadratic programming (SQP) with a trust region. Each iteration minimises the
+//! quadratic model of the Lagrangian within the bounds, the linearised constraints and a box-shaped
+//! trust region ([`qp`]), and accepts the step if the merit function falls as predicted. The search
+//! ends where the KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`, run
+//! by argmin's `Executor`.
 //!
-//! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by
-//! themselves, or whatever implements [`Problem`], with Hessians or gradients alone.
+//! A problem is a set of [`Functions`] written over a generic number type, which gives exact
+//! derivatives, or any implementation of [`Problem`] with gradients and, optionally, Hessians.
 //!
 //! ```
 //! use longdrive::number::Number;
@@ -54,7 +53,6 @@ mod options;
 mod problem;
 pub mod qp;
 mod quasi_newton;
-mod reduction;
 mod redundant;
 mod restoration;
 mod saddle;
@@ -75,11 +73,11 @@ pub use domain::{Bounds, Domain};
 pub use functions::{Exact, Functions, Gradients, Values};
 pub use kink::Kink;
 pub use minimize::{minimize, minimize_observed};
-pub use multistart::{Follow, Local, Shown, minimize_from, starts};
-pub use observer::{Keep, Observer, Snapshot};
+pub use multistart::{Callback, LocalMinimum, Observers, minimize_from, starts};
+pub use observer::{Observer, SaveSnapshot, Snapshot};
 pub use options::Options;
 pub use problem::{Evaluation, Problem};
 pub use scaling::Residual;
-pub use solution::{Constrained, Iteration, Solution};
+pub use solution::{ConstraintValue, Iteration, Solution};
 pub use state::Effort;
 pub use status::Status;

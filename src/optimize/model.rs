@@ -1,4 +1,4 @@
-//! The quadratic model of the Lagrangian around a point, and the trial step that it leads to.
+//! Quadratic model of the Lagrangian at a point, and the trial step that minimises it.
 
 use super::bundle::Bundle;
 use super::convex::{Convexified, convexify};
@@ -7,51 +7,52 @@ use super::scaling::{Point, Scaling, norm};
 use super::trial_step::{NORMAL_PART, TrialStep};
 use nalgebra::{DMatrix, DVector};
 
-/// The model ½ dᵀB d + ∇f·d subject to c + ∇c·d within its limits, x + d within its bounds and ‖d‖∞
+/// Quadratic model ½ dᵀB d + ∇f·d with c + ∇c·d within its limits, x + d within its bounds and ‖d‖∞
 /// ≤ Δ, in scaled variables.
 pub(super) struct Model<'a> {
     pub scaling: &'a Scaling,
-    pub corners: &'a Bundle,
+    pub kink_sides: &'a Bundle,
     pub point: &'a Point,
     pub multipliers: &'a [f64],
-    /// The Hessian of the Lagrangian in scaled variables, exact or quasi-Newton.
+    /// Hessian of the Lagrangian in scaled variables, exact or quasi-Newton.
     pub hessian: &'a DMatrix<f64>,
-    /// Δ.
+    /// Trust-region radius Δ.
     pub radius: f64,
-    /// The part of its size to which negative curvature is reflected.
+    /// Factor applied to |λ| when a negative eigenvalue λ of the Hessian is reflected.
     pub reflection: f64,
 }
 
-/// Memory that every iteration writes anew, and the solvers of its programs.
+/// Memory reused by all iterations, and the solver of the elastic programs.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Workspace {
-    /// The Hessian of the Lagrangian in scaled variables.
+    /// Hessian of the Lagrangian in scaled variables.
     pub hessian: DMatrix<f64>,
     program: QuadraticProgram,
     feasibility: QpSolver,
 }
 
-/// The step of least violation, and the violation that it leaves of each row: too small a value >
-/// 0, too large a value < 0.
+/// Step of least squared violation, and the violation of each row after it: > 0 below the lower
+/// limit, < 0 above the upper.
 struct LeastViolation {
     step: Step,
     remaining: Vec<f64>,
 }
 
-/// Weight of ½‖d‖² against the squared violations: it keeps the step of least violation short.
+/// Weight of ½‖d‖² beside the squared violations. It makes the step of least violation unique and
+/// short.
 const SHORT: f64 = 1e-8;
-/// Slack for rounding in a relaxed row, which is met with nothing to spare.
+/// Slack for rounding added to relaxed inequality rows.
 const ROUNDING: f64 = 1e-12;
 
 impl Model<'_> {
-    /// Minimises the model. Where the constraints contradict each other within bounds and trust
-    /// region, they are relaxed by the least violation that can be reached.
+    /// Minimises the model. If the linearised constraints are inconsistent within bounds and trust
+    /// region, they are relaxed by the smallest violation that a step can reach.
     pub fn trial_step(&self, solver: &mut QpSolver, workspace: &mut Workspace) -> TrialStep {
-        self.trial_step_for(|j| self.point.f.constraints[j].value, solver, workspace)
+        self.trial_step_with_values(|j| self.point.f.constraints[j].value, solver, workspace)
     }
 
-    /// The second-order correction: the step for the constraint values found at the end of a trial
-    /// step, so that their curvature along it is taken into account (Fletcher 1982).
+    /// Second-order correction (Fletcher 1982): the step for the constraint values at the end of a
+    /// trial step, which include the constraints' curvature.
     pub fn second_order_correction(
         &self,
         tried: &Point,
@@ -63,11 +64,11 @@ impl Model<'_> {
             let linear = self.normal(j).dot(&d) * self.scaling.gamma[j];
             tried.f.constraints[j].value - linear
         };
-        self.trial_step_for(value, solver, workspace)
+        self.trial_step_with_values(value, solver, workspace)
     }
 
-    /// The step for constraints of these values at d = 0.
-    fn trial_step_for(
+    /// Trial step for given constraint values at d = 0.
+    fn trial_step_with_values(
         &self,
         value: impl Fn(usize) -> f64,
         solver: &mut QpSolver,
@@ -84,12 +85,12 @@ impl Model<'_> {
                 (
                     solver
                         .solve(&relaxed)
-                        .unwrap_or_else(|| self.with_multipliers_before(least.step)),
+                        .unwrap_or_else(|| self.with_previous_multipliers(least.step)),
                     true,
                 )
             }
         };
-        let x = self.end_of(&step);
+        let x = self.trial_point(&step);
         let d = self.step_to(&x);
         let mut trial = TrialStep {
             length: step.d.amax(),
@@ -114,8 +115,8 @@ impl Model<'_> {
         trial
     }
 
-    /// A step that has no multipliers of its own, with those of the step before.
-    fn with_multipliers_before(&self, step: Step) -> Step {
+    /// Gives a step without multipliers those of the previous iteration.
+    fn with_previous_multipliers(&self, step: Step) -> Step {
         let multipliers = self
             .multipliers
             .iter()
@@ -129,8 +130,8 @@ impl Model<'_> {
         }
     }
 
-    /// Writes the program in scaled variables: the term of the point itself, those of other sides
-    /// of corners nearby, and the linearised constraints.
+    /// Writes the quadratic program in scaled variables: the term of the point itself, the terms of
+    /// nearby kinks' other sides, and the linearised constraints.
     fn write_program(
         &self,
         value: impl Fn(usize) -> f64,
@@ -152,7 +153,7 @@ impl Model<'_> {
             .for_each(|(i, slope)| *slope = point.f.objective.gradient[i] * scaling.scale[i]);
         program
             .max_terms
-            .extend(self.corners.max_terms(scaling, point, self.hessian));
+            .extend(self.kink_sides.max_terms(scaling, point, self.hessian));
 
         for i in 0..n {
             (program.low[i], program.high[i]) = self.step_bounds(i);
@@ -170,7 +171,7 @@ impl Model<'_> {
         convexified
     }
 
-    /// The limits of a step of a variable: its bounds and the trust region.
+    /// Limits of one component of the step: bounds and trust region.
     fn step_bounds(&self, i: usize) -> (f64, f64) {
         let bounds = &self.scaling.domain.variables;
         let limit = |bound: f64| {
@@ -180,7 +181,7 @@ impl Model<'_> {
         (limit(bounds.low[i]), limit(bounds.high[i]))
     }
 
-    /// The limits of a linearised constraint whose value at d = 0 is this.
+    /// Limits of row j, for a constraint with this value at d = 0.
     fn row_limits(&self, j: usize, value: f64) -> (f64, f64) {
         let (limits, gamma) = (&self.scaling.domain.constraints, self.scaling.gamma[j]);
         let low = (limits.low[j] - value) / gamma;
@@ -192,25 +193,25 @@ impl Model<'_> {
         (low, high)
     }
 
-    /// The step of least squared violation in the normal part of the trust region. Where to second
-    /// order that step would raise the violation (from wall to wall of a narrow valley, say), the
-    /// curvature of the constraints is added.
+    /// Step of least squared violation within the normal part of the trust region. If the
+    /// second-order model of the violation rises along it (from wall to wall of a narrow valley,
+    /// say), the curvature of the constraints is added and the step computed again.
     fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> LeastViolation {
         let (n, m) = (program.low.len(), program.rows.len());
         let mut elastic = elastic(program, NORMAL_PART * self.radius);
         let mut solve = |elastic: &QuadraticProgram| {
             solver.active_set = None;
-            solver.solve(elastic).unwrap_or_else(|| none(n + m, m))
+            solver.solve(elastic).unwrap_or_else(|| zero_step(n + m, m))
         };
         let mut step = solve(&elastic);
         let squares = |d: &DVector<f64>| 0.5 * d.rows(n, m).norm_squared();
         let before = 0.5 * norm(self.scaling.violations(&self.point.f)).powi(2);
-        if let Some(bend) = self.violation_curvature()
-            && squares(&step.d) + 0.5 * quadratic_form(&bend, &step.d.rows(0, n).into_owned())
+        if let Some(curvature) = self.violation_curvature()
+            && squares(&step.d) + 0.5 * quadratic_form(&curvature, &step.d.rows(0, n).into_owned())
                 > before
         {
-            let mut corner = elastic.hessian.view_mut((0, 0), (n, n));
-            corner += bend;
+            let mut block = elastic.hessian.view_mut((0, 0), (n, n));
+            block += curvature;
             step = solve(&elastic);
         }
         step.d = step.d.rows(0, n).into_owned();
@@ -223,9 +224,8 @@ impl Model<'_> {
         LeastViolation { step, remaining }
     }
 
-    /// Σ vⱼ ∇²cⱼ, the part of the Hessian of ½‖v‖² that comes from curvature (in scaled variables),
-    /// as far as it is positive; `None` where a constraint gives no Hessian, and where the sum
-    /// vanishes.
+    /// Positive semidefinite part of Σ vⱼ ∇²cⱼ, the curvature term of the Hessian of ½‖v‖², in
+    /// scaled variables. `None` if a constraint has no Hessian, or if the sum is zero.
     fn violation_curvature(&self) -> Option<DMatrix<f64>> {
         let Self { scaling, point, .. } = *self;
         let n = point.x.len();
@@ -252,9 +252,9 @@ impl Model<'_> {
         Some(&eigen.eigenvectors * raised * eigen.eigenvectors.transpose())
     }
 
-    /// Corrects the multipliers of active rows for the raised Hessian. The raise pulls a step back
-    /// along each normal in proportion to the step's part along it, and the multipliers are too
-    /// small by this pull.
+    /// Corrects the multipliers of active rows for the raised Hessian. The raise adds a gradient
+    /// along each active normal, proportional to the step's component there, and the multipliers
+    /// absorb it; this restores the multipliers of the unraised model.
     fn correct_multipliers(
         &self,
         raise: f64,
@@ -272,7 +272,7 @@ impl Model<'_> {
                 continue;
             }
             let own = before + raise * normal.dot(d) / (square * self.scaling.gamma[j]);
-            // that of an inequality keeps its sign
+            // a multiplier of an inequality keeps its sign
             trial.multipliers[j] = if is_equation || own * before > 0.0 {
                 own
             } else {
@@ -281,7 +281,7 @@ impl Model<'_> {
         }
     }
 
-    /// The gradient of a constraint, in scaled variables and units of γ.
+    /// Gradient of constraint j, in scaled variables and units of γ.
     fn normal(&self, j: usize) -> DVector<f64> {
         let gradient = &self.point.f.constraints[j].gradient;
         DVector::from_fn(gradient.len(), |i, _| {
@@ -315,8 +315,8 @@ impl Model<'_> {
             .collect()
     }
 
-    /// What the model says f falls by. Where there is one term, with the true Hessian: the raised
-    /// curvature of the convex stand-in along the normals of constraints is not that of f.
+    /// Predicted reduction of f. With a single term it uses the exact Hessian: the convexified one
+    /// has raised curvature along the normals of constraints.
     fn objective_reduction(&self, program: &QuadraticProgram, d: &DVector<f64>) -> f64 {
         if program.max_terms.len() > 1 {
             return -program.value(d);
@@ -324,17 +324,17 @@ impl Model<'_> {
         -(program.max_terms[0].gradient.dot(d) + 0.5 * quadratic_form(self.hessian, d))
     }
 
-    /// The point at the end of a step.
-    fn end_of(&self, step: &Step) -> Vec<f64> {
+    /// Trial point at the end of a step.
+    fn trial_point(&self, step: &Step) -> Vec<f64> {
         (0..self.point.x.len())
-            .map(|i| self.end_of_variable(step, i))
+            .map(|i| self.trial_coordinate(step, i))
             .collect()
     }
 
-    fn end_of_variable(&self, step: &Step, i: usize) -> f64 {
+    fn trial_coordinate(&self, step: &Step, i: usize) -> f64 {
         let (bounds, scale) = (&self.scaling.domain.variables, self.scaling.scale[i]);
         let (x, d, low, high) = (self.point.x[i], step.d[i], bounds.low[i], bounds.high[i]);
-        // a bound over the scale, times the scale, may fall short of the bound by rounding
+        // rounding of bound / scale × scale may end short of the bound
         let nearly = 1.0 - 4.0 * f64::EPSILON;
         let to = x + d * scale;
         match step.sides[i] {
@@ -344,7 +344,7 @@ impl Model<'_> {
         }
     }
 
-    /// d of the way to a point, in scaled variables.
+    /// Step d to a point, in scaled variables.
     fn step_to(&self, x: &[f64]) -> DVector<f64> {
         DVector::from_fn(x.len(), |i, _| {
             (x[i] - self.point.x[i]) / self.scaling.scale[i]
@@ -352,8 +352,8 @@ impl Model<'_> {
     }
 }
 
-/// The step that stays where it is.
-fn none(variables: usize, rows: usize) -> Step {
+/// Zero step.
+fn zero_step(variables: usize, rows: usize) -> Step {
     Step {
         d: DVector::zeros(variables),
         sides: vec![Side::Inactive; variables],
@@ -363,9 +363,9 @@ fn none(variables: usize, rows: usize) -> Step {
     }
 }
 
-/// The program of least squared violation ½‖e‖² + ½ SHORT ‖d‖² with a variable eⱼ for the violation
-/// of each row, for steps up to this reach.
-fn elastic(program: &QuadraticProgram, reach: f64) -> QuadraticProgram {
+/// Elastic program: minimises ½‖e‖² + ½ SHORT ‖d‖² with a variable eⱼ for the violation of each row
+/// and |d| up to `reach`.
+fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     let (n, m) = (program.low.len(), program.rows.len());
     let wide = |j: usize| {
         let row = &program.rows[j];
@@ -373,8 +373,9 @@ fn elastic(program: &QuadraticProgram, reach: f64) -> QuadraticProgram {
         normal[n + j] = 1.0;
         Row { normal, ..*row }
     };
-    let far =
-        |row: &Row| row.low.max(0.0).max(-row.high.min(0.0)) + row.normal.abs().sum() * reach + 1.0;
+    let far = |row: &Row| {
+        row.low.max(0.0).max(-row.high.min(0.0)) + row.normal.abs().sum() * radius + 1.0
+    };
     let farthest = program.rows.iter().map(far).fold(1.0, f64::max);
     QuadraticProgram {
         hessian: DMatrix::from_diagonal(&DVector::from_fn(
@@ -387,14 +388,14 @@ fn elastic(program: &QuadraticProgram, reach: f64) -> QuadraticProgram {
         }],
         low: DVector::from_fn(n + m, |i, _| {
             if i < n {
-                program.low[i].max(-reach)
+                program.low[i].max(-radius)
             } else {
                 -farthest
             }
         }),
         high: DVector::from_fn(n + m, |i, _| {
             if i < n {
-                program.high[i].min(reach)
+                program.high[i].min(radius)
             } else {
                 farthest
             }
@@ -403,7 +404,7 @@ fn elastic(program: &QuadraticProgram, reach: f64) -> QuadraticProgram {
     }
 }
 
-/// The program with its rows relaxed by the violations that remain.
+/// Relaxes the rows of a program by the remaining violations.
 fn relaxed(program: &QuadraticProgram, remaining: &[f64]) -> QuadraticProgram {
     let mut relaxed = program.clone();
     for (row, remaining) in relaxed.rows.iter_mut().zip(remaining) {
@@ -418,7 +419,7 @@ fn relaxed(program: &QuadraticProgram, remaining: &[f64]) -> QuadraticProgram {
     relaxed
 }
 
-/// The Hessian of the Lagrangian in scaled variables, if every function gives its own.
+/// Hessian of the Lagrangian in scaled variables; `None` if a function has no Hessian.
 pub(super) fn lagrangian_hessian(
     scaling: &Scaling,
     at: &Point,
@@ -428,7 +429,7 @@ pub(super) fn lagrangian_hessian(
     write_lagrangian_hessian(scaling, at, multipliers, &mut sum).then_some(sum)
 }
 
-/// As [`lagrangian_hessian`], written over a matrix; whether there is one.
+/// Writes the Hessian of the Lagrangian to `sum`; returns `false` if a function has no Hessian.
 pub(super) fn write_lagrangian_hessian(
     scaling: &Scaling,
     at: &Point,
@@ -448,7 +449,7 @@ pub(super) fn write_lagrangian_hessian(
         if weight == 0.0 {
             continue;
         }
-        // the matrix is symmetric: its columns are the rows
+        // symmetric matrix: columns equal rows
         for (column, row) in sum
             .as_mut_slice()
             .chunks_exact_mut(n)
@@ -457,7 +458,7 @@ pub(super) fn write_lagrangian_hessian(
             column
                 .iter_mut()
                 .zip(row)
-                .for_each(|(sum, bend)| *sum += weight * bend);
+                .for_each(|(sum, curvature)| *sum += weight * curvature);
         }
     }
     for (column, own) in sum.as_mut_slice().chunks_exact_mut(n).zip(&scaling.scale) {

@@ -1,4 +1,4 @@
-//! Local searches from many starts: the local optima they end at, best first.
+//! Multistart: local searches from many starting points, and the distinct local optima.
 
 use super::checkpoint::{Checkpoint, Run};
 use super::domain::Domain;
@@ -15,42 +15,42 @@ use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A local optimum, and how many starts lead to it.
+/// A local optimum, and the starts whose searches ended there.
 #[derive(Clone, Debug)]
-pub struct Local {
-    /// The optimum.
+pub struct LocalMinimum {
+    /// Result of the search.
     pub solution: Solution,
-    /// The starts that ended here, by number; those that were stopped before they had a value are
-    /// together.
+    /// Numbers of the starts that ended here. Starts interrupted before their first evaluation are
+    /// grouped.
     pub starts: Vec<usize>,
 }
 
-/// Shows something of the search of this number.
-pub type Shown<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
+/// Receives the number of a search and an item.
+pub type Callback<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
 
-/// Who follows searches that run side by side.
+/// Callbacks, interrupt flag and checkpoint of searches that run in parallel.
 #[derive(Clone, Default)]
-pub struct Follow {
-    /// Is shown every iteration, with the start's number.
-    pub iteration: Option<Shown<Iteration>>,
-    /// Is shown the end of every search, with the start's number.
-    pub end: Option<Shown<Solution>>,
-    /// Ends all searches, with the best points so far, once it is true.
+pub struct Observers {
+    /// Called after every iteration, with the number of the start.
+    pub iteration: Option<Callback<Iteration>>,
+    /// Called at the end of every search, with the number of the start.
+    pub end: Option<Callback<Solution>>,
+    /// Interrupt flag: once true, all searches end with their best points so far.
     pub interrupt: Arc<AtomicBool>,
-    /// Keeps the searches, and knows those that were kept before.
+    /// Saves the searches, and resumes those saved before.
     pub checkpoint: Option<Arc<Checkpoint>>,
 }
 
-/// Optima closer than this in every variable, in units of its scale, are one.
+/// Optima closer than this in every variable, in units of its scale, count as equal.
 const SAME: f64 = 1e-6;
 
-/// Starts spread evenly over the bounds: the one given, then points of Sobol's sequence, scrambled
-/// (Owen 1995; Burley 2020). Where a variable has no end, the spread reaches as far from the start
-/// as its scale.
+/// Starts spread evenly over the bounds: the given one, then points of the scrambled Sobol sequence
+/// (Owen 1995; Burley 2020). A variable without a bound is spread over its scale on that side of
+/// the start.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for more starts or variables than the sequence has, and for a domain or a
-/// start that makes no sense.
+/// [`Error::Optimizer`] for more starts or variables than the sequence has, and for an invalid
+/// domain or start.
 pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
     domain.check(start)?;
     let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
@@ -80,28 +80,29 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
         .collect())
 }
 
-/// Searches from every start, side by side; the local optima found, best first, then what ended
-/// otherwise. The order does not depend on how many threads there are.
+/// Searches from every start in parallel. Returns the distinct local optima, best first, then other
+/// results. The order does not depend on the number of threads.
 ///
 /// # Errors
-/// As [`minimize`](super::minimize()); [`Error::Optimizer`] without starts, and for a checkpoint of
-/// another problem.
+/// Errors of [`minimize`](super::minimize()); [`Error::Optimizer`] without starts, and for a
+/// checkpoint of another problem.
 pub fn minimize_from(
     problem: &(dyn Problem + Sync),
     domain: &Domain,
     starts: &[Vec<f64>],
     options: &Options,
-    follow: &Follow,
-) -> Result<Vec<Local>> {
+    observers: &Observers,
+) -> Result<Vec<LocalMinimum>> {
     if starts.is_empty() {
         return Err(Error::Optimizer(
             "there are no starts to search from".into(),
         ));
     }
-    let search =
-        |(number, start): (usize, &Vec<f64>)| one(problem, domain, start, options, follow, number);
+    let search = |(number, start): (usize, &Vec<f64>)| {
+        one(problem, domain, start, options, observers, number)
+    };
     let solutions = match starts {
-        // nothing to share: no threads are started
+        // a single search starts no threads
         [only] => vec![search((0, only))?],
         _ => starts
             .par_iter()
@@ -117,104 +118,104 @@ fn one(
     domain: &Domain,
     start: &[f64],
     options: &Options,
-    follow: &Follow,
+    observers: &Observers,
     number: usize,
 ) -> Result<Solution> {
-    let kept = follow
+    let saved = observers
         .checkpoint
         .as_ref()
         .and_then(|checkpoint| checkpoint.run(number));
-    let resume = match kept {
-        Some(Run::Done(solution)) if !solution.is_of(domain) => return Err(other_problem()),
+    let resume = match saved {
+        Some(Run::Done(solution)) if !solution.fits(domain) => return Err(other_problem()),
         Some(Run::Done(solution)) => {
-            if let Some(end) = &follow.end {
+            if let Some(end) = &observers.end {
                 end(number, &solution);
             }
             return Ok(*solution);
         }
-        Some(Run::Going(snapshot)) => Some(*snapshot),
+        Some(Run::Unfinished(snapshot)) => Some(*snapshot),
         None => None,
     };
-    if follow.interrupt.load(Ordering::Relaxed) {
-        return Ok(Solution::not_begun(domain, start.to_vec()));
+    if observers.interrupt.load(Ordering::Relaxed) {
+        return Ok(Solution::interrupted_at_start(domain, start.to_vec()));
     }
     let mut observer = Observer {
-        interrupt: follow.interrupt.clone(),
+        interrupt: observers.interrupt.clone(),
         resume,
         ..Observer::default()
     };
-    if let Some(show) = follow.iteration.clone() {
+    if let Some(show) = observers.iteration.clone() {
         observer.iteration = Box::new(move |iteration| show(number, iteration));
     }
-    if let Some(checkpoint) = follow.checkpoint.clone() {
-        observer.keep = Some(Box::new(move |snapshot| {
-            checkpoint.keep(number, Run::Going(Box::new(snapshot.clone())))
+    if let Some(checkpoint) = observers.checkpoint.clone() {
+        observer.save = Some(Box::new(move |snapshot| {
+            checkpoint.save(number, Run::Unfinished(Box::new(snapshot.clone())))
         }));
     }
     let solution = minimize_observed(problem, domain, start, options, observer)?;
-    if let Some(checkpoint) = &follow.checkpoint
+    if let Some(checkpoint) = &observers.checkpoint
         && !matches!(
             solution.status,
             Status::Interrupted | Status::IterationLimit
         )
     {
-        checkpoint.keep(number, Run::Done(Box::new(solution.clone())))?;
+        checkpoint.save(number, Run::Done(Box::new(solution.clone())))?;
     }
-    if let Some(end) = &follow.end {
+    if let Some(end) = &observers.end {
         end(number, &solution);
     }
     Ok(solution)
 }
 
-/// The distinct ends of searches, best first.
-fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
-    let mut locals: Vec<Local> = vec![];
+/// Groups equal results and sorts them, best first.
+fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
+    let mut locals: Vec<LocalMinimum> = vec![];
     for (number, solution) in solutions.into_iter().enumerate() {
         let scale = domain.variables.scale(&solution.x);
-        let is_same = |local: &Local| {
-            // of what was stopped before it had a value nothing is known to tell it apart by
+        let is_same = |local: &LocalMinimum| {
+            // searches interrupted before their first evaluation are equal
             if solution.value.is_none() && solution.status == Status::Interrupted {
                 return local.solution.value.is_none()
                     && local.solution.status == Status::Interrupted;
             }
-            let mut apart = local
+            let mut distances = local
                 .solution
                 .x
                 .iter()
                 .zip(&solution.x)
                 .zip(&scale)
                 .map(|((a, b), s)| ((a - b) / s).abs());
-            local.solution.status == solution.status && apart.all(|apart| apart <= SAME)
+            local.solution.status == solution.status && distances.all(|distance| distance <= SAME)
         };
         match locals.iter_mut().find(|local| is_same(local)) {
             Some(local) => {
                 local.starts.push(number);
-                // of the same optimum, the sharper
+                // keep the more accurate of two equal optima
                 if solution.kkt_residual < local.solution.kkt_residual {
                     local.solution = solution;
                 }
             }
-            None => locals.push(Local {
+            None => locals.push(LocalMinimum {
                 solution,
                 starts: vec![number],
             }),
         }
     }
-    let rank = |local: &Local| match local.solution.status {
+    let rank = |local: &LocalMinimum| match local.solution.status {
         Status::Converged | Status::StalledAtKink => 0,
         Status::Stalled | Status::IterationLimit | Status::Interrupted => 1,
         Status::Infeasible => 2,
         Status::Unbounded => 3,
         Status::Undefined => 4,
     };
-    let value = |local: &Local| local.solution.value.unwrap_or(f64::MAX);
+    let value = |local: &LocalMinimum| local.solution.value.unwrap_or(f64::MAX);
     let steepest = steepest(domain, &locals);
-    // of points that do not meet the constraints, the nearest to it
-    let missed = |local: &Local| match local.solution.status {
+    // among infeasible points the smallest violation comes first
+    let missed = |local: &LocalMinimum| match local.solution.status {
         Status::Infeasible => missed_by(&local.solution, &steepest),
         _ => 0.0,
     };
-    let order = |a: &Local, b: &Local| {
+    let order = |a: &LocalMinimum, b: &LocalMinimum| {
         let nearer = || missed(a).total_cmp(&missed(b));
         rank(a)
             .cmp(&rank(b))
@@ -225,12 +226,12 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
     locals
 }
 
-/// The steepest slope of each constraint at the ends of all searches, over the scales of the
-/// variables: each search measures by the slopes at its own start, which cannot be compared. 1
-/// where none is known.
-fn steepest(domain: &Domain, locals: &[Local]) -> Vec<f64> {
+/// Largest scaled derivative of each constraint at the results of all searches (1 if unknown): a
+/// common unit of violation. The units of the single searches differ, because each comes from its
+/// own start.
+fn steepest(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
     let mut steepest = vec![0.0_f64; domain.constraints.dimension()];
-    for Local { solution, .. } in locals {
+    for LocalMinimum { solution, .. } in locals {
         let scale = domain.variables.scale(&solution.x);
         for (most, row) in steepest.iter_mut().zip(&solution.jacobian) {
             *most = row.iter().zip(&scale).fold(*most, |most, (slope, scale)| {
@@ -244,7 +245,7 @@ fn steepest(domain: &Domain, locals: &[Local]) -> Vec<f64> {
         .collect()
 }
 
-/// How far a solution is from meeting its constraints, each over a size of its own.
+/// Sum of squared violations of a solution, in units of `sizes`.
 fn missed_by(solution: &Solution, sizes: &[f64]) -> f64 {
     solution
         .constraints

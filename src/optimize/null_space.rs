@@ -1,25 +1,25 @@
 use nalgebra::DMatrix;
 
-/// An orthonormal basis of the vectors that every row of a matrix is normal to.
+/// Orthonormal basis of the null space of a matrix.
 pub(super) fn null_space(rows: &DMatrix<f64>) -> DMatrix<f64> {
     let n = rows.ncols();
     if n == 0 {
         return DMatrix::zeros(0, 0);
     }
-    let across = (rows.transpose() * rows).symmetric_eigen();
-    let largest = across
+    let gram = (rows.transpose() * rows).symmetric_eigen();
+    let largest = gram
         .eigenvalues
         .iter()
         .fold(f64::MIN_POSITIVE, |most, value| value.max(most));
-    let kept: Vec<usize> = (0..n)
-        .filter(|&k| across.eigenvalues[k] <= 1e-14 * largest)
+    let kernel: Vec<usize> = (0..n)
+        .filter(|&k| gram.eigenvalues[k] <= 1e-14 * largest)
         .collect();
-    across.eigenvectors.select_columns(&kept)
+    gram.eigenvectors.select_columns(&kernel)
 }
 
-/// An orthonormal basis of the moves of `n` variables that leave all but the free ones where they
-/// are and that every row, over the free ones, is normal to.
-pub(super) fn free_moves(n: usize, free: &[usize], rows: &DMatrix<f64>) -> DMatrix<f64> {
+/// Orthonormal basis of the directions that keep all variables but the `free` ones fixed and lie in
+/// the null space of `rows`, a matrix over the free variables.
+pub(super) fn tangent_basis(n: usize, free: &[usize], rows: &DMatrix<f64>) -> DMatrix<f64> {
     let basis = null_space(rows);
     let row = |i: usize| free.iter().position(|&f| f == i);
     DMatrix::from_fn(n, basis.ncols(), |i, k| {

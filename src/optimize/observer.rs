@@ -1,5 +1,4 @@
-//! What follows a search from outside: shown its iterations, able to stop it, and given its state
-//! to keep.
+//! Observer of a search: receives its iterations and snapshots, and can interrupt it.
 
 use super::domain::Domain;
 use super::solution::Iteration;
@@ -9,24 +8,24 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Follows a search: is shown its iterations, may stop it, and may store its state.
+/// Receives the iterations of a search, can interrupt it, and can save and resume its state.
 pub struct Observer {
-    /// Is shown every iteration.
+    /// Called after every iteration.
     pub iteration: Box<dyn FnMut(&Iteration)>,
-    /// Ends the search, with the best point so far, once it is true: before the next evaluation, or
-    /// within one that [looks at it](super::Problem::evaluate).
+    /// Interrupt flag: once true, the search ends with the best point so far, before the next
+    /// evaluation or within one that [checks the flag](super::Problem::evaluate).
     pub interrupt: Arc<AtomicBool>,
-    /// Is given the search after every iteration, to keep it.
-    pub keep: Option<Box<Keep>>,
-    /// A search that was kept, to go on with.
+    /// Called after every iteration with a snapshot to save.
+    pub save: Option<Box<SaveSnapshot>>,
+    /// Snapshot to resume from.
     pub resume: Option<Snapshot>,
 }
 
-/// Keeps a search, or says why it cannot.
-pub type Keep = dyn FnMut(&Snapshot) -> Result<()>;
+/// Saves a snapshot.
+pub type SaveSnapshot = dyn FnMut(&Snapshot) -> Result<()>;
 
 impl Observer {
-    /// Shows every iteration.
+    /// Observer that passes every iteration to a closure.
     pub fn showing(iteration: impl FnMut(&Iteration) + 'static) -> Self {
         Self {
             iteration: Box::new(iteration),
@@ -40,14 +39,14 @@ impl Default for Observer {
         Self {
             iteration: Box::new(|_| ()),
             interrupt: Arc::default(),
-            keep: None,
+            save: None,
             resume: None,
         }
     }
 }
 
-/// A search between two iterations: going on from it ends as the search itself would have, bit by
-/// bit.
+/// Complete state of a search between two iterations. A search resumed from it gives the same bits
+/// as one that was never stopped.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Snapshot {
     pub(super) iterations: u64,
@@ -55,14 +54,14 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
-    /// Iterations done.
+    /// Number of completed iterations.
     pub fn iterations(&self) -> u64 {
         self.iterations
     }
 
-    /// Whether it has the shape of a problem over this domain.
-    pub(super) fn is_of(&self, domain: &Domain) -> bool {
+    /// True if the dimensions fit this domain.
+    pub(super) fn fits(&self, domain: &Domain) -> bool {
         let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());
-        self.progress.is_of(n, m)
+        self.progress.has_dimensions(n, m)
     }
 }

@@ -1,17 +1,16 @@
 use crate::error::{Error, Result};
 
-/// Settings of the search, each with its default.
+/// Options of a search, with their defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Most iterations (500).
+    /// Maximum number of iterations (500).
     pub max_iterations: u64,
-    /// Largest KKT residual at which the search has converged, relative (1e-10): see
-    /// [`status`](super::status).
+    /// Largest relative KKT residual of a converged search (1e-10): see [`status`](super::status).
     pub kkt_tolerance: f64,
-    /// First size of the trust region, in units of [`Bounds::scale`](super::Bounds::scale) (0.5):
-    /// half the box to each side.
+    /// Initial trust-region radius, in units of [`Bounds::scale`](super::Bounds::scale) (0.5: half
+    /// the box to each side).
     pub initial_radius: f64,
-    /// Points tried for a start where f is not defined at the one given (64).
+    /// Number of other points tried if f is undefined at the start (64).
     pub start_trials: u32,
 }
 

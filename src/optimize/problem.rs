@@ -1,19 +1,20 @@
 use crate::number::Taylor;
 use crate::units::counted;
 
-/// What is minimised, and what is held between limits: one method, giving every function with its
-/// derivatives.
+/// Objective and constraint functions of an optimization problem. One method evaluates all
+/// functions with their derivatives.
 ///
-/// [`Exact`](super::Exact) makes one of [`Functions`](super::Functions) written over any number. A
-/// problem may leave Hessians empty: the search then builds its own from gradients, and needs more
-/// iterations.
+/// [`Exact`](super::Exact) implements it for [`Functions`](super::Functions) written over any
+/// number. Hessians may be empty: the search then builds a quasi-Newton Hessian from gradients, and
+/// needs more iterations.
 pub trait Problem {
-    /// The functions and their derivatives at `x`; where they are not defined, the reason.
+    /// The functions and their derivatives at `x`.
     ///
     /// # Errors
-    /// A sentence saying why there is no value at `x`. The search then steps back. Where its
-    /// [`interrupt`](super::Observer::interrupt) is true by then, it ends instead, with the point
-    /// before: an evaluation that takes long may look at the same flag, and fail once it is true.
+    /// The reason, in a sentence, why the functions have no value at `x`. The search then shortens
+    /// its step. If its [`interrupt`](super::Observer::interrupt) flag is set by then, the search
+    /// ends at the previous iterate instead: a long evaluation may check the same flag, and return
+    /// an error once it is set.
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String>;
 }
 
@@ -23,18 +24,18 @@ impl<F: Fn(&[f64]) -> std::result::Result<Evaluation, String>> Problem for F {
     }
 }
 
-/// The functions of a problem at a point.
+/// All functions of a problem at a point.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Evaluation {
-    /// f.
+    /// Objective f.
     pub objective: Taylor,
-    /// c₁ … cₘ.
+    /// Constraint functions c₁ … cₘ.
     pub constraints: Vec<Taylor>,
 }
 
 impl Evaluation {
-    /// Whether its derivatives are those of `n` variables, with `m` constraints.
-    pub(super) fn is_of(&self, n: usize, m: usize) -> bool {
+    /// True if the dimensions fit `n` variables and `m` constraints.
+    pub(super) fn has_dimensions(&self, n: usize, m: usize) -> bool {
         let is_square = |rows: &[Vec<f64>]| {
             rows.is_empty() || rows.len() == n && rows.iter().all(|row| row.len() == n)
         };
@@ -44,7 +45,7 @@ impl Evaluation {
                 .all(|function| function.gradient.len() == n && is_square(&function.hessian))
     }
 
-    /// The evaluation, if it is of `n` variables and `m` constraints and finite.
+    /// Checks dimensions (`n` variables, `m` constraints) and that all numbers are finite.
     pub(super) fn checked(self, n: usize, m: usize) -> std::result::Result<Self, String> {
         if self.constraints.len() != m {
             let functions = counted(self.constraints.len() as u64, "constraint function");
@@ -74,7 +75,7 @@ impl Evaluation {
         }
     }
 
-    /// f, c₁ … cₘ.
+    /// The objective, then the constraint functions.
     fn functions(&self) -> impl Iterator<Item = &Taylor> {
         std::iter::once(&self.objective).chain(&self.constraints)
     }

@@ -2,8 +2,8 @@ use super::scaling::{Point, Scaling};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// A quasi-Newton Hessian of the Lagrangian, in scaled variables, for a problem that gives
-/// gradients alone. It stays positive definite.
+/// Quasi-Newton Hessian of the Lagrangian, in scaled variables, for a problem without Hessians. It
+/// stays positive definite.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct QuasiNewton {
     rows: Vec<Vec<f64>>,
@@ -11,7 +11,7 @@ pub(super) struct QuasiNewton {
 }
 
 impl QuasiNewton {
-    /// The Hessian to begin with: f changes by its slope over the whole scale.
+    /// Initial Hessian: the identity times the largest scaled derivative of f.
     pub fn initial(scaling: &Scaling, at: &Point) -> Self {
         let n = at.x.len();
         let slope = scaling
@@ -23,8 +23,8 @@ impl QuasiNewton {
         }
     }
 
-    /// Whether it is one of `n` variables.
-    pub fn is_of(&self, n: usize) -> bool {
+    /// True if the dimensions fit `n` variables.
+    pub fn has_dimensions(&self, n: usize) -> bool {
         self.rows.len() == n && self.rows.iter().all(|row| row.len() == n)
     }
 
@@ -33,7 +33,7 @@ impl QuasiNewton {
         DMatrix::from_fn(n, n, |i, j| self.rows[i][j])
     }
 
-    /// The damped BFGS update after a step (Powell 1978; Nocedal & Wright 2006, procedure 18.2).
+    /// Damped BFGS update after a step (Powell 1978; Nocedal & Wright 2006, procedure 18.2).
     pub fn update(&mut self, scaling: &Scaling, from: &Point, to: &Point, multipliers: &[f64]) {
         let n = from.x.len();
         let (start, end) = (
@@ -50,7 +50,7 @@ impl QuasiNewton {
         let curvature = s.dot(&y);
         let initial = y.norm_squared() / curvature;
         let before = if is_first && curvature > 0.0 && initial.is_finite() {
-            // the curvature that the first step saw (Nocedal & Wright 2006, eq. 6.20)
+            // curvature along the first step (Nocedal & Wright 2006, eq. 6.20)
             DMatrix::identity(n, n) * initial
         } else {
             self.matrix()

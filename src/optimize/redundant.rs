@@ -1,20 +1,19 @@
-//! Bounds that a constraint makes redundant. Where the gradient of a constraint is parallel to that
-//! of an active bound, huge multipliers of both can balance any slope of f: the KKT residual
-//! vanishes, and yet f falls along the constraint.
+//! Bounds that a constraint makes redundant. If the gradient of a constraint is parallel to the
+//! normal of an active bound, huge multipliers of both can balance any gradient of f: the KKT
+//! residual vanishes although f falls along the constraint.
 
 use super::state::{Evaluate, State};
 use argmin::core::Error;
 
-/// A multiplier above so many slopes of f says nothing of a KKT point.
+/// A multiplier larger than this, relative to the gradient of f, does not prove a KKT point.
 const HUGE: f64 = 1e6;
-/// Redundant bounds crossed before a search ends at one.
+/// Maximum number of steps across redundant bounds in a search.
 const MOST_CROSSINGS: u32 = 10;
-/// Steps along the constraint, in units of the scale: from the first on, each a quarter of the one
-/// before.
+/// First step along the constraint, in units of the scale; each following one is a quarter of it.
 const FIRST_STEP: f64 = 0.25;
 const STEPS: u32 = 8;
 
-/// An active bound and the constraint whose huge multiplier balances its own.
+/// An active bound and the constraint whose huge multiplier it balances.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RedundantBound {
     pub variable: usize,
@@ -23,13 +22,13 @@ pub(super) struct RedundantBound {
 }
 
 impl State {
-    /// A constraint with a huge multiplier, and the active bound that takes most of its pull.
+    /// Finds the constraint with a huge multiplier and the active bound that balances most of it.
     pub fn redundant_bound(&self) -> Option<RedundantBound> {
         let slope = self
             .scaling
             .largest(self.point.f.objective.gradient.iter().copied());
-        let most = HUGE * slope.max(self.scaling.first_size.min(1.0) * f64::EPSILON);
-        let pull = |i: usize, j: usize| {
+        let most = HUGE * slope.max(self.scaling.initial_size.min(1.0) * f64::EPSILON);
+        let normal_force = |i: usize, j: usize| {
             let constraint = &self.point.f.constraints[j];
             (self.multipliers[j] * constraint.gradient[i] * self.scaling.scale[i]).abs()
         };
@@ -37,8 +36,8 @@ impl State {
             (0..self.point.x.len()).filter(|&i| self.scaling.is_at_a_bound(&self.point, i));
         let pairs = bounds.flat_map(|i| (0..self.multipliers.len()).map(move |j| (i, j)));
         let (variable, constraint) = pairs
-            .filter(|&(i, j)| pull(i, j) > most)
-            .max_by(|a, b| pull(a.0, a.1).total_cmp(&pull(b.0, b.1)))?;
+            .filter(|&(i, j)| normal_force(i, j) > most)
+            .max_by(|a, b| normal_force(a.0, a.1).total_cmp(&normal_force(b.0, b.1)))?;
         Some(RedundantBound {
             variable,
             constraint,
@@ -46,9 +45,9 @@ impl State {
         })
     }
 
-    /// Goes on from a lower point across the bound's contact: down the slope of f in the other
-    /// variables, then back onto the constraints. Whether there is one.
-    pub fn cross_redundant_bound(
+    /// Steps down the gradient of f in the other variables, then back onto the constraints. Returns
+    /// true, with the search restarted there, if the new point has a lower objective.
+    pub fn step_across_bound(
         &mut self,
         pair: &RedundantBound,
         evaluate: &mut Evaluate<'_>,
@@ -81,10 +80,10 @@ impl State {
                 .map(|(i, x)| x + step * direction[i] * self.scaling.scale[i])
                 .collect();
             let moved = self.scaling.domain.variables.project(&moved);
-            let restored = self.least_violated(moved, evaluate)?;
+            let restored = self.minimize_violation(moved, evaluate)?;
             if let Some((least, x)) = restored
                 && least <= violation.max(1e-8)
-                && let Some(point) = self.evaluated(x, evaluate)?
+                && let Some(point) = self.evaluate_at(x, evaluate)?
                 && point.f.objective.value < value
             {
                 self.restart_at(point, step);

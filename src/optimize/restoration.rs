@@ -1,9 +1,9 @@
-//! Looking elsewhere for a point that meets the constraints.
+//! Feasibility restoration from other points of the box.
 //!
-//! Where the linearised constraints show no step that lowers the violation, and its curvature shows
-//! none either, that may be a minimum of the violation, or a place where slope and curvature vanish
-//! together. Neither says that the constraints contradict each other: a minimum of the violation
-//! may be a local one. So the violation is minimised from other points too before that is said.
+//! If no step of the linearised constraints, and no negative curvature, reduces the violation, the
+//! point may be a local minimum of the violation, or a point where gradient and curvature vanish
+//! together. Neither proves that the constraints are inconsistent. So the violation is also
+//! minimised from other points before the verdict "infeasible".
 
 use super::domain::Domain;
 use super::least_squares::{self, Rows};
@@ -13,40 +13,41 @@ use super::start::spread;
 use super::state::{Evaluate, State};
 use std::cell::RefCell;
 
-/// Points of the box from which the violation is minimised.
-const TRIALS: u32 = 32;
-/// Iterations for each of them.
+/// Starting points of one restoration.
+const STARTS: u32 = 32;
+/// Iterations from each starting point.
 const ITERATIONS: u64 = 50;
-/// Times that a search looks elsewhere.
-const MOST: u32 = 3;
-/// The violation must fall to this part of what it is here for the search to go on from there.
-const BETTER: f64 = 0.99;
-/// The same for the search to end there: less is rounding.
-const LESS: f64 = 1.0 - 1e-6;
+/// Maximum number of restorations in a search.
+const MAX_RESTORATIONS: u32 = 3;
+/// Largest ratio of the new violation to the current one with which the search continues.
+const CONTINUE_BELOW: f64 = 0.99;
+/// Largest such ratio with which an infeasible search moves before it ends; a smaller change is
+/// rounding.
+const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl State {
-    /// Goes on from a point that meets the constraints better, if one is found: by least squares on
-    /// the violations from points spread over the box, up to the first that meets them all, or else
-    /// the best. Whether there was one.
+    /// Minimises the violation by least squares from points spread over the box, up to the first
+    /// feasible result. Returns true, with the search restarted at the best result, if the
+    /// violation fell.
     pub fn restore(
         &mut self,
         options: &Options,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<bool, argmin::core::Error> {
-        if self.counters.restorations >= MOST {
+        if self.counters.restorations >= MAX_RESTORATIONS {
             return Ok(false);
         }
         self.counters.restorations += 1;
         let mut best: Option<(f64, Vec<f64>)> = None;
-        for trial in 0..TRIALS {
+        for trial in 0..STARTS {
             let start = spread(&self.scaling.domain.variables, &self.point.x, trial);
-            let Some((violation, x)) = self.least_violated(start, evaluate)? else {
+            let Some((violation, x)) = self.minimize_violation(start, evaluate)? else {
                 continue;
             };
             if violation
                 < best
                     .as_ref()
-                    .map_or(BETTER * self.violation(), |(least, _)| *least)
+                    .map_or(CONTINUE_BELOW * self.violation(), |(least, _)| *least)
             {
                 best = Some((violation, x));
             }
@@ -63,20 +64,19 @@ impl State {
         Ok(true)
     }
 
-    /// Where the constraints cannot all be met, the search weighs what is left of them against the
-    /// objective: it ends where they are violated least, near here or near where it began. Whether
-    /// that is another point.
-    pub fn settle(
+    /// Moves an infeasible search to the smallest violation near the current or the first iterate:
+    /// the merit function alone would balance violation and objective. Returns true if it moved.
+    pub fn move_to_least_violation(
         &mut self,
-        begun_at: &[f64],
+        initial_point: &[f64],
         evaluate: &mut Evaluate<'_>,
     ) -> Result<bool, argmin::core::Error> {
         let mut is_moved = false;
-        for start in [self.point.x.clone(), begun_at.to_vec()] {
-            let Some((violation, x)) = self.least_violated(start, evaluate)? else {
+        for start in [self.point.x.clone(), initial_point.to_vec()] {
+            let Some((violation, x)) = self.minimize_violation(start, evaluate)? else {
                 continue;
             };
-            if violation >= LESS * self.violation() {
+            if violation >= MOVE_BELOW * self.violation() {
                 continue;
             }
             self.effort.evaluations += 1;
@@ -88,8 +88,9 @@ impl State {
         Ok(is_moved)
     }
 
-    /// Where the violation is least near a point, and what it is there.
-    pub(super) fn least_violated(
+    /// Minimises ‖v‖₂ from a start. Returns the violation and the point; `None` if the functions
+    /// are undefined at the start.
+    pub(super) fn minimize_violation(
         &mut self,
         start: Vec<f64>,
         evaluate: &mut Evaluate<'_>,

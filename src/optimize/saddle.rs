@@ -1,57 +1,58 @@
-//! The second-order test: a point where the gradient vanishes may be a saddle, or even a maximum.
+//! Second-order test of stationary points: saddle points and maxima have directions of negative
+//! curvature.
 
 use super::model::lagrangian_hessian;
-use super::null_space::free_moves;
+use super::null_space::tangent_basis;
 use super::scaling::{Point, Scaling, norm};
 use super::state::{Evaluate, State};
 use nalgebra::{DMatrix, DVector};
 
-/// Curvature below zero by less than this, in units of φ over the scale squared, is rounding.
-const LEAST: f64 = 1e-8;
-/// Multipliers below this, in units of φ over the scale, hold nothing.
-const IDLE: f64 = 1e-8;
+/// Negative curvature smaller than this, in units of φ over the scale squared, is rounding.
+const CURVATURE_ROUNDING: f64 = 1e-8;
+/// Multipliers smaller than this, in units of φ over the scale, count as zero.
+const ZERO_MULTIPLIER: f64 = 1e-8;
 
-/// Saddles left before a search gives up on finding anything else.
+/// Maximum number of saddle points that a search leaves.
 const MOST_SADDLES: u32 = 20;
 
-/// What is to be made smaller.
+/// Function to be reduced along negative curvature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Goal {
-    /// The merit, along what holds the point.
+    /// The merit function, along the tangents of the active constraints.
     Merit,
-    /// The constraints' violation.
+    /// The violation of the constraints.
     Feasibility,
 }
 
 impl State {
-    /// Where the point is a saddle of what is to be made smaller, goes down from it; whether it
-    /// did.
+    /// Leaves a saddle point along the direction of most negative curvature. Returns true if it
+    /// found a lower point and moved there.
     pub fn leave_saddle(
         &mut self,
         goal: Goal,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<bool, argmin::core::Error> {
         let Some((direction, curvature)) = self
-            .downward(goal)
+            .negative_curvature(goal)
             .filter(|_| self.counters.saddles < MOST_SADDLES)
         else {
             return Ok(false);
         };
         self.counters.saddles += 1;
         let measure = |search: &Self, at: &Point| match goal {
-            // along the tangents of what is active it is the Lagrangian that falls, and the merit
-            // only once the constraints are met again
+            // along the tangents the Lagrangian falls; the merit function falls only after the step
+            // back onto the constraints
             Goal::Merit => search.lagrangian(at),
             Goal::Feasibility => 0.5 * norm(search.scaling.violations(&at.f)).powi(2),
         };
         let before = measure(self, &self.point);
-        let mut reach = self.radius.clamp(1e-3, 0.25);
+        let mut length = self.radius.clamp(1e-3, 0.25);
         for _ in 0..6 {
-            let expected = -0.5 * curvature * reach * reach;
+            let expected = -0.5 * curvature * length * length;
             let mut best: Option<(f64, Point)> = None;
             for sign in [1.0, -1.0] {
                 let coordinate = |i: usize| {
-                    self.point.x[i] + sign * reach * direction[i] * self.scaling.scale[i]
+                    self.point.x[i] + sign * length * direction[i] * self.scaling.scale[i]
                 };
                 let moved: Vec<f64> = (0..self.point.x.len()).map(coordinate).collect();
                 let x = self.scaling.domain.variables.project(&moved);
@@ -70,18 +71,18 @@ impl State {
             }
             if let Some((_, best)) = best {
                 self.move_to(best);
-                self.radius = reach;
+                self.radius = length;
                 self.residual = self.scaling.residual(&self.point, &self.multipliers);
                 return Ok(true);
             }
-            reach *= 0.1;
+            length *= 0.1;
         }
         Ok(false)
     }
 
-    /// The direction of most negative curvature, with that curvature, in scaled variables; `None`
-    /// where there is none.
-    fn downward(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
+    /// Direction of most negative curvature, in scaled variables, with its curvature; `None` if
+    /// there is none.
+    fn negative_curvature(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
         let Self {
             scaling,
             point: at,
@@ -110,11 +111,12 @@ impl State {
         }
         let reduced = (free.transpose() * hessian * &free).symmetric_eigen();
         let (least, curvature) = reduced.eigenvalues.argmin();
-        (curvature < -LEAST * size).then(|| (free * reduced.eigenvectors.column(least), curvature))
+        (curvature < -CURVATURE_ROUNDING * size)
+            .then(|| (free * reduced.eigenvectors.column(least), curvature))
     }
 }
 
-/// The Hessian of ½‖v‖² in scaled variables, if every constraint gives its own.
+/// Hessian of ½‖v‖² in scaled variables; `None` if a violated constraint has no Hessian.
 fn violation_hessian(scaling: &Scaling, at: &Point) -> Option<DMatrix<f64>> {
     let n = at.x.len();
     let mut sum = DMatrix::zeros(n, n);
@@ -128,41 +130,44 @@ fn violation_hessian(scaling: &Scaling, at: &Point) -> Option<DMatrix<f64>> {
             return None;
         }
         sum += DMatrix::from_fn(n, n, |i, k| {
-            let slopes = constraint.gradient[i] * constraint.gradient[k] / (gamma * gamma);
-            let bend = violation * constraint.hessian[i][k] / gamma;
-            (slopes + bend) * scaling.scale[i] * scaling.scale[k]
+            let gauss_newton = constraint.gradient[i] * constraint.gradient[k] / (gamma * gamma);
+            let curvature = violation * constraint.hessian[i][k] / gamma;
+            (gauss_newton + curvature) * scaling.scale[i] * scaling.scale[k]
         });
     }
     Some(sum)
 }
 
-/// An orthonormal basis, in scaled variables, of the moves that keep every active bound and
-/// constraint active.
+/// Orthonormal basis, in scaled variables, of the tangents of the active bounds and constraints.
 pub(super) fn tangents(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> DMatrix<f64> {
     let n = at.x.len();
-    let (is_held, tight) = held(scaling, at, multipliers);
-    let free: Vec<usize> = (0..n).filter(|&i| !is_held[i]).collect();
-    let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| {
-        at.f.constraints[tight[r]].gradient[free[c]] * scaling.scale[free[c]]
-            / scaling.gamma[tight[r]]
+    let (is_active, active_rows) = active_constraints(scaling, at, multipliers);
+    let free: Vec<usize> = (0..n).filter(|&i| !is_active[i]).collect();
+    let rows = DMatrix::from_fn(active_rows.len(), free.len(), |r, c| {
+        at.f.constraints[active_rows[r]].gradient[free[c]] * scaling.scale[free[c]]
+            / scaling.gamma[active_rows[r]]
     });
-    free_moves(n, &free, &rows)
+    tangent_basis(n, &free, &rows)
 }
 
-/// Whether a bound holds each variable, and which constraints are active: where a multiplier
-/// presses, or there is no choice.
-fn held(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> (Vec<bool>, Vec<usize>) {
-    let (size, slopes) = (scaling.size(at), at.lagrangian_gradient(multipliers));
-    let is_held = |i: usize| {
-        let presses = (slopes[i] * scaling.scale[i]).abs() > IDLE * size;
-        scaling.domain.variables.is_fixed(i) || scaling.is_at_a_bound(at, i) && presses
+/// Variables on an active bound, and active constraints: fixed ones, and those with a multiplier
+/// above rounding.
+fn active_constraints(
+    scaling: &Scaling,
+    at: &Point,
+    multipliers: &[f64],
+) -> (Vec<bool>, Vec<usize>) {
+    let (size, gradient) = (scaling.size(at), at.lagrangian_gradient(multipliers));
+    let is_active = |i: usize| {
+        let has_multiplier = (gradient[i] * scaling.scale[i]).abs() > ZERO_MULTIPLIER * size;
+        scaling.domain.variables.is_fixed(i) || scaling.is_at_a_bound(at, i) && has_multiplier
     };
-    let is_tight = |j: &usize| {
-        let presses = (multipliers[*j] * scaling.gamma[*j]).abs() > IDLE * size;
-        presses || scaling.domain.constraints.is_fixed(*j)
+    let is_active_row = |j: &usize| {
+        let has_multiplier = (multipliers[*j] * scaling.gamma[*j]).abs() > ZERO_MULTIPLIER * size;
+        has_multiplier || scaling.domain.constraints.is_fixed(*j)
     };
     (
-        (0..at.x.len()).map(is_held).collect(),
-        (0..at.f.constraints.len()).filter(is_tight).collect(),
+        (0..at.x.len()).map(is_active).collect(),
+        (0..at.f.constraints.len()).filter(is_active_row).collect(),
     )
 }

@@ -4,7 +4,7 @@ use crate::number::Taylor;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
-/// A point with what is known of the functions there.
+/// A point with the functions and their derivatives there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Point {
     pub x: Vec<f64>,
@@ -12,12 +12,12 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// Whether it is one of `n` variables, with `m` constraints.
-    pub fn is_of(&self, n: usize, m: usize) -> bool {
-        self.x.len() == n && self.f.is_of(n, m)
+    /// True if the dimensions fit `n` variables and `m` constraints.
+    pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
+        self.x.len() == n && self.f.has_dimensions(n, m)
     }
 
-    /// The gradient of the Lagrangian; without constraints that of the objective, as it is.
+    /// Gradient of the Lagrangian; borrowed from the objective if there are no constraints.
     pub fn lagrangian_gradient(&self, multipliers: &[f64]) -> Cow<'_, [f64]> {
         if multipliers.is_empty() {
             return Cow::Borrowed(&self.f.objective.gradient);
@@ -32,28 +32,27 @@ impl Point {
     }
 }
 
-/// What a search measures with: the domain, what a sensible change of each variable is, and what
-/// sensible sizes of the functions are.
+/// Domain of a search, with the scales of variables, objective and constraints.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Scaling {
     #[serde(skip)]
     pub domain: Domain,
-    /// sᵢ.
+    /// Scale sᵢ of each variable ([`Bounds::scale`](super::Bounds::scale)).
     pub scale: Vec<f64>,
-    /// γⱼ: what constraint j changes by for a sensible change of the variables, at the start.
+    /// Scale γⱼ of each constraint: its largest scaled derivative, or violation, at the start.
     pub gamma: Vec<f64>,
-    /// φ at the start.
-    pub first_size: f64,
+    /// Size φ₀ of the objective at the start.
+    pub initial_size: f64,
 }
 
-/// How far a point is from meeting the KKT conditions, relative.
+/// Relative residuals of the KKT conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Residual {
-    /// maxᵢ sᵢ |pᵢ|/φ with p the gradient of the Lagrangian, projected on the bounds.
+    /// Stationarity maxᵢ sᵢ |pᵢ|/φ, with p the gradient of the Lagrangian projected on the bounds.
     pub stationarity: f64,
-    /// maxⱼ vⱼ/γⱼ with vⱼ what constraint j is violated by.
+    /// Feasibility maxⱼ |vⱼ|/γⱼ, with vⱼ the violation of constraint j.
     pub feasibility: f64,
-    /// maxⱼ |λⱼ| × the distance from the limit that λⱼ belongs to, /φ.
+    /// Complementarity maxⱼ |λⱼ| times the distance from the limit that λⱼ belongs to, over φ.
     pub complementarity: f64,
 }
 
@@ -66,24 +65,25 @@ impl Residual {
     }
 }
 
-/// The variable in which, measured by how far it has come, the Lagrangian falls most.
+/// The variable along which the Lagrangian falls most, relative to the variable's distance from 0.
+/// A large value far from 0 shows divergence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Outward {
-    /// The variable.
+    /// Index of the variable.
     pub variable: usize,
-    /// Where it is.
+    /// Its value.
     pub at: f64,
-    /// Its distance from 0, in units of its scale.
-    pub reach: f64,
-    /// What the Lagrangian would fall by, to first order and relative to φ, if it moved by its
-    /// distance from 0 (or to its bound, if that is nearer).
+    /// Distance from 0, in units of the variable's scale.
+    pub distance: f64,
+    /// First-order reduction of the Lagrangian, relative to φ, if the variable moved by its
+    /// distance from 0, or to its bound if that is nearer.
     pub rate: f64,
-    /// Whether that leads further out, with no bound ahead.
+    /// True if the Lagrangian falls away from 0 and no bound lies ahead.
     pub is_open: bool,
 }
 
 impl Scaling {
-    /// The scaling of a search that begins at `first`.
+    /// Scaling of a search that starts at `first`.
     pub fn new(domain: Domain, scale: Vec<f64>, first: &Point) -> Self {
         let largest = |gradient: &[f64]| {
             gradient
@@ -92,7 +92,7 @@ impl Scaling {
                 .map(|(g, s)| (g * s).abs())
                 .fold(0.0, f64::max)
         };
-        let first_size = first
+        let initial_size = first
             .f
             .objective
             .value
@@ -108,19 +108,18 @@ impl Scaling {
         Self {
             scale,
             gamma,
-            first_size: first_size.max(f64::MIN_POSITIVE),
+            initial_size: initial_size.max(f64::MIN_POSITIVE),
             domain,
         }
     }
 
-    /// φ: what the objective is measured by at a point. |f|, or, where that vanishes, 1 or the size
-    /// it had at the start if that was less.
+    /// Size φ of the objective at a point: |f|, but at least min(1, φ₀).
     pub fn size(&self, at: &Point) -> f64 {
-        at.f.objective.value.abs().max(self.first_size.min(1.0))
+        at.f.objective.value.abs().max(self.initial_size.min(1.0))
     }
 
-    /// A slope of the Lagrangian as projected: its component where a move inside the bounds can use
-    /// it, 0 elsewhere.
+    /// Component i of the Lagrangian's gradient projected on the bounds: 0 if a bound blocks
+    /// descent.
     fn projected(&self, at: &Point, slope: f64, i: usize) -> f64 {
         let bounds = &self.domain.variables;
         match slope {
@@ -131,28 +130,28 @@ impl Scaling {
         }
     }
 
-    /// The variable with the largest [rate](Outward::rate), with these slopes of the Lagrangian;
-    /// `None` where nothing falls.
-    pub fn outward(&self, at: &Point, slopes: &[f64]) -> Option<Outward> {
+    /// The variable with the largest [rate](Outward::rate), given the gradient of the Lagrangian.
+    /// `None` at a stationary point.
+    pub fn outward(&self, at: &Point, gradient: &[f64]) -> Option<Outward> {
         let bounds = &self.domain.variables;
         let of = |variable: usize| {
             let (x, slope) = (
                 at.x[variable],
-                self.projected(at, slopes[variable], variable),
+                self.projected(at, gradient[variable], variable),
             );
-            let room = if slope > 0.0 {
+            let distance_to_bound = if slope > 0.0 {
                 x - bounds.low[variable]
             } else {
                 bounds.high[variable] - x
             };
-            let rate = slope.abs() * x.abs().min(room) / self.size(at);
-            let reach = x.abs() / self.scale[variable];
+            let rate = slope.abs() * x.abs().min(distance_to_bound) / self.size(at);
+            let distance = x.abs() / self.scale[variable];
             Outward {
                 variable,
                 at: x,
-                reach,
+                distance,
                 rate,
-                is_open: slope * x < 0.0 && room.is_infinite(),
+                is_open: slope * x < 0.0 && distance_to_bound.is_infinite(),
             }
         };
         (0..at.x.len())
@@ -161,13 +160,18 @@ impl Scaling {
             .max_by(|a, b| a.rate.total_cmp(&b.rate))
     }
 
-    /// How far a point is from optimal with these multipliers.
+    /// KKT residual at a point with these multipliers.
     pub fn residual(&self, at: &Point, multipliers: &[f64]) -> Residual {
-        self.residual_of_slopes(at, multipliers, &at.lagrangian_gradient(multipliers))
+        self.residual_from_gradient(at, multipliers, &at.lagrangian_gradient(multipliers))
     }
 
-    /// As [`residual`](Self::residual), where the slopes of the Lagrangian are known.
-    pub fn residual_of_slopes(&self, at: &Point, multipliers: &[f64], slopes: &[f64]) -> Residual {
+    /// KKT residual from a known gradient of the Lagrangian.
+    pub fn residual_from_gradient(
+        &self,
+        at: &Point,
+        multipliers: &[f64],
+        gradient: &[f64],
+    ) -> Residual {
         let size = self.size(at);
         let limits = &self.domain.constraints;
         let distance = |(j, multiplier): (usize, &f64)| {
@@ -178,17 +182,17 @@ impl Scaling {
                 limits.low[j]
             };
             match multiplier {
-                // at a rounding's distance from an infinite limit there is no such multiplier
+                // an infinite limit has no multiplier
                 _ if *multiplier == 0.0 => 0.0,
                 _ if limit.is_infinite() => f64::INFINITY,
-                // what is violated counts as that, not twice
+                // a violated constraint counts in `feasibility` only
                 _ => {
                     (multiplier * (value - limit)).abs() / size
                         * f64::from(limits.excess(j, value) == 0.0)
                 }
             }
         };
-        let projected = slopes
+        let projected = gradient
             .iter()
             .enumerate()
             .map(|(i, slope)| self.projected(at, *slope, i));
@@ -205,9 +209,10 @@ impl Scaling {
         }
     }
 
-    /// Whether a constraint would reach a limit if the point moved on along its direction from 0.
+    /// True if moving x further along its direction from 0 leads a constraint to a finite limit, to
+    /// first order.
     pub fn has_limit_ahead(&self, at: &Point) -> bool {
-        /// A change of a constraint smaller than this part of its terms is rounding.
+        /// Relative rounding error of a constraint's change.
         const ROUNDING: f64 = 1e-9;
         let limits = &self.domain.constraints;
         at.f.constraints.iter().enumerate().any(|(j, constraint)| {
@@ -225,15 +230,15 @@ impl Scaling {
         })
     }
 
-    /// Takes the size of a point as φ₀ where value and slopes vanished at the start.
+    /// Sets φ₀ from a later point if value and gradient vanished at the start.
     pub fn floor_size(&mut self, at: &Point) {
-        if self.first_size <= f64::MIN_POSITIVE {
+        if self.initial_size <= f64::MIN_POSITIVE {
             let slope = self.largest(at.f.objective.gradient.iter().copied());
-            self.first_size = at.f.objective.value.abs().max(slope).max(f64::MIN_POSITIVE);
+            self.initial_size = at.f.objective.value.abs().max(slope).max(f64::MIN_POSITIVE);
         }
     }
 
-    /// A value of variable i, on its bound where only rounding separates them.
+    /// Moves a value of variable i onto a bound that is within rounding.
     pub fn on_bound(&self, i: usize, x: f64) -> f64 {
         let (low, high) = (self.domain.variables.low[i], self.domain.variables.high[i]);
         let rounding = 4.0 * f64::EPSILON * self.scale[i].min(high - low);
@@ -246,7 +251,7 @@ impl Scaling {
         }
     }
 
-    /// What each constraint is violated by, in units of γⱼ; below the lower limit < 0.
+    /// Signed violation of each constraint, in units of γⱼ; < 0 below the lower limit.
     pub fn violations<'a>(&'a self, f: &'a Evaluation) -> impl Iterator<Item = f64> + 'a {
         let limits = &self.domain.constraints;
         let excess =
@@ -254,7 +259,7 @@ impl Scaling {
         f.constraints.iter().enumerate().map(excess)
     }
 
-    /// The largest component of a gradient, in units of the scale.
+    /// Largest scaled component |gᵢ sᵢ| of a gradient.
     pub fn largest(&self, gradient: impl IntoIterator<Item = f64>) -> f64 {
         gradient
             .into_iter()
@@ -263,36 +268,36 @@ impl Scaling {
             .fold(0.0, f64::max)
     }
 
-    /// The distance of two points, in units of the scale.
+    /// Distance of two points in the maximum norm, in units of the scale.
     pub fn distance(&self, a: &Point, b: &Point) -> f64 {
-        let apart =
+        let distances =
             a.x.iter()
                 .zip(&b.x)
                 .zip(&self.scale)
                 .map(|((a, b), s)| ((a - b) / s).abs());
-        apart.fold(0.0, f64::max)
+        distances.fold(0.0, f64::max)
     }
 
-    /// Variables on a bound towards whose outside the Lagrangian falls.
+    /// Variables on a bound that blocks descent of the Lagrangian.
     pub fn active_bounds<'a>(
         &'a self,
         at: &'a Point,
         multipliers: &[f64],
     ) -> impl Iterator<Item = usize> + 'a {
-        let slopes = at.lagrangian_gradient(multipliers);
+        let gradient = at.lagrangian_gradient(multipliers);
         let is_active = move |i: &usize| {
-            self.is_at_a_bound(at, *i) && self.projected(at, slopes[*i], *i) == 0.0
+            self.is_at_a_bound(at, *i) && self.projected(at, gradient[*i], *i) == 0.0
         };
         (0..at.x.len()).filter(is_active)
     }
 
-    /// Equations, and constraints with multipliers.
+    /// Equality constraints, and constraints with nonzero multipliers.
     pub fn active_rows<'a>(&'a self, multipliers: &'a [f64]) -> impl Iterator<Item = usize> + 'a {
         let is_active = |j: &usize| multipliers[*j] != 0.0 || self.domain.constraints.is_fixed(*j);
         (0..multipliers.len()).filter(is_active)
     }
 
-    /// Whether a variable lies on one of its bounds.
+    /// True if variable i lies on one of its bounds.
     pub fn is_at_a_bound(&self, at: &Point, i: usize) -> bool {
         let bounds = &self.domain.variables;
         at.x[i] <= bounds.low[i] || at.x[i] >= bounds.high[i]

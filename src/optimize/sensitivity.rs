@@ -1,8 +1,7 @@
-//! The sensitivity of an optimum: how it moves with a parameter of the problem, from the KKT system
-//! (Fiacco 1976).
+//! Sensitivity of an optimum to a parameter of the problem, from the KKT system (Fiacco 1976).
 
 use super::domain::{Bounds, Domain};
-use super::null_space::free_moves;
+use super::null_space::tangent_basis;
 use super::problem::Evaluation;
 use super::solution::Solution;
 use super::status::Status;
@@ -10,10 +9,10 @@ use crate::error::{Error, Result};
 use crate::number::Taylor;
 use nalgebra::{DMatrix, DVector};
 
-/// How an optimum answers to a parameter p.
+/// Derivatives of an optimum by a parameter p.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Response {
-    /// df*/dp: by the envelope theorem, the Lagrangian's own derivative.
+    /// df*/dp: by the envelope theorem, the partial derivative of the Lagrangian.
     pub value: f64,
     /// d²f*/dp².
     pub curvature: f64,
@@ -23,55 +22,56 @@ pub struct Response {
     pub multipliers: Vec<f64>,
     /// dc/dp of the constraint functions along the optimum.
     pub constraints: Vec<f64>,
-    /// d/dp of the Lagrangian's gradient: what the multiplier of an active bound changes by (a
-    /// lower bound's by this, an upper one's by its negative).
+    /// d/dp of the Lagrangian's gradient. The multiplier of an active lower bound changes by this,
+    /// that of an upper bound by its negative.
     pub slopes: Vec<f64>,
 }
 
-/// A bound or a limit that a moving optimum reaches or leaves.
+/// Change of the active set along a moving optimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// Variable i comes to its bound; the lower one if true.
+    /// Variable i reaches a bound; the lower one if true.
     BoundReached(usize, bool),
-    /// Variable i leaves its bound.
+    /// Variable i leaves a bound; the lower one if true.
     BoundLeft(usize, bool),
-    /// Constraint j comes to its limit; the lower one if true.
+    /// Constraint j reaches a limit; the lower one if true.
     LimitReached(usize, bool),
-    /// Constraint j leaves its limit.
+    /// Constraint j leaves a limit; the lower one if true.
     LimitLeft(usize, bool),
 }
 
-/// Multipliers below this part of the largest slope hold nothing.
-const IDLE: f64 = 1e-9;
-/// Curvature below this part of what is minimised, over the scales of the variables, is rounding.
+/// Multipliers below this, relative to the size of the objective, count as zero.
+const ZERO_MULTIPLIER: f64 = 1e-9;
+/// Curvature below this, relative to the size of the objective over the scales of the variables, is
+/// rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Which variables lie on a bound that holds them, and which constraints on a limit.
+/// Active set at a solution: variables on an active bound, and active constraints.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Held {
-    /// Of each variable, whether a bound holds it.
+pub struct ActiveSet {
+    /// True for each variable on an active bound.
     pub variables: Vec<bool>,
-    /// Of each constraint, whether it holds the solution.
+    /// True for each active constraint.
     pub constraints: Vec<bool>,
 }
 
-impl Held {
-    /// What holds a solution: fixed variables and equations, and whatever has a multiplier above
-    /// rounding.
+impl ActiveSet {
+    /// Active set of a solution: fixed variables, equality constraints, and all bounds and
+    /// constraints with a multiplier above rounding.
     ///
     /// # Panics
-    /// Where the domain has fewer variables or constraints than the solution.
+    /// If the domain has fewer variables or constraints than the solution.
     pub fn new(solution: &Solution, domain: &Domain) -> Self {
         let scale = domain.variables.scale(&solution.x);
         let size = size(solution, &scale);
         let variable = |i: usize| {
-            let price = solution.lower_multipliers[i] + solution.upper_multipliers[i];
-            domain.variables.is_fixed(i) || price * scale[i] > IDLE * size
+            let multiplier = solution.lower_multipliers[i] + solution.upper_multipliers[i];
+            domain.variables.is_fixed(i) || multiplier * scale[i] > ZERO_MULTIPLIER * size
         };
         let constraint = |j: usize| {
-            let price =
+            let scaled =
                 solution.constraints[j].multiplier.abs() * largest(&solution.jacobian[j], &scale);
-            domain.constraints.is_fixed(j) || price > IDLE * size
+            domain.constraints.is_fixed(j) || scaled > ZERO_MULTIPLIER * size
         };
         Self {
             variables: (0..solution.x.len()).map(variable).collect(),
@@ -79,22 +79,22 @@ impl Held {
         }
     }
 
-    /// The variables that no bound holds.
-    pub fn free(&self) -> Vec<usize> {
+    /// Indices of the variables without an active bound.
+    pub fn free_variables(&self) -> Vec<usize> {
         (0..self.variables.len())
             .filter(|&i| !self.variables[i])
             .collect()
     }
 
-    /// The constraints that hold.
-    pub fn tight(&self) -> Vec<usize> {
+    /// Indices of the active constraints.
+    pub fn active_constraints(&self) -> Vec<usize> {
         (0..self.constraints.len())
             .filter(|&j| self.constraints[j])
             .collect()
     }
 }
 
-/// The largest of slopes, over the scales of the variables.
+/// Largest scaled component of a gradient.
 fn largest(slopes: &[f64], scale: &[f64]) -> f64 {
     slopes
         .iter()
@@ -103,13 +103,13 @@ fn largest(slopes: &[f64], scale: &[f64]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// How large what is minimised is, with its slopes.
+/// Size of the objective: the larger of its value and its largest scaled derivative.
 fn size(solution: &Solution, scale: &[f64]) -> f64 {
     largest(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
 }
 
-/// The Hessian of the Lagrangian over the scales of the variables, with 0 for what is rounding:
-/// where nothing depends on a variable, its row must not look like the curvature of an optimum.
+/// Hessian of the Lagrangian in scaled variables, with rounding set to 0: the row of a variable
+/// without effect must not look like the curvature of an optimum.
 fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     let least = ROUNDING * size(solution, scale);
     DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
@@ -122,27 +122,28 @@ fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     })
 }
 
-/// The Hessian of the Lagrangian along what holds a solution: a basis of the moves that keep it, a
-/// column each, and the curvature of each with each; both in units of [`Bounds::scale`].
+/// Reduced Hessian: the Hessian of the Lagrangian on the tangents of the active set, in units of
+/// [`Bounds::scale`]. Returns a basis of the tangents, a column each, and the reduced Hessian.
 ///
 /// # Panics
-/// Where the domain is not that of the solution, or the solution has no Hessian.
+/// If the domain is not that of the solution, or the solution has no Hessian.
 pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, DMatrix<f64>) {
-    let (n, held) = (solution.x.len(), Held::new(solution, domain));
+    let active_set = ActiveSet::new(solution, domain);
     let scale = domain.variables.scale(&solution.x);
-    let (free, tight) = (held.free(), held.tight());
-    let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| {
-        solution.jacobian[tight[r]][free[c]] * scale[free[c]]
+    let free = active_set.free_variables();
+    let active = active_set.active_constraints();
+    let rows = DMatrix::from_fn(active.len(), free.len(), |r, c| {
+        solution.jacobian[active[r]][free[c]] * scale[free[c]]
     });
-    let basis = free_moves(n, &free, &rows);
+    let basis = tangent_basis(solution.x.len(), &free, &rows);
     let reduced = basis.transpose() * curvatures(solution, &scale) * &basis;
     (basis, reduced)
 }
 
-/// Refuses a domain of another solution, and functions without the derivatives that are used.
+/// Checks that domain and derivatives have the dimensions of the solution.
 fn check_shape(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<()> {
     let (n, m) = (solution.x.len(), solution.constraints.len());
-    if !solution.is_of(domain) {
+    if !solution.fits(domain) {
         return Err(Error::Optimizer(
             "the domain is not that of the solution: variables or constraints differ in number"
                 .into(),
@@ -165,14 +166,13 @@ fn check_shape(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<
     Ok(())
 }
 
-/// How a converged optimum answers to a parameter. `at` holds the functions at the optimum with
-/// their derivatives by (x, p), the parameter last; of their Hessians only the last row is used.
+/// Derivatives of a converged optimum by a parameter. `at` holds the functions at the optimum with
+/// their derivatives by (x, p), the parameter last; only the last row of each Hessian is used.
 ///
 /// # Errors
-/// [`Error::NotConverged`] of anything but an optimum; [`Error::Optimizer`] for a problem without
-/// Hessians, for numbers of variables or constraints that differ, and where the KKT system is
-/// singular: the optimum is then not isolated, and moves by more than any multiple of the
-/// parameter's change.
+/// [`Error::NotConverged`] for a solution that did not converge; [`Error::Optimizer`] for a
+/// solution without Hessians, for different dimensions, and for a singular KKT system: the optimum
+/// is then not isolated, and has no derivative.
 pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<Response> {
     let n = solution.x.len();
     if solution.status != Status::Converged {
@@ -187,98 +187,167 @@ pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result
         ));
     }
     check_shape(solution, domain, at)?;
-    let held = Held::new(solution, domain);
-    let (free, tight) = (held.free(), held.tight());
-    let scale = domain.variables.scale(&solution.x);
-    let (f, size) = (free.len(), free.len() + tight.len());
-    let weights = || {
-        solution
+    KktSystem::new(solution, domain, at).response()
+}
+
+/// The KKT system of a converged optimum, differentiated by the parameter p.
+struct KktSystem<'a> {
+    solution: &'a Solution,
+    /// The functions with their derivatives by (x, p).
+    at: &'a Evaluation,
+    scale: Vec<f64>,
+    /// Variables without an active bound.
+    free: Vec<usize>,
+    /// Active constraints.
+    active: Vec<usize>,
+}
+
+/// Derivatives of the primal and dual variables by the parameter.
+struct KktDerivatives {
+    x: Vec<f64>,
+    multipliers: Vec<f64>,
+}
+
+impl<'a> KktSystem<'a> {
+    fn new(solution: &'a Solution, domain: &Domain, at: &'a Evaluation) -> Self {
+        let active_set = ActiveSet::new(solution, domain);
+        Self {
+            solution,
+            at,
+            scale: domain.variables.scale(&solution.x),
+            free: active_set.free_variables(),
+            active: active_set.active_constraints(),
+        }
+    }
+
+    /// Derivatives of the optimum by p.
+    fn response(&self) -> Result<Response> {
+        let (n, at) = (self.solution.x.len(), self.at);
+        let KktDerivatives { x, multipliers } = self.solve()?;
+        let direct = self.lagrangian_sum(at.objective.hessian[n][n], |j| {
+            at.constraints[j].hessian[n][n]
+        });
+        let by_x: f64 = (0..n).map(|i| self.mixed(i) * x[i]).sum();
+        let by_multipliers: f64 = multipliers
+            .iter()
+            .zip(&at.constraints)
+            .map(|(change, c)| change * c.gradient[n])
+            .sum();
+        Ok(Response {
+            value: self.lagrangian_sum(at.objective.gradient[n], |j| at.constraints[j].gradient[n]),
+            curvature: direct + by_x + by_multipliers,
+            constraints: self
+                .solution
+                .jacobian
+                .iter()
+                .zip(&at.constraints)
+                .map(|(row, c)| dot(row, &x) + c.gradient[n])
+                .collect(),
+            slopes: (0..n)
+                .map(|i| self.gradient_derivative(i, &x, &multipliers))
+                .collect(),
+            multipliers,
+            x,
+        })
+    }
+
+    /// Solves the differentiated KKT conditions for dx*/dp and dλ*/dp.
+    fn solve(&self) -> Result<KktDerivatives> {
+        let Self {
+            solution,
+            scale,
+            free,
+            active,
+            ..
+        } = self;
+        let n = solution.x.len();
+        let (f, size) = (free.len(), free.len() + active.len());
+        let curvatures = curvatures(solution, scale);
+        let curvatures = curvatures.select_rows(free).select_columns(free);
+        let largest = curvatures.amax();
+        let unit = if largest > 0.0 { largest } else { 1.0 };
+        let mut matrix = DMatrix::zeros(size, size);
+        let mut right = DVector::zeros(size);
+        matrix
+            .view_mut((0, 0), (f, f))
+            .copy_from(&(curvatures / unit));
+        for (row, &i) in free.iter().enumerate() {
+            right[row] = -self.mixed(i) * scale[i] / unit;
+        }
+        for (k, &j) in active.iter().enumerate() {
+            for (row, &i) in free.iter().enumerate() {
+                let derivative = solution.jacobian[j][i] * scale[i] / self.row_length(j);
+                (matrix[(row, f + k)], matrix[(f + k, row)]) = (derivative, derivative);
+            }
+            right[f + k] = -self.at.constraints[j].gradient[n] / self.row_length(j);
+        }
+        let change = solve_refined(matrix, &right)?;
+
+        let mut x = vec![0.0; n];
+        for (row, &i) in free.iter().enumerate() {
+            x[i] = change[row] * scale[i];
+        }
+        let mut multipliers = vec![0.0; solution.constraints.len()];
+        for (k, &j) in active.iter().enumerate() {
+            multipliers[j] = change[f + k] * unit / self.row_length(j);
+        }
+        Ok(KktDerivatives { x, multipliers })
+    }
+
+    /// Length of the scaled gradient of constraint j. Rows of the system are divided by it, so that
+    /// their singular values are comparable.
+    fn row_length(&self, j: usize) -> f64 {
+        largest(&self.solution.jacobian[j], &self.scale).max(f64::MIN_POSITIVE)
+    }
+
+    /// Mixed derivative ∂²L/∂xᵢ∂p of the Lagrangian.
+    fn mixed(&self, i: usize) -> f64 {
+        let n = self.solution.x.len();
+        let own = self.at.objective.hessian[n][i];
+        own + self
+            .at
+            .constraints
+            .iter()
+            .zip(self.multipliers())
+            .map(|(c, multiplier)| multiplier * c.hessian[n][i])
+            .sum::<f64>()
+    }
+
+    /// d/dp of component i of the Lagrangian's gradient along the optimum.
+    fn gradient_derivative(&self, i: usize, x: &[f64], multipliers: &[f64]) -> f64 {
+        let by_multipliers = self
+            .solution
+            .jacobian
+            .iter()
+            .zip(multipliers)
+            .map(|(row, change)| row[i] * change);
+        dot(&self.solution.hessian[i], x) + by_multipliers.sum::<f64>() + self.mixed(i)
+    }
+
+    /// objective + Σ λⱼ constraint(j).
+    fn lagrangian_sum(&self, objective: f64, constraint: impl Fn(usize) -> f64) -> f64 {
+        objective
+            + self
+                .multipliers()
+                .enumerate()
+                .map(|(j, multiplier)| multiplier * constraint(j))
+                .sum::<f64>()
+    }
+
+    fn multipliers(&self) -> impl Iterator<Item = f64> {
+        self.solution
             .constraints
             .iter()
             .map(|constraint| constraint.multiplier)
-    };
-    let mixed = |i: usize| {
-        let own = at.objective.hessian[n][i];
-        own + at
-            .constraints
-            .iter()
-            .zip(weights())
-            .map(|(c, weight)| weight * c.hessian[n][i])
-            .sum::<f64>()
-    };
-
-    // rows of length about 1, so that "singular" means something
-    let length = |j: usize| largest(&solution.jacobian[j], &scale).max(f64::MIN_POSITIVE);
-    let bends = curvatures(solution, &scale);
-    let bends = bends.select_rows(&free).select_columns(&free);
-    let most = bends.amax();
-    let unit = if most > 0.0 { most } else { 1.0 };
-    let mut matrix = DMatrix::zeros(size, size);
-    let mut right = DVector::zeros(size);
-    matrix.view_mut((0, 0), (f, f)).copy_from(&(bends / unit));
-    for (row, &i) in free.iter().enumerate() {
-        right[row] = -mixed(i) * scale[i] / unit;
     }
-    for (at_row, &j) in tight.iter().enumerate() {
-        for (row, &i) in free.iter().enumerate() {
-            let slope = solution.jacobian[j][i] * scale[i] / length(j);
-            (matrix[(row, f + at_row)], matrix[(f + at_row, row)]) = (slope, slope);
-        }
-        right[f + at_row] = -at.constraints[j].gradient[n] / length(j);
-    }
-    let moved = solved(matrix, &right)?;
-
-    let mut x = vec![0.0; n];
-    for (row, &i) in free.iter().enumerate() {
-        x[i] = moved[row] * scale[i];
-    }
-    let mut multipliers = vec![0.0; solution.constraints.len()];
-    for (row, &j) in tight.iter().enumerate() {
-        multipliers[j] = moved[f + row] * unit / length(j);
-    }
-    let along = |slopes: &[f64]| {
-        slopes
-            .iter()
-            .zip(&x)
-            .map(|(slope, x)| slope * x)
-            .sum::<f64>()
-    };
-    let slope = |i: usize| {
-        let pulls = solution
-            .jacobian
-            .iter()
-            .zip(&multipliers)
-            .map(|(row, change)| row[i] * change);
-        along(&solution.hessian[i]) + pulls.sum::<f64>() + mixed(i)
-    };
-    let sum = |own: f64, of: &dyn Fn(usize) -> f64| {
-        own + weights().enumerate().map(|(j, w)| w * of(j)).sum::<f64>()
-    };
-    let direct = sum(at.objective.hessian[n][n], &|j| {
-        at.constraints[j].hessian[n][n]
-    });
-    let by_x: f64 = (0..n).map(|i| mixed(i) * x[i]).sum();
-    let by_price: f64 = multipliers
-        .iter()
-        .zip(&at.constraints)
-        .map(|(change, c)| change * c.gradient[n])
-        .sum();
-    Ok(Response {
-        value: sum(at.objective.gradient[n], &|j| at.constraints[j].gradient[n]),
-        curvature: direct + by_x + by_price,
-        constraints: solution
-            .jacobian
-            .iter()
-            .zip(&at.constraints)
-            .map(|(row, c)| along(row) + c.gradient[n])
-            .collect(),
-        slopes: (0..n).map(slope).collect(),
-        multipliers,
-        x,
-    })
 }
 
-fn solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f64>> {
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>()
+}
+
+/// Solves a system by LU with one step of iterative refinement; fails if it is singular.
+fn solve_refined(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f64>> {
     if matrix.is_empty() {
         return Ok(right.clone());
     }
@@ -286,8 +355,7 @@ fn solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f64>> {
     if values.min() <= 1e-12 * values.max() {
         return Err(Error::Optimizer(
             "the optimum is not isolated (its KKT system is singular): other values of the \
-             variables are as good, so that it has no \
-             sensitivity; vary fewer parameters"
+             variables are as good, so that it has no sensitivity; vary fewer parameters"
                 .into(),
         ));
     }
@@ -299,66 +367,114 @@ fn solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f64>> {
     Ok(refined)
 }
 
-/// The first bound or limit that the optimum reaches or leaves, to first order, on a change of the
-/// parameter by `delta`; and after which part of the change.
+/// First change of the active set, to first order, when the parameter changes by `delta`; and the
+/// fraction of `delta` at which it happens.
 pub fn first_event(
     solution: &Solution,
     domain: &Domain,
     response: &Response,
     delta: f64,
 ) -> Option<(f64, Event)> {
-    let held = Held::new(solution, domain);
-    let mut events = vec![];
-    // the part of the change after which `room` is used up
-    let mut note = |room: f64, rate: f64, event: Event| {
-        let used = -rate * delta;
-        if used > 0.0 && room.is_finite() && room <= used {
-            events.push((room.max(0.0) / used, event));
-        }
-    };
-    let to_ends = |bounds: &Bounds, i: usize, at: f64| {
-        [
-            (at - bounds.low[i], 1.0, true),
-            (bounds.high[i] - at, -1.0, false),
-        ]
-    };
+    let active_set = ActiveSet::new(solution, domain);
+    variable_margins(solution, domain, response, &active_set)
+        .into_iter()
+        .chain(constraint_margins(solution, domain, response, &active_set))
+        .filter_map(|margin| Some((margin.used_up_after(delta)?, margin.event)))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// Distance to a change of the active set: of a value to its limit, or of a multiplier to 0.
+struct Margin {
+    distance: f64,
+    /// Derivative of the distance by the parameter.
+    rate: f64,
+    event: Event,
+}
+
+impl Margin {
+    /// Fraction of a parameter change `delta` after which the distance is 0, if that is within it.
+    fn used_up_after(&self, delta: f64) -> Option<f64> {
+        let reduction = -self.rate * delta;
+        let is_used_up = reduction > 0.0 && self.distance.is_finite() && self.distance <= reduction;
+        is_used_up.then(|| self.distance.max(0.0) / reduction)
+    }
+}
+
+/// Margins of the variables: to their bounds, or of active bounds' multipliers to 0.
+fn variable_margins(
+    solution: &Solution,
+    domain: &Domain,
+    response: &Response,
+    active_set: &ActiveSet,
+) -> Vec<Margin> {
+    let mut margins = vec![];
     for i in (0..solution.x.len()).filter(|&i| !domain.variables.is_fixed(i)) {
-        if held.variables[i] {
+        if active_set.variables[i] {
             let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
-            let (room, rate) = if lower > 0.0 {
+            let (distance, rate) = if lower > 0.0 {
                 (lower, response.slopes[i])
             } else {
                 (upper, -response.slopes[i])
             };
-            note(room, rate, Event::BoundLeft(i, lower > 0.0));
+            margins.push(Margin {
+                distance,
+                rate,
+                event: Event::BoundLeft(i, lower > 0.0),
+            });
         } else {
-            for (room, sign, is_lower) in to_ends(&domain.variables, i, solution.x[i]) {
-                note(room, sign * response.x[i], Event::BoundReached(i, is_lower));
-            }
+            let reached = |is_lower| Event::BoundReached(i, is_lower);
+            let value = (solution.x[i], response.x[i]);
+            margins.extend(limit_margins(&domain.variables, i, value, reached));
         }
     }
-    for (j, constraint) in solution
-        .constraints
-        .iter()
-        .enumerate()
-        .filter(|(j, _)| !domain.constraints.is_fixed(*j))
-    {
-        if held.constraints[j] {
+    margins
+}
+
+/// Margins of the constraints: to their limits, or of active limits' multipliers to 0.
+fn constraint_margins(
+    solution: &Solution,
+    domain: &Domain,
+    response: &Response,
+    active_set: &ActiveSet,
+) -> Vec<Margin> {
+    let mut margins = vec![];
+    for (j, constraint) in solution.constraints.iter().enumerate() {
+        if domain.constraints.is_fixed(j) {
+            continue;
+        }
+        if active_set.constraints[j] {
             let sign = constraint.multiplier.signum();
-            note(
-                constraint.multiplier.abs(),
-                sign * response.multipliers[j],
-                Event::LimitLeft(j, sign < 0.0),
-            );
+            margins.push(Margin {
+                distance: constraint.multiplier.abs(),
+                rate: sign * response.multipliers[j],
+                event: Event::LimitLeft(j, sign < 0.0),
+            });
         } else {
-            for (room, sign, is_lower) in to_ends(&domain.constraints, j, constraint.value) {
-                note(
-                    room,
-                    sign * response.constraints[j],
-                    Event::LimitReached(j, is_lower),
-                );
-            }
+            let reached = |is_lower| Event::LimitReached(j, is_lower);
+            let value = (constraint.value, response.constraints[j]);
+            margins.extend(limit_margins(&domain.constraints, j, value, reached));
         }
     }
-    events.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))
+    margins
+}
+
+/// Margins of a number, given with its derivative, to its two limits.
+fn limit_margins(
+    limits: &Bounds,
+    i: usize,
+    (value, derivative): (f64, f64),
+    event: impl Fn(bool) -> Event,
+) -> [Margin; 2] {
+    [
+        Margin {
+            distance: value - limits.low[i],
+            rate: derivative,
+            event: event(true),
+        },
+        Margin {
+            distance: limits.high[i] - value,
+            rate: -derivative,
+            event: event(false),
+        },
+    ]
 }

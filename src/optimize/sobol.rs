@@ -1,14 +1,13 @@
-//! Sobol's sequence, scrambled (Owen 1995; Burley 2020): points that fill a box evenly, however
-//! many are taken.
+//! Scrambled Sobol sequence (Owen 1995; Burley 2020): low-discrepancy points of the unit cube.
 
-/// How many variables a point may have.
+/// Maximum number of variables.
 pub(crate) const MOST_VARIABLES: usize = sobol_burley::NUM_DIMENSIONS as usize;
 
-/// Points of one scrambling.
+/// Number of points of one scrambling.
 const LENGTH: u64 = 1 << 16;
 
-/// The coordinate of a point in the unit interval. After 65 536 points the sequence goes on with
-/// another scrambling: each stretch of that many is as even as the first.
+/// Coordinate of a point, in [0, 1). After each 65 536 points the sequence continues with another
+/// scrambling, and each such block is evenly distributed.
 pub(crate) fn coordinate(point: u64, variable: usize, seed: u32) -> f64 {
     let scrambling = seed.wrapping_add((point / LENGTH) as u32);
     f64::from(sobol_burley::sample(

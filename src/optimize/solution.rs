@@ -1,4 +1,4 @@
-use super::domain::Domain;
+use super::domain::{Bounds, Domain};
 use super::kink::Kink;
 use super::model::lagrangian_hessian;
 use super::scaling::{Point, Residual};
@@ -7,66 +7,63 @@ use super::state::{Effort, State};
 use super::status::{Status, Verdict};
 use serde::{Deserialize, Serialize};
 
-/// What a search found.
+/// Result of a search.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Solution {
-    /// How it ended.
+    /// Outcome of the search.
     pub status: Status,
-    /// The same in a sentence, with the numbers of the test that ended it.
+    /// Outcome in a sentence, with the numbers of the stopping test.
     pub message: String,
-    /// The point; a variable whose bound is active lies on it exactly.
+    /// Final point. A variable with an active bound equals the bound exactly.
     pub x: Vec<f64>,
-    /// f there; `None` where the functions were never defined.
+    /// Objective f at the point; `None` if the functions were never defined.
     pub value: Option<f64>,
-    /// Gradient of f there.
+    /// Gradient of f at the point.
     pub gradient: Vec<f64>,
-    /// Hessian of the Lagrangian there; of f alone where there are no constraints. Empty for a
-    /// problem that gives none.
+    /// Hessian of the Lagrangian at the point (of f if there are no constraints); empty if the
+    /// problem has no Hessians.
     pub hessian: Vec<Vec<f64>>,
-    /// Multipliers of the lower bounds, ≥ 0: what f would fall by per unit that the bound is
-    /// lowered.
+    /// Multipliers of the lower bounds, ≥ 0: reduction of f per unit by which a bound is lowered.
     pub lower_multipliers: Vec<f64>,
-    /// Multipliers of the upper bounds, ≥ 0: what f would fall by per unit that the bound is
-    /// raised.
+    /// Multipliers of the upper bounds, ≥ 0: reduction of f per unit by which a bound is raised.
     pub upper_multipliers: Vec<f64>,
     /// The constraints, in order.
-    pub constraints: Vec<Constrained>,
-    /// ∂cⱼ/∂xᵢ, a row for each constraint.
+    pub constraints: Vec<ConstraintValue>,
+    /// Jacobian ∂cⱼ/∂xᵢ, a row for each constraint.
     pub jacobian: Vec<Vec<f64>>,
-    /// The KKT residual, relative (see [`status`](super::status)): the largest of its parts.
+    /// Relative KKT residual (see [`status`](super::status)): the largest of its parts.
     pub kkt_residual: f64,
-    /// Its parts.
+    /// Parts of the KKT residual.
     pub residual: Residual,
-    /// The corner that the search ended at, if it did.
+    /// Kink of f at the point, if the search ended at one.
     pub kink: Option<Kink>,
     /// Iterations taken.
     pub iterations: u64,
     /// Evaluations of the functions with their derivatives.
     pub evaluations: u64,
-    /// What the iterations were made of.
+    /// Work counters.
     pub effort: Effort,
-    /// Where the search began: the start, or, where f was not defined there, the best of some other
-    /// points.
-    pub begun_at: Vec<f64>,
-    /// Why the functions were not defined at the start, if so.
+    /// First iterate: the start, or the best of some other points if f is undefined there.
+    pub initial_point: Vec<f64>,
+    /// Reason why the functions are undefined at the start, if they are.
     pub undefined_at_start: Option<String>,
 }
 
 /// A constraint at a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Constrained {
-    /// cⱼ.
+pub struct ConstraintValue {
+    /// Value cⱼ.
     pub value: f64,
-    /// What it is beyond its limits: above the upper > 0, below the lower < 0.
+    /// Signed violation: > 0 above the upper limit, < 0 below the lower.
     pub violation: f64,
-    /// λⱼ in ∇f + Σ λⱼ ∇cⱼ + … = 0: > 0 where the upper limit holds it, < 0 where the lower does, 0
-    /// where none. What f would fall by per unit that the limit is raised.
+    /// Multiplier λⱼ in ∇f + Σ λⱼ ∇cⱼ + … = 0: > 0 at the upper limit, < 0 at the lower, 0 between.
+    /// It is the reduction of f per unit by which the limit is raised.
     pub multiplier: f64,
 }
 
 impl Solution {
-    /// Whether it has the shape of one over this domain.
-    pub(super) fn is_of(&self, domain: &Domain) -> bool {
+    /// True if the dimensions fit this domain.
+    pub(super) fn fits(&self, domain: &Domain) -> bool {
         let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());
         let is_matrix = |rows: &[Vec<f64>], count: usize| {
             rows.is_empty() || rows.len() == count && rows.iter().all(|row| row.len() == n)
@@ -84,7 +81,7 @@ impl Solution {
             && is_matrix(&self.jacobian, m)
     }
 
-    /// What a search has found when it ends.
+    /// Result of a search that has ended.
     pub(super) fn new(
         domain: &Domain,
         progress: Progress,
@@ -95,7 +92,7 @@ impl Solution {
             state: search,
             verdict,
             undefined_at_start,
-            begun_at,
+            initial_point,
             kink,
             ..
         } = progress;
@@ -103,58 +100,25 @@ impl Solution {
         let Verdict { status, message } =
             verdict.unwrap_or_else(|| Verdict::iteration_limit(iterations, largest));
         let Some(search) = search else {
-            return Self::nowhere(domain, status, message, start, undefined_at_start);
+            return Self::without_evaluation(domain, status, message, start, undefined_at_start);
         };
+        let bound_multipliers = BoundMultipliers::new(&search, &domain.variables);
+        let constraints = constraint_values(&search, &domain.constraints);
+        let hessian = unscaled_hessian(&search);
         let State {
-            scaling,
-            point: at,
-            multipliers,
+            point,
             residual,
             effort,
             ..
         } = search;
-        let slopes = at.lagrangian_gradient(&multipliers).into_owned();
-        let bounds = &domain.variables;
-        let price = |i: usize, is_held: bool, outward: f64| {
-            if is_held {
-                (slopes[i] * outward).max(0.0)
-            } else {
-                0.0
-            }
-        };
-        let n = at.x.len();
-        let hessian = lagrangian_hessian(&scaling, &at, &multipliers).map_or(vec![], |scaled| {
-            let entry = |i: usize, j: usize| scaled[(i, j)] / (scaling.scale[i] * scaling.scale[j]);
-            (0..n)
-                .map(|i| (0..n).map(|j| entry(i, j)).collect())
-                .collect()
-        });
-        let constrained = |(j, multiplier): (usize, &f64)| {
-            let value = at.f.constraints[j].value;
-            Constrained {
-                value,
-                violation: domain.constraints.excess(j, value),
-                multiplier: *multiplier,
-            }
-        };
-        let constraints = multipliers.iter().enumerate().map(constrained).collect();
-        let Point { x, f } = at;
+        let Point { x, f } = point;
         Self {
             status,
             message,
             value: Some(f.objective.value),
-            lower_multipliers: (0..n)
-                .map(|i| price(i, x[i] <= bounds.low[i], 1.0))
-                .collect(),
-            upper_multipliers: (0..n)
-                .map(|i| price(i, x[i] >= bounds.high[i], -1.0))
-                .collect(),
-            // exact where it was not scaled there and back
-            hessian: if constraints_are_idle(&multipliers) {
-                f.objective.hessian
-            } else {
-                hessian
-            },
+            lower_multipliers: bound_multipliers.lower,
+            upper_multipliers: bound_multipliers.upper,
+            hessian,
             gradient: f.objective.gradient,
             constraints,
             jacobian: f
@@ -169,14 +133,14 @@ impl Solution {
             iterations,
             evaluations: effort.evaluations,
             effort,
-            begun_at,
+            initial_point,
             undefined_at_start,
         }
     }
 
-    /// The end of a search that was stopped before it began.
-    pub(super) fn not_begun(domain: &Domain, start: Vec<f64>) -> Self {
-        Self::nowhere(
+    /// Result of a search that was interrupted before its first evaluation.
+    pub(super) fn interrupted_at_start(domain: &Domain, start: Vec<f64>) -> Self {
+        Self::without_evaluation(
             domain,
             Status::Interrupted,
             "stopped before it began".into(),
@@ -185,12 +149,13 @@ impl Solution {
         )
     }
 
-    fn nowhere(
+    /// Result of a search without any evaluation of the functions.
+    fn without_evaluation(
         domain: &Domain,
         status: Status,
         message: String,
         x: Vec<f64>,
-        why: Option<String>,
+        undefined_at_start: Option<String>,
     ) -> Self {
         let n = domain.variables.dimension();
         let none = Residual {
@@ -214,32 +179,96 @@ impl Solution {
             iterations: 0,
             evaluations: 0,
             effort: Effort::default(),
-            begun_at: vec![],
-            undefined_at_start: why,
+            initial_point: vec![],
+            undefined_at_start,
             x,
         }
     }
 }
 
-fn constraints_are_idle(multipliers: &[f64]) -> bool {
-    multipliers.iter().all(|multiplier| *multiplier == 0.0)
+/// Multipliers of the bounds: components of the Lagrangian's gradient at active bounds.
+struct BoundMultipliers {
+    lower: Vec<f64>,
+    upper: Vec<f64>,
 }
 
-/// One iteration, as an observer sees it.
+impl BoundMultipliers {
+    fn new(search: &State, bounds: &Bounds) -> Self {
+        let x = &search.point.x;
+        let gradient = search.point.lagrangian_gradient(&search.multipliers);
+        let multiplier = |is_at_bound: bool, inward_derivative: f64| {
+            if is_at_bound {
+                inward_derivative.max(0.0)
+            } else {
+                0.0
+            }
+        };
+        Self {
+            lower: (0..x.len())
+                .map(|i| multiplier(x[i] <= bounds.low[i], gradient[i]))
+                .collect(),
+            upper: (0..x.len())
+                .map(|i| multiplier(x[i] >= bounds.high[i], -gradient[i]))
+                .collect(),
+        }
+    }
+}
+
+/// Values, violations and multipliers of the constraints.
+fn constraint_values(search: &State, limits: &Bounds) -> Vec<ConstraintValue> {
+    let constraint_value = |(j, multiplier): (usize, &f64)| {
+        let value = search.point.f.constraints[j].value;
+        ConstraintValue {
+            value,
+            violation: limits.excess(j, value),
+            multiplier: *multiplier,
+        }
+    };
+    search
+        .multipliers
+        .iter()
+        .enumerate()
+        .map(constraint_value)
+        .collect()
+}
+
+/// Hessian of the Lagrangian in the problem's own units; empty if the problem has no Hessians.
+fn unscaled_hessian(search: &State) -> Vec<Vec<f64>> {
+    let State {
+        scaling,
+        point,
+        multipliers,
+        ..
+    } = search;
+    // the objective's own Hessian carries no rounding by the scale
+    if multipliers.iter().all(|multiplier| *multiplier == 0.0) {
+        return point.f.objective.hessian.clone();
+    }
+    let Some(scaled) = lagrangian_hessian(scaling, point, multipliers) else {
+        return vec![];
+    };
+    let n = point.x.len();
+    let entry = |i: usize, j: usize| scaled[(i, j)] / (scaling.scale[i] * scaling.scale[j]);
+    (0..n)
+        .map(|i| (0..n).map(|j| entry(i, j)).collect())
+        .collect()
+}
+
+/// One iteration, as observers receive it.
 #[derive(Clone, Debug, Default)]
 pub struct Iteration {
-    /// 0 for the start.
+    /// Iteration number; 0 is the start.
     pub number: u64,
-    /// f.
+    /// Objective f.
     pub value: f64,
-    /// The point.
+    /// Iterate.
     pub x: Vec<f64>,
-    /// The KKT residual, relative.
+    /// Relative KKT residual.
     pub kkt_residual: f64,
-    /// The largest violation of a constraint, relative.
+    /// Largest relative violation of a constraint.
     pub violation: f64,
-    /// The trust region's size for the next step, in units of the variables' scale.
+    /// Trust-region radius Δ for the next step, in units of the variables' scale.
     pub radius: f64,
-    /// Whether the step was kept.
-    pub kept: bool,
+    /// True if the step was accepted.
+    pub accepted: bool,
 }

@@ -15,28 +15,28 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// argmin's state for this solver: the point, the objective, and what observers are shown of the
-/// iteration.
+/// argmin's state for this solver: the point, the objective, and the iteration info for observers.
 pub type SqpState = IterState<Vec<f64>, (), (), (), IterationInfo, f64>;
 
-/// An iteration in numbers.
+/// Residuals and trust region after one iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct IterationInfo {
-    /// The KKT residual, relative.
+    /// Relative KKT residual.
     pub kkt_residual: f64,
-    /// The largest violation of a constraint, relative.
+    /// Largest relative violation of a constraint.
     pub violation: f64,
-    /// The trust region of the next step.
+    /// Trust-region radius Δ for the next step.
     pub radius: f64,
-    /// Whether the step was accepted.
+    /// True if the step was accepted.
     pub accepted: bool,
 }
 
-/// The problem of a run. argmin owns its problem; several runs share one.
+/// Shared reference to the problem. argmin takes ownership of its problem, but several runs use
+/// one.
 #[derive(Clone, Copy)]
 pub(super) struct ProblemRef<'a>(pub &'a dyn Problem);
 
-/// The solver. [`minimize`](super::minimize()) builds and runs it.
+/// The SQP solver. [`minimize`](super::minimize()) builds and runs it.
 #[derive(Clone)]
 pub struct Sqp {
     pub(super) domain: Domain,
@@ -45,49 +45,53 @@ pub struct Sqp {
     pub(super) progress: Progress,
 }
 
-/// The progress of a search: all that a resumed one needs to end as if it had never stopped.
+/// Serializable progress of a search. A search resumed from it gives the same bits as one that was
+/// never stopped.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Progress {
     pub state: Option<State>,
     pub verdict: Option<Verdict>,
-    /// Whether the search was stopped within its last iteration, which then does not count: argmin
-    /// counts every call.
-    pub is_stopped_within: bool,
-    /// Why f is undefined at the start, if so.
+    /// True if an interrupt ended the last iteration early. argmin counts that iteration too; the
+    /// reported count leaves it out.
+    pub is_interrupted_within: bool,
+    /// Reason why f is undefined at the start, if it is.
     pub undefined_at_start: Option<String>,
-    /// The first point of the search.
-    pub begun_at: Vec<f64>,
-    /// The corner of f at which the search ended.
+    /// First iterate: the start, or another point if f is undefined at the start.
+    pub initial_point: Vec<f64>,
+    /// Kink of f at which the search ended.
     pub kink: Option<Kink>,
 }
 
 impl Progress {
-    /// Whether it has the shape of a problem of `n` variables and `m` constraints.
-    pub fn is_of(&self, n: usize, m: usize) -> bool {
-        let has_state = self.state.as_ref().is_none_or(|state| state.is_of(n, m));
+    /// True if the dimensions fit a problem of `n` variables and `m` constraints.
+    pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
+        let has_state = self
+            .state
+            .as_ref()
+            .is_none_or(|state| state.has_dimensions(n, m));
         has_state
-            && [0, n].contains(&self.begun_at.len())
+            && [0, n].contains(&self.initial_point.len())
             && self.kink.is_none_or(|kink| kink.variable < n)
     }
 }
 
 impl Sqp {
-    /// One iteration: Nocedal & Wright (2006), algorithm 18.4, with the merit φ = f + ν‖v‖₂ of
-    /// violations v and second-order corrections; trust region of Conn, Gould & Toint (2000),
-    /// algorithm 6.1.1. Returns whether the step was accepted.
+    /// One iteration: Nocedal & Wright (2006), algorithm 18.4, with the merit function φ = f +
+    /// ν‖v‖₂ of the constraint violations v, second-order corrections, and the trust-region update
+    /// of Conn, Gould & Toint (2000), algorithm 6.1.1. Returns true if the step was accepted.
     fn iterate(&mut self, state: &mut State, evaluate: &mut Evaluate<'_>) -> Result<bool, Error> {
         // linearise the constraints, convexify the Hessian, solve the quadratic program: minimise ½
-        // dᵀB d + ∇f·d subject to c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
+        // dᵀB d + ∇f·d with c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
         let mut step = state.trial_step();
         // ν ≥ ‖λ‖₂, and large enough for a predicted reduction of φ (eq. 18.36)
         state.update_penalty(&step);
         state.limit_multipliers(&mut step);
 
         // f, c at x + d; actual and predicted reduction of φ
-        let mut trial = state.tried(step, evaluate)?;
+        let mut trial = state.evaluate_step(step, evaluate)?;
         if !trial.reduction.is_acceptable() {
-            // the curvature of the constraints may have spoilt the step
-            trial = state.corrected(trial, evaluate)?;
+            // a step can fail because of the constraints' curvature (Maratos effect)
+            trial = state.correct_step(trial, evaluate)?;
         }
 
         let is_reduced = trial.reduction.is_acceptable();
@@ -96,18 +100,18 @@ impl Sqp {
             // Δ from the ratio of actual to predicted reduction
             state.update_radius(&trial.step, &trial.reduction);
         }
-        // λ ← multipliers of the quadratic program, also of a rejected step: with curvature of the
-        // constraints that it ran into, the next model is nearer to the functions
+        // λ ← multipliers of the quadratic program, also after a rejected step: they bring the
+        // curvature of newly active constraints into the next model
         state.multipliers.clone_from(&trial.step.multipliers);
         // x ← x + d
         let other = match trial.point {
             Some(point) if is_accepted => Some(state.move_to(point)),
             rejected => rejected,
         };
-        // a point on the other side of a corner of f becomes a term of the next model
-        state.corners.update(&state.scaling, &state.point, other);
+        // a point on the other side of a kink of f adds a term to the next model
+        state.kink_sides.update(&state.scaling, &state.point, other);
 
-        self.terminate_or_go_on(state, Some(&trial.step), evaluate)?;
+        self.apply_stopping_tests(state, Some(&trial.step), evaluate)?;
         Ok(is_accepted)
     }
 
@@ -115,9 +119,13 @@ impl Sqp {
         self.interrupt.load(Ordering::Relaxed)
     }
 
-    /// The verdict of a search whose evaluation was stopped: the point is the last that was
-    /// finished.
-    fn stopped_by(&mut self, error: Error, state: &State, iterations: u64) -> Result<(), Error> {
+    /// Verdict after an interrupted evaluation. The point is the last iterate that was completed.
+    fn interrupted_by(
+        &mut self,
+        error: Error,
+        state: &State,
+        iterations: u64,
+    ) -> Result<(), Error> {
         if !self.is_interrupted() {
             return Err(error);
         }
@@ -163,7 +171,7 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
             });
             return Ok((info.param(start), None));
         };
-        self.progress.begun_at.clone_from(&point.x);
+        self.progress.initial_point.clone_from(&point.x);
         let scaling = Scaling::new(
             self.domain.clone(),
             self.domain.variables.scale(&start),
@@ -171,10 +179,10 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
         );
         let mut state = State::new(scaling, point, self.options.initial_radius);
         state.effort.evaluations = count;
-        if let Err(error) = self.terminate_or_go_on(&mut state, None, &mut evaluate) {
-            self.stopped_by(error, &state, 0)?;
+        if let Err(error) = self.apply_stopping_tests(&mut state, None, &mut evaluate) {
+            self.interrupted_by(error, &state, 0)?;
         }
-        let info = shown(info, &state, true);
+        let info = with_iteration_info(info, &state, true);
         self.progress.state = Some(state);
         Ok((info, None))
     }
@@ -190,11 +198,11 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
         let (m, interrupt) = (self.domain.constraints.dimension(), self.interrupt.clone());
         let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
         let info = match self.iterate(&mut state, &mut evaluate) {
-            Ok(is_accepted) => shown(info, &state, is_accepted),
+            Ok(is_accepted) => with_iteration_info(info, &state, is_accepted),
             Err(error) => {
-                self.stopped_by(error, &state, info.iter)?;
-                self.progress.is_stopped_within = true;
-                // observers are shown finished iterations only
+                self.interrupted_by(error, &state, info.iter)?;
+                self.progress.is_interrupted_within = true;
+                // observers see completed iterations only
                 let mut info = info;
                 info.take_residuals();
                 info
@@ -225,9 +233,9 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
     }
 }
 
-/// argmin's state, with what observers are shown.
-fn shown(mut info: SqpState, state: &State, accepted: bool) -> SqpState {
-    // the memory of the point before is used again
+/// Writes the iterate and its iteration info to argmin's state.
+fn with_iteration_info(mut info: SqpState, state: &State, accepted: bool) -> SqpState {
+    // reuse the allocation of the previous point
     let mut x = info.take_param().unwrap_or_default();
     x.clone_from(&state.point.x);
     let Residual {
@@ -246,9 +254,9 @@ fn shown(mut info: SqpState, state: &State, accepted: bool) -> SqpState {
         .residuals(iteration)
 }
 
-/// Evaluates the functions; values that are not finite or not of the right shape count as
-/// undefined. The outer error is argmin's: it ends the iteration once the search is interrupted. A
-/// failure may then have no other reason, and does not count as undefined.
+/// Evaluates the functions at x. The inner error means that they are undefined there (a wrong shape
+/// or a non-finite value counts as undefined); the outer error is argmin's and ends an interrupted
+/// search. After an interrupt an evaluation's failure counts as the interrupt.
 fn evaluate(
     problem: &mut Counted<ProblemRef<'_>>,
     interrupt: &AtomicBool,

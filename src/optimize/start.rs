@@ -2,12 +2,12 @@ use super::domain::Bounds;
 use super::problem::Evaluation;
 use super::scaling::Point;
 
-/// Of the points tried where f is not defined at the start, the best of this many is taken; if none
-/// is defined, the first that is.
+/// If f is undefined at the start: number of points tried before the best defined one is taken. If
+/// none of them is defined, the first defined one is taken.
 const CHOICE: u32 = 8;
 
-/// f at the start, or at another point of the box where it is not defined there; and why it is not.
-/// No other points are tried once an evaluation is stopped, which is then `None`.
+/// Finds the first iterate: the start, or another point of the box if f is undefined there.
+/// `evaluate` returns `None` once the search is interrupted; no further points are tried then.
 pub(super) fn first_point(
     bounds: &Bounds,
     start: &[f64],
@@ -45,8 +45,8 @@ pub(super) fn first_point(
     (best, Some(why))
 }
 
-/// Point `k` of an even spread over the box: multiples of powers of the generalised golden ratio
-/// (Roberts 2018), from the middle on.
+/// Point `k` of a low-discrepancy sequence over the box, from the centre on: multiples of powers of
+/// the generalised golden ratio (Roberts 2018).
 pub(super) fn spread(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
     let n = start.len();
     let scale = bounds.scale(start);

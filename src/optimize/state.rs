@@ -1,107 +1,100 @@
-//! The state of a search between two iterations: point, multipliers, trust region, penalty, and the
-//! steps from one to the next.
+//! State of an SQP search between two iterations (iterate, multipliers, trust region, penalty), and
+//! the operations of one iteration.
 
 use super::bundle::Bundle;
 use super::model::{Model, Workspace, write_lagrangian_hessian};
 use super::problem::Evaluation;
 use super::qp::{QpSolver, StepSource};
 use super::quasi_newton::QuasiNewton;
-use super::reduction::{NOISE, Reduction};
 use super::scaling::{Point, Residual, Scaling, norm};
-use super::trial_step::TrialStep;
+use super::trial_step::{NOISE, Reduction, Trial, TrialStep};
 use serde::{Deserialize, Serialize};
 
-/// A step that fails is corrected at most so often, while that improves it and it is not yet good.
-const MOST_CORRECTIONS: u32 = 3;
-/// Largest trust region, in units of the variables' scale.
-const LARGEST_RADIUS: f64 = 1e16;
-/// The trust region shrinks to this part of the step after a poor reduction …
+/// Maximum number of second-order corrections of one step.
+const MAX_CORRECTIONS: u32 = 3;
+/// Largest trust-region radius, in units of the variables' scale.
+const MAX_RADIUS: f64 = 1e16;
+/// After a poor step the radius becomes this fraction of the step length …
 const SHRINK: f64 = 0.25;
-/// … and grows by this factor after a good one of a step that it limited (Conn, Gould & Toint 2000,
-/// §17.1).
+/// … and after a good step on the trust-region boundary it grows by this factor (Conn, Gould &
+/// Toint 2000, §17.1).
 const GROW: f64 = 2.0;
-/// Least part of its size to which negative curvature is reflected.
-const LEAST_REFLECTION: f64 = 1e-12;
+/// Smallest factor applied to |λ| when a negative eigenvalue λ is reflected.
+const MIN_REFLECTION: f64 = 1e-12;
 /// Predicted reductions below this, relative to φ, are negligible.
 const NEGLIGIBLE: f64 = 1e-13;
-/// The predicted reduction of the merit is at least this part of ν times that of the violation
-/// (Nocedal & Wright 2006, eq. 18.36: ρ).
-const MERIT_SHARE: f64 = 0.1;
-/// Margin of a raised penalty, so that the next step does not raise it again.
+/// The predicted reduction of the merit function is at least this fraction of ν times the predicted
+/// reduction of the violation (Nocedal & Wright 2006, eq. 18.36: ρ).
+const PENALTY_RHO: f64 = 0.1;
+/// Safety factor on a raised penalty, so that the next step does not raise it again.
 const PENALTY_MARGIN: f64 = 1.5;
 
-/// The work of a search, counted.
+/// Work counters of a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Effort {
-    /// Evaluations of the functions with their derivatives.
+    /// Number of evaluations of the functions with their derivatives.
     pub evaluations: u64,
-    /// Quadratic programs solved by the active set of the one before: one linear system.
+    /// Quadratic programs solved from the previous active set: one linear system each.
     pub warm_starts: u64,
-    /// Quadratic programs solved by Clarabel, its active set polished to an exact KKT point.
+    /// Quadratic programs solved by Clarabel, then polished to an exact KKT point of its active
+    /// set.
     pub clarabel: u64,
-    /// Quadratic programs whose step is Clarabel's own solution: no active set near it was exact.
+    /// Quadratic programs whose step is Clarabel's own solution: no exact KKT point was found
+    /// nearby.
     pub unpolished: u64,
-    /// Steps whose linearised constraints contradicted each other and were relaxed.
+    /// Steps with inconsistent linearised constraints, which were relaxed.
     pub relaxed: u64,
-    /// Second-order corrections tried.
+    /// Second-order corrections computed.
     pub corrections: u64,
 }
 
-/// The state of a search.
+/// State of a search.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct State {
     pub scaling: Scaling,
-    /// x, with f, c and their derivatives.
+    /// Iterate x with f, c and their derivatives.
     pub point: Point,
-    /// λ.
+    /// Multipliers λ of the constraints.
     pub multipliers: Vec<f64>,
-    /// Δ, in units of the scale.
+    /// Trust-region radius Δ, in units of the variables' scale.
     pub radius: f64,
-    /// The part of its size to which negative curvature is reflected.
+    /// Factor applied to |λ| when a negative eigenvalue λ of the Hessian is reflected.
     pub reflection: f64,
-    /// ν of the merit f + ν ‖v‖₂.
+    /// Penalty ν of the merit function f + ν‖v‖₂.
     pub penalty: f64,
-    /// The KKT residual at the point.
+    /// KKT residual at the iterate.
     pub residual: Residual,
-    /// Points on the other sides of corners of f.
-    pub corners: Bundle,
-    /// The Hessian of the Lagrangian for a problem that gives none.
+    /// Points on the other sides of nearby kinks of f.
+    pub kink_sides: Bundle,
+    /// Quasi-Newton Hessian of the Lagrangian, for problems without Hessians.
     quasi_newton: Option<QuasiNewton>,
-    /// Solves the quadratic programs, each from the active set of the one before.
+    /// Solver of the quadratic programs, warm-started from the previous active set.
     solver: QpSolver,
     pub counters: Counters,
     pub effort: Effort,
-    /// Why the functions were undefined at the end of a trial step, the last time that they were.
+    /// Reason why the functions were undefined at the last trial point without a value.
     pub undefined_reason: Option<String>,
     #[serde(skip)]
     workspace: Workspace,
 }
 
-/// How often a search has done what it may do a few times only.
+/// Counters of operations that a search repeats only a limited number of times.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Counters {
-    /// Iterations in a row without progress.
+    /// Consecutive iterations without progress.
     pub stalled: u32,
-    /// Saddles left.
+    /// Saddle points left along negative curvature.
     pub saddles: u32,
-    /// Restarts from another point that meets the constraints better.
+    /// Feasibility restorations: restarts from a point with a smaller violation.
     pub restorations: u32,
-    /// Redundant bounds crossed.
+    /// Steps across a redundant bound.
     pub redundant_bounds: u32,
 }
 
-/// Evaluates the functions of a problem at a point; the outer error is argmin's and ends the
-/// search.
+/// Evaluates the functions at a point. The inner error is the reason why they are undefined there;
+/// the outer error is argmin's and ends the search.
 pub(super) type Evaluate<'a> =
     dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
-
-/// A trial step with the point at its end, where the functions are defined there, and the reduction
-/// of the merit.
-pub(super) struct Trial {
-    pub step: TrialStep,
-    pub point: Option<Point>,
-    pub reduction: Reduction,
-}
 
 impl State {
     pub fn new(scaling: Scaling, point: Point, radius: f64) -> Self {
@@ -112,7 +105,7 @@ impl State {
             radius,
             reflection: 1.0,
             penalty: 0.0,
-            corners: Bundle::default(),
+            kink_sides: Bundle::default(),
             quasi_newton: None,
             solver: QpSolver::default(),
             counters: Counters::default(),
@@ -124,41 +117,43 @@ impl State {
         }
     }
 
-    /// Whether all that it holds is of `n` variables and `m` constraints.
-    pub fn is_of(&self, n: usize, m: usize) -> bool {
+    /// True if all dimensions fit a problem of `n` variables and `m` constraints.
+    pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
         let Self {
             scaling: Scaling { scale, gamma, .. },
             point,
             multipliers,
-            corners,
+            kink_sides,
             quasi_newton,
             solver,
             ..
         } = self;
         [scale.len(), gamma.len(), multipliers.len()] == [n, m, m]
-            && point.is_of(n, m)
-            && corners.is_of(n, m)
-            && quasi_newton.as_ref().is_none_or(|hessian| hessian.is_of(n))
+            && point.has_dimensions(n, m)
+            && kink_sides.has_dimensions(n, m)
+            && quasi_newton
+                .as_ref()
+                .is_none_or(|hessian| hessian.has_dimensions(n))
             && solver
                 .active_set
                 .as_ref()
-                .is_none_or(|active| active.is_of(n, m))
+                .is_none_or(|active| active.has_dimensions(n, m))
     }
 
-    /// The trial step of the model. Where a point on another side of a corner, too far away, leaves
-    /// nothing to gain, that side is forgotten and met again nearer.
+    /// Trial step of the quadratic model. If a kink's far side, expanded from too far away, leaves
+    /// no predicted reduction, that side is dropped from the model and the step computed again.
     pub fn trial_step(&mut self) -> TrialStep {
         loop {
             let step = self.solve_model(None);
-            let is_hopeless =
+            let has_no_gain =
                 self.predicted_reduction(&step) <= NEGLIGIBLE * self.scaling.size(&self.point);
-            if !(is_hopeless && self.corners.forget_one_too_far(&self.scaling, &self.point)) {
+            if !(has_no_gain && self.kink_sides.drop_farthest(&self.scaling, &self.point)) {
                 return step;
             }
         }
     }
 
-    /// The step of the model; after a tried point, its second-order correction.
+    /// Step of the quadratic model, or the second-order correction after the trial point `tried`.
     fn solve_model(&mut self, tried: Option<&Point>) -> TrialStep {
         let mut workspace = std::mem::take(&mut self.workspace);
         let mut hessian = std::mem::take(&mut workspace.hessian);
@@ -167,7 +162,7 @@ impl State {
         }
         let model = Model {
             scaling: &self.scaling,
-            corners: &self.corners,
+            kink_sides: &self.kink_sides,
             point: &self.point,
             multipliers: &self.multipliers,
             hessian: &hessian,
@@ -184,26 +179,25 @@ impl State {
         step
     }
 
-    /// Updates the penalty, so that the step lowers the model of the merit.
+    /// Updates the penalty ν so that the step reduces the model of the merit function.
     pub fn update_penalty(&mut self, step: &TrialStep) {
         if !step.is_relaxed {
-            // an exact penalty is at least the multipliers' norm; one that was too large sinks
-            // towards it
+            // the merit function is exact for ν ≥ ‖λ‖₂; a larger ν decays towards that value
             let exact = self.multiplier_norm(&step.multipliers);
             self.penalty = exact.max(0.5 * (self.penalty + exact));
         }
-        let gained = step.violation - step.linear_violation;
-        if gained > NOISE {
-            let needed = -step.objective_reduction / ((1.0 - MERIT_SHARE) * gained);
+        let violation_reduction = step.violation - step.linear_violation;
+        if violation_reduction > NOISE {
+            let needed = -step.objective_reduction / ((1.0 - PENALTY_RHO) * violation_reduction);
             if needed > self.penalty {
                 self.penalty = PENALTY_MARGIN * needed;
             }
         }
     }
 
-    /// Limits the multipliers of a relaxed step to the penalty. The merit's own, ν v/‖v‖, are no
-    /// larger, and those of contradicting rows may be anything: they would rise without end, and
-    /// the Hessian of the Lagrangian with them.
+    /// Limits the norm of a relaxed step's multipliers to ν. Inconsistent rows have unbounded
+    /// multipliers, which would let the Hessian of the Lagrangian grow without limit; the
+    /// multipliers of the merit function, ν v/‖v‖, never exceed ν.
     pub fn limit_multipliers(&self, step: &mut TrialStep) {
         if !step.is_relaxed {
             return;
@@ -219,7 +213,7 @@ impl State {
             .for_each(|multiplier| *multiplier *= part);
     }
 
-    /// ‖λ‖₂, in units of 1/γ.
+    /// Norm ‖λ‖₂, in units of 1/γ.
     fn multiplier_norm(&self, multipliers: &[f64]) -> f64 {
         norm(
             multipliers
@@ -229,13 +223,13 @@ impl State {
         )
     }
 
-    /// Evaluates the end of a trial step.
-    pub fn tried(
+    /// Evaluates the functions at the end of a trial step, and the reduction of the merit function.
+    pub fn evaluate_step(
         &mut self,
         mut step: TrialStep,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<Trial, argmin::core::Error> {
-        let point = self.evaluated(std::mem::take(&mut step.x), evaluate)?;
+        let point = self.evaluate_at(std::mem::take(&mut step.x), evaluate)?;
         let reduction = self.reduction(&step, point.as_ref());
         Ok(Trial {
             step,
@@ -244,8 +238,9 @@ impl State {
         })
     }
 
-    /// The point at x; where the functions are undefined there, the reason is kept.
-    pub fn evaluated(
+    /// Evaluates the functions at x. Returns `None`, and records the reason, where they are
+    /// undefined.
+    pub fn evaluate_at(
         &mut self,
         x: Vec<f64>,
         evaluate: &mut Evaluate<'_>,
@@ -260,21 +255,21 @@ impl State {
         }
     }
 
-    /// Second-order corrections of a step that failed, while they reduce the merit further and not
-    /// yet well.
-    pub fn corrected(
+    /// Applies second-order corrections to a rejected step, as long as each lowers the merit
+    /// function further and the reduction is not yet good.
+    pub fn correct_step(
         &mut self,
         mut trial: Trial,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<Trial, argmin::core::Error> {
-        for _ in 0..MOST_CORRECTIONS {
+        for _ in 0..MAX_CORRECTIONS {
             if trial.reduction.is_good() {
                 break;
             }
             let Some(corrected) = self.second_order_correction(&trial) else {
                 break;
             };
-            let point = self.evaluated(corrected.x, evaluate)?;
+            let point = self.evaluate_at(corrected.x, evaluate)?;
             let reduction = self.reduction(&trial.step, point.as_ref());
             if reduction.actual <= trial.reduction.actual {
                 break;
@@ -285,19 +280,20 @@ impl State {
         Ok(trial)
     }
 
-    /// The second-order correction of a step, where it violates the constraints by more than their
+    /// Second-order correction of a step whose end violates the constraints by more than their
     /// linear model.
     fn second_order_correction(&mut self, trial: &Trial) -> Option<TrialStep> {
         let tried = trial.point.as_ref()?;
-        let missed = norm(self.scaling.violations(&tried.f)) - trial.step.linear_violation;
-        if tried.f.constraints.is_empty() || missed <= NOISE {
+        let unpredicted_violation =
+            norm(self.scaling.violations(&tried.f)) - trial.step.linear_violation;
+        if tried.f.constraints.is_empty() || unpredicted_violation <= NOISE {
             return None;
         }
         self.effort.corrections += 1;
         Some(self.solve_model(Some(tried)))
     }
 
-    /// Predicted and actual reduction of the merit.
+    /// Predicted and actual reduction of the merit function.
     fn reduction(&self, step: &TrialStep, point: Option<&Point>) -> Reduction {
         let actual = point.map_or(f64::NEG_INFINITY, |point| {
             let violation = norm(self.scaling.violations(&point.f));
@@ -311,9 +307,9 @@ impl State {
         }
     }
 
-    /// Whether a step that changes the merit by little more than rounding halves the KKT residual:
-    /// near a solution the gradient has more correct digits than the merit (Hager & Zhang 2005,
-    /// SIAM J. Optim. 16, section 2).
+    /// True if the merit function changes by little more than rounding, but the KKT residual
+    /// halves: near a solution the gradient has more correct digits than the merit function (Hager
+    /// & Zhang 2005, SIAM J. Optim. 16, section 2).
     pub fn halves_the_residual(&self, trial: &Trial) -> bool {
         let Some(point) = &trial.point else {
             return false;
@@ -322,24 +318,24 @@ impl State {
         trial.reduction.is_nearly_rounding() && residual.largest() <= 0.5 * self.residual.largest()
     }
 
-    /// The trust region for the next step.
+    /// Updates the trust-region radius, and the factor of reflected curvature.
     pub fn update_radius(&mut self, step: &TrialStep, reduction: &Reduction) {
         if reduction.is_poor() {
             self.radius = SHRINK * step.length.min(self.radius);
         } else if reduction.is_good() && step.is_limited_by(self.radius) {
-            self.radius = (GROW * self.radius).min(LARGEST_RADIUS);
+            self.radius = (GROW * self.radius).min(MAX_RADIUS);
         }
-        // a reflected curvature, which is none of f's, limits steps as a trust region does, and is
-        // relaxed as one
+        // reflected curvature does not belong to f: it limits the step as a trust region does, and
+        // is relaxed in the same way
         let is_exact = step.is_reflected && reduction.is_exact();
         self.reflection = if is_exact {
-            (SHRINK * self.reflection).max(LEAST_REFLECTION)
+            (SHRINK * self.reflection).max(MIN_REFLECTION)
         } else {
             1.0
         };
     }
 
-    /// Moves to a point; returns the point before.
+    /// Moves the iterate to a point and returns the previous one.
     pub fn move_to(&mut self, to: Point) -> Point {
         self.scaling.floor_size(&to);
         if to.f.objective.hessian.is_empty() {
@@ -350,33 +346,32 @@ impl State {
         std::mem::replace(&mut self.point, to)
     }
 
-    /// Restarts at a point, with nothing kept of what was known elsewhere.
+    /// Restarts at a point: multipliers, penalty, kinks and quasi-Newton Hessian are reset.
     pub fn restart_at(&mut self, point: Point, radius: f64) {
         self.multipliers.fill(0.0);
         self.scaling.floor_size(&point);
         (self.penalty, self.radius, self.counters.stalled) = (0.0, radius, 0);
-        (self.corners, self.quasi_newton) = (Bundle::default(), None);
+        (self.kink_sides, self.quasi_newton) = (Bundle::default(), None);
         self.residual = self.scaling.residual(&point, &self.multipliers);
         self.point = point;
     }
 
-    /// What the model says the merit falls by.
+    /// Predicted reduction of the merit function.
     pub fn predicted_reduction(&self, step: &TrialStep) -> f64 {
         step.objective_reduction + self.penalty * (step.violation - step.linear_violation)
     }
 
-    /// The size of the merit, by which its rounding is measured: that of f, and a constraint's in
-    /// units of γ.
+    /// Size of the merit function, the unit of its rounding error: size of f plus ν.
     pub fn merit_size(&self) -> f64 {
         self.scaling.size(&self.point) + self.penalty
     }
 
-    /// ‖v‖₂, in units of γ.
+    /// Norm ‖v‖₂ of the constraint violations, in units of γ.
     pub fn violation(&self) -> f64 {
         norm(self.scaling.violations(&self.point.f))
     }
 
-    /// The Lagrangian at a point, with the multipliers of this one.
+    /// Lagrangian at another point, with the multipliers of the iterate.
     pub fn lagrangian(&self, at: &Point) -> f64 {
         let terms =
             at.f.constraints

@@ -1,50 +1,47 @@
-//! How a search ends. A status is a verdict with its numbers; bad input is an
-//! [`Error`](crate::Error) instead.
+//! Stopping tests and verdicts of a search. A [`Status`] is the outcome of a search; bad input is
+//! an [`Error`](crate::Error) instead.
 //!
-//! Each stopping test is a function of its own. All sizes are relative: variables are measured by
-//! [`Bounds::scale`](super::Bounds::scale) (s), the objective by φ = max(|f|, min(1, φ₀)) with φ₀
-//! the larger of |f| and its largest s-scaled slope at the start, constraint j by γⱼ, its largest
-//! s-scaled slope at the start. The KKT residual is the largest of maxᵢ sᵢ |pᵢ|/φ, with p the
-//! Lagrangian's gradient projected on the bounds (its component is 0 where a bound is active and f
-//! falls only towards the outside), of the constraints' violations over γ, and of the multipliers
-//! times the distance from their limits over φ.
+//! Each stopping test is one function. All quantities are relative: variables to
+//! [`Bounds::scale`](super::Bounds::scale) (s); the objective to φ = max(|f|, min(1, φ₀)), with φ₀
+//! the larger of |f| and its largest s-scaled derivative at the start; constraint j to γⱼ, its
+//! largest s-scaled derivative at the start. The KKT residual is the maximum of the stationarity
+//! maxᵢ sᵢ |pᵢ|/φ (p: gradient of the Lagrangian, projected on the bounds), the constraint
+//! violations over γ, and the complementarity: multiplier times distance from its limit, over φ.
 
 use super::kink::Kink;
-use super::reduction::NOISE;
 use super::redundant::RedundantBound;
 use super::scaling::{Outward, Residual};
 use super::state::State;
-use super::trial_step::TrialStep;
+use super::trial_step::{NOISE, TrialStep};
 use crate::units::counted;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// How a search ended.
+/// Outcome of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
-    /// The KKT conditions hold, and no direction of negative curvature is left.
+    /// The KKT conditions hold, and the Lagrangian has no direction of negative curvature.
     Converged,
-    /// The objective has a corner here, and the model of its sides predicts no reduction.
+    /// The objective has a kink here, and the model of its sides predicts no reduction.
     StalledAtKink,
     /// No step reduces the objective by more than rounding, though the KKT conditions do not hold.
     Stalled,
-    /// No point was found that meets the constraints: their violation is at a minimum that is not
-    /// zero.
+    /// No feasible point was found: the violation has a nonzero minimum.
     Infeasible,
-    /// The objective falls without end: far out, with the constraints met, it still falls, and no
-    /// bound lies ahead.
+    /// The objective is unbounded below: it still falls far from the start, with the constraints
+    /// satisfied and no bound ahead.
     Unbounded,
-    /// The iterations allowed were used up.
+    /// The limit of iterations was reached.
     IterationLimit,
-    /// Stopped from outside; the point is the best so far.
+    /// Interrupted by the caller; the point is the best so far.
     Interrupted,
-    /// The functions are not defined at the start, nor at any other point tried.
+    /// The functions are undefined at the start and at all other points tried.
     Undefined,
 }
 
 impl Status {
-    /// The status in a word: `converged`.
+    /// Name in reports: `converged`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
@@ -65,7 +62,7 @@ impl fmt::Display for Status {
     }
 }
 
-/// A status with the sentence that goes with it.
+/// A status with its message.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Verdict {
     pub status: Status,
@@ -92,8 +89,8 @@ impl Verdict {
         let message = match tried {
             0 => "stopped before the functions were evaluated once".into(),
             _ => format!(
-                "stopped before a start was found: the functions are defined at none of the points \
-                 tried so far ({tried})"
+                "stopped before a start was found: the functions are undefined at the {tried} points \
+                 tried so far"
             ),
         };
         Self::new(Status::Interrupted, message)
@@ -109,8 +106,7 @@ impl Verdict {
         Self::new(
             Status::Undefined,
             format!(
-                "the functions are defined neither at the start nor at the other points of the box \
-                 that were tried ({trials}): {why}"
+                "the functions are undefined at the start and at {trials} other points of the box: {why}"
             ),
         )
     }
@@ -125,16 +121,15 @@ impl Verdict {
             slope.map_or("out of bounds".into(), |slope| format!("{slope:.6}"))
         };
         let message = format!(
-            "the objective has a corner in variable {variable} at {at:e}: its slope is {} below \
-             and {} above, \
-             so that no gradient vanishes; KKT residual {residual:.1e}",
+            "the objective has a kink in variable {variable} at {at:e}: its derivative is {} below and \
+             {} above, so that it never vanishes; KKT residual {residual:.1e}",
             side(slope_below),
             side(slope_above)
         );
         Self::new(Status::StalledAtKink, message)
     }
 
-    /// A point that meets the KKT conditions only by a multiplier that compensates a bound.
+    /// The KKT conditions hold only because a huge multiplier balances a redundant bound.
     pub fn degenerate(pair: &RedundantBound, residual: f64) -> Self {
         let RedundantBound {
             variable,
@@ -142,16 +137,15 @@ impl Verdict {
             multiplier,
         } = pair;
         let message = format!(
-            "constraint {constraint} and the bound of variable {variable} have parallel gradients \
-             here, and only a multiplier of \
-             {multiplier:.1e} balances them: no KKT point; KKT residual {residual:.1e}. Leave out \
-             that bound or start elsewhere"
+            "constraint {constraint} and the bound of variable {variable} have parallel gradients here, \
+             and only a multiplier of {multiplier:.1e} balances them: this is no KKT point; KKT \
+             residual {residual:.1e}. Remove that bound or start elsewhere"
         );
         Self::new(Status::Stalled, message)
     }
 
-    /// The verdict, with more to say of the place.
-    pub fn with(mut self, more: &str) -> Self {
+    /// Appends text to the message.
+    pub fn with_text(mut self, more: &str) -> Self {
         self.message += more;
         self
     }
@@ -163,7 +157,7 @@ fn with_residual(residual: Option<f64>) -> String {
     })
 }
 
-/// Converged: the KKT residual is small enough.
+/// Converged: the KKT residual is below the tolerance.
 pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdict> {
     let largest = residual.largest();
     let passed = largest <= tolerance;
@@ -175,40 +169,43 @@ pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdic
     })
 }
 
-/// Whether the model predicts a reduction within the rounding of the merit: relative to a large
-/// constant in f any slope is small.
+/// True if the predicted reduction is within the rounding of the merit function. The KKT residual
+/// alone is not enough: relative to a large constant in f any derivative is small.
 pub(super) fn gain_test(state: &mut State) -> bool {
     let step = state.trial_step();
     state.predicted_reduction(&step) <= NOISE * state.merit_size()
 }
 
-/// Converged as far as can be told: nothing more can be gained, and measured by the size that the
-/// objective had at the start, `shrunk` times what it has here, the residual is small enough.
-pub(super) fn rounding_test(residual: Residual, shrunk: f64, tolerance: f64) -> Option<Verdict> {
-    let largest = residual.stationarity.max(residual.complementarity) / shrunk;
+/// Converged to rounding: no reduction is predicted, and the KKT residual relative to the initial
+/// size of the objective is below the tolerance. `size_ratio` is the initial size over the current
+/// one.
+pub(super) fn rounding_test(
+    residual: Residual,
+    size_ratio: f64,
+    tolerance: f64,
+) -> Option<Verdict> {
+    let largest = residual.stationarity.max(residual.complementarity) / size_ratio;
     (largest <= tolerance && residual.feasibility <= tolerance).then(|| {
         let message = format!(
-            "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the \
-             start: because of rounding it can \
-             fall no further"
+            "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the start; \
+             rounding prevents a smaller one"
         );
         Verdict::new(Status::Converged, message)
     })
 }
 
-/// Whether a variable has come so far that its slope by itself says little: far from 0 the slope
-/// times that distance must be a small part of φ too (the slope of −x³ is 3/x of its size, and
-/// falls below any tolerance).
-pub(super) fn is_running_off(outward: Option<&Outward>, tolerance: f64) -> bool {
-    /// Variables this many scales from 0 are far.
+/// True if a variable diverges. Far from 0 a small derivative alone does not prove stationarity
+/// (that of −x³ is 3/x of its value), so derivative times distance must be a small part of φ too.
+pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
+    /// Distance from 0, in units of the scale, from which a variable counts as far.
     const FAR: f64 = 1e4;
-    outward.is_some_and(|outward| outward.reach >= FAR && outward.rate > tolerance)
+    outward.is_some_and(|outward| outward.distance >= FAR && outward.rate > tolerance)
 }
 
-/// Unbounded: with the constraints met and no bound or constraint ahead, a variable is at 1e15
-/// scales and a doubling of it would still lower the objective by a part of its size (one that has
-/// a lower bound cannot keep that up: its slope falls faster than 1/x); or the objective is below
-/// −1e60 times its size at the start (with constraints, which may still bend, −1e200), and still
+/// Unbounded: the constraints are satisfied, no bound or constraint lies ahead, and either a
+/// variable is at 1e15 scales and doubling it would still reduce the objective by 1e-3 of its size
+/// (a function bounded below cannot: its derivative falls faster than 1/x), or the objective is
+/// below −1e60 times its initial size (with constraints, which may still curve, −1e200) and still
 /// falls.
 pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option<Verdict> {
     const FARTHEST: f64 = 1e15;
@@ -221,9 +218,9 @@ pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option
     } else {
         1e200
     };
-    let is_far = outward.reach >= FARTHEST && outward.rate >= RATE;
+    let is_far = outward.distance >= FARTHEST && outward.rate >= RATE;
     let is_deep =
-        value <= -deepest * state.scaling.first_size && state.residual.stationarity >= RATE;
+        value <= -deepest * state.scaling.initial_size && state.residual.stationarity >= RATE;
     if state.residual.feasibility > MET
         || !(is_far || is_deep)
         || state.scaling.has_limit_ahead(&state.point)
@@ -231,9 +228,8 @@ pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option
         return None;
     }
     let message = format!(
-        "the objective falls without end: it is {value:.1e} with variable {} at {:.1e}, still \
-         falls there, and no bound \
-         or constraint lies ahead; give that variable a bound",
+        "the objective is unbounded below: it is {value:.1e} with variable {} at {:.1e}, still \
+         falls there, and no bound or constraint lies ahead; give that variable a bound",
         outward.variable, outward.at
     );
     Some(Verdict {
@@ -242,8 +238,7 @@ pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option
     })
 }
 
-/// Infeasible: the constraints are violated, and no step reduces the violation of the linearised
-/// ones.
+/// Infeasible: no step reduces the violation of the linearised constraints.
 pub(super) fn infeasible_test(step: &TrialStep, radius: f64, tolerance: f64) -> Option<Verdict> {
     const LEAST_GAIN: f64 = 1e-6;
     let TrialStep {
@@ -256,18 +251,16 @@ pub(super) fn infeasible_test(step: &TrialStep, radius: f64, tolerance: f64) -> 
     (is_relaxed && violation > tolerance && is_least).then(|| infeasible(violation))
 }
 
-/// No point was found that meets the constraints; the least violation found.
+/// Verdict of infeasibility, with the smallest violation found.
 pub(super) fn infeasible(violation: f64) -> Verdict {
     let message = format!(
         "no point was found that meets the constraints: their violation {violation:.3e} (relative) \
-         is the least found, from here and \
-         from other points of the box"
+         is the least found, from here and from other points of the box"
     );
     Verdict::new(Status::Infeasible, message)
 }
 
-/// The trust region has shrunk to nothing: no step that can be told from none makes the function
-/// smaller.
+/// Stalled: the trust region is so small that steps are within rounding of zero.
 pub(super) fn radius_test(radius: f64, residual: f64) -> Option<Verdict> {
     const LEAST: f64 = 1e-14;
     (radius <= LEAST).then(|| {
@@ -278,29 +271,27 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<Verdict> {
     })
 }
 
-/// A corner of f: terms of more than one of its sides are active, and the model predicts no
+/// Stalled at a kink of f: several terms of the piecewise model are active, and it predicts no
 /// reduction.
-pub(super) fn corner_test(active_terms: usize, predicted: f64, residual: f64) -> Option<Verdict> {
+pub(super) fn kink_test(active_terms: usize, predicted: f64, residual: f64) -> Option<Verdict> {
     const LEAST: f64 = 1e-13;
     (active_terms > 1 && predicted <= LEAST).then(|| {
         let message = format!(
-            "the objective has a corner here: the model of {active_terms} of its sides predicts a \
-             reduction of {predicted:.1e} <= \
-             {LEAST:.0e} (relative); KKT residual {residual:.1e}"
+            "the objective has a kink here: the model of {active_terms} of its sides predicts a \
+             reduction of {predicted:.1e} <= {LEAST:.0e} (relative); KKT residual {residual:.1e}"
         );
         Verdict::new(Status::StalledAtKink, message)
     })
 }
 
-/// No progress: for some iterations the predicted reduction was within the rounding of f, and the
-/// residual has not fallen.
+/// Stalled: over several iterations the predicted reduction was within the rounding of f, and the
+/// KKT residual did not fall.
 pub(super) fn progress_test(iterations: u32, predicted: f64, residual: f64) -> Option<Verdict> {
     const PATIENCE: u32 = 4;
     (iterations >= PATIENCE).then(|| {
         let message = format!(
-            "for {PATIENCE} iterations the model predicted a reduction no larger than rounding \
-             (last {predicted:.1e}, relative) and the KKT \
-             residual stays at {residual:.1e}"
+            "for {PATIENCE} iterations the model predicted a reduction no larger than rounding (last \
+             {predicted:.1e}, relative) and the KKT residual stays at {residual:.1e}"
         );
         Verdict::new(Status::Stalled, message)
     })

@@ -1,38 +1,106 @@
-use super::qp::StepSource;
+//! Trial steps, and the ratio test of their actual and predicted reduction.
 
-/// The step that a search tries: the solution of its quadratic program.
+use super::qp::StepSource;
+use super::scaling::Point;
+
+/// A trial step: solution of the quadratic program, with the quantities of its model.
 #[derive(Clone)]
 pub(super) struct TrialStep {
-    /// The point at its end; a variable that ends at a bound is there exactly.
+    /// Trial point x + d. A variable that ends at a bound equals the bound exactly.
     pub x: Vec<f64>,
-    /// ‖d‖∞, in units of the scale.
+    /// Length ‖d‖∞, in units of the variables' scale.
     pub length: f64,
-    /// What the model says f falls by; it may rise where constraints ask for it.
+    /// Predicted reduction of f. Negative if the constraints require f to rise.
     pub objective_reduction: f64,
-    /// ‖v‖₂ before the step, in units of γ.
+    /// Norm ‖v‖₂ of the violations before the step, in units of γ.
     pub violation: f64,
-    /// ‖v‖₂ of the linearised constraints after it.
+    /// Norm ‖v‖₂ of the linearised constraints' violations after the step.
     pub linear_violation: f64,
-    /// Multipliers of the constraints.
+    /// Multipliers λ of the constraints.
     pub multipliers: Vec<f64>,
-    /// The number of active terms of the maximum; 1 away from corners.
+    /// Number of active terms of the piecewise model; 1 away from kinks.
     pub active_terms: usize,
-    /// Whether the linearised constraints could not all be met, and were relaxed.
+    /// True if the linearised constraints were inconsistent and were relaxed.
     pub is_relaxed: bool,
-    /// Whether negative curvature of the model was reflected.
+    /// True if negative curvature of the model was reflected.
     pub is_reflected: bool,
-    /// How its quadratic program was solved.
+    /// Method that solved the quadratic program.
     pub source: StepSource,
 }
 
-/// The part of the trust region in which contradicting constraints are met as far as they can be;
-/// the rest is left to the objective (Omojokun 1989: 0.8).
+/// Fraction of the trust region available to the step of least violation when constraints are
+/// inconsistent. The rest remains for the objective (Omojokun 1989: 0.8).
 pub(super) const NORMAL_PART: f64 = 0.8;
 
 impl TrialStep {
-    /// Whether the trust region limits it.
+    /// True if the step ends on the boundary of the trust region.
     pub fn is_limited_by(&self, radius: f64) -> bool {
         let part = if self.is_relaxed { NORMAL_PART } else { 1.0 };
         self.length >= 0.99 * part * radius
+    }
+}
+
+/// A trial step, the point at its end (`None` where the functions are undefined), and the reduction
+/// of the merit function.
+pub(super) struct Trial {
+    pub step: TrialStep,
+    pub point: Option<Point>,
+    pub reduction: Reduction,
+}
+
+/// Actual and predicted reduction of the merit function by a step.
+///
+/// Each comparison adds the rounding error of the functions to both reductions, so that a step
+/// within rounding is accepted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reduction {
+    /// Actual reduction φ(x) − φ(x + d).
+    pub actual: f64,
+    /// Reduction predicted by the quadratic model.
+    pub predicted: f64,
+    /// Size of the merit function, the unit of its rounding error.
+    pub size: f64,
+}
+
+/// Rounding error of the functions, relative to their sizes φ and γ.
+pub(super) const NOISE: f64 = 1e-14;
+/// Reductions up to this, relative to the size of the merit function, are little more than
+/// rounding.
+const NEARLY_NOISE: f64 = 1e-10;
+/// Smallest ratio of actual to predicted reduction of an accepted step (Conn, Gould & Toint 2000,
+/// §6.1: any small positive number).
+const ACCEPT: f64 = 1e-4;
+/// Ratio below which a step is poor: the trust region shrinks.
+const POOR: f64 = 0.25;
+const GOOD: f64 = 0.75;
+/// The model counts as exact if its relative error of the reduction is at most this.
+const EXACT: f64 = 1e-9;
+
+impl Reduction {
+    pub fn is_acceptable(&self) -> bool {
+        self.ratio_is_at_least(ACCEPT)
+    }
+
+    pub fn is_poor(&self) -> bool {
+        !self.ratio_is_at_least(POOR)
+    }
+
+    pub fn is_good(&self) -> bool {
+        self.actual > GOOD * self.predicted
+    }
+
+    /// True if the model predicts the reduction almost to rounding.
+    pub fn is_exact(&self) -> bool {
+        (self.actual - self.predicted).abs() <= EXACT * self.predicted.abs()
+    }
+
+    pub fn is_nearly_rounding(&self) -> bool {
+        let most = NEARLY_NOISE * self.size;
+        self.predicted <= most && self.actual.abs() <= most
+    }
+
+    fn ratio_is_at_least(&self, ratio: f64) -> bool {
+        let noise = NOISE * self.size;
+        self.actual + noise >= ratio * (self.predicted + noise)
     }
 }

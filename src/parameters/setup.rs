@@ -175,7 +175,7 @@ impl Setup<f64> {
     /// Converts the number type, without derivatives.
     #[inline(always)]
     pub(crate) fn constant<T: Numbers>(&self) -> Setup<T> {
-        T::outlined(inlined!(|| self.map(|_, value| T::constant(value))))
+        T::not_inlined(inlined!(|| self.map(|_, value| T::constant(value))))
     }
 }
 

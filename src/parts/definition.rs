@@ -1,7 +1,7 @@
 use super::hash::Hash;
 use crate::batch::{Batch, Points};
 use crate::fingerprint::Fingerprint;
-use crate::statistics::Summarized;
+use crate::statistics::SummarySpec;
 use serde::{Deserialize, Serialize};
 
 /// Definition of a sweep: everything that the bytes of its parts depend on. Numbers are written to
@@ -37,7 +37,7 @@ impl SweepDefinition {
     pub(super) fn new(
         batch: &Batch,
         points: &dyn Points,
-        summarized: &Summarized,
+        summary_spec: &SummarySpec,
         parts: u64,
     ) -> Self {
         let names = |names: Vec<&str>| names.join(",");
@@ -48,7 +48,7 @@ impl SweepDefinition {
             outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
             derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
             largest_defect: format!("{:?}", batch.largest_defect()),
-            summary: summarized.identity(),
+            summary: summary_spec.identity(),
             instructions: format!("{} {}", std::env::consts::ARCH, batch.level()),
             functions: format!("{:016x}", elementary_functions()),
             rows: points.rows(),

@@ -6,7 +6,7 @@ use crate::atomic_file::create_beside;
 use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
-use crate::statistics::{Bins, Sought, Summarized, Summary};
+use crate::statistics::{Bins, Sought, Summary, SummarySpec};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::ops::Range;
@@ -15,7 +15,7 @@ use std::path::Path;
 /// A sweep divided into parts.
 pub struct Dataset {
     batch: Batch,
-    summarized: Summarized,
+    summarized: SummarySpec,
     question: SweepDefinition,
     table: SweepParquet,
 }
@@ -36,21 +36,21 @@ impl Dataset {
     /// best rows.
     ///
     /// # Errors
-    /// [`Error::Together`] for more parts than blocks of rows; those of [`Summarized::new`].
+    /// [`Error::Together`] for more parts than blocks of rows; those of [`SummarySpec::new`].
     pub fn new(
         batch: Batch,
         points: &dyn Points,
         parts: u64,
         bins: &[Bins],
-        sought: &[Sought],
+        rankings: &[RankingSpec],
     ) -> Result<Self> {
         rows_of(parts, parts, points.rows())?;
-        let summarized = Summarized::new(&batch, bins, sought)?;
+        let summarized = SummarySpec::new(&batch, bins, sought)?;
         let question = SweepDefinition::new(&batch, points, &summarized, parts);
         let table = SweepParquet::new(&batch, &question.text())?;
         Ok(Self {
             batch,
-            summarized,
+            summary_spec,
             question,
             table,
         })
@@ -150,13 +150,13 @@ impl Dataset {
         let mut content = Content {
             rows: 0,
             groups: vec![],
-            summary: self.summarized.none(),
+            summary: self.summary_spec.none(),
         };
         let mut waiting = vec![];
         let end = self.batch.run(
             points,
             run,
-            |block| (self.summarized.of(&block), block),
+            |block| (self.summary_spec.of(&block), block),
             |(of_block, block)| {
                 content.summary.merge(&of_block);
                 content.rows += block.rows() as u64;

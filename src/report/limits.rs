@@ -1,7 +1,7 @@
 //! Bounds and constraints at an optimum in words: the active ones, with their prices.
 
 use super::shown;
-use crate::optimize::{Constrained, Status};
+use crate::optimize::{ConstraintValue, Status};
 use crate::study::{Constraint, Sense};
 use crate::units::{Quantity, System, signed, significant};
 
@@ -20,7 +20,7 @@ pub(super) struct Objective {
 pub(super) struct Limit<'a> {
     pub constraint: &'a Constraint,
     /// Value and multiplier, of a search that minimizes.
-    pub at: &'a Constrained,
+    pub at: &'a ConstraintValue,
     /// The gradient of the limited goal by the parameters varied.
     pub slopes: &'a [f64],
     /// The gain for each unit by which the limit is relaxed; of an equation, raised.
@@ -29,7 +29,7 @@ pub(super) struct Limit<'a> {
 
 impl<'a> Limit<'a> {
     /// A constraint whose multiplier is its price.
-    pub fn new(constraint: &'a Constraint, at: &'a Constrained, slopes: &'a [f64]) -> Self {
+    pub fn new(constraint: &'a Constraint, at: &'a ConstraintValue, slopes: &'a [f64]) -> Self {
         let gain = if constraint.is_equation() {
             at.multiplier
         } else {

@@ -10,7 +10,7 @@ use super::uncertainty::distribution_text;
 use super::{Reply, setup_toml, shown};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
-use crate::optimize::{Constrained, Effort, Iteration, Status};
+use crate::optimize::{ConstraintValue, Effort, Iteration, Status};
 use crate::parameters::{Parameter, Preset, Setup};
 use crate::study::swings::Swings;
 use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample, Search, Sense};
@@ -142,7 +142,7 @@ pub struct ConstraintReport {
 }
 
 impl ConstraintReport {
-    pub(super) fn new(constraint: &Constraint, at: &Constrained) -> Self {
+    pub(super) fn new(constraint: &Constraint, at: &ConstraintValue) -> Self {
         // a decrease of the minimized function is a gain of the objective
         let multiplier = if constraint.is_equation() {
             at.multiplier
@@ -738,7 +738,11 @@ pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) ->
         number(of.quantity, of.unit, search.sense.sign() * iteration.value),
         iteration.kkt_residual,
         iteration.radius,
-        if iteration.kept { "" } else { "  step refused" },
+        if iteration.accepted {
+            ""
+        } else {
+            "  step refused"
+        },
         x.collect::<Vec<_>>().join(", ")
     )
 }

@@ -6,7 +6,7 @@ use super::reply::{Ending, Report};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::Result;
-use crate::optimize::{Constrained, Status};
+use crate::optimize::{ConstraintValue, Status};
 use crate::parameters::Preset;
 use crate::study::Sense;
 use crate::study::swings::Robust;
@@ -159,7 +159,7 @@ impl Report for RobustReport<'_> {
 /// The constraints of a model with the robust design; multipliers are of the greatest loss.
 fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
     let of_model = found.limits().filter(|(k, ..)| *k == model);
-    let report = |(_, j, at, _): (usize, usize, Constrained, &[f64])| {
+    let report = |(_, j, at, _): (usize, usize, ConstraintValue, &[f64])| {
         let multiplier = found.limit_price(model, j, &at);
         ConstraintReport {
             multiplier,

@@ -173,7 +173,7 @@ impl<'a> UncertaintyReport<'a> {
             half_axes: sampled.ellipse.half_axes,
             holds: sampled.holds,
         });
-        let statuses = found.tally.counts();
+        let statuses = found.status_counts.counts();
         Self {
             found,
             inputs: inputs.collect(),
@@ -181,7 +181,7 @@ impl<'a> UncertaintyReport<'a> {
             ellipses: ellipses.collect(),
             samples: found.plan.samples,
             seed: found.plan.seed,
-            drives: found.tally.counts().map(|(_, count)| count).sum(),
+            drives: found.status_counts.counts().map(|(_, count)| count).sum(),
             statuses: statuses
                 .map(|(status, count)| (status.name(), count))
                 .collect(),
@@ -283,7 +283,7 @@ impl Report for UncertaintyReport<'_> {
             document.add(ellipses(found, system));
         }
         let counts: Vec<_> = found
-            .tally
+            .status_counts
             .counts()
             .filter(|(_, count)| *count > 0)
             .map(|(status, count)| format!("{count} {status}"))

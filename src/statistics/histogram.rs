@@ -2,27 +2,27 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 
-/// Bins where their number is not given.
+/// Default number of bins.
 const USUAL: usize = 64;
-/// Most bins: every part of a sweep keeps them all.
+/// Maximum number of bins: every part of a sweep stores all of them.
 const MOST: usize = 100_000;
 
-/// Bins of equal width for an outcome, SI: the first begins at `low`, the last ends at `high`.
+/// Equal bins of an outcome, SI, from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bins {
     /// The outcome.
     pub of: Outcome,
-    /// The lower end of the first bin.
+    /// Lower edge of the first bin.
     pub low: f64,
-    /// The upper end of the last.
+    /// Upper edge of the last bin.
     pub high: f64,
-    /// How many there are.
+    /// Number of bins.
     pub count: usize,
 }
 
 impl Bins {
-    /// Reads `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`; without a count there
-    /// are 64. A low end without unit takes that of the high end.
+    /// Reads `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`; the default count is 64.
+    /// A lower edge without unit takes the unit of the upper one.
     ///
     /// ```
     /// use longdrive::statistics::Bins;
@@ -32,7 +32,7 @@ impl Bins {
     /// ```
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a range or a count that is none, [`Error::Unknown`],
+    /// [`Error::SearchRange`] for an invalid range or count, [`Error::Unknown`],
     /// [`Error::Unreadable`].
     pub fn read(text: &str) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange {
@@ -83,7 +83,7 @@ impl Bins {
         })
     }
 
-    /// The bins in words that tell them from any others.
+    /// Identity of the bins: equal texts for equal bins.
     pub fn identity(&self) -> String {
         format!(
             "{}={:?}..{:?}:{}",
@@ -95,7 +95,7 @@ impl Bins {
     }
 }
 
-/// How many values of an outcome lie in each of some bins.
+/// Histogram of an outcome.
 ///
 /// ```
 /// use longdrive::statistics::{Bins, Histogram};
@@ -108,18 +108,18 @@ impl Bins {
 pub struct Histogram {
     /// The outcome.
     pub of: String,
-    /// The ends of the bins, SI: they have equal widths.
+    /// Lower and upper edge, SI; all bins have equal width.
     pub range: [f64; 2],
-    /// Values below the first bin.
+    /// Number of values below the first bin.
     pub below: u64,
-    /// Values in each bin; the upper end of the last one belongs to it.
+    /// Number of values in each bin; the upper edge belongs to the last bin.
     pub counts: Vec<u64>,
-    /// Values above the last bin.
+    /// Number of values above the last bin.
     pub above: u64,
 }
 
 impl Histogram {
-    /// Empty bins.
+    /// Empty histogram.
     pub fn new(bins: &Bins) -> Self {
         Self {
             of: bins.of.name().into(),
@@ -130,7 +130,7 @@ impl Histogram {
         }
     }
 
-    /// Where bin number `i` begins: low + (high − low) i/count.
+    /// Lower edge of bin `i`: low + (high − low) i/count.
     pub fn edge(&self, i: usize) -> f64 {
         let ([low, high], count) = (self.range, self.counts.len());
         if i >= count {
@@ -152,12 +152,12 @@ impl Histogram {
         }
     }
 
-    /// The bin that a value in the range is in: edge(i) ≤ value < edge(i + 1), and the upper end
-    /// itself is in the last.
+    /// Bin of a value within the range: edge(i) ≤ value < edge(i + 1); the upper edge belongs to
+    /// the last bin.
     fn bin(&self, value: f64) -> usize {
         let ([low, high], last) = (self.range, self.counts.len() - 1);
         let mut at = (((value - low) / (high - low) * self.counts.len() as f64) as usize).min(last);
-        // the edges decide, not the rounding of the quotient
+        // correct the rounding of the quotient by the edges
         while at > 0 && value < self.edge(at) {
             at -= 1;
         }
@@ -167,7 +167,7 @@ impl Histogram {
         at
     }
 
-    /// Adds the counts of other rows in the same bins.
+    /// Adds another histogram with the same bins.
     pub fn merge(&mut self, other: &Self) {
         self.below += other.below;
         self.above += other.above;

@@ -1,18 +1,18 @@
-//! Statistics of a sweep that are taken of its rows as they are computed: how the drives ended, the
-//! moments of each column, histograms, and the rows with the highest and lowest values.
+//! Statistics of a sweep, computed together with its rows: status counts, moments of each column,
+//! histograms, and the rows with the highest and lowest values.
 //!
-//! A [`Summary`] is of some rows. That of all follows from those of its parts, without another look
-//! at the rows, so that many processes can compute a sweep; [`Summarized`] says what it contains.
+//! A [`Summary`] covers some rows. Summaries merge without another pass over the rows, so that many
+//! processes can share a sweep; [`SummarySpec`] defines the contents.
 //!
 //! ```
 //! use longdrive::batch::Batch;
-//! use longdrive::statistics::{Sought, Summarized};
+//! use longdrive::statistics::{RankingSpec, SummarySpec};
 //! use longdrive::{Outcome, Setup};
 //!
 //! let setup = Setup::default();
 //! let speed = setup.variable("swing.speed").unwrap();
 //! let batch = Batch::new(&setup, &[speed], &[Outcome::BallSpeed], &[]).unwrap();
-//! let fastest = Summarized::new(&batch, &[], &[Sought::read("ball_speed:1", true).unwrap()]).unwrap();
+//! let fastest = SummarySpec::new(&batch, &[], &[RankingSpec::read("ball_speed:1", true).unwrap()]).unwrap();
 //! // two blocks of rows, and what they are like together
 //! let mut summary = fastest.of(&batch.evaluate(0, vec![40.0, 50.0]));
 //! summary.merge(&fastest.of(&batch.evaluate(2, vec![45.0])));
@@ -29,5 +29,5 @@ mod summary;
 
 pub use histogram::{Bins, Histogram};
 pub use moments::Moments;
-pub use ranking::{Coordinate, Infinite, RankedRow, Ranking, Sought};
-pub use summary::{Summarized, Summary};
+pub use ranking::{Coordinate, Infinite, RankedRow, Ranking, RankingSpec};
+pub use summary::{Summary, SummarySpec};

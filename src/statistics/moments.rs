@@ -1,14 +1,14 @@
 use serde::{Deserialize, Serialize};
 
-/// Number, mean, spread and range of a column, which merge with those of other rows of it.
+/// Count, mean, variance and range of a column; mergeable with those of other rows.
 ///
-/// The sum of squared deviations is taken about the mean, and merged by
+/// The sum of squared deviations from the mean is merged by
 ///
 /// ```text
 ///   M₂ = M₂ₐ + M₂ᵦ + δ² nₐ nᵦ/n      δ = mean_b − mean_a      (Chan, Golub & LeVeque 1983, The American Statistician 37, eq. 2.1)
 /// ```
 ///
-/// so that no digits are lost where the spread is small beside the mean.
+/// which loses no digits if the deviation is small relative to the mean.
 ///
 /// ```
 /// use longdrive::statistics::Moments;
@@ -19,9 +19,9 @@ use serde::{Deserialize, Serialize};
 /// assert_eq!((all.least(), all.greatest(), all.deviation()), (Some(1.0), Some(6.0), Some(7.0_f64.sqrt())));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(from = "Written", into = "Written")]
+#[serde(from = "MomentsRecord", into = "MomentsRecord")]
 pub struct Moments {
-    /// How many rows have a value.
+    /// Number of rows with a value.
     pub count: u64,
     mean: f64,
     squares: f64,
@@ -30,14 +30,14 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// The moments of some finite numbers.
+    /// Moments of some finite numbers.
     pub fn of(values: impl IntoIterator<Item = f64, IntoIter: Clone>) -> Self {
         let values = values.into_iter();
         let count = values.clone().count() as u64;
         if count == 0 {
             return Self::default();
         }
-        // about one of them: sums of numbers that are nearly equal lose nothing
+        // relative to the first value, so that nearly equal numbers lose no digits
         let first = values.clone().next().unwrap_or_default();
         let mean = first + values.clone().map(|value| value - first).sum::<f64>() / count as f64;
         let squares = values
@@ -54,7 +54,7 @@ impl Moments {
         }
     }
 
-    /// Adds those of rows that come after.
+    /// Adds the moments of later rows.
     pub fn merge(&mut self, after: &Self) {
         if self.count == 0 || after.count == 0 {
             if self.count == 0 {
@@ -71,41 +71,41 @@ impl Moments {
         self.greatest = self.greatest.max(after.greatest);
     }
 
-    /// The mean; `None` of no values, and where it overflows.
+    /// Mean; `None` without values, or if it overflows.
     pub fn mean(&self) -> Option<f64> {
-        self.shown(self.mean)
+        self.finite(self.mean)
     }
 
-    /// M₂, the sum of squared deviations from the mean; likewise.
+    /// Sum of squared deviations from the mean, M₂; `None` like the mean.
     pub fn squares(&self) -> Option<f64> {
-        self.shown(self.squares)
+        self.finite(self.squares)
     }
 
-    /// The standard deviation √(M₂/(n − 1)) of the rows as a sample; `None` of fewer than two.
+    /// Standard deviation √(M₂/(n − 1)) of a sample; `None` for fewer than two rows.
     pub fn deviation(&self) -> Option<f64> {
         self.squares()
             .filter(|_| self.count > 1)
             .map(|squares| (squares / (self.count - 1) as f64).sqrt())
     }
 
-    /// The least value.
+    /// Smallest value.
     pub fn least(&self) -> Option<f64> {
-        self.shown(self.least)
+        self.finite(self.least)
     }
 
-    /// The greatest value.
+    /// Largest value.
     pub fn greatest(&self) -> Option<f64> {
-        self.shown(self.greatest)
+        self.finite(self.greatest)
     }
 
-    fn shown(&self, number: f64) -> Option<f64> {
+    fn finite(&self, number: f64) -> Option<f64> {
         Some(number).filter(|number| self.count > 0 && number.is_finite())
     }
 }
 
-/// The moments in files: what does not exist is null.
+/// Moments in files; missing numbers are null.
 #[derive(Serialize, Deserialize)]
-struct Written {
+struct MomentsRecord {
     count: u64,
     mean: Option<f64>,
     m2: Option<f64>,
@@ -113,7 +113,7 @@ struct Written {
     max: Option<f64>,
 }
 
-impl From<Moments> for Written {
+impl From<Moments> for MomentsRecord {
     fn from(of: Moments) -> Self {
         Self {
             count: of.count,
@@ -125,16 +125,16 @@ impl From<Moments> for Written {
     }
 }
 
-impl From<Written> for Moments {
-    fn from(written: Written) -> Self {
+impl From<MomentsRecord> for Moments {
+    fn from(record: MomentsRecord) -> Self {
         let number =
-            |number: Option<f64>| number.unwrap_or(if written.count == 0 { 0.0 } else { f64::NAN });
+            |number: Option<f64>| number.unwrap_or(if record.count == 0 { 0.0 } else { f64::NAN });
         Self {
-            count: written.count,
-            mean: number(written.mean),
-            squares: number(written.m2),
-            least: number(written.min),
-            greatest: number(written.max),
+            count: record.count,
+            mean: number(record.mean),
+            squares: number(record.m2),
+            least: number(record.min),
+            greatest: number(record.max),
         }
     }
 }

@@ -4,26 +4,26 @@ use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Rows where their number is not given, and the most: every part of a sweep keeps them all.
+/// Default and maximum number of rows: every part of a sweep stores all of them.
 const USUAL: usize = 10;
 const MOST: usize = 10_000;
 
-/// Which rows are kept by themselves: those with the highest or the lowest values of an outcome.
+/// Selection of rows: those with the highest or lowest values of an outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sought {
+pub struct RankingSpec {
     /// The outcome.
     pub of: Outcome,
-    /// Whether the highest are kept, and not the lowest.
+    /// True for the highest values, false for the lowest.
     pub highest: bool,
-    /// How many.
+    /// Number of rows.
     pub most: usize,
 }
 
-impl Sought {
-    /// Reads `OUTCOME:N`, for example `carry:10`; without a number there are 10.
+impl RankingSpec {
+    /// Reads `OUTCOME:N`, for example `carry:10`; the default number is 10.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a number that is none, [`Error::Unknown`].
+    /// [`Error::SearchRange`] for an invalid number, [`Error::Unknown`].
     pub fn read(text: &str, highest: bool) -> Result<Self> {
         let (name, most) = match text.rsplit_once(':') {
             None => (text, Some(USUAL)),
@@ -44,7 +44,7 @@ impl Sought {
         }
     }
 
-    /// The rows in words that tell them from any others.
+    /// Identity of the selection: equal texts for equal selections.
     pub fn identity(&self) -> String {
         format!(
             "{} {}:{}",
@@ -58,32 +58,32 @@ impl Sought {
 /// A row with its number, its value of the outcome, and its point, SI.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RankedRow {
-    /// The row of the whole sweep, from 0.
+    /// Row number in the whole sweep, from 0.
     pub row: u64,
-    /// The value of the outcome.
+    /// Value of the outcome.
     pub value: f64,
-    /// The values of the swept parameters, by their names. A value that is missing in a table of
-    /// points is `None`, an infinite one (a flat face) the text `inf`.
+    /// Values of the swept parameters, by name. A value missing in a table of points is `None`; an
+    /// infinite one (a flat face) is the text `inf`.
     pub point: BTreeMap<String, Option<Coordinate>>,
 }
 
-/// A value of a swept parameter. JSON has no infinity.
+/// Value of a swept parameter (JSON has no infinity).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Coordinate {
-    /// A finite one.
+    /// Finite value.
     Finite(f64),
-    /// An infinite one.
+    /// Infinite value.
     Infinite(Infinite),
 }
 
-/// `inf`.
+/// Sign of an infinite value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Infinite {
-    /// Above every number.
+    /// +∞.
     #[serde(rename = "inf")]
     Above,
-    /// Below every number.
+    /// −∞.
     #[serde(rename = "-inf")]
     Below,
 }
@@ -99,32 +99,31 @@ impl Coordinate {
     }
 }
 
-/// The rows with the highest or the lowest values of an outcome, the best first; of equal values
-/// the first row.
+/// Rows with the highest or lowest values of an outcome, best first; ties by row number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ranking {
     /// The outcome.
     pub of: String,
-    /// Whether the highest are kept, and not the lowest.
+    /// True for the highest values, false for the lowest.
     pub highest: bool,
-    /// How many are kept at most.
+    /// Maximum number of rows.
     pub most: usize,
-    /// The rows.
+    /// Rows.
     pub rows: Vec<RankedRow>,
 }
 
 impl Ranking {
-    /// No rows yet.
-    pub fn new(sought: &Sought) -> Self {
+    /// Empty ranking.
+    pub fn new(spec: &RankingSpec) -> Self {
         Self {
-            of: sought.of.name().into(),
-            highest: sought.highest,
-            most: sought.most,
+            of: spec.of.name().into(),
+            highest: spec.highest,
+            most: spec.most,
             rows: vec![],
         }
     }
 
-    /// Looks at a row with a finite value.
+    /// Adds a row with a finite value, if it ranks high enough.
     pub fn add<'a>(
         &mut self,
         row: u64,
@@ -143,7 +142,7 @@ impl Ranking {
         }
     }
 
-    /// Takes the best of other rows in.
+    /// Merges another ranking.
     pub fn merge(&mut self, other: &Self) {
         other.rows.iter().for_each(|row| self.insert(row.clone()));
     }

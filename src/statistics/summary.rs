@@ -1,51 +1,50 @@
 use super::histogram::{Bins, Histogram};
 use super::moments::Moments;
-use super::ranking::{Ranking, Sought};
-use crate::batch::{Batch, Block, Status, Tally};
+use super::ranking::{Ranking, RankingSpec};
+use crate::batch::{Batch, Block, Status, StatusCounts};
 use crate::drive::{ExceededCount, Outcome};
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What is summarized of the rows of a batch.
+/// Contents of a batch's summary: histograms and best rows.
 #[derive(Clone, Debug)]
-pub struct Summarized {
+pub struct SummarySpec {
     bins: Vec<(usize, Bins)>,
-    sought: Vec<(usize, Sought)>,
+    rankings: Vec<(usize, RankingSpec)>,
     columns: Vec<String>,
     parameters: Vec<&'static str>,
 }
 
-/// What the rows of a batch are like in all: how they ended, the moments of every outcome and
-/// derivative, histograms and the best rows. It merges with that of other rows of the same batch,
-/// without a look at the rows. What is merged in the same order is the same to the last bit.
+/// Summary of a batch's rows: status counts, moments of every outcome and derivative, histograms
+/// and best rows. Summaries of the same batch merge without another pass over the rows; merging in
+/// the same order gives the same bits.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
-    /// How many drives ended how.
+    /// Number of drives by status.
     pub statuses: BTreeMap<Status, u64>,
-    /// Of the drives that landed: how many begin with what the law was not fitted to, how many were
-    /// struck beside any face, and how many landed flatter than any bounce that was measured.
+    /// Number of landed drives beyond each validity limit: launch outside the range that the law
+    /// was fitted to, strike off any face, and landing flatter than any measured bounce.
     pub beyond: [u64; 3],
-    /// The moments of each outcome and derivative, by the names of the columns.
+    /// Moments of each outcome and derivative, by column name.
     pub moments: BTreeMap<String, Moments>,
-    /// The histograms that were asked for.
+    /// Requested histograms.
     pub histograms: Vec<Histogram>,
-    /// The rows with the highest and lowest values that were asked for.
+    /// Requested rows with the highest and lowest values.
     pub best: Vec<Ranking>,
 }
 
-impl Summarized {
-    /// The tally and the moments of a batch, with these histograms and best rows.
+impl SummarySpec {
+    /// Summary with these histograms and best rows, besides status counts and moments.
     ///
     /// # Errors
-    /// [`Error::Together`] for a histogram or best rows of an outcome that is not computed, and for
-    /// what is asked for twice.
-    pub fn new(batch: &Batch, bins: &[Bins], sought: &[Sought]) -> Result<Self> {
+    /// [`Error::Together`] for an outcome that is not computed, and for repeated requests.
+    pub fn new(batch: &Batch, bins: &[Bins], rankings: &[RankingSpec]) -> Result<Self> {
         let column = |of: Outcome| {
             batch
                 .outcomes()
                 .iter()
-                .position(|known| *known == of)
+                .position(|outcome| *outcome == of)
                 .ok_or_else(|| Error::Together {
                     given: of.name().into(),
                     reason: "it is not among the outcomes that are computed; add it to `outcomes`"
@@ -61,8 +60,8 @@ impl Summarized {
                 return Err(twice("the histogram", one.of));
             }
         }
-        for (at, one) in sought.iter().enumerate() {
-            if sought[..at]
+        for (at, one) in rankings.iter().enumerate() {
+            if rankings[..at]
                 .iter()
                 .any(|other| other.of == one.of && other.highest == one.highest)
             {
@@ -74,9 +73,9 @@ impl Summarized {
                 .iter()
                 .map(|bins| Ok((column(bins.of)?, *bins)))
                 .collect::<Result<_>>()?,
-            sought: sought
+            rankings: rankings
                 .iter()
-                .map(|sought| Ok((column(sought.of)?, *sought)))
+                .map(|rankings| Ok((column(rankings.of)?, *rankings)))
                 .collect::<Result<_>>()?,
             columns: batch.columns(),
             parameters: batch
@@ -87,21 +86,25 @@ impl Summarized {
         })
     }
 
-    /// The histograms and best rows in words that tell them from any others.
+    /// Identity of the contents: equal texts for equal contents.
     pub fn identity(&self) -> String {
         let bins = self
             .bins
             .iter()
             .map(|(_, bins)| format!("histogram {}", bins.identity()));
-        bins.chain(self.sought.iter().map(|(_, sought)| sought.identity()))
-            .collect::<Vec<_>>()
-            .join(", ")
+        bins.chain(
+            self.rankings
+                .iter()
+                .map(|(_, rankings)| rankings.identity()),
+        )
+        .collect::<Vec<_>>()
+        .join(", ")
     }
 
-    /// The summary of no rows.
+    /// Empty summary.
     pub fn none(&self) -> Summary {
         Summary {
-            statuses: Tally::default().counts().collect(),
+            statuses: StatusCounts::default().counts().collect(),
             beyond: [0; 3],
             moments: self
                 .columns
@@ -114,22 +117,22 @@ impl Summarized {
                 .map(|(_, bins)| Histogram::new(bins))
                 .collect(),
             best: self
-                .sought
+                .rankings
                 .iter()
-                .map(|(_, sought)| Ranking::new(sought))
+                .map(|(_, rankings)| Ranking::new(rankings))
                 .collect(),
         }
     }
 
-    /// The summary of a block.
+    /// Summary of a block.
     pub fn of(&self, block: &Block) -> Summary {
         let mut summary = self.none();
-        let mut tally = Tally::default();
-        tally.add(block);
-        summary.statuses = tally.counts().collect();
+        let mut status_counts = StatusCounts::default();
+        status_counts.add(block);
+        summary.statuses = status_counts.counts().collect();
         let ExceededCount {
             law, face, flat, ..
-        } = tally.beyond();
+        } = status_counts.beyond();
         summary.beyond = [law, face, flat];
         for (column, name) in self.columns.iter().enumerate() {
             summary
@@ -142,7 +145,7 @@ impl Summarized {
                 .flatten()
                 .for_each(|value| histogram.add(value));
         }
-        for ((column, _), ranking) in self.sought.iter().zip(&mut summary.best) {
+        for ((column, _), ranking) in self.rankings.iter().zip(&mut summary.best) {
             for (row, value) in block.result(*column).enumerate() {
                 if let Some(value) = value {
                     let point = self
@@ -159,7 +162,7 @@ impl Summarized {
 }
 
 impl Summary {
-    /// Adds that of rows that come after, of the same batch.
+    /// Adds the summary of later rows of the same batch.
     pub fn merge(&mut self, after: &Self) {
         for (status, count) in &after.statuses {
             *self.statuses.entry(*status).or_default() += count;
@@ -184,15 +187,15 @@ impl Summary {
             .for_each(|(ours, theirs)| ours.merge(theirs));
     }
 
-    /// How the drives ended, as a tally.
-    pub fn tally(&self) -> Tally {
+    /// Status counts.
+    pub fn status_counts(&self) -> StatusCounts {
         let [law, face, flat] = self.beyond;
         let all = self
             .statuses
             .get(&Status::Landed)
             .copied()
             .unwrap_or_default();
-        Tally::of(
+        StatusCounts::of(
             &self.statuses,
             ExceededCount {
                 all,
@@ -203,7 +206,7 @@ impl Summary {
         )
     }
 
-    /// How many rows there are.
+    /// Number of rows.
     pub fn rows(&self) -> u64 {
         self.statuses.values().sum()
     }

@@ -7,7 +7,9 @@ use super::sensitivity::sensitivity;
 use super::verdict::Active;
 use crate::drive::{CheckScope, ExceededCount};
 use crate::error::{Error, Result};
-use crate::optimize::continuation::{LONGEST, RADIUS, Stride, TOO_FAR, apart, located, predicted};
+use crate::optimize::continuation::{
+    AdaptiveStep, LONGEST, RADIUS, TOO_FAR, locate_change, predicted, relative_distance,
+};
 use crate::optimize::{Bounds, Iteration, Observer, Options, Status};
 use crate::parameters::Setup;
 use crate::units::Message;
@@ -242,7 +244,7 @@ pub fn chart_at(
         interrupted: false,
     };
     let width = along.high - along.low;
-    let mut stride = Stride::new(width);
+    let mut stride = AdaptiveStep::new(width);
     let mut goes_on = on_point(&first);
     chart.points.push(first);
     while let Some(here) = chart.points.last()
@@ -434,7 +436,7 @@ impl Follower<'_> {
                 self.observer.search(),
             )?,
         )?;
-        let apart = apart(&found.best.solution.x, &predicted, &bounds);
+        let apart = relative_distance(&found.best.solution.x, &predicted, &bounds);
         Ok((found, apart))
     }
 
@@ -443,7 +445,7 @@ impl Follower<'_> {
         let tolerance = LOCATED * (self.along.high - self.along.low);
         let next = |before: &ChartPoint, at: f64| Some(self.next(before, at).ok()?.0);
         let is_as_before = |found: &ChartPoint| found.active == here.active;
-        let after = located(
+        let after = locate_change(
             [here.clone(), there],
             tolerance,
             |point| point.at,

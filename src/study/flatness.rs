@@ -5,7 +5,7 @@ use super::problem::SearchProblem;
 use crate::derivative::Evaluator;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::optimize::sensitivity::{Held, reduced_hessian};
+use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
 use crate::optimize::{Domain, Status};
 use crate::units::Quantity;
 use argmin::core::{CostFunction, Executor, State};
@@ -310,11 +310,11 @@ impl Top<'_> {
     }
 
     fn ellipses(&self) -> Vec<Ellipse> {
-        let held = Held::new(&self.best.solution, self.domain);
-        if !held.tight().is_empty() {
+        let held = ActiveSet::new(&self.best.solution, self.domain);
+        if !held.active_constraints().is_empty() {
             return vec![];
         }
-        let free = held.free();
+        let free = held.free_variables();
         let pairs = (0..free.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
         pairs
             .filter_map(|(a, b)| self.ellipse([free[a], free[b]]))

@@ -15,8 +15,8 @@ use super::swings::Scenarios;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::{
-    Constrained, Follow, Local, Observer, Solution, Status, minimize_from, minimize_observed,
-    starts,
+    ConstraintValue, LocalMinimum, Observer, Observers, Solution, Status, minimize_from,
+    minimize_observed, starts,
 };
 use crate::parameters::{Setup, Vary};
 use std::sync::Arc;
@@ -67,7 +67,7 @@ impl Optimum {
 
     /// The constraints at the optimum: value and violation by the definition of the goal,
     /// multiplier of the search.
-    pub fn constraints(&self) -> Vec<(&Constraint, Constrained)> {
+    pub fn constraints(&self) -> Vec<(&Constraint, ConstraintValue)> {
         let all = self
             .search
             .subject_to
@@ -80,7 +80,7 @@ impl Optimum {
         all.zip(values)
             .map(|((constraint, at), value)| {
                 let violation = constraint.violation(*value);
-                let at = Constrained {
+                let at = ConstraintValue {
                     value: *value,
                     violation,
                     ..*at
@@ -234,12 +234,12 @@ pub fn optima(
     setup: &Setup<f64>,
     search: &Search,
     count: usize,
-    follow: &Follow,
+    follow: &Observers,
 ) -> Result<Optima> {
     let (study, mut locals) = searched(setup, search, count, follow)?;
     let mut starts = count;
     let mut sample = None;
-    let is_interrupted = |local: &Local| local.solution.status == Status::Interrupted;
+    let is_interrupted = |local: &LocalMinimum| local.solution.status == Status::Interrupted;
     let best = locals
         .first()
         .filter(|_| !locals.iter().any(is_interrupted));
@@ -258,7 +258,7 @@ pub fn optima(
                 starts += 1;
                 locals.insert(
                     0,
-                    Local {
+                    LocalMinimum {
                         solution,
                         starts: starts_of_it,
                     },
@@ -278,7 +278,7 @@ pub(super) fn local_optima(
     setup: &Setup<f64>,
     search: &Search,
     count: usize,
-    follow: &Follow,
+    follow: &Observers,
 ) -> Result<Optima> {
     let (study, locals) = searched(setup, search, count, follow)?;
     let study = Study {
@@ -293,8 +293,8 @@ fn searched(
     setup: &Setup<f64>,
     search: &Search,
     count: usize,
-    follow: &Follow,
-) -> Result<(Study, Vec<Local>)> {
+    follow: &Observers,
+) -> Result<(Study, Vec<LocalMinimum>)> {
     if count == 0 {
         return Err(Error::Nothing {
             doing: "search from",
@@ -369,7 +369,12 @@ impl Study {
         self.optimum(solution, goals, sample)
     }
 
-    fn all(self, locals: Vec<Local>, starts: usize, sample: Option<Sample>) -> Result<Optima> {
+    fn all(
+        self,
+        locals: Vec<LocalMinimum>,
+        starts: usize,
+        sample: Option<Sample>,
+    ) -> Result<Optima> {
         let goals: Vec<_> = locals
             .iter()
             .map(|local| self.goals(&local.solution))
@@ -377,7 +382,7 @@ impl Study {
         let locals: Vec<_> = locals
             .into_iter()
             .zip(&goals)
-            .map(|(Local { solution, starts }, goals)| LocalOptimum {
+            .map(|(LocalMinimum { solution, starts }, goals)| LocalOptimum {
                 solution,
                 value: goals.as_ref().map(|goals| goals[0]),
                 starts,

@@ -3,7 +3,7 @@
 use super::goal::Constraint;
 use super::optimum::{LocalOptimum, Optimum};
 use crate::drive::Drive;
-use crate::optimize::sensitivity::Held;
+use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Kink, Solution, Status};
 use crate::parameters::Vary;
 use crate::units::{self, Digits, Message, Quantity};
@@ -32,7 +32,7 @@ impl fmt::Display for Active {
 pub(super) fn active(
     vary: &[Vary],
     constraints: &[Constraint],
-    held: &Held,
+    held: &ActiveSet,
     is_lower: impl Fn(usize) -> bool,
 ) -> Vec<Active> {
     let is_bounded = |i: &usize| held.variables[*i] && vary[*i].low < vary[*i].high;
@@ -40,7 +40,7 @@ pub(super) fn active(
         name: vary[i].parameter.name.into(),
         end: Some(if is_lower(i) { "lower" } else { "upper" }),
     });
-    let limits = held.tight().into_iter();
+    let limits = held.active_constraints().into_iter();
     let limits = limits
         .filter_map(|j| constraints.get(j))
         .map(|constraint| Active {
@@ -321,8 +321,8 @@ impl Optimum {
     /// The start of the search if the setup's own values do not fly.
     pub fn moved_start(&self) -> Option<String> {
         let why = self.solution.undefined_at_start.as_ref();
-        let why = why.filter(|_| !self.solution.begun_at.is_empty())?;
-        let begun = self.search.vary.iter().zip(&self.solution.begun_at);
+        let why = why.filter(|_| !self.solution.initial_point.is_empty())?;
+        let begun = self.search.vary.iter().zip(&self.solution.initial_point);
         let begun: Vec<_> = begun
             .map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x))))
             .collect();
@@ -339,7 +339,7 @@ impl Optimum {
         let Some(domain) = domain.filter(|_| solution.value.is_some()) else {
             return vec![];
         };
-        let held = Held::new(solution, &domain);
+        let held = ActiveSet::new(solution, &domain);
         active(&self.search.vary, &self.search.subject_to, &held, |i| {
             solution.lower_multipliers[i] > 0.0
         })

@@ -1,7 +1,7 @@
 //! Constraints, searches from many starts, sensitivity and flatness of an optimum, and charts.
 
 use crate::common::{LARGE_STEPS, close};
-use longdrive::optimize::{Bounds, Follow, Observer, Solution, Status};
+use longdrive::optimize::{Bounds, Observer, Observers, Solution, Status};
 use longdrive::study::{
     Change, Constraint, Fineness, Optimum, Search, Sense, Vary, change, chart, flatness, map,
     optima, optimum, sensitivities, sensitivity,
@@ -314,8 +314,13 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
             // a small shift of the start in place of another seed: the spread of the starts is
             // fixed
             start.swing.attack_angle = f64::from(batch) * 0.02;
-            let found =
-                optima(&start, &search(&start, &vary, &[]), 16, &Follow::default()).unwrap();
+            let found = optima(
+                &start,
+                &search(&start, &vary, &[]),
+                16,
+                &Observers::default(),
+            )
+            .unwrap();
             assert_eq!(
                 found
                     .locals
@@ -628,7 +633,7 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
                 &limits,
             )
         };
-        let found = optima(&setup, &search, 8, &Follow::default()).unwrap();
+        let found = optima(&setup, &search, 8, &Observers::default()).unwrap();
         let ends: Vec<_> = found.locals.iter().map(|local| &local.solution).collect();
         assert!(ends.len() > 1 && ends.iter().all(|end| end.status == Status::Infeasible));
         // each limit divided by its derivative by the loft, which changes both
@@ -673,7 +678,7 @@ fn no_starts_and_no_nodes_are_refused() {
         &["club.loft=8deg..12deg", "swing.attack_angle=-2deg..2deg"],
         &[],
     );
-    let error = optima(&setup, &search, 0, &Follow::default())
+    let error = optima(&setup, &search, 0, &Observers::default())
         .unwrap_err()
         .to_string();
     assert!(error.contains("at least one start"), "{error}");

@@ -5,7 +5,7 @@ use crate::command_line::{json, longdrive, number};
 use crate::common::panic_of;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
-use longdrive::optimize::least_squares::{Follow, Loss, Rows, Status};
+use longdrive::optimize::least_squares::{FitObserver, Loss, Rows, Status};
 use longdrive::report::{CalibrationReport, Reply, Report};
 use longdrive::study::calibrate::{
     Calibration, FitPlan, Fitted, Shot, ShotTable, Statistics, Uncertainties, calibrate, held_out,
@@ -92,7 +92,7 @@ fn fitted(text: &str, setup: &Setup<f64>, names: &[&str], loss: Loss) -> Calibra
     let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
     let mut plan = FitPlan::read(setup, &names).unwrap();
     plan.options.loss = loss;
-    calibrate(setup, &table, &plan, &Follow::default()).unwrap()
+    calibrate(setup, &table, &plan, &FitObserver::default()).unwrap()
 }
 
 /// Launch of the ball of a shot.
@@ -885,7 +885,7 @@ fn rows_whose_squares_overflow_are_named() {
 }
 
 /// An observer that interrupts any fit after a number of iterations.
-fn interrupting(after: u64) -> Follow {
+fn interrupting(after: u64) -> FitObserver {
     let (interrupt, seen) = (Arc::new(AtomicBool::new(false)), AtomicU64::new(0));
     let flag = interrupt.clone();
     let count = move |_, _| {
@@ -893,7 +893,7 @@ fn interrupting(after: u64) -> Follow {
             flag.store(true, Ordering::Relaxed);
         }
     };
-    Follow {
+    FitObserver {
         iteration: Some(Arc::new(count)),
         interrupt,
     }
@@ -1362,7 +1362,7 @@ fn impossible_measured_values_are_refused_with_their_row() {
             table.shots[1].measured[0].value,
             table.shots[1].measured[0].sigma,
         ) = (value, sigma);
-        let error = calibrate(&setup, &table, &plan, &Follow::default())
+        let error = calibrate(&setup, &table, &plan, &FitObserver::default())
             .unwrap_err()
             .to_string();
         assert!(

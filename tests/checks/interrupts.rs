@@ -5,7 +5,7 @@
 use crate::command_line::Output;
 use crate::program;
 use crate::schema::faults;
-use longdrive::optimize::Follow;
+use longdrive::optimize::Observers;
 use longdrive::parameters::Preset;
 use longdrive::report::{optima_text, optimum_toml};
 use longdrive::study::{Search, optima};
@@ -300,10 +300,10 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
             Ordering::Relaxed,
         )
     };
-    let follow = Follow {
+    let follow = Observers {
         interrupt: stop,
         end: Some(Arc::new(end)),
-        ..Follow::default()
+        ..Observers::default()
     };
     let found = optima(&setup, &search, 400, &follow)?;
     let (stopped, preset) = (found.stopped(), Preset::named("modern-driver").unwrap());
@@ -330,7 +330,7 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
     );
     assert!(text.contains(&line), "{text}");
     let whole = optimum_toml(
-        &optima(&setup, &search, 4, &Follow::default())?,
+        &optima(&setup, &search, 4, &Observers::default())?,
         None,
         preset,
     )?;

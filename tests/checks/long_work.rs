@@ -4,7 +4,7 @@ use crate::command_line::{Output, wait_until};
 use crate::program;
 use longdrive::number::Number;
 use longdrive::optimize::{
-    Checkpoint, Domain, Evaluation, Exact, Follow, Functions, Observer, Options, Problem, Run,
+    Checkpoint, Domain, Evaluation, Exact, Functions, Observer, Observers, Options, Problem, Run,
     Snapshot, Solution, Status, Values,
 };
 use longdrive::optimize::{least_squares, minimize_from, minimize_observed, starts};
@@ -59,7 +59,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
         iteration: Box::new(move |iteration| {
             stop.store(iteration.number >= most, Ordering::Relaxed)
         }),
-        keep: Some(Box::new(move |snapshot| {
+        save: Some(Box::new(move |snapshot| {
             // through the text of a file
             let text = serde_json::to_string(snapshot).unwrap();
             *keeper.borrow_mut() = Some(serde_json::from_str(&text).unwrap());
@@ -150,7 +150,7 @@ fn no_block_is_begun_after_cancellation_and_the_search_ends_with_a_complete_poin
         let observer = Observer {
             interrupt: flag,
             iteration: Box::new(move |iteration| counted.set(iteration.number)),
-            keep: Some(Box::new(move |snapshot| {
+            save: Some(Box::new(move |snapshot| {
                 *keeper.borrow_mut() = Some(snapshot.clone());
                 Ok(())
             })),
@@ -231,22 +231,22 @@ fn no_block_of_a_fit_is_begun_after_cancellation() {
     let whole = least_squares::fit(&|b: &[f64]| Ok(rows(b)), &domain, &start, &options).unwrap();
     assert_eq!(whole.status, least_squares::Status::Converged);
     for raised_in in 1..5 * usize::try_from(whole.evaluations).unwrap() {
-        let follow = least_squares::Follow::default();
+        let observer = least_squares::FitObserver::default();
         let blocks = Cell::new(0);
         let in_blocks = |b: &[f64]| {
             for _ in 0..5 {
-                if follow.is_interrupted() {
+                if observer.is_interrupted() {
                     return Err("stopped".to_owned());
                 }
                 blocks.set(blocks.get() + 1);
                 if blocks.get() == raised_in {
-                    follow.interrupt.store(true, Ordering::Relaxed);
+                    observer.interrupt.store(true, Ordering::Relaxed);
                 }
             }
             Ok(rows(b))
         };
         let stopped =
-            least_squares::fit_observed(&in_blocks, &domain, &start, &options, &follow).unwrap();
+            least_squares::fit_observed(&in_blocks, &domain, &start, &options, &observer).unwrap();
         assert_eq!(blocks.get(), raised_in, "blocks after the flag");
         assert_eq!(
             stopped.status,
@@ -268,23 +268,30 @@ fn same_optima_when_some_searches_are_resumed() {
         &domain,
         &starts,
         &options,
-        &Follow::default(),
+        &Observers::default(),
     )
     .unwrap();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("kept.json");
-    let follow = || Follow {
+    let observers = || Observers {
         checkpoint: Some(Arc::new(Checkpoint::open(&path, "valley").unwrap())),
-        ..Follow::default()
+        ..Observers::default()
     };
-    minimize_from(&Exact(Valley), &domain, &starts[..3], &options, &follow()).unwrap();
+    minimize_from(
+        &Exact(Valley),
+        &domain,
+        &starts[..3],
+        &options,
+        &observers(),
+    )
+    .unwrap();
     let checkpoint = Checkpoint::open(&path, "valley").unwrap();
     assert_eq!(checkpoint.done(), 3);
     let Some(Run::Done(first)) = checkpoint.run(0) else {
         panic!("the first search has ended")
     };
     assert_eq!(*first, whole());
-    let resumed = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow()).unwrap();
+    let resumed = minimize_from(&Exact(Valley), &domain, &starts, &options, &observers()).unwrap();
     assert_eq!(resumed.len(), fresh.len());
     for (resumed, fresh) in resumed.iter().zip(&fresh) {
         assert_eq!(
@@ -361,9 +368,9 @@ fn same_answer_of_the_program_after_repeated_kills() {
 fn searches_that_had_not_begun_are_one_entry_with_all_their_starts() {
     let (domain, options) = (disc(), Options::default());
     let starts = starts(&domain, &START, 10_000).unwrap();
-    let follow = Follow::default();
-    follow.interrupt.store(true, Ordering::Relaxed);
-    let none = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow).unwrap();
+    let observers = Observers::default();
+    observers.interrupt.store(true, Ordering::Relaxed);
+    let none = minimize_from(&Exact(Valley), &domain, &starts, &options, &observers).unwrap();
     assert_eq!(
         (none.len(), none[0].starts.len(), none[0].solution.value),
         (1, 10_000, None)
@@ -376,12 +383,12 @@ fn searches_that_had_not_begun_are_one_entry_with_all_their_starts() {
             Ordering::Relaxed,
         )
     };
-    let follow = Follow {
+    let observers = Observers {
         interrupt: flag,
         end: Some(Arc::new(end)),
-        ..Follow::default()
+        ..Observers::default()
     };
-    let some = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow).unwrap();
+    let some = minimize_from(&Exact(Valley), &domain, &starts, &options, &observers).unwrap();
     assert_eq!(
         some.iter().map(|local| local.starts.len()).sum::<usize>(),
         10_000
@@ -409,7 +416,7 @@ fn an_unwritable_checkpoint_is_an_error_before_the_search() {
     let setup = Setup::default();
     let search = longdrive::study::Search::longest_drive(&setup).unwrap();
     let observer = Observer {
-        keep: Some(Box::new(|_| {
+        save: Some(Box::new(|_| {
             Err(Error::Optimizer("the disk is full".into()))
         })),
         ..Observer::default()

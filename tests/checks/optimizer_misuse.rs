@@ -4,7 +4,7 @@ use longdrive::number::Number;
 use longdrive::optimize::least_squares::{self, Rows, fit};
 use longdrive::optimize::sensitivity::response;
 use longdrive::optimize::{
-    Checkpoint, Domain, Exact, Follow, Functions, Observer, Options, Problem, Run, Snapshot,
+    Checkpoint, Domain, Exact, Functions, Observer, Observers, Options, Problem, Run, Snapshot,
     Status, Values, minimize, minimize_from, minimize_observed, starts,
 };
 use serde_json::Value;
@@ -45,7 +45,7 @@ fn snapshot() -> Snapshot {
         Ok(())
     };
     let observer = Observer {
-        keep: Some(Box::new(keep)),
+        save: Some(Box::new(keep)),
         interrupt,
         ..Observer::default()
     };
@@ -155,21 +155,21 @@ fn a_checkpoint_of_another_problem_is_refused() {
         let done =
             || minimize(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default()).unwrap();
         let kept = if run == "going" {
-            Run::Going(Box::new(snapshot()))
+            Run::Unfinished(Box::new(snapshot()))
         } else {
             Run::Done(Box::new(done()))
         };
-        checkpoint.keep(0, kept).unwrap();
-        let follow = Follow {
+        checkpoint.save(0, kept).unwrap();
+        let observers = Observers {
             checkpoint: Some(Arc::new(checkpoint)),
-            ..Follow::default()
+            ..Observers::default()
         };
         let error = minimize_from(
             &Exact(Valley),
             &disc(3),
             &[vec![0.5; 3]],
             &Options::default(),
-            &follow,
+            &observers,
         )
         .unwrap_err();
         assert!(
@@ -205,7 +205,7 @@ fn impossible_saved_results_are_refused() {
             &disc(2),
             &[],
             &Options::default(),
-            &Follow::default()
+            &Observers::default()
         )
         .is_err()
     );

@@ -3,7 +3,7 @@
 use longdrive::batch::Batch;
 use longdrive::derivative::{Evaluator, Order, gradient, hessian};
 use longdrive::optimize::Observer;
-use longdrive::optimize::least_squares::Follow;
+use longdrive::optimize::least_squares::FitObserver;
 use longdrive::parameters::{Law, Parameter};
 use longdrive::study::calibrate::{self, ShotTable, calibrate};
 use longdrive::study::uncertainty::{self, Distribution, Uncertain, uncertainty};
@@ -155,7 +155,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
         ),
         (
             "calibrate",
-            calibrate(&setup, &shots, &fit, &Follow::default()).map(|_| ()),
+            calibrate(&setup, &shots, &fit, &FitObserver::default()).map(|_| ()),
         ),
         (
             "an optimum",

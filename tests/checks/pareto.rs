@@ -2,8 +2,8 @@
 
 use crate::common::close;
 use longdrive::number::Number;
-use longdrive::optimize::front::{Front, FrontEvent, NoFront, front};
-use longdrive::optimize::{Domain, Exact, Follow, Functions, Options, Problem, Status, Values};
+use longdrive::optimize::front::{Front, FrontError, FrontEvent, front};
+use longdrive::optimize::{Domain, Exact, Functions, Observers, Options, Problem, Status, Values};
 use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -70,8 +70,9 @@ fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usiz
         &Exact(functions),
         &domain,
         &[0.3, 0.9],
-        (&options, count),
-        &Follow::default(),
+        &options,
+        count,
+        &Observers::default(),
     )
     .unwrap()
 }
@@ -169,12 +170,12 @@ fn same_points_of_a_front_stopped_within_any_evaluation() {
             flag.store(begun.get() == evaluation, Ordering::Relaxed);
             Exact(Distances).evaluate(x)
         };
-        let follow = Follow {
+        let observers = Observers {
             interrupt: flag.clone(),
-            ..Follow::default()
+            ..Observers::default()
         };
         (
-            front(&problem, &domain, &[0.3, 0.9], (&options, 6), &follow),
+            front(&problem, &domain, &[0.3, 0.9], &options, 6, &observers),
             begun.get(),
         )
     };
@@ -185,14 +186,14 @@ fn same_points_of_a_front_stopped_within_any_evaluation() {
         let (found, begun) = stopped_in(evaluation);
         assert_eq!(begun, evaluation, "evaluations after the flag");
         match found {
-            Err(NoFront::NoEnd { function, found }) => {
+            Err(FrontError::NoEnd { function, found }) => {
                 assert_eq!(
                     (function, found.status, most),
                     (0, Status::Interrupted, 0),
                     "in evaluation {evaluation}"
                 );
             }
-            Err(NoFront::Refused(error)) => {
+            Err(FrontError::Refused(error)) => {
                 assert_eq!((error.status(), most), ("interrupted", 0), "{error}")
             }
             Ok(found) => {
@@ -232,7 +233,7 @@ fn exact_event_where_a_bound_becomes_active_on_a_front() {
     close(event.x[0], 1.0, 1.0, 1e-12, "at the bound");
     close(event.x[1], 0.5, 1.0, 1e-7, "where the line meets it");
     assert!(matches!(&event.event, Some(FrontEvent::Changed { before }) if !before.variables[0]));
-    assert!(event.held.variables[0] && !event.held.variables[1]);
+    assert!(event.active_set.variables[0] && !event.active_set.variables[1]);
     close(found.points.last().unwrap().x[1], 1.0, 1.0, 1e-9, "end");
 }
 

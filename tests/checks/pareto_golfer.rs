@@ -2,7 +2,7 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::optimize::{Follow, Observer, Options};
+use longdrive::optimize::{Observer, Observers, Options};
 use longdrive::study::swings::{ParetoSearch, Rule, Scenarios, Swings, pareto};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
@@ -77,7 +77,13 @@ fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
         points: 4,
         options: Options::default(),
     };
-    let found = pareto(&setup, search, Scenarios::one_drive(), &Follow::default()).unwrap();
+    let found = pareto(
+        &setup,
+        search,
+        Scenarios::one_drive(),
+        &Observers::default(),
+    )
+    .unwrap();
     let end = found.points.last().unwrap();
     let mut search = Search::longest_drive(&setup).unwrap();
     search.vary = vec![
@@ -117,7 +123,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
         points: 7,
         options,
     };
-    let found = pareto(&setup, search, golfer(&setup), &Follow::default()).unwrap();
+    let found = pareto(&setup, search, golfer(&setup), &Observers::default()).unwrap();
     assert_eq!((found.status(), found.dominated), ("done", 0));
     let (points, last) = (&found.points, found.points.len() - 1);
     for (point, k) in [(&points[0], 0), (&points[last], 1)] {

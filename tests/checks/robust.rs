@@ -3,7 +3,7 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::optimize::{Follow, Iteration};
+use longdrive::optimize::{Iteration, Observers};
 use longdrive::report::{Report, RobustReport};
 use longdrive::study::swings::{Model, Robust, robust};
 use longdrive::study::{Goal, Search, Sense, Vary};
@@ -27,7 +27,7 @@ fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
     let models = own
         .chain(changes.iter().map(|text| Model::read(setup, text).unwrap()))
         .collect();
-    robust(models, search(setup), 1, &Follow::default()).unwrap()
+    robust(models, search(setup), 1, &Observers::default()).unwrap()
 }
 
 /// Two models with different best lofts: at the minimax design both lose the same, and no loft of a
@@ -231,7 +231,7 @@ fn bad_models_are_refused_with_the_reason() {
         vec![Model::as_set_up(&setup)],
         search(&setup),
         1,
-        &Follow::default(),
+        &Observers::default(),
     );
     assert!(matches!(alone, Err(Error::Unreadable { .. })));
 }
@@ -276,10 +276,10 @@ fn a_stopped_search_reports_its_progress() {
                 flag.store(true, Ordering::Relaxed);
             }
         };
-        let follow = Follow {
+        let follow = Observers {
             iteration: Some(Arc::new(look)),
             interrupt,
-            ..Follow::default()
+            ..Observers::default()
         };
         let models = vec![
             Model::as_set_up(&setup),

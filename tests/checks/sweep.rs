@@ -2,7 +2,9 @@
 //! and the bytes of the formats.
 
 use crate::common::close;
-use longdrive::batch::{Axis, Batch, Block, CHUNK, Grid, Points, Run, Sequence, Status, Tally};
+use longdrive::batch::{
+    Axis, Batch, Block, CHUNK, Grid, Points, Run, Sequence, Status, StatusCounts,
+};
 use longdrive::batch::{gradient_batch, simulate_batch};
 use longdrive::parameters::{Parameter, Vary};
 use longdrive::report::{SweepCsv, SweepJsonLines};
@@ -241,12 +243,15 @@ fn same_order_and_bits_for_any_threads_and_from_any_chunk() {
         })),
         bits(&whole[2..])
     );
-    let mut tally = Tally::default();
-    whole.iter().for_each(|block| tally.add(block));
-    assert_eq!(tally.counts().map(|(_, count)| count).sum::<u64>(), 4100);
+    let mut status_counts = StatusCounts::default();
+    whole.iter().for_each(|block| status_counts.add(block));
+    assert_eq!(
+        status_counts.counts().map(|(_, count)| count).sum::<u64>(),
+        4100
+    );
     assert!(
-        tally.counts().take(2).all(|(_, count)| count > 100),
-        "{tally:?}"
+        status_counts.counts().take(2).all(|(_, count)| count > 100),
+        "{status_counts:?}"
     );
 }
 

@@ -429,7 +429,11 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
         );
     }
     assert_eq!(
-        found.tally.counts().map(|(_, count)| count).sum::<u64>(),
+        found
+            .status_counts
+            .counts()
+            .map(|(_, count)| count)
+            .sum::<u64>(),
         6 * 2048
     );
 
@@ -473,7 +477,7 @@ fn drives_that_do_not_fly_are_counted() {
     .unwrap();
     let count = |wanted: Status| {
         found
-            .tally
+            .status_counts
             .counts()
             .find(|(status, _)| *status == wanted)
             .unwrap()
@@ -483,7 +487,7 @@ fn drives_that_do_not_fly_are_counted() {
     assert!(
         count(Status::NoFlight) > 200 && count(Status::NoFlight) < 400,
         "{:?}",
-        found.tally
+        found.status_counts
     );
     assert_eq!(count(Status::NoFlight) + count(Status::Landed), 900);
     assert!(found.outcomes[0].sampled.as_ref().unwrap().left_out > 0);

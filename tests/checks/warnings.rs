@@ -3,7 +3,7 @@
 
 use crate::command_line::{json, longdrive};
 use longdrive::atmosphere::WindField;
-use longdrive::batch::{Batch, Status, Tally};
+use longdrive::batch::{Batch, Status, StatusCounts};
 use longdrive::optimize::Observer;
 use longdrive::parameters::PRESETS;
 use longdrive::study::{Search, optimum};
@@ -363,8 +363,8 @@ fn exact_validity_limits_of_a_batch_by_their_definitions() {
         for wrt in [&swept[..0], &swept[..2]] {
             let batch = Batch::new(&setup, &swept, &[Outcome::Carry], wrt).unwrap();
             let block = batch.evaluate(0, points.clone());
-            let (mut tally, mut outside, mut landed) = (Tally::default(), 0, 0);
-            tally.add(&block);
+            let (mut status_counts, mut outside, mut landed) = (StatusCounts::default(), 0, 0);
+            status_counts.add(&block);
             for row in 0..block.rows() {
                 let [speed, loft, toe] = block.point(row) else {
                     panic!()
@@ -413,7 +413,10 @@ fn exact_validity_limits_of_a_batch_by_their_definitions() {
                 landed > 100 && (outside > 20 || law == "linear"),
                 "{law}: {outside} of {landed}"
             );
-            assert_eq!((tally.beyond().all, tally.beyond().law), (landed, outside));
+            assert_eq!(
+                (status_counts.beyond().all, status_counts.beyond().law),
+                (landed, outside)
+            );
         }
     }
 }

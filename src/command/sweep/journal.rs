@@ -1,6 +1,6 @@
 use super::rows::Identity;
 use crate::atomic_file::{create_beside, persist};
-use crate::batch::{Status, Tally};
+use crate::batch::{Status, StatusCounts};
 use crate::drive::ExceededCount;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -51,25 +51,25 @@ pub struct Entry {
 }
 
 impl Entry {
-    pub fn new(rows: u64, bytes: u64, tally: Tally, group: &[u8]) -> Self {
+    pub fn new(rows: u64, bytes: u64, status_counts: StatusCounts, group: &[u8]) -> Self {
         let ExceededCount {
             all,
             law,
             face,
             flat,
-        } = tally.beyond();
+        } = status_counts.beyond();
         Self {
             rows,
             bytes,
-            drives: tally.counts().collect(),
+            drives: status_counts.counts().collect(),
             beyond: [all, law, face, flat],
             group: group.iter().map(|byte| format!("{byte:02x}")).collect(),
         }
     }
 
-    pub fn tally(&self) -> Tally {
+    pub fn status_counts(&self) -> StatusCounts {
         let [all, law, face, flat] = self.beyond;
-        Tally::of(
+        StatusCounts::of(
             &self.drives,
             ExceededCount {
                 all,

@@ -10,7 +10,7 @@ mod resumable;
 mod rows;
 mod target;
 
-use crate::batch::{Batch, Points, Run, Status, Tally};
+use crate::batch::{Batch, Points, Run, Status, StatusCounts};
 use crate::command::args::Sweep;
 use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, bar, say_error, tell};
@@ -58,8 +58,8 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         .part()
         .filter(|_| !is_complete)
         .unwrap_or(&args.output);
-    let summary = Summary::new(total, output.tally(), notes, file);
-    warnings.add(output.tally().beyond().warnings(
+    let summary = Summary::new(total, output.status_counts(), notes, file);
+    warnings.add(output.status_counts().beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
@@ -67,15 +67,15 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     if !is_complete {
         tell(&stopped(&summary, &target, &output));
     }
-    let nothing = (is_complete && !output.tally().has_any(batch.outcomes()))
-        .then(|| no_outcome(&summary, &output.tally(), batch.outcomes()));
+    let nothing = (is_complete && !output.status_counts().has_any(batch.outcomes()))
+        .then(|| no_outcome(&summary, &output.status_counts(), batch.outcomes()));
     if let Some(nothing) = &nothing {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
     // of a file, standard output has the counts
     let all_landed = output
-        .tally()
+        .status_counts()
         .counts()
         .all(|(status, count)| status == Status::Landed || count == 0);
     if is_answered && !all_landed && target.is_standard_output() {
@@ -168,7 +168,7 @@ fn stopped(summary: &Summary, target: &Target, output: &Output<'_>) -> String {
 }
 
 /// The error of a sweep in which no drive has an outcome that was asked for.
-fn no_outcome(summary: &Summary, tally: &Tally, of: &[Outcome]) -> String {
+fn no_outcome(summary: &Summary, tally: &StatusCounts, of: &[Outcome]) -> String {
     let which = if of.len() == 1 {
         "the outcome"
     } else {
@@ -222,12 +222,12 @@ struct Summary {
 }
 
 impl Summary {
-    fn new(rows: u64, tally: Tally, remarks: Vec<Message>, file: &Path) -> Self {
-        let statuses = tally
+    fn new(rows: u64, status_counts: StatusCounts, remarks: Vec<Message>, file: &Path) -> Self {
+        let statuses = status_counts
             .counts()
             .map(|(status, count)| (status.name().into(), count.into()))
             .collect();
-        let written = tally.counts().map(|(_, count)| count).sum();
+        let written = status_counts.counts().map(|(_, count)| count).sum();
         Self {
             file: file.display().to_string(),
             rows,

@@ -10,7 +10,7 @@ use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::parts::{self, Checked, Dataset, Manifest, SweepDefinition, Written};
 use crate::report::{Reply, summary_document};
-use crate::statistics::{Bins, Sought};
+use crate::statistics::{Bins, RankingSpec};
 use crate::units::{Message, counted};
 use crate::{Error, Result};
 use serde::Serialize;
@@ -72,7 +72,7 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
         Written::There(manifest) => (manifest, false),
         Written::Stopped => return Ok(stopped(part, &request)),
     };
-    warnings.add(manifest.part.summary.tally().beyond().warnings(
+    warnings.add(manifest.part.summary.status_counts().beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
@@ -125,9 +125,16 @@ fn dataset_of(
         .iter()
         .map(|text| Bins::read(text))
         .collect::<Result<_>>()?;
-    let highest = args.highest.iter().map(|text| Sought::read(text, true));
+    let highest = args
+        .highest
+        .iter()
+        .map(|text| RankingSpec::read(text, true));
     let sought: Vec<_> = highest
-        .chain(args.lowest.iter().map(|text| Sought::read(text, false)))
+        .chain(
+            args.lowest
+                .iter()
+                .map(|text| RankingSpec::read(text, false)),
+        )
         .collect::<Result<_>>()?;
     Dataset::new(batch, points, parts, &bins, &sought)
 }

@@ -5,7 +5,7 @@ use super::rows::{Content, Rows, Writer};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
-use crate::batch::Tally;
+use crate::batch::StatusCounts;
 use crate::command::files::{exists, refused, unwritable};
 use crate::command::output::tell;
 #[cfg(feature = "parquet")]
@@ -33,7 +33,7 @@ pub struct ResumableFile<'a> {
     /// Rows, bytes and statuses in the file.
     rows: u64,
     bytes: u64,
-    tally: Tally,
+    status_counts: StatusCounts,
     /// Rows that the journal knows of, after which a resumed sweep begins.
     safe: u64,
     /// Blocks since the last line of the journal, and when that was.
@@ -48,7 +48,7 @@ pub struct ResumableFile<'a> {
 #[derive(Default)]
 struct Groups {
     /// The written groups, each with the bytes, rows and statuses before it.
-    placed: Vec<(PlacedGroup, u64, u64, Tally)>,
+    placed: Vec<(PlacedGroup, u64, u64, StatusCounts)>,
     /// Blocks of the next one.
     pending: Vec<Block>,
 }
@@ -150,7 +150,7 @@ impl<'a> ResumableFile<'a> {
             writer,
             rows: 0,
             bytes: 0,
-            tally: Tally::default(),
+            status_counts: StatusCounts::default(),
             safe: 0,
             since: 0,
             last: None,
@@ -196,7 +196,8 @@ impl<'a> ResumableFile<'a> {
         }
         let mut kept = Self::at_the_beginning(files, file, journal, writer);
         if let Some(last) = entries.last() {
-            (kept.rows, kept.bytes, kept.tally) = (last.rows, last.bytes, last.tally());
+            (kept.rows, kept.bytes, kept.status_counts) =
+                (last.rows, last.bytes, last.status_counts());
             kept.safe = last.rows;
         }
         #[cfg(feature = "parquet")]
@@ -222,8 +223,8 @@ impl<'a> ResumableFile<'a> {
         self.safe
     }
 
-    pub fn tally(&self) -> Tally {
-        self.tally
+    pub fn status_counts(&self) -> StatusCounts {
+        self.status_counts
     }
 
     pub fn take(&mut self, rows: Rows) -> Result<()> {
@@ -231,7 +232,7 @@ impl<'a> ResumableFile<'a> {
             Content::Text(bytes) => {
                 self.append(&bytes)?;
                 self.rows += rows.rows;
-                self.tally.merge(rows.tally);
+                self.status_counts.merge(rows.status_counts);
                 self.since += 1;
                 if self.since >= BLOCKS && self.last.is_none_or(|last| last.elapsed() >= OFTEN) {
                     self.keep(&[])?;
@@ -328,7 +329,7 @@ impl<'a> ResumableFile<'a> {
 
     /// Enters what is written in the journal.
     fn keep(&mut self, group: &[u8]) -> Result<()> {
-        let entry = Entry::new(self.rows, self.bytes, self.tally, group);
+        let entry = Entry::new(self.rows, self.bytes, self.status_counts, group);
         self.file
             .sync_data()
             .and_then(|()| self.journal.add(&entry))
@@ -344,13 +345,13 @@ impl ResumableFile<'_> {
     fn write_group(&mut self, table: &SweepParquet) -> Result<Vec<u8>> {
         let blocks = std::mem::take(&mut self.groups.pending);
         let ParquetGroup { bytes, metadata } = table.group(&blocks)?;
-        let (at, before) = (self.bytes, (self.rows, self.tally));
+        let (at, before) = (self.bytes, (self.rows, self.status_counts));
         self.append(&bytes)?;
         let placed = table.place(&metadata, at, self.groups.placed.len())?;
         self.groups.placed.push((placed, at, before.0, before.1));
         for block in &blocks {
             self.rows += block.rows() as u64;
-            self.tally.add(block);
+            self.status_counts.add(block);
         }
         Ok(metadata)
     }
@@ -370,10 +371,10 @@ impl ResumableFile<'_> {
             let Err(error) = self.file.write_all(&foot) else {
                 break;
             };
-            let Some((_, at, rows, tally)) = self.groups.placed.pop() else {
+            let Some((_, at, rows, status_counts)) = self.groups.placed.pop() else {
                 return Err(self.failed(&error));
             };
-            (self.bytes, self.rows, self.tally) = (at, rows, tally);
+            (self.bytes, self.rows, self.status_counts) = (at, rows, status_counts);
             self.cut()
                 .and_then(|()| self.journal.forget_beyond(at))
                 .map_err(|error| self.failed(&error))?;
@@ -388,11 +389,11 @@ impl ResumableFile<'_> {
 impl Groups {
     /// The row groups that a journal knows.
     fn restore(&mut self, table: &SweepParquet, entries: &[Entry], head: u64) -> Result<()> {
-        let mut before = (head, 0, Tally::default());
+        let mut before = (head, 0, StatusCounts::default());
         for entry in entries {
             let placed = table.place(&entry.group(), before.0, self.placed.len())?;
             self.placed.push((placed, before.0, before.1, before.2));
-            before = (entry.bytes, entry.rows, entry.tally());
+            before = (entry.bytes, entry.rows, entry.status_counts());
         }
         Ok(())
     }

@@ -1,5 +1,5 @@
 use crate::Result;
-use crate::batch::{Batch, Block, Tally};
+use crate::batch::{Batch, Block, StatusCounts};
 use crate::command::args::Format;
 #[cfg(feature = "parquet")]
 use crate::report::SweepParquet;
@@ -39,7 +39,7 @@ impl Identity {
 /// Rows on their way to a file.
 pub struct Rows {
     pub rows: u64,
-    pub tally: Tally,
+    pub status_counts: StatusCounts,
     pub content: Content,
 }
 
@@ -102,8 +102,8 @@ impl Writer {
 
     /// The rows of a block; done on the thread that computed it.
     pub fn rows(&self, block: Block) -> Rows {
-        let mut tally = Tally::default();
-        tally.add(&block);
+        let mut status_counts = StatusCounts::default();
+        status_counts.add(&block);
         let rows = block.rows() as u64;
         let content = match &self.table {
             Table::Csv(table) => Content::Text(table.rows(&block)),
@@ -113,7 +113,7 @@ impl Writer {
         };
         Rows {
             rows,
-            tally,
+            status_counts,
             content,
         }
     }

@@ -1,6 +1,6 @@
 use super::resumable::{Files, ResumableFile};
 use super::rows::{Content, Rows, Writer};
-use crate::batch::Tally;
+use crate::batch::StatusCounts;
 use crate::command::args::{Format, Sweep};
 use crate::command::files::{Rule, refused, unwritable};
 use crate::command::request::Request;
@@ -136,14 +136,14 @@ impl Target {
         let mut stream = if self.is_standard_output() {
             Stream {
                 to: To::Standard(io::stdout()),
-                tally: Tally::default(),
+                status_counts: StatusCounts::default(),
             }
         } else {
             let file = OpenOptions::new().write(true).open(&self.path);
             let file = file.map_err(|error| unwritable(&self.path, &error))?;
             Stream {
                 to: To::Device(file),
-                tally: Tally::default(),
+                status_counts: StatusCounts::default(),
             }
         };
         stream.write(&writer.head())?;
@@ -159,7 +159,7 @@ pub enum Output<'a> {
 
 pub struct Stream {
     to: To,
-    tally: Tally,
+    status_counts: StatusCounts,
 }
 
 enum To {
@@ -179,7 +179,7 @@ impl Stream {
                 if error.kind() == io::ErrorKind::BrokenPipe {
                     return Error::Output(error);
                 }
-                let rows: u64 = self.tally.counts().map(|(_, count)| count).sum();
+                let rows: u64 = self.status_counts.counts().map(|(_, count)| count).sum();
                 Error::Output(io::Error::new(
                     error.kind(),
                     format!(
@@ -209,10 +209,10 @@ impl Output<'_> {
         }
     }
 
-    pub fn tally(&self) -> Tally {
+    pub fn status_counts(&self) -> StatusCounts {
         match self {
-            Self::Resumable(file) => file.tally(),
-            Self::Stream(stream) => stream.tally,
+            Self::Resumable(file) => file.status_counts(),
+            Self::Stream(stream) => stream.status_counts,
         }
     }
 
@@ -220,7 +220,7 @@ impl Output<'_> {
         match self {
             Self::Resumable(file) => file.take(rows),
             Self::Stream(stream) => {
-                stream.tally.merge(rows.tally);
+                stream.status_counts.merge(rows.status_counts);
                 match rows.content {
                     Content::Text(bytes) => stream.write(&bytes),
                     #[cfg(feature = "parquet")]

@@ -1,7 +1,7 @@
-//! Differences extrapolated to steps of 0 (Richardson 1911), with an estimate of what is left of
-//! truncation and rounding (after Ridders 1982: what the last orders change the result by).
+//! Richardson (1911) extrapolation of differences to step 0, with an estimate of truncation and
+//! rounding errors (after Ridders 1982: the change by the last orders).
 
-/// The sides of a place that differences are taken to.
+/// Sides on which differences are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// Central differences.
@@ -13,30 +13,30 @@ pub enum Side {
 }
 
 impl Side {
-    /// p, where the error of a difference over a step h is a series in hᵖ.
+    /// Power p: the error of a difference is a series in hᵖ.
     pub(super) fn power(self) -> u8 {
         if self == Self::Both { 2 } else { 1 }
     }
 }
 
-/// A step, and the difference over it; how far that may be off by rounding.
+/// A step h, and the difference quotient over it with its rounding error.
 pub(super) type Difference = (f64, Estimate);
 
-/// The power of the step that is left of the error by the most differences that are combined.
+/// Order of the error term that remains with the most differences combined.
 const MOST_POWER: u8 = 8;
 
-/// A derivative from differences.
+/// Derivative from differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The derivative.
+    /// Derivative.
     pub value: f64,
-    /// How far off it may be, by truncation and rounding.
+    /// Error estimate: truncation and rounding.
     pub uncertainty: f64,
 }
 
-/// The best estimate of all stretches of consecutive differences. A derivative is the limit of
-/// small steps: it goes from small steps to large ones, and ends where one is no further off than
-/// is enough, or where larger steps contradict smaller ones beyond what both may be off.
+/// Best estimate of all runs of consecutive differences. It proceeds from small steps to large
+/// ones, and ends when an estimate is as accurate as `enough`, or when a larger step contradicts a
+/// smaller one beyond both error estimates.
 pub(super) fn estimate(
     differences: &[Option<Difference>],
     side: Side,
@@ -68,7 +68,8 @@ pub(super) fn estimate(
     best
 }
 
-/// The polynomial through some differences, at a step of 0.
+/// Extrapolates some differences to step 0. The truncation error is the change when one difference
+/// is left out.
 fn extrapolated(differences: &[Difference], side: Side) -> Estimate {
     let all = at_zero(differences, side);
     let but_one = [&differences[1..], &differences[..differences.len() - 1]];
@@ -82,8 +83,8 @@ fn extrapolated(differences: &[Difference], side: Side) -> Estimate {
     }
 }
 
-/// The value at 0 of the polynomial in hᵖ through the differences, after Lagrange, and what their
-/// rounding makes of it.
+/// Value at 0 of Lagrange's polynomial in hᵖ through the differences, and the propagated rounding
+/// error.
 fn at_zero(differences: &[Difference], side: Side) -> Estimate {
     let power = |step: f64| step.powi(side.power().into());
     let mut found = Estimate {

@@ -1,25 +1,23 @@
 use super::estimate::{Estimate, Side, estimate};
 
-/// The steps 10^(-k/2) of a ladder, in units of the scale: from 1e-1 down to 1e-13, two to a
-/// decade.
+/// Steps 10^(-k/2) of a ladder, in units of the scale: from 1e-1 down to 1e-13, two per decade.
 pub const STEPS: std::ops::RangeInclusive<i32> = 2..=26;
 
-/// The steps for functions that are dear: from 1e-1 to 1e-5, and three that show the rounding.
+/// Steps for expensive functions: from 1e-1 to 1e-5, and three that show the rounding.
 pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 
-/// Differences are extrapolated over steps of at least this part of the scale. What is rounded off
-/// below it (a corner within a millionth) counts as not rounded at all.
+/// Smallest extrapolated step, relative to the scale. Features smaller than this (a kink rounded
+/// off within a millionth) are not resolved.
 pub(super) const LEAST_STEP: f64 = 1e-6;
 
-/// A function that is less than this part of the numbers it is computed from is taken to be so
-/// large: with less, what must be seen of a derivative ([`Demand::FIRST`](super::Demand::FIRST))
-/// would be less than what rounding leaves.
+/// Smallest assumed size of a function, relative to the numbers it is computed from. Below it, the
+/// required resolution ([`Demand::FIRST`](super::Demand::FIRST)) would be less than rounding.
 const LEAST_LEFT: f64 = 1e-5;
 
-/// Steps at which second differences are nothing but rounding.
+/// Range of steps at which second differences are pure rounding.
 const ROUNDING_ONLY: std::ops::Range<f64> = 1e-12..2e-9;
 
-/// One step of a ladder and what the function is to both sides; `None` where it has no value.
+/// One step of a ladder with the function values on both sides; `None` where it has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rung {
     /// The step h.
@@ -30,25 +28,26 @@ pub struct Rung {
     pub above: Option<f64>,
 }
 
-/// A function of one variable, sampled around a place at steps of falling size.
+/// A function of one variable, sampled around a point at falling steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ladder {
-    /// The size of the variable: steps are parts of it.
+    /// Scale of the variable, the unit of the steps.
     pub scale: f64,
     /// f(x).
     pub centre: f64,
-    /// How large f is taken to be: |f(x)|, or more.
+    /// Assumed size of f: |f(x)| or more.
     pub size: f64,
-    /// How large the numbers are that f is computed from, and that its rounding is a part of:
-    /// [`size`](Self::size), or more.
+    /// Size of the numbers that f is computed from, which determines its rounding: at least
+    /// [`size`](Self::size).
     pub rounded: f64,
-    /// The samples, the largest step first.
+    /// Samples, the largest step first.
     pub rungs: Vec<Rung>,
 }
 
 impl Ladder {
     /// Samples several functions at once around `at`, at the steps 10^(-k/2) of the scale for each
-    /// k of `steps` ([`STEPS`] or [`FEW_STEPS`]). A value that is not finite, or missing, is none.
+    /// k of `steps` ([`STEPS`] or [`FEW_STEPS`]). Values that are missing or not finite become
+    /// `None`.
     pub fn sample(
         at: f64,
         scale: f64,
@@ -64,7 +63,7 @@ impl Ladder {
         };
         let mut ladders: Vec<Self> = f(at).into_iter().map(blank).collect();
         for k in steps {
-            // the step that is left after rounding
+            // the exact difference of the two rounded points
             let step = (at + scale * 10.0_f64.powf(-0.5 * f64::from(k))) - at;
             if step <= 0.0 {
                 break;
@@ -83,7 +82,7 @@ impl Ladder {
         ladders
     }
 
-    /// The same of a function that is taken to be at least so large, whatever its value here.
+    /// Raises the assumed size of the function, and that of its rounding.
     #[must_use]
     pub fn made_of(self, size: f64) -> Self {
         Self {
@@ -93,8 +92,8 @@ impl Ladder {
         .rounded_as(size)
     }
 
-    /// The same of a function that is a small difference of numbers of this size, as spins that
-    /// cancel: its rounding is theirs, and less than 1e-5 of them counts as zero.
+    /// For a function that is a small difference of numbers of this size (spins that cancel, say):
+    /// it has their rounding, and less than 1e-5 of them counts as zero.
     #[must_use]
     pub fn rounded_as(self, size: f64) -> Self {
         Self {
@@ -104,9 +103,8 @@ impl Ladder {
         }
     }
 
-    /// How much of the value at the centre is rounding: the most that second differences amount to
-    /// where the function itself cannot bend. At the end of a range they are those of two steps to
-    /// the one side that there is.
+    /// Rounding error of the function at the centre: the largest second difference over steps so
+    /// small that curvature has no effect. At the end of a range: of two steps on the one side.
     pub fn rounding(&self) -> f64 {
         let small: Vec<&Rung> = self
             .rungs
@@ -131,7 +129,7 @@ impl Ladder {
         second.fold(rounding_of(self.centre), f64::max)
     }
 
-    /// The plain difference at a step.
+    /// Difference quotient at a step.
     pub(super) fn difference(&self, rung: &Rung, side: Side) -> Option<f64> {
         match side {
             Side::Both => Some((rung.above? - rung.below?) / (2.0 * rung.step)),
@@ -140,8 +138,8 @@ impl Ladder {
         }
     }
 
-    /// The derivative to a side, extrapolated to steps of 0, no further off than is `enough` if
-    /// small steps allow; `None` where there are too few values.
+    /// Derivative on a side, extrapolated to step 0, as accurate as `enough` if small steps allow;
+    /// `None` with too few values.
     pub fn slope(&self, side: Side, enough: f64) -> Option<Estimate> {
         let is_wide = |rung: &&Rung| rung.step >= 0.999 * LEAST_STEP * self.scale;
         let rounding = self.rounding();
@@ -151,8 +149,8 @@ impl Ladder {
                 .into_iter()
                 .flatten()
                 .fold(0.0_f64, |most, value| most.max(value.abs()));
-            // a central difference divides the rounding of two values by two steps, a one-sided one
-            // by one
+            // rounding of two values over two steps for a central difference, over one step for a
+            // one-sided one
             let share = 2.0 / f64::from(side.power());
             Some((
                 rung.step,
@@ -175,7 +173,7 @@ impl Ladder {
     }
 }
 
-/// The least rounding that a value is given: a few units in the last place.
+/// Minimum rounding error of a value: 4 machine epsilons.
 pub(super) fn rounding_of(value: f64) -> f64 {
     4.0 * f64::EPSILON * value.abs()
 }

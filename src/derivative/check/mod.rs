@@ -1,12 +1,12 @@
-//! Exact derivatives held against differences: a certificate for a function of one's own.
+//! Verification of exact derivatives by finite differences, for any function.
 //!
-//! Values at x ± h, with h from 1e-1 to 1e-13 of the variable's scale, make three checks:
+//! The values at x ± h, with h from 1e-1 to 1e-13 of the variable's scale, give three checks:
 //!
-//! - the **V-curve** of plain central differences: with a smaller step they come nearer, as h²,
-//!   until rounding over the step takes them away again;
-//! - the **verdict**: differences extrapolated to steps of 0, with an estimate of how far off they
-//!   may be, which is the bar;
-//! - **Taylor's remainders**: with an exact gradient and Hessian they shrink as h, h², h³.
+//! - the **V-curve** of central differences: their error falls as h² with smaller steps, until
+//!   rounding over h dominates;
+//! - the **verdict**: comparison with differences extrapolated to step 0, with their error estimate
+//!   as tolerance;
+//! - **Taylor remainders**: with exact gradient and Hessian they fall as h, h², h³.
 //!
 //! ```
 //! use longdrive::derivative::check::{Verdict, check};
@@ -37,21 +37,20 @@ pub use verdict::{BAR, Check, Demand, NEXT_TO_NOTHING, Point, Verdict};
 
 use super::Taylor;
 
-/// A function's derivatives beside differences.
+/// Derivatives of a function, compared with differences.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// Each ∂f/∂xᵢ beside differences of values.
+    /// Each ∂f/∂xᵢ, compared with differences of values.
     pub gradient: Vec<Check>,
-    /// Each ∂²f/∂xᵢ∂xⱼ beside differences of ∂f/∂xⱼ along xᵢ; empty where the function tells no
-    /// Hessian.
+    /// Each ∂²f/∂xᵢ∂xⱼ, compared with differences of ∂f/∂xⱼ along xᵢ; empty without a Hessian.
     pub hessian: Vec<Vec<Check>>,
-    /// The slopes of Taylor's remainders along each xᵢ, 1, 2 and 3; without a Hessian the third is
-    /// that of a polynomial without it.
+    /// Orders of the Taylor remainders along each xᵢ: 1, 2 and 3 (without a Hessian the third is 2
+    /// or undefined).
     pub slopes: Vec<[Option<f64>; 3]>,
 }
 
 impl Checked {
-    /// Whether nothing failed.
+    /// True if no check failed.
     pub fn passed(&self) -> bool {
         self.gradient
             .iter()
@@ -60,12 +59,11 @@ impl Checked {
     }
 }
 
-/// Checks the derivatives that `f` tells at `x` against differences of its own values and
-/// gradients; `scale` is the size of each variable, of which steps are parts. `f` is `None` where
-/// it has no value.
+/// Checks the derivatives of `f` at `x` against differences of its values and gradients. `scale` is
+/// the scale of each variable, the unit of the steps. `f` returns `None` where it has no value.
 ///
 /// # Panics
-/// Where there are not as many scales as variables, or a scale is not above 0.
+/// If the numbers of scales and variables differ, or a scale is not positive.
 pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> Checked {
     assert_eq!(x.len(), scale.len(), "a scale for each variable");
     assert!(

@@ -1,16 +1,15 @@
 use super::ladder::rounding_of;
 use super::{Ladder, Rung};
 
-/// Remainders this many times above the rounding of the function are more than rounding.
+/// Remainders must exceed the rounding of the function by this factor.
 const ABOVE_ROUNDING: f64 = 100.0;
 
-/// A slope is fitted over this many of the smallest usable steps: two decades.
+/// Number of the smallest usable steps for a fit: two decades.
 const FITTED: usize = 5;
 
-/// The remainders of Taylor's polynomials: how |f(x+h) − f|, |f(x+h) − f − h f′| and |f(x+h) − f −
-/// h f′ − ½ h² f″| shrink with h. With exact derivatives their slopes, in logarithms, are 1, 2 and
-/// 3 or, where a next derivative is 0, more. `None` where too little is left above rounding to
-/// measure one.
+/// Orders of the Taylor remainders |f(x+h) − f|, |f(x+h) − f − h f′| and |f(x+h) − f − h f′ − ½ h²
+/// f″|: slopes in double-logarithmic scale. With exact derivatives they are 1, 2 and 3, or more if
+/// the next derivative is 0. `None` if too few remainders exceed rounding.
 pub fn taylor_slopes(ladder: &Ladder, first: f64, second: f64) -> [Option<f64>; 3] {
     [
         slope(ladder, |_| 0.0),
@@ -19,22 +18,21 @@ pub fn taylor_slopes(ladder: &Ladder, first: f64, second: f64) -> [Option<f64>; 
     ]
 }
 
-/// The slope of the remainder of a polynomial over the smallest steps at which it stands out of the
-/// rounding: the steeper of both sides.
+/// Order of the remainder of a polynomial over the smallest steps at which it exceeds rounding: the
+/// steeper of both sides.
 fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
     let (size, rounding) = (ladder.scale, ladder.rounding());
     let to_a_side = |sign: f64| {
         let above_rounding = |rung: &Rung| {
             let value = if sign > 0.0 { rung.above? } else { rung.below? };
             let remainder = (value - ladder.centre - polynomial(sign * rung.step)).abs();
-            // where large parts of the function cancel, what it changes by over a step, and its
-            // derivative, are rounded as these parts are
+            // with cancellation, the rounding of the large parts also affects the change over a
+            // step
             let of_the_change = rounding_of(ladder.rounded * rung.step / size);
             (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)).max(of_the_change))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))
         };
-        // from the smallest step on that is left; a remainder that passes through 0 in a larger
-        // step ends there
+        // from the smallest usable step on, up to a step at which the remainder passes through 0
         let left = ladder
             .rungs
             .iter()
@@ -45,14 +43,14 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         points.reverse();
         (points.len() == FITTED).then(|| line_slope(&points))
     };
-    // where two terms of the remainder cancel on one side, they add up on the other
+    // terms of the remainder that cancel on one side add on the other
     [1.0, -1.0]
         .into_iter()
         .filter_map(to_a_side)
         .max_by(f64::total_cmp)
 }
 
-/// The slope of the line through some points, by least squares.
+/// Slope of the least-squares line through some points.
 pub(crate) fn line_slope(points: &[(f64, f64)]) -> f64 {
     let mean = |f: fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / points.len() as f64;
     let (x, y) = (mean(|p| p.0), mean(|p| p.1));

@@ -1,19 +1,19 @@
 use super::ladder::{LEAST_STEP, rounding_of};
 use super::{Estimate, Ladder, Side};
 
-/// What differences say of an exact derivative.
+/// Result of comparing an exact derivative with differences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
-    /// It is not the slope of the function, or differences cannot tell.
+    /// Differences contradict it, or cannot decide.
     Fail,
-    /// The function has a corner here, and no one slope.
+    /// The function has a kink here, and no unique derivative.
     Corner,
-    /// It is the slope of the function.
+    /// Differences confirm it.
     Pass,
 }
 
 impl Verdict {
-    /// Its name in JSON: `pass`.
+    /// Name in JSON: `pass`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fail => "fail",
@@ -23,83 +23,81 @@ impl Verdict {
     }
 }
 
-/// The error that a derivative may have, in estimated uncertainties of the differences it is held
-/// against. The estimates are rough: of ten thousand right derivatives a few are off by more than
-/// four.
+/// Tolerance of a derivative, in error estimates of the differences. The estimates are rough: among
+/// ten thousand correct derivatives a few deviate by more than four.
 pub const BAR: f64 = 5.0;
 
-/// A derivative is next to nothing where the variable, moved by the whole of its scale, moves the
-/// function by less than this part of it.
+/// A derivative is negligible if a change of the variable by its whole scale changes the function
+/// by less than this fraction.
 pub const NEXT_TO_NOTHING: f64 = 1e-2;
 
-/// What is asked of differences.
+/// Required accuracy of differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand {
-    /// The bar is not set below this part of a derivative, or of the size below which it is next to
-    /// nothing: where a higher derivative jumps (as with a flight's number of steps) differences
-    /// wobble by a little that no estimate from small steps shows.
+    /// Smallest tolerance, relative to the derivative (or to the size below which it is
+    /// negligible). Jumps of higher derivatives, as from a flight's number of steps, disturb
+    /// differences by more than small steps show.
     pub least_bar: f64,
-    /// The relative error that they must be able to see, unless the derivative is next to nothing
-    /// ([`NEXT_TO_NOTHING`]): then this part of the size below which it is.
+    /// Relative error that they must resolve; of a negligible derivative ([`NEXT_TO_NOTHING`]),
+    /// relative to the size below which it is negligible.
     pub seen: Option<f64>,
 }
 
 impl Demand {
-    /// Of differences of values: an error of a millionth is seen, with a hundredfold margin.
+    /// For differences of values: an error of 1e-6 is detected, with a margin of a factor 100.
     pub const FIRST: Self = Self {
         least_bar: 1e-8,
         seen: Some(1e-6),
     };
-    /// Of differences of gradients, whose own derivative may jump: what they can tell, they must.
+    /// For differences of gradients, whose derivative may jump: no required resolution.
     pub const SECOND: Self = Self {
         least_bar: 1e-7,
         seen: None,
     };
 }
 
-/// Rounding of the exact derivative itself, in sizes of the numbers that the function is computed
-/// from over the scale.
+/// Rounding of the exact derivative, in units of the size of the numbers behind the function over
+/// the scale.
 const OWN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// One step of a V-curve: the error of the plain central difference.
+/// One step of a V-curve: error of the central difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// The step, in the variable's unit.
+    /// Step, in the variable's unit.
     pub step: f64,
-    /// (f(x + h) − f(x − h))/2h.
+    /// Central difference (f(x + h) − f(x − h))/2h.
     pub difference: f64,
-    /// How far the exact derivative is from it.
+    /// Distance of the exact derivative from it.
     pub error: f64,
 }
 
-/// An exact derivative beside differences.
+/// An exact derivative, compared with differences.
 #[derive(Clone, Debug)]
 pub struct Check {
-    /// The derivative that is checked.
+    /// Exact derivative.
     pub exact: f64,
-    /// The best that differences make of it; `None` where the function has values to neither side.
+    /// Best estimate from differences; `None` if the function has no values on either side.
     pub best: Option<Estimate>,
-    /// The slopes below and above, where they differ; `None` for a side to which the function has
-    /// no values.
+    /// Derivatives below and above, if they differ; `None` for a side without values.
     pub sides: Option<[Option<f64>; 2]>,
     /// |exact − best|.
     pub error: f64,
-    /// The error that it may have: [`BAR`] times the uncertainty of the differences, and no less
-    /// than [`Demand::least_bar`] asks.
+    /// Tolerance: [`BAR`] times the error estimate of the differences, at least
+    /// [`Demand::least_bar`].
     pub bar: f64,
-    /// The verdict.
+    /// Verdict.
     pub verdict: Verdict,
-    /// The V-curve of plain central differences, the largest step first.
+    /// V-curve of central differences, the largest step first.
     pub curve: Vec<Point>,
 }
 
 impl Check {
-    /// Whether differences do not show it to be the slope.
+    /// True if the verdict is `Fail`.
     pub fn failed(&self) -> bool {
         self.verdict == Verdict::Fail
     }
 
-    /// The step at which a plain central difference comes nearest, and how near.
+    /// Step at which the central difference is most accurate.
     pub fn best_step(&self) -> Option<Point> {
         self.curve
             .iter()
@@ -109,7 +107,7 @@ impl Check {
 }
 
 impl Ladder {
-    /// Holds a derivative against the differences of the samples.
+    /// Compares a derivative with the differences of the samples.
     pub fn judge(&self, exact: f64, demand: Demand) -> Check {
         let plain = |rung: &super::Rung| {
             let difference = self.difference(rung, Side::Both)?;
@@ -125,7 +123,7 @@ impl Ladder {
         let least = demand.least_bar * worth + OWN_ROUNDING * self.rounded / self.scale;
         let bar_of = |best: &Estimate| least.max(BAR * best.uncertainty);
         let is_seen = |bar: f64| demand.seen.is_none_or(|seen| bar <= seen * worth);
-        // differences to one side see what central ones do not: a slope whose own slope jumps here
+        // one-sided differences apply where the derivative itself has a kink
         let estimates =
             [Side::Both, Side::Above, Side::Below].map(|side| self.slope(side, least / BAR));
         let estimates = || estimates.iter().flatten().copied();
@@ -152,8 +150,8 @@ impl Ladder {
         }
     }
 
-    /// The same of a function that is known to have a corner here. At the end of its range it has
-    /// one of the two slopes, and a derivative that lies between them is not held against that one.
+    /// Like [`judge`](Self::judge), for a function with a known kink here. At the end of its range
+    /// only one of the two derivatives is visible, so a derivative between the two does not fail.
     pub fn judge_on_a_corner(&self, exact: f64, demand: Demand) -> Check {
         let check = self.judge(exact, demand);
         let sides =
@@ -169,22 +167,21 @@ impl Ladder {
         }
     }
 
-    /// The size below which a derivative is next to nothing.
+    /// Size below which a derivative is negligible.
     pub fn next_to_nothing(&self) -> f64 {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// The slopes to both sides, where they are not the same: by more than rounding of the numbers
-    /// that the function is computed from makes of slopes over the least step. Where these cancel,
-    /// no difference from the centre over the smallest steps may show their rounding.
+    /// Derivatives on both sides, if they differ by more than their error estimates and the
+    /// rounding of the numbers behind the function over the smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
-        let apart = (above.value - below.value).abs();
+        let distance = (above.value - below.value).abs();
         let size = above.value.abs().max(below.value.abs());
         let rounding = rounding_of(self.rounded) / (LEAST_STEP * self.scale);
         let bar = (10.0 * (above.uncertainty + below.uncertainty))
             .max(1e-4 * size)
             .max(rounding);
-        (apart > bar).then_some([Some(below.value), Some(above.value)])
+        (distance > bar).then_some([Some(below.value), Some(above.value)])
     }
 }

@@ -1,4 +1,4 @@
-//! What the processor can do, and work compiled for that.
+//! Instruction sets of the processor, and code compiled for each.
 
 #[cfg(any(
     target_arch = "x86_64",
@@ -9,20 +9,20 @@ mod registers;
 
 use super::Lanes;
 #[cfg(target_arch = "x86_64")]
-use super::{inlined, outlined};
+use super::{inlined, not_inlined};
 use std::fmt;
 
-/// The instructions of the processor that drives are computed with: each level is another copy of
-/// the code. Drives computed with another agree to rounding only; with the same, by the same
-/// version of longdrive on the same operating system, to the last bit.
+/// Instruction set for computing drives. Each level is a separate copy of the code. Results of
+/// different levels agree to rounding; with one level, one version of longdrive and one operating
+/// system they are identical to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Those that every processor of the architecture has.
+    /// Baseline instructions of the architecture.
     Baseline,
-    /// NEON, which every processor of the architecture aarch64 has: two numbers in a register.
+    /// NEON (every aarch64 processor): two numbers in a register.
     Neon,
-    /// The 128-bit vectors of WebAssembly, for which a program is compiled with
-    /// `-C target-feature=+simd128`: two numbers in a register.
+    /// The 128-bit vectors of WebAssembly (compiled with `-C target-feature=+simd128`): two numbers
+    /// in a register.
     Simd128,
     /// AVX2 with FMA (x86-64-v3): four numbers in a register.
     Avx2,
@@ -30,18 +30,17 @@ pub enum Level {
     Avx512,
 }
 
-/// Work that is compiled for each level, over the lanes it has. `run` and all that it calls on
-/// numbers must be `#[inline(always)]`: only what ends up inside the copy is compiled for its
-/// vector unit.
+/// Work that is compiled for each level. `run`, and everything that it calls on numbers, must be
+/// inlined; see [Inlining](crate::number).
 pub(crate) trait Task {
-    /// What comes of it.
+    /// Result.
     type Output;
-    /// Does it.
+    /// Runs the work with this lane type.
     fn run<V: Lanes<Lane = f64>>(&mut self) -> Self::Output;
 }
 
 impl Level {
-    /// All, the narrowest registers first. A machine has those of its own architecture only.
+    /// All levels, by register width. A processor has only those of its architecture.
     pub const ALL: [Self; 5] = [
         Self::Baseline,
         Self::Neon,
@@ -50,7 +49,7 @@ impl Level {
         Self::Avx512,
     ];
 
-    /// The name on the command line: `avx2`.
+    /// Name on the command line: `avx2`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Baseline => "baseline",
@@ -61,7 +60,7 @@ impl Level {
         }
     }
 
-    /// The most that this processor has: what is used where nothing else is asked for.
+    /// Widest level of this processor, the default.
     #[inline]
     pub fn here() -> Self {
         #[cfg(target_arch = "x86_64")]
@@ -80,13 +79,13 @@ impl Level {
         }
     }
 
-    /// Whether this processor has it: never one of another architecture.
+    /// True if this processor has the level.
     pub fn is_here(self) -> bool {
         let here = Self::here();
         self == Self::Baseline || self == here || (self, here) == (Self::Avx2, Self::Avx512)
     }
 
-    /// How many lanes there are.
+    /// Number of lanes.
     pub(crate) fn width(self) -> usize {
         match self {
             Self::Baseline => 1,
@@ -96,24 +95,24 @@ impl Level {
         }
     }
 
-    /// Runs a task at this level, or the best that the machine has below it; over plain numbers
-    /// where the level is of another architecture.
+    /// Runs a task at this level, or at the widest lower level of this processor; with plain
+    /// numbers if the level belongs to another architecture.
     #[inline]
     #[allow(
         unsafe_code,
-        reason = "code for a level runs where the processor has been asked whether it has it"
+        reason = "code for a level runs only on processors with its features"
     )]
     pub(crate) fn run<W: Task>(self, mut task: W) -> W::Output {
         match self.min(Self::here()) {
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: the processor has been asked
+            // SAFETY: the processor has these features
             Self::Avx512 => unsafe {
-                outlined::avx512::outlined(inlined!(|| task.run::<registers::Pack8>()))
+                not_inlined::avx512::not_inlined(inlined!(|| task.run::<registers::Pack8>()))
             },
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: the processor has been asked
+            // SAFETY: the processor has these features
             Self::Avx2 => unsafe {
-                outlined::avx2::outlined(inlined!(|| task.run::<registers::Pack4>()))
+                not_inlined::avx2::not_inlined(inlined!(|| task.run::<registers::Pack4>()))
             },
             #[cfg(target_arch = "aarch64")]
             Self::Neon => task.run::<registers::Pack2>(),

@@ -1,26 +1,26 @@
 use crate::number::Taylor;
 use crate::optimize::problem::{Evaluation, Problem};
 
-/// Sums of two functions of a problem, its objective and its last constraint function: one to
-/// minimise, and one that takes the place of the last constraint.
+/// Weighted sums of two functions of a problem, its objective and its last constraint function: one
+/// sum is the objective, the other replaces the last constraint.
 pub(super) struct Combined<'a> {
     pub problem: &'a dyn Problem,
-    /// What is 0 of each.
+    /// Zero point of each function.
     pub zero: [f64; 2],
-    /// The weights in what is minimised.
-    pub of: [f64; 2],
-    /// The weights in what is held, if anything is.
-    pub held: Option<[f64; 2]>,
+    /// Weights in the objective.
+    pub objective: [f64; 2],
+    /// Weights in the constraint, if there is one.
+    pub constraint: Option<[f64; 2]>,
 }
 
 impl<'a> Combined<'a> {
-    /// A sum alone.
-    pub fn of(problem: &'a dyn Problem, of: [f64; 2]) -> Self {
+    /// Objective without the additional constraint.
+    pub fn minimized(problem: &'a dyn Problem, objective: [f64; 2]) -> Self {
         Self {
             problem,
             zero: [0.0; 2],
-            of,
-            held: None,
+            objective,
+            constraint: None,
         }
     }
 }
@@ -42,14 +42,14 @@ impl Problem for Combined<'_> {
         }
         let sum = |weights: [f64; 2]| {
             let mut sum = Taylor::sum([(&objective, weights[0]), (&second, weights[1])]);
-            // each from its own zero, so that no digits are lost
+            // subtract the zero points first, so that no digits are lost
             sum.value = weights[0] * (objective.value - self.zero[0])
                 + weights[1] * (second.value - self.zero[1]);
             sum
         };
-        constraints.extend(self.held.map(sum));
+        constraints.extend(self.constraint.map(sum));
         Ok(Evaluation {
-            objective: sum(self.of),
+            objective: sum(self.objective),
             constraints,
         })
     }

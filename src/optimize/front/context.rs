@@ -1,36 +1,36 @@
 use super::combined::Combined;
-use super::found::{Front, FrontPoint};
+use super::result::{Front, FrontError, FrontPoint};
 use crate::error::{Error, Result};
-use crate::optimize::continuation::{RADIUS, apart};
+use crate::optimize::continuation::{RADIUS, relative_distance};
 use crate::optimize::domain::{Bounds, Domain};
 use crate::optimize::minimize::minimize_observed;
-use crate::optimize::multistart::Follow;
+use crate::optimize::multistart::Observers;
 use crate::optimize::observer::Observer;
 use crate::optimize::options::Options;
 use crate::optimize::problem::Problem;
-use crate::optimize::sensitivity::{Held, reduced_hessian};
+use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
 use crate::optimize::solution::{Iteration, Solution};
 use crate::optimize::status::Status;
 use std::cell::Cell;
 
-/// Functions nearer to their least value than this part of it are there.
+/// Relative tolerance within which a function is at its minimum.
 pub(super) const SAME: f64 = 1e-9;
-/// How much of the way between its ends a function may lose where that makes its minimum one point.
-const GIVEN_UP: f64 = 1e-7;
-/// A minimum whose least curvature is below this part of its greatest is not one point.
+/// Tolerance on a function, relative to its span over the front, when its minimum is made unique.
+const UNIQUE_WITHIN: f64 = 1e-7;
+/// A minimum is not isolated if its smallest curvature is below this, relative to the largest.
 const FLAT: f64 = 1e-9;
-/// Why a front that was stopped has not all of its points.
+/// Message of an interrupted front.
 pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missing";
-/// A front that bends less than this off a straight line, as a part of its length, has no knee.
+/// A front that deviates less than this from a straight line, relative to its length, has no knee.
 pub(super) const STRAIGHT: f64 = 0.01;
 
-/// What all searches of a front share.
+/// Shared data of all searches of a front.
 pub(super) struct FrontContext<'a> {
     pub problem: &'a dyn Problem,
-    /// Without the second function.
+    /// Domain without the second function.
     pub domain: Domain,
     pub options: &'a Options,
-    pub follow: &'a Follow,
+    pub observers: &'a Observers,
     pub searches: Cell<usize>,
 }
 
@@ -44,18 +44,31 @@ impl FrontContext<'_> {
     ) -> Result<Solution> {
         let number = self.searches.replace(self.searches.get() + 1);
         let mut observer = Observer {
-            interrupt: self.follow.interrupt.clone(),
+            interrupt: self.observers.interrupt.clone(),
             ..Observer::default()
         };
-        if let Some(show) = self.follow.iteration.clone() {
+        if let Some(show) = self.observers.iteration.clone() {
             observer.iteration = Box::new(move |iteration: &Iteration| show(number, iteration));
         }
         minimize_observed(problem, domain, from, options, observer)
     }
 
-    /// The two functions at a point.
+    /// Minimum of one function without regard to the other.
+    pub fn minimum_of(&self, function: usize, start: &[f64]) -> Result<Solution, FrontError> {
+        let problem = Combined::minimized(self.problem, weights_of(function));
+        let found = self.search(&problem, &self.domain, start, self.options)?;
+        match found.status {
+            Status::Converged => Ok(found),
+            _ => Err(FrontError::NoEnd {
+                function,
+                found: Box::new(found),
+            }),
+        }
+    }
+
+    /// Values of the two functions at a point.
     pub fn values(&self, x: &[f64]) -> Result<[f64; 2]> {
-        let none = |reason: String| {
+        let undefined = |reason: String| {
             let status = if self.is_interrupted() {
                 Status::Interrupted
             } else {
@@ -66,7 +79,7 @@ impl FrontContext<'_> {
                 message: reason.into(),
             }
         };
-        let at = self.problem.evaluate(x).map_err(none)?;
+        let at = self.problem.evaluate(x).map_err(undefined)?;
         Ok([
             at.objective.value,
             at.constraints
@@ -79,12 +92,11 @@ impl FrontContext<'_> {
         Ok([self.values(&ends[0].x)?, self.values(&ends[1].x)?])
     }
 
-    /// Where a function gives up nothing at the minimum of the other, that is best for both: there
-    /// is no front, but one point.
-    pub fn best_for_both(&self, ends: &[Solution; 2], values: [[f64; 2]; 2]) -> Option<Front> {
+    /// If one function is also minimal at the minimum of the other, the front is that single point.
+    pub fn common_minimum(&self, ends: &[Solution; 2], values: [[f64; 2]; 2]) -> Option<Front> {
         let size = |k: usize| values[0][k].abs().max(values[1][k].abs());
-        let gives_up_nothing = |k: &usize| given_up(values, *k) <= SAME * size(*k);
-        let end = 1 - (0..2).find(gives_up_nothing)?;
+        let is_minimal_at_both = |k: &usize| span_of(values, *k) <= SAME * size(*k);
+        let end = 1 - (0..2).find(is_minimal_at_both)?;
         let points = vec![self.end(&ends[end], values[end])];
         Some(Front {
             points,
@@ -96,21 +108,20 @@ impl FrontContext<'_> {
         })
     }
 
-    /// The minimum of one function, as a point of the front.
+    /// Front point at the minimum of one function.
     fn end(&self, end: &Solution, values: [f64; 2]) -> FrontPoint {
-        let held = Held::new(end, &self.domain);
         FrontPoint {
             x: end.x.clone(),
             values,
             slope: None,
             rates: vec![0.0; end.x.len()],
-            held,
+            active_set: ActiveSet::new(end, &self.domain),
             event: None,
         }
     }
 
-    /// What there is of a front that was stopped before it was followed.
-    pub fn ends_alone(&self, ends: impl IntoIterator<Item = (Solution, [f64; 2])>) -> Front {
+    /// Front of an interrupted computation, with the ends found so far.
+    pub fn ends_only(&self, ends: impl IntoIterator<Item = (Solution, [f64; 2])>) -> Front {
         let points = ends
             .into_iter()
             .map(|(end, values)| self.end(&end, values))
@@ -126,9 +137,14 @@ impl FrontContext<'_> {
         }
     }
 
-    /// A minimum that is not one point, as where a function does not depend on a variable: of all
-    /// that are as good, the one that is best for the other function.
-    pub fn one_point(&self, k: usize, end: Solution, values: [[f64; 2]; 2]) -> Result<Solution> {
+    /// If a minimum is not isolated (the function does not depend on a variable, say), selects
+    /// among the minimisers the one that is best for the other function.
+    pub fn isolated_minimum(
+        &self,
+        k: usize,
+        end: Solution,
+        values: [[f64; 2]; 2],
+    ) -> Result<Solution> {
         if end.hessian.len() != end.x.len() {
             return Ok(end);
         }
@@ -146,22 +162,22 @@ impl FrontContext<'_> {
         {
             return Ok(end);
         }
-        let most = values[k][k] + GIVEN_UP * given_up(values, k);
+        let most = values[k][k] + UNIQUE_WITHIN * span_of(values, k);
         let mut domain = self.domain.clone();
-        // what a bound holds stays there
-        for (i, _) in Held::new(&end, &self.domain)
+        // variables on active bounds stay there
+        for (i, _) in ActiveSet::new(&end, &self.domain)
             .variables
             .iter()
             .enumerate()
-            .filter(|(_, is_held)| **is_held)
+            .filter(|(_, is_active)| **is_active)
         {
             (domain.variables.low[i], domain.variables.high[i]) = (end.x[i], end.x[i]);
         }
-        // where that is all that makes the minimum, nothing else needs a limit
-        let other = Combined::of(self.problem, of(1 - k));
+        // try without the limit first: if active bounds determine the minimum, it is not needed
+        let other = Combined::minimized(self.problem, weights_of(1 - k));
         let limited = Combined {
-            held: Some(of(k)),
-            ..Combined::of(self.problem, of(1 - k))
+            constraint: Some(weights_of(k)),
+            ..Combined::minimized(self.problem, weights_of(1 - k))
         };
         let within = with_limit(&domain, f64::NEG_INFINITY, most);
         for (problem, domain) in [(&other, &domain), (&limited, &within)] {
@@ -178,12 +194,12 @@ impl FrontContext<'_> {
     }
 
     pub fn is_interrupted(&self) -> bool {
-        self.follow
+        self.observers
             .interrupt
             .load(std::sync::atomic::Ordering::Relaxed)
     }
 
-    /// The settings of a search that stays with what it follows.
+    /// Options of a corrector search, which stays near its start.
     pub fn near(&self) -> Options {
         Options {
             initial_radius: RADIUS,
@@ -191,22 +207,22 @@ impl FrontContext<'_> {
         }
     }
 
-    pub fn apart(&self, a: &[f64], b: &[f64]) -> f64 {
-        apart(a, b, &self.domain.variables)
+    pub fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
+        relative_distance(a, b, &self.domain.variables)
     }
 }
 
-/// The weights of one function alone.
-pub(super) fn of(k: usize) -> [f64; 2] {
+/// Weights (1, 0) or (0, 1) that select one function.
+pub(super) fn weights_of(k: usize) -> [f64; 2] {
     std::array::from_fn(|i| f64::from(u8::from(i == k)))
 }
 
-/// What a function gives up at the minimum of the other.
-pub(super) fn given_up(values: [[f64; 2]; 2], k: usize) -> f64 {
+/// Increase of a function from its own minimum to that of the other.
+pub(super) fn span_of(values: [[f64; 2]; 2], k: usize) -> f64 {
     values[1 - k][k] - values[k][k]
 }
 
-/// A domain with one more limit.
+/// Adds a constraint's limits to a domain.
 pub(super) fn with_limit(domain: &Domain, low: f64, high: f64) -> Domain {
     let Bounds {
         low: mut lows,

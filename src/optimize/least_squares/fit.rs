@@ -1,8 +1,8 @@
-//! The loop: a step, the gain ratio, the damping, the verdict.
+//! Levenberg–Marquardt loop: step, gain ratio, damping, stopping tests.
 
-use super::super::domain::Domain;
+use super::super::domain::{Bounds, Domain};
 use super::super::qp::QpSolver;
-use super::step::Point;
+use super::step::{ModelStep, Point};
 use super::{Options, Residuals, Rows};
 use crate::error::{Error, Result};
 use crate::units::counted;
@@ -12,59 +12,58 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// First damping, relative to the scaled columns, whose length is 1 (Madsen, Nielsen & Tingleff
-/// 2004, eq. 3.14: τ between 1e-6 for a start that is good and 1 for one that is not).
+/// Initial damping τ, relative to scaled Jacobian columns of length 1 (Madsen, Nielsen & Tingleff
+/// 2004, eq. 3.14: between 1e-6 for a good start and 1 for a poor one).
 const FIRST_DAMPING: f64 = 1e-3;
-/// A gain that the residuals' rounding hides, relative to F.
+/// Relative reduction of F that is within the rounding of the residuals.
 const NOISE: f64 = 1e-15;
-/// Damping at which a step is no longer one.
+/// Largest damping; beyond it steps are within rounding of zero.
 const MOST_DAMPING: f64 = 1e20;
-/// Least damping. The model's curvature JᵀJ is known to about 1e-16 of the scaled columns: with
-/// less damping, directions in which the residuals do not change would be walked along by rounding
-/// alone.
+/// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
+/// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// A step without damping shorter than this, relative to the point and to the way there, is
-/// rounding where no step lowers the sum (Moré 1978, MINPACK's `xtol`; near a sum of 0 the slope
-/// says nothing, since the residuals themselves are rounding).
+/// If no step lowers the sum, the fit has converged once an undamped step is shorter than this,
+/// relative to the point and the distance travelled (Moré 1978, MINPACK's `xtol`). Near a sum of 0
+/// the gradient cannot tell: the residuals themselves are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
-/// What tells how near a fit is to the lowest sum, in words: 0 where no small change of a parameter
-/// changes the sum.
+/// Name of the convergence measure in messages: 0 at a stationary point.
 const COSINE: &str = "cosine between the residuals and their slopes";
 
-/// How a fit ended.
+/// Outcome of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
-    /// No direction is left, within the bounds, in which the sum falls.
+    /// The sum is stationary within the bounds.
     Converged,
-    /// The sum is at a minimum, but not at one point alone: along some direction the residuals do
-    /// not change, or too little to tell. A fit does not look for that; whoever judges its Jacobian
-    /// says so.
+    /// The sum is at a minimum that is not isolated: along some direction the residuals do not
+    /// change, or too little. The fit itself does not test this; `study::calibrate` does, from the
+    /// Jacobian.
     Undetermined,
-    /// The sum is at a minimum as far as can be told, but one residual is so large that the others
-    /// have no say beside it. Said by whoever judges the residuals, as above.
-    Outweighed,
-    /// The sum is at a minimum, but the residuals are many times larger than they may be: the model
-    /// does not describe the data. Said by whoever knows how large they may be.
+    /// The sum is at a minimum, but one residual is so large that the others have no influence. Set
+    /// by `study::calibrate`, not by the fit.
+    #[serde(rename = "outweighed")]
+    DominatedByOneResidual,
+    /// The sum is at a minimum, but the residuals are much larger than their uncertainties: the
+    /// model does not describe the data. Set by `study::calibrate`, not by the fit.
     Misfit,
-    /// No step makes the sum smaller, though the slope is not 0.
+    /// No step lowers the sum, although the gradient is not 0.
     Stalled,
-    /// The iterations allowed were used up.
+    /// The limit of iterations was reached.
     IterationLimit,
-    /// Stopped from outside; the point is the best so far.
+    /// Interrupted by the caller; the point is the best so far.
     Interrupted,
-    /// The residuals are not defined at the start.
+    /// The residuals are undefined at the start.
     Undefined,
 }
 
 impl Status {
-    /// The status in a word: `converged`.
+    /// Name in reports: `converged`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
             Self::Undetermined => "undetermined",
-            Self::Outweighed => "outweighed",
+            Self::DominatedByOneResidual => "outweighed",
             Self::Misfit => "misfit",
             Self::Stalled => "stalled",
             Self::IterationLimit => "iteration-limit",
@@ -80,76 +79,75 @@ impl fmt::Display for Status {
     }
 }
 
-/// What a fit found.
+/// Result of a fit.
 #[derive(Clone, Debug)]
 pub struct Fit {
-    /// How it ended.
+    /// Outcome of the fit.
     pub status: Status,
-    /// The same in a sentence, with its numbers.
+    /// Outcome in a sentence, with the numbers of the stopping test.
     pub message: String,
-    /// The point.
+    /// Final point.
     pub x: Vec<f64>,
-    /// Residuals and Jacobian there; empty where they were never defined.
+    /// Residuals and Jacobian at the point; empty if they were never defined.
     pub rows: Rows,
-    /// F = Σ ρ(rᵢ).
+    /// Sum of losses F = Σ ρ(rᵢ).
     pub cost: f64,
-    /// Iterations taken.
+    /// Number of iterations.
     pub iterations: u64,
-    /// Evaluations of the residuals.
+    /// Number of evaluations of the residuals.
     pub evaluations: u64,
-    /// Trial points at which the residuals were not defined.
+    /// Number of trial points at which the residuals were undefined.
     pub refused: u64,
-    /// Why the last of these was refused.
+    /// Reason at the last of these points.
     pub why_refused: Option<String>,
 }
 
-/// Who follows a fit.
+/// Callback and interrupt flag of a fit.
 #[derive(Clone, Default)]
-pub struct Follow {
-    /// Is shown the number of each iteration and F.
+pub struct FitObserver {
+    /// Called at every iteration with its number and F.
     pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
-    /// Ends the fit, with the best point so far, once it is true: after the evaluation under way,
-    /// or within one that [looks at it](super::Residuals::evaluate).
+    /// Interrupt flag: once true, the fit ends with the best point so far, after the current
+    /// evaluation or within one that [checks the flag](super::Residuals::evaluate).
     pub interrupt: Arc<AtomicBool>,
 }
 
-impl Follow {
-    /// Whether the fit is to end.
+impl FitObserver {
+    /// True if the interrupt flag is set.
     pub fn is_interrupted(&self) -> bool {
         self.interrupt.load(Ordering::Relaxed)
     }
 }
 
-/// Fits from a start, which is moved into the bounds first.
+/// Fits from a start, which is first projected on the bounds.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for a start of the wrong length or that is not finite, for a tolerance or
-/// loss that makes no sense, and for a domain with constraints.
+/// [`Error::Optimizer`] for an invalid start, tolerance or loss, and for a domain with constraints.
 pub fn fit(
     residuals: &impl Residuals,
     domain: &Domain,
     start: &[f64],
     options: &Options,
 ) -> Result<Fit> {
-    fit_observed(residuals, domain, start, options, &Follow::default())
+    fit_observed(residuals, domain, start, options, &FitObserver::default())
 }
 
-/// Fits from every start, side by side; what was found, the smallest sum first. The order does not
-/// depend on the number of threads. [`starts`](super::super::starts) spreads starts.
+/// Fits from every start in parallel; results by rising sum. The order does not depend on the
+/// number of threads. [`starts`](super::super::starts) spreads starts.
 ///
 /// # Errors
-/// As [`fit`]; [`Error::Optimizer`] without starts.
+/// Errors of [`fit`]; [`Error::Optimizer`] without starts.
 pub fn fit_from(
     residuals: &(impl Residuals + Sync),
     domain: &Domain,
     starts: &[Vec<f64>],
     options: &Options,
-    follow: &Follow,
+    observer: &FitObserver,
 ) -> Result<Vec<Fit>> {
     if starts.is_empty() {
         return Err(Error::Optimizer("there are no starts to fit from".into()));
     }
-    let one = |start: &Vec<f64>| fit_observed(residuals, domain, start, options, follow);
+    let one = |start: &Vec<f64>| fit_observed(residuals, domain, start, options, observer);
     let mut fits = starts.par_iter().map(one).collect::<Result<Vec<_>>>()?;
     let rank = |fit: &Fit| {
         if fit.rows.residuals.is_empty() {
@@ -162,18 +160,65 @@ pub fn fit_from(
     Ok(fits)
 }
 
-/// As [`fit`], with those who follow it.
+/// Like [`fit`], with an observer.
 ///
 /// # Errors
-/// As [`fit`].
+/// Errors of [`fit`].
 pub fn fit_observed(
     residuals: &impl Residuals,
     domain: &Domain,
     start: &[f64],
     options: &Options,
-    follow: &Follow,
+    observer: &FitObserver,
 ) -> Result<Fit> {
+    check_input(domain, start, options)?;
     let bounds = &domain.variables;
+    let start = bounds.project(start);
+    let evaluate = |x: Vec<f64>| {
+        let rows = residuals.evaluate(&x)?;
+        Point::new(x, rows, options.loss)
+    };
+    let at = match evaluate(start.clone()) {
+        Ok(at) => at,
+        Err(_) if observer.is_interrupted() => return Ok(interrupted_at_start(start)),
+        Err(why) => return Ok(undefined_at_start(start, why)),
+    };
+    let mut state = FitState::new(at, bounds);
+    let Verdict { status, message } = loop {
+        if let Some(show) = &observer.iteration {
+            show(state.iterations, state.at.cost);
+        }
+        if let Some(verdict) = state.stopping_verdict(options, observer.is_interrupted()) {
+            break verdict;
+        }
+        if let Some(verdict) = state.iterate(bounds, options, &evaluate, observer) {
+            break verdict;
+        }
+    };
+    let FitState {
+        at,
+        iterations,
+        evaluations,
+        refused,
+        why_refused,
+        ..
+    } = state;
+    let Point { x, rows, cost, .. } = at;
+    Ok(Fit {
+        status,
+        message,
+        x,
+        rows,
+        cost,
+        iterations,
+        evaluations,
+        refused,
+        why_refused,
+    })
+}
+
+/// Checks the arguments of a fit.
+fn check_input(domain: &Domain, start: &[f64], options: &Options) -> Result<()> {
     domain.check(start)?;
     if domain.constraints.dimension() > 0 {
         return Err(Error::Optimizer(
@@ -199,57 +244,39 @@ pub fn fit_observed(
             "Huber's k = {k} is outside its range 0 < … < inf"
         )));
     }
-    let start = bounds.project(start);
-    let evaluate = |x: Vec<f64>| {
-        let rows = residuals.evaluate(&x)?;
-        Point::new(x, rows, options.loss)
-    };
-    let at = match evaluate(start.clone()) {
-        Ok(at) => at,
-        Err(_) if follow.is_interrupted() => return Ok(not_begun(start)),
-        Err(why) => return Ok(nowhere(start, why)),
-    };
-    let mut search = Search::new(at);
-    let (status, message) = loop {
-        if let Some(show) = &follow.iteration {
-            show(search.iterations, search.at.cost);
-        }
-        let cosine = search.at.cosine(bounds);
-        if let Some(verdict) = search.verdict(cosine, options, follow.is_interrupted()) {
-            break verdict;
-        }
-        if let Some(verdict) =
-            search.advance(domain, (cosine, options.tolerance), &evaluate, follow)
-        {
-            break verdict;
-        }
-    };
-    let Search {
-        at,
-        iterations,
-        evaluations,
-        refused,
-        why_refused,
-        ..
-    } = search;
-    let Point { x, rows, cost, .. } = at;
-    Ok(Fit {
-        status,
-        message,
-        x,
-        rows,
-        cost,
-        iterations,
-        evaluations,
-        refused,
-        why_refused,
-    })
+    Ok(())
 }
 
-/// What a fit knows between two iterations.
-struct Search {
+/// Outcome of a fit, with its message.
+struct Verdict {
+    status: Status,
+    message: String,
+}
+
+impl Verdict {
+    fn new(status: Status, message: String) -> Self {
+        Self { status, message }
+    }
+
+    fn stalled(reason: &str, cosine: f64) -> Self {
+        let message =
+            format!("{reason}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
+        Self::new(Status::Stalled, message)
+    }
+
+    fn interrupted(cosine: f64, tolerance: f64) -> Self {
+        let message =
+            format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}");
+        Self::new(Status::Interrupted, message)
+    }
+}
+
+/// State of a fit between two iterations.
+struct FitState {
     at: Point,
-    begun_at: Vec<f64>,
+    /// Convergence measure at the point ([`Point::cosine`]).
+    cosine: f64,
+    initial_point: Vec<f64>,
     scale: Vec<f64>,
     solver: QpSolver,
     damping: f64,
@@ -260,12 +287,20 @@ struct Search {
     why_refused: Option<String>,
 }
 
-impl Search {
-    fn new(at: Point) -> Self {
+/// Result of one trial step.
+enum Trial {
+    Accepted,
+    Rejected,
+    Ended(Verdict),
+}
+
+impl FitState {
+    fn new(at: Point, bounds: &Bounds) -> Self {
         let mut scale = vec![0.0; at.x.len()];
         at.lengthen(&mut scale);
         Self {
-            begun_at: at.x.clone(),
+            cosine: at.cosine(bounds),
+            initial_point: at.x.clone(),
             solver: QpSolver::from_no_active_bound(at.x.len()),
             at,
             scale,
@@ -278,13 +313,8 @@ impl Search {
         }
     }
 
-    fn verdict(
-        &self,
-        cosine: f64,
-        options: &Options,
-        is_interrupted: bool,
-    ) -> Option<(Status, String)> {
-        let tolerance = options.tolerance;
+    fn stopping_verdict(&self, options: &Options, is_interrupted: bool) -> Option<Verdict> {
+        let (cosine, tolerance) = (self.cosine, options.tolerance);
         let largest = self
             .at
             .rows
@@ -294,130 +324,136 @@ impl Search {
         if largest <= options.rounding {
             let message =
                 format!("every residual is a rounding error: the largest is {largest:.1e}");
-            return Some((Status::Converged, message));
+            return Some(Verdict::new(Status::Converged, message));
         }
         if cosine <= tolerance {
-            return Some((
-                Status::Converged,
-                format!("no small change lowers the sum: {COSINE} {cosine:.1e} <= {tolerance:.0e}"),
-            ));
+            let message =
+                format!("no small change lowers the sum: {COSINE} {cosine:.1e} <= {tolerance:.0e}");
+            return Some(Verdict::new(Status::Converged, message));
         }
         if is_interrupted {
-            return Some(interrupted(cosine, tolerance));
+            return Some(Verdict::interrupted(cosine, tolerance));
         }
         (self.iterations >= options.max_iterations).then(|| {
             let limit = counted(self.iterations, "iteration");
             let message =
                 format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-            (Status::IterationLimit, message)
+            Verdict::new(Status::IterationLimit, message)
         })
     }
 
-    /// Tries steps until one is kept.
-    fn advance(
+    /// One iteration: tries steps with growing damping until one is accepted. Returns a verdict if
+    /// the fit ends.
+    fn iterate(
         &mut self,
-        domain: &Domain,
-        (cosine, tolerance): (f64, f64),
+        bounds: &Bounds,
+        options: &Options,
         evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
-        follow: &Follow,
-    ) -> Option<(Status, String)> {
+        observer: &FitObserver,
+    ) -> Option<Verdict> {
         self.iterations += 1;
         loop {
-            let stalled = |what: &str| {
-                let message = format!(
-                    "{what}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters"
-                );
-                Some((Status::Stalled, message))
-            };
             if self.damping > MOST_DAMPING {
-                if let Some(verdict) = self.rounding(domain) {
-                    return Some(verdict);
-                }
-                let why = self
-                    .why_refused
-                    .as_ref()
-                    .map_or(String::new(), |why| format!(" (last refused: {why})"));
-                return stalled(&format!("no step makes the sum smaller{why}"));
+                return Some(self.no_step_verdict(bounds));
             }
-            let Some((to, promised)) = self.at.step(
-                &domain.variables,
-                &self.scale,
-                self.damping,
-                &mut self.solver,
-            ) else {
-                self.grow();
+            let Some(step) = self.step(bounds, self.damping) else {
+                self.grow_damping();
                 continue;
             };
-            if promised <= NOISE * self.at.cost || to == self.at.x {
-                // what a step without damping could still gain is what tells the end from a
-                // standstill
-                let undamped = self
-                    .at
-                    .step(
-                        &domain.variables,
-                        &self.scale,
-                        LEAST_DAMPING,
-                        &mut self.solver,
-                    )
-                    .map_or(0.0, |(_, gain)| gain);
-                if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
-                    let part = if self.at.cost > 0.0 {
-                        undamped / self.at.cost
-                    } else {
-                        0.0
-                    };
-                    let message = format!(
-                        "the sum of squares is at its smallest: a step could lower it by \
-                         {part:.1e} of its value at most, which is less than \
-                         its rounding error"
-                    );
-                    return Some((Status::Converged, message));
-                }
-                return self.rounding(domain).or_else(|| {
-                    stalled(
-                        "the next change of what is fitted is too small to tell whether the \
-                             sum still falls",
-                    )
-                });
+            if step.predicted_reduction <= NOISE * self.at.cost || step.to == self.at.x {
+                return Some(self.no_gain_verdict(bounds));
             }
-            self.evaluations += 1;
-            match evaluate(to) {
-                Ok(next) => {
-                    // the gain ratio and the damping that follows it: Nielsen (1999); Madsen,
-                    // Nielsen & Tingleff (2004), alg. 3.16
-                    let gain = (self.at.cost - next.cost) / promised;
-                    if gain > 0.0 {
-                        self.damping *= (1.0 - (2.0 * gain - 1.0).powi(3)).max(1.0 / 3.0);
-                        self.damping = self.damping.max(LEAST_DAMPING);
-                        self.growth = 2.0;
-                        next.lengthen(&mut self.scale);
-                        self.at = next;
-                        return None;
-                    }
-                }
-                Err(_) if follow.is_interrupted() => {
-                    // what is not finished is not counted
-                    self.iterations -= 1;
-                    return Some(interrupted(cosine, tolerance));
-                }
-                Err(why) => {
-                    self.refused += 1;
-                    self.why_refused = Some(why);
-                }
+            match self.try_step(step, bounds, options, evaluate, observer) {
+                Trial::Accepted => return None,
+                Trial::Ended(verdict) => return Some(verdict),
+                Trial::Rejected => self.grow_damping(),
             }
-            self.grow();
         }
     }
 
-    /// Converged, where no step lowers the sum and a step without damping would hardly move the
-    /// point.
-    fn rounding(&mut self, domain: &Domain) -> Option<(Status, String)> {
-        let (to, _) = self.at.step(
-            &domain.variables,
-            &self.scale,
-            LEAST_DAMPING,
-            &mut self.solver,
-        )?;
+    /// Step of the model with this damping.
+    fn step(&mut self, bounds: &Bounds, damping: f64) -> Option<ModelStep> {
+        self.at.step(bounds, &self.scale, damping, &mut self.solver)
+    }
+
+    /// Evaluates a trial point, and moves there if the sum falls.
+    fn try_step(
+        &mut self,
+        step: ModelStep,
+        bounds: &Bounds,
+        options: &Options,
+        evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
+        observer: &FitObserver,
+    ) -> Trial {
+        self.evaluations += 1;
+        match evaluate(step.to) {
+            Ok(next) => {
+                // gain ratio and damping update: Nielsen (1999); Madsen, Nielsen & Tingleff (2004),
+                // alg. 3.16
+                let gain = (self.at.cost - next.cost) / step.predicted_reduction;
+                if gain > 0.0 {
+                    self.damping *= (1.0 - (2.0 * gain - 1.0).powi(3)).max(1.0 / 3.0);
+                    self.damping = self.damping.max(LEAST_DAMPING);
+                    self.growth = 2.0;
+                    next.lengthen(&mut self.scale);
+                    self.cosine = next.cosine(bounds);
+                    self.at = next;
+                    return Trial::Accepted;
+                }
+            }
+            Err(_) if observer.is_interrupted() => {
+                // do not count the interrupted iteration
+                self.iterations -= 1;
+                return Trial::Ended(Verdict::interrupted(self.cosine, options.tolerance));
+            }
+            Err(why) => {
+                self.refused += 1;
+                self.why_refused = Some(why);
+            }
+        }
+        Trial::Rejected
+    }
+
+    /// Verdict if even the largest damping gives no acceptable step.
+    fn no_step_verdict(&mut self, bounds: &Bounds) -> Verdict {
+        self.rounding_verdict(bounds).unwrap_or_else(|| {
+            let why = self
+                .why_refused
+                .as_ref()
+                .map_or(String::new(), |why| format!(" (last refused: {why})"));
+            Verdict::stalled(&format!("no step makes the sum smaller{why}"), self.cosine)
+        })
+    }
+
+    /// Verdict if the model predicts no reduction above rounding. The predicted reduction of an
+    /// undamped step distinguishes convergence from stalling.
+    fn no_gain_verdict(&mut self, bounds: &Bounds) -> Verdict {
+        let undamped = self
+            .step(bounds, LEAST_DAMPING)
+            .map_or(0.0, |step| step.predicted_reduction);
+        if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
+            let part = if self.at.cost > 0.0 {
+                undamped / self.at.cost
+            } else {
+                0.0
+            };
+            let message = format!(
+                "the sum of squares is at its smallest: a step could lower it by {part:.1e} of its \
+                 value at most, which is less than its rounding error"
+            );
+            return Verdict::new(Status::Converged, message);
+        }
+        self.rounding_verdict(bounds).unwrap_or_else(|| {
+            Verdict::stalled(
+                "the next change of what is fitted is too small to tell whether the sum still falls",
+                self.cosine,
+            )
+        })
+    }
+
+    /// Converged to rounding, if an undamped step would hardly move the point.
+    fn rounding_verdict(&mut self, bounds: &Bounds) -> Option<Verdict> {
+        let to = self.step(bounds, LEAST_DAMPING)?.to;
         let length = |of: &dyn Fn(usize) -> f64| -> f64 {
             (0..self.scale.len())
                 .map(|i| (self.scale[i] * of(i)).powi(2))
@@ -426,44 +462,37 @@ impl Search {
         };
         let x = &self.at.x;
         let step = length(&|i| to[i] - x[i]);
-        let way = length(&|i| x[i].abs().max((x[i] - self.begun_at[i]).abs()));
-        (step <= SHORTEST * way).then(|| {
+        let distance = length(&|i| x[i].abs().max((x[i] - self.initial_point[i]).abs()));
+        (step <= SHORTEST * distance).then(|| {
             let message = format!(
                 "no step makes the sum smaller, and one without damping would move the point by \
-                 {:.1e} of itself: because of \
-                 rounding the sum can fall no further",
-                if way > 0.0 { step / way } else { 0.0 }
+                 {:.1e} of itself: because of rounding the sum can fall no further",
+                if distance > 0.0 { step / distance } else { 0.0 }
             );
-            (Status::Converged, message)
+            Verdict::new(Status::Converged, message)
         })
     }
 
-    fn grow(&mut self) {
+    fn grow_damping(&mut self) {
         self.damping *= self.growth;
         self.growth *= 2.0;
     }
 }
 
-fn interrupted(cosine: f64, tolerance: f64) -> (Status, String) {
-    (
-        Status::Interrupted,
-        format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}"),
-    )
-}
-
-/// The end of a fit that was stopped before its residuals were known once.
-fn not_begun(x: Vec<f64>) -> Fit {
+/// Result of a fit that was interrupted before its first evaluation.
+fn interrupted_at_start(x: Vec<f64>) -> Fit {
     let message = "stopped before the residuals were evaluated once".into();
     Fit {
         status: Status::Interrupted,
         message,
         refused: 0,
         why_refused: None,
-        ..nowhere(x, String::new())
+        ..undefined_at_start(x, String::new())
     }
 }
 
-fn nowhere(x: Vec<f64>, why: String) -> Fit {
+/// Result of a fit whose residuals are undefined at the start.
+fn undefined_at_start(x: Vec<f64>, why: String) -> Fit {
     Fit {
         status: Status::Undefined,
         message: format!("the residuals are not defined at the start: {why}"),

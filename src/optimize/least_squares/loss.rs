@@ -1,23 +1,23 @@
 use serde::{Deserialize, Serialize};
 
-/// What a residual costs.
+/// Loss ρ(r) of a residual.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Loss {
-    /// ½ r².
+    /// Squares: ½ r².
     #[default]
     Squares,
-    /// ½ r² up to k, beyond it k |r| − ½ k² (Huber 1964): an outlier pulls no harder than a
-    /// residual of k.
+    /// Huber (1964): ½ r² up to k, beyond it k |r| − ½ k². It limits the influence of outliers to
+    /// that of a residual k.
     Huber(f64),
 }
 
 impl Loss {
-    /// Huber's loss with k = 1.345, which costs 5 % of efficiency where the noise is normal (Huber
-    /// 1964; Holland & Welsch 1977).
+    /// Huber's loss with k = 1.345: 95 % efficiency for normal noise (Huber 1964; Holland & Welsch
+    /// 1977).
     pub const HUBER: Self = Self::Huber(1.345);
 
-    /// ρ(r).
+    /// Loss ρ(r).
     pub fn of(self, r: f64) -> f64 {
         match self {
             Self::Huber(k) if r.abs() > k => k * r.abs() - 0.5 * k * k,
@@ -25,7 +25,7 @@ impl Loss {
         }
     }
 
-    /// ρ′(r)/r: the weight that the residual has in the Gauss–Newton model.
+    /// Weight ρ′(r)/r of the residual in the Gauss–Newton model.
     pub fn weight(self, r: f64) -> f64 {
         match self {
             Self::Huber(k) if r.abs() > k => k / r.abs(),

@@ -1,13 +1,14 @@
-//! Nonlinear least squares over bounds, with exact Jacobians. It knows no golf.
+//! Nonlinear least squares within bounds, with exact Jacobians. The module contains nothing about
+//! golf.
 //!
 //! ```text
 //!   minimise F(x) = Σ ρ(rᵢ(x))  subject to  low ≤ x ≤ high,   ρ(r) = ½ r², or Huber's
 //! ```
 //!
-//! by Levenberg and Marquardt's method: each step is the convex quadratic program of the damped
-//! Gauss–Newton model over the bounds ([`qp`](super::qp)), so that active bounds are exact; the
-//! damping follows the gain ratio. Where residuals are not defined at a trial point, the step is
-//! refused and the damping grows.
+//! by the Levenberg–Marquardt method: each step minimises the damped Gauss–Newton model within the
+//! bounds, a convex quadratic program ([`qp`](super::qp)) whose active bounds are exact. The
+//! damping follows the gain ratio. If the residuals are undefined at a trial point, the step is
+//! rejected and the damping grows.
 //!
 //! ```
 //! use longdrive::optimize::Domain;
@@ -28,25 +29,26 @@ mod fit;
 mod loss;
 mod step;
 
-pub use fit::{Fit, Follow, Status, fit, fit_from, fit_observed};
+pub use fit::{Fit, FitObserver, Status, fit, fit_from, fit_observed};
 pub use loss::Loss;
 
 /// Residuals and their Jacobian at a point.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rows {
-    /// r₁ … rₘ.
+    /// Residuals r₁ … rₘ.
     pub residuals: Vec<f64>,
-    /// ∂rᵢ/∂xⱼ, a row for each residual.
+    /// Jacobian ∂rᵢ/∂xⱼ, a row for each residual.
     pub jacobian: Vec<Vec<f64>>,
 }
 
-/// What is to be made small: one method.
+/// Residuals of a least-squares problem.
 pub trait Residuals {
     /// The residuals and their Jacobian at `x`.
     ///
     /// # Errors
-    /// A sentence saying why there are none at `x`. The search then steps back; where its
-    /// [`interrupt`](Follow::interrupt) is true by then, it ends with the point before.
+    /// The reason, in a sentence, why the residuals are undefined at `x`. The fit then shortens its
+    /// step. If its [`interrupt`](FitObserver::interrupt) flag is set by then, it ends at the
+    /// previous iterate.
     fn evaluate(&self, x: &[f64]) -> Result<Rows, String>;
 }
 
@@ -56,18 +58,18 @@ impl<F: Fn(&[f64]) -> Result<Rows, String>> Residuals for F {
     }
 }
 
-/// Settings of a fit, each with its default.
+/// Options of a fit, with their defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// What is summed (squares).
+    /// Loss of a residual (squares).
     pub loss: Loss,
-    /// Most iterations (200).
+    /// Maximum number of iterations (200).
     pub max_iterations: u64,
-    /// Largest cosine of the angle between the residuals and a column of the Jacobian that is free
-    /// to move, at which the fit has converged (1e-10; Moré 1978, MINPACK's `gtol`).
+    /// Convergence tolerance: largest cosine of the angle between the residuals and a column of the
+    /// Jacobian whose variable can move (1e-10; Moré 1978, MINPACK's `gtol`).
     pub tolerance: f64,
-    /// Residuals no larger than this are rounding, and a fit that leaves no larger ones is exact
-    /// (0: not known).
+    /// Rounding error of the residuals. A fit whose residuals are all at most this has converged
+    /// (0: unknown).
     pub rounding: f64,
 }
 
@@ -84,10 +86,10 @@ impl Default for Options {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fit, Follow, Options, Residuals, Rows, Status, fit, fit_from};
+    use super::{Fit, FitObserver, Options, Residuals, Rows, Status, fit, fit_from};
     use crate::optimize::{Domain, starts};
 
-    /// A model with its gradient by the parameters.
+    /// A model function with its gradient by the parameters.
     type Model = fn(x: f64, b: &[f64]) -> (f64, Vec<f64>);
 
     /// A problem of NIST's Statistical Reference Datasets, nonlinear regression
@@ -156,8 +158,8 @@ mod tests {
                 let e = (-b[1] * x).exp();
                 (b[0] * (1.0 - e), vec![1.0 - e, b[0] * x * e])
             },
-            // from (1, 1), the first of its starts, a search without bounds goes on towards b₂ = ∞:
-            // see the test within bounds
+            // from (1, 1), its first published start, an unbounded search diverges to b₂ = ∞: see
+            // the test within bounds
             starts: [&[100.0, 0.75], &[100.0, 0.75]],
             certified: &[2.138_094_088_9e2, 5.472_374_854_2e-1],
             sum: 1.168_008_876_6e3,
@@ -257,7 +259,7 @@ mod tests {
             &domain,
             &spread,
             &Options::default(),
-            &Follow::default(),
+            &FitObserver::default(),
         )
         .unwrap();
         for best in [&alone, &found[0]] {
@@ -273,8 +275,8 @@ mod tests {
 
     #[test]
     fn exact_kkt_conditions_at_an_active_bound() {
-        // with b₁ ≤ 230 the best b₂ of Misra1a solves a problem of one variable: its slope vanishes
-        // there, b₁ stays on its bound
+        // with b₁ ≤ 230 active, b₂ of Misra1a minimises a function of one variable: its derivative
+        // vanishes, and b₁ stays on its bound
         let found = fitted(&SETS[0], &[200.0, 6e-4], 0.0, 230.0);
         assert_eq!((found.status, found.x[0]), (Status::Converged, 230.0));
         let slope = |k: usize| -> f64 {
@@ -294,8 +296,8 @@ mod tests {
         );
     }
 
-    /// As many residuals as variables, none of them linear, with a zero that the last digits miss:
-    /// the cosine says nothing there.
+    /// As many nonlinear residuals as variables: at a zero residual, known to rounding only, the
+    /// cosine carries no information.
     #[test]
     fn exact_zero_of_a_square_system_is_converged() {
         let curve = |x: &[f64]| {
@@ -327,8 +329,8 @@ mod tests {
         }
     }
 
-    /// Only x₁ − x₂ matters: the sum of the two stays where it began, and is not walked along by
-    /// rounding.
+    /// The residuals depend on x₁ − x₂ only: x₁ + x₂ keeps its initial value, and rounding does not
+    /// move it.
     #[test]
     fn combination_without_effect_keeps_its_start_value() {
         let difference = |x: &[f64]| {

@@ -1,11 +1,11 @@
-//! The damped Gauss–Newton model at a point, and its minimum over the bounds.
+//! Damped Gauss–Newton model at a point, and its minimum within the bounds.
 
 use super::super::domain::Bounds;
 use super::super::qp::{MaxTerm, QpSolver, QuadraticProgram, Side};
 use super::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 
-/// A point with its residuals, and the model there, in variables scaled by `scale`.
+/// A point with its residuals, and gradient JᵀWr and curvature JᵀWJ of the Gauss–Newton model.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub x: Vec<f64>,
@@ -15,8 +15,16 @@ pub(super) struct Point {
     curvature: DMatrix<f64>,
 }
 
+/// Step of the damped Gauss–Newton model.
+pub(super) struct ModelStep {
+    /// Trial point.
+    pub to: Vec<f64>,
+    /// Reduction predicted by the undamped model.
+    pub predicted_reduction: f64,
+}
+
 impl Point {
-    /// The point, if residuals and Jacobian are of the right shape and finite.
+    /// Builds the model; fails if residuals or Jacobian have the wrong shape or are not finite.
     pub fn new(x: Vec<f64>, rows: Rows, loss: Loss) -> Result<Self, String> {
         let n = x.len();
         if rows.jacobian.len() != rows.residuals.len()
@@ -31,7 +39,7 @@ impl Point {
         if !all.copied().all(f64::is_finite) {
             return Err("a residual or a derivative is not finite".into());
         }
-        /// Residuals and derivatives beyond this have sums of squares that are not finite.
+        /// Residuals and derivatives above this overflow when squared and summed.
         const TOO_LARGE: f64 = 1e150;
         for (at, (r, row)) in rows.residuals.iter().zip(&rows.jacobian).enumerate() {
             if let Some(entry) = row.iter().chain([r]).find(|entry| entry.abs() > TOO_LARGE) {
@@ -67,23 +75,22 @@ impl Point {
         })
     }
 
-    /// Lengths of the Jacobian's columns, none shorter than in `longest` (Moré 1978: the scale
-    /// never shrinks).
+    /// Raises each entry to the length of its Jacobian column (Moré 1978: scales never shrink).
     pub fn lengthen(&self, longest: &mut [f64]) {
         for (i, length) in longest.iter_mut().enumerate() {
             *length = length.max(self.curvature[(i, i)].sqrt());
         }
     }
 
-    /// The largest cosine between the residuals and a column whose variable is free to go down the
-    /// slope.
+    /// Largest cosine of the angle between the residuals and a column of the Jacobian; columns
+    /// whose variable is blocked by a bound are left out.
     pub fn cosine(&self, bounds: &Bounds) -> f64 {
         let size = (2.0 * self.cost).sqrt();
         let of = |i: usize| {
             let (slope, length) = (self.gradient[i], self.curvature[(i, i)].sqrt());
-            let is_held = slope > 0.0 && self.x[i] <= bounds.low[i]
+            let is_blocked = slope > 0.0 && self.x[i] <= bounds.low[i]
                 || slope < 0.0 && self.x[i] >= bounds.high[i];
-            if is_held || length == 0.0 || size == 0.0 {
+            if is_blocked || length == 0.0 || size == 0.0 {
                 0.0
             } else {
                 slope.abs() / (length * size)
@@ -92,16 +99,16 @@ impl Point {
         (0..self.x.len()).map(of).fold(0.0, f64::max)
     }
 
-    /// The step that makes the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd least over the bounds, and what the
-    /// undamped model promises to fall by.
+    /// Minimises the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd within the bounds. Returns the trial point and
+    /// the predicted reduction of the undamped model; `None` if the step is too long.
     pub fn step(
         &self,
         bounds: &Bounds,
         scale: &[f64],
         damping: f64,
         solver: &mut QpSolver,
-    ) -> Option<(Vec<f64>, f64)> {
-        /// Steps beyond this, in scaled units, are not taken at once.
+    ) -> Option<ModelStep> {
+        /// Largest step, in scaled units.
         const FAR: f64 = 1e12;
         let n = self.x.len();
         let size = |i: usize| if scale[i] > 0.0 { scale[i] } else { 1.0 };
@@ -125,12 +132,15 @@ impl Point {
             .solve(&program)
             .filter(|found| found.d.amax() <= FAR)?;
         let d = DVector::from_fn(n, |i, _| found.d[i] / size(i));
-        let promised = -(self.gradient.dot(&d) + 0.5 * d.dot(&(&self.curvature * &d)));
+        let predicted_reduction = -(self.gradient.dot(&d) + 0.5 * d.dot(&(&self.curvature * &d)));
         let to = |i: usize| match found.sides[i] {
             Side::Lower if bounds.low[i].is_finite() => bounds.low[i],
             Side::Upper if bounds.high[i].is_finite() => bounds.high[i],
             _ => (self.x[i] + d[i]).clamp(bounds.low[i], bounds.high[i]),
         };
-        Some(((0..n).map(to).collect(), promised))
+        Some(ModelStep {
+            to: (0..n).map(to).collect(),
+            predicted_reduction,
+        })
     }
 }

@@ -1,23 +1,23 @@
-//! Clarabel, the interior-point method: active sets, approximate solutions, and proofs of
+//! The interior-point solver Clarabel: active sets, approximate solutions, and proofs of
 //! infeasibility.
 
-use super::active_set::ActiveConstraint;
 use super::program::{QuadraticProgram, Side, Step, StepSource};
+use super::working_set::ActiveConstraint;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use nalgebra::DVector;
 use std::fmt;
 
-/// Clarabel's answer.
+/// Result of Clarabel.
 pub(super) enum Answer {
-    /// The active constraints, those with the largest multipliers first, and the solution itself
-    /// where Clarabel calls it one.
+    /// Active constraints, sorted by falling multiplier, and the approximate solution if Clarabel
+    /// reports one.
     Found(Vec<ActiveConstraint>, Option<Step>),
-    /// The rows cannot be met within the bounds.
+    /// The rows are infeasible within the bounds.
     Infeasible,
 }
 
-/// A Clarabel solver for programs of one sparsity pattern. A program of the same pattern only
+/// Clarabel solver for programs of one sparsity pattern. A program with the same pattern only
 /// updates its data.
 #[derive(Default)]
 pub(super) struct InteriorPoint {
@@ -26,7 +26,7 @@ pub(super) struct InteriorPoint {
 }
 
 impl Clone for InteriorPoint {
-    /// A solver without a program: the data of the next one are all that its answer depends on.
+    /// A new solver: results depend only on the data of the next program.
     fn clone(&self) -> Self {
         Self::default()
     }
@@ -38,16 +38,17 @@ impl fmt::Debug for InteriorPoint {
     }
 }
 
-/// Accuracy asked of Clarabel. Where no active set is exact, its own multipliers must meet the KKT
+/// Clarabel's tolerances. If polishing fails, Clarabel's own multipliers must satisfy the KKT
 /// tolerance of a search.
 const TOLERANCE: f64 = 1e-10;
 
-/// A constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 or s ≥ 0.
+/// Constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 (equality) or s ≥
+/// 0.
 struct ConeRow {
     coefficients: Coefficients,
     limit: f64,
     constraint: ActiveConstraint,
-    /// The program's multiplier for a unit of Clarabel's.
+    /// Factor from Clarabel's multiplier to the program's.
     multiplier_unit: f64,
 }
 
@@ -57,7 +58,7 @@ enum Coefficients {
 }
 
 impl ConeRow {
-    /// The coefficient of a variable; `None` for an entry that is no part of the sparsity pattern.
+    /// Coefficient of a variable; `None` outside the sparsity pattern.
     fn coefficient(&self, column: usize) -> Option<f64> {
         match &self.coefficients {
             Coefficients::One { variable, value } => (*variable == column).then_some(*value),
@@ -66,12 +67,12 @@ impl ConeRow {
     }
 }
 
-/// A program in Clarabel's standard form, scaled: steps in units of the largest bound, the
-/// objective in units of its change over it, rows with a largest coefficient of 1. Clarabel's
-/// tolerances are absolute, and its own equilibration is then of no use.
+/// Program in Clarabel's standard form, scaled: steps in units of the largest bound, the objective
+/// in units of its change over such a step, rows with a largest coefficient of 1. Clarabel's
+/// tolerances are absolute, so the scaling replaces its own equilibration.
 struct StandardForm {
-    /// The number of variables, with the epigraph variable t ≥ offsetₖ + gradientₖ · d where there
-    /// are several terms.
+    /// Number of variables. With several terms there is an epigraph variable t ≥ offsetₖ +
+    /// gradientₖ · d.
     size: usize,
     hessian: CscMatrix<f64>,
     gradient: Vec<f64>,
@@ -82,7 +83,7 @@ struct StandardForm {
 }
 
 impl InteriorPoint {
-    /// Solves a program; `None` where Clarabel ends with neither a solution nor a proof.
+    /// Solves a program; `None` if Clarabel finds neither a solution nor a proof of infeasibility.
     pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Answer> {
         let form = StandardForm::new(program);
         let solver = self.updated(&form)?;
@@ -106,8 +107,8 @@ impl InteriorPoint {
             solution.status,
             SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress
         );
-        // of a constraint's multiplier and its slack one vanishes at a solution: the larger says
-        // which
+        // complementarity: the larger of multiplier z and slack s tells whether the constraint is
+        // active
         let first = form.equations.len();
         let mut active: Vec<(f64, ActiveConstraint)> = form
             .inequalities
@@ -125,7 +126,7 @@ impl InteriorPoint {
         Some(Answer::Found(active, own))
     }
 
-    /// The solver with the data of a program.
+    /// Loads the data of a program into the solver.
     fn updated(&mut self, form: &StandardForm) -> Option<&mut DefaultSolver<f64>> {
         let (matrix, limits) = form.constraints();
         if self.equations == form.equations.len()
@@ -142,7 +143,7 @@ impl InteriorPoint {
         ];
         let settings = DefaultSettings {
             verbose: false,
-            // data are updated, so nothing may be removed
+            // presolve would remove rows that a later update needs
             presolve_enable: false,
             equilibrate_enable: false,
             tol_gap_abs: TOLERANCE,
@@ -168,14 +169,15 @@ impl StandardForm {
     fn new(program: &QuadraticProgram) -> Self {
         let (n, terms) = (program.dimension(), program.max_terms.len());
         let size = n + usize::from(terms > 1);
-        let length_unit = program.reach();
-        let bend = program.hessian.amax() * length_unit * length_unit;
-        let slope = program.largest_slope() * length_unit;
-        // between the two where curvature dominates: neither vanishes beside the tolerances
+        let length_unit = program.largest_bound();
+        let curvature = program.hessian.amax() * length_unit * length_unit;
+        let slope = program.largest_gradient_component() * length_unit;
+        // geometric mean if curvature dominates, so that neither part vanishes beside the
+        // tolerances
         let value_unit = if slope > 0.0 {
-            (slope * slope.max(bend)).sqrt()
+            (slope * slope.max(curvature)).sqrt()
         } else {
-            bend.max(f64::MIN_POSITIVE)
+            curvature.max(f64::MIN_POSITIVE)
         };
         let slope_unit = value_unit / length_unit;
 
@@ -274,31 +276,31 @@ impl StandardForm {
         self.inequalities.extend(limits);
     }
 
-    /// Equations, then inequalities.
+    /// All rows: equalities, then inequalities.
     fn rows(&self) -> impl Iterator<Item = &ConeRow> {
         self.equations.iter().chain(&self.inequalities)
     }
 
-    /// The matrix A and the limits b of A x + s = b.
+    /// Matrix A and limits b of A x + s = b.
     fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>) {
-        let (mut starts, mut places, mut values) = (vec![0], vec![], vec![]);
+        let (mut column_starts, mut row_indices, mut values) = (vec![0], vec![], vec![]);
         for column in 0..self.size {
             for (at, row) in self.rows().enumerate() {
                 if let Some(value) = row.coefficient(column) {
-                    places.push(at);
+                    row_indices.push(at);
                     values.push(value);
                 }
             }
-            starts.push(values.len());
+            column_starts.push(values.len());
         }
         let limits: Vec<f64> = self.rows().map(|row| row.limit).collect();
         (
-            CscMatrix::new(limits.len(), self.size, starts, places, values),
+            CscMatrix::new(limits.len(), self.size, column_starts, row_indices, values),
             limits,
         )
     }
 
-    /// Clarabel's solution x with its multipliers z, moved inside the bounds.
+    /// Converts Clarabel's solution x and multipliers z to a step within the bounds.
     fn step(&self, program: &QuadraticProgram, x: &[f64], z: &[f64]) -> Step {
         let n = program.dimension();
         let mut step = Step {
@@ -318,17 +320,18 @@ impl StandardForm {
         if let [weight] = step.weights.as_mut_slice() {
             *weight = 1.0;
         }
-        step.move_inside(program);
+        step.project_on_bounds(program);
         step
     }
 }
 
-/// The upper triangle of the scaled Hessian, with all entries in the sparsity pattern.
+/// Upper triangle of the scaled Hessian, with a full sparsity pattern.
 fn upper_triangle(program: &QuadraticProgram, size: usize, scale: f64) -> CscMatrix<f64> {
-    let (n, mut starts, mut places, mut values) = (program.dimension(), vec![0], vec![], vec![]);
+    let (n, mut column_starts, mut row_indices, mut values) =
+        (program.dimension(), vec![0], vec![], vec![]);
     for column in 0..size {
         if column < n {
-            places.extend(0..=column);
+            row_indices.extend(0..=column);
             values.extend(
                 program
                     .hessian
@@ -338,7 +341,7 @@ fn upper_triangle(program: &QuadraticProgram, size: usize, scale: f64) -> CscMat
                     .map(|entry| entry * scale),
             );
         }
-        starts.push(values.len());
+        column_starts.push(values.len());
     }
-    CscMatrix::new(size, size, starts, places, values)
+    CscMatrix::new(size, size, column_starts, row_indices, values)
 }

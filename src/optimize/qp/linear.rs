@@ -1,41 +1,41 @@
-//! Small symmetric systems of equations, balanced so that curvatures and normals of very different
+//! Small symmetric linear systems, equilibrated so that curvatures and normals of very different
 //! sizes do not hide each other.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// Pivots below this part of the largest, after balancing, show equations that depend on each
-/// other.
+/// Equations are linearly dependent if a pivot, after equilibration, is below this fraction of the
+/// largest.
 const DEPENDENT: f64 = 1e-14;
-/// Eigenvalues below this, after balancing, are none.
+/// Eigenvalues below this, after equilibration, count as zero.
 const RANK: f64 = 1e-13;
-/// Rows whose largest entries differ from 1 by less than this factor's square are balanced.
+/// Equilibration ends when the largest entry of each row is within the square of this factor of 1.
 const ALIKE: f64 = 4.0;
-/// What dependent equations may miss, of the largest right-hand side.
-const CONTRADICTS: f64 = 1e-9;
+/// Largest residual of dependent equations, relative to the largest right-hand side.
+const INCONSISTENT: f64 = 1e-9;
 
-/// Solves a system. Where its equations depend on each other, the shortest solution of those that
-/// do not contradict; `None` where some do.
-pub(super) fn solved(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
-    let system = Balanced::new(matrix, right)?;
+/// Solves a symmetric system. If its equations are linearly dependent, returns the solution of
+/// minimum norm, or `None` if they are inconsistent.
+pub(super) fn solve_symmetric(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
+    let system = Equilibrated::new(matrix, right)?;
     system
-        .only_solution()
-        .or_else(|| system.shortest_solution())
+        .unique_solution()
+        .or_else(|| system.minimum_norm_solution())
 }
 
-/// A system whose rows and columns were multiplied by `lengths`.
-struct Balanced {
+/// System whose rows and columns were multiplied by `lengths`.
+struct Equilibrated {
     matrix: DMatrix<f64>,
     right: DVector<f64>,
     lengths: DVector<f64>,
 }
 
-impl Balanced {
-    /// `None` where an entry is not finite.
+impl Equilibrated {
+    /// Equilibrates a system; `None` if an entry is not finite.
     fn new(mut matrix: DMatrix<f64>, mut right: DVector<f64>) -> Option<Self> {
         if !matrix.iter().chain(right.iter()).all(|x| x.is_finite()) {
             return None;
         }
-        let lengths = balance(&matrix);
+        let lengths = equilibration_factors(&matrix);
         for (column, own) in matrix
             .as_mut_slice()
             .chunks_exact_mut(lengths.len().max(1))
@@ -54,7 +54,7 @@ impl Balanced {
         })
     }
 
-    fn only_solution(&self) -> Option<DVector<f64>> {
+    fn unique_solution(&self) -> Option<DVector<f64>> {
         if self.right.is_empty() {
             return Some(self.right.clone());
         }
@@ -64,19 +64,19 @@ impl Balanced {
             return None;
         }
         let first = lu.solve(&self.right)?;
-        let rest = self.left_over(&first);
+        let rest = self.residual(&first);
         let refined = lu
             .solve(&rest)
             .map_or(first.clone(), |change| &first + change);
-        let best = if self.left_over(&refined).norm() < rest.norm() {
+        let best = if self.residual(&refined).norm() < rest.norm() {
             refined
         } else {
             first
         };
-        self.whole(best)
+        self.unscaled(best)
     }
 
-    fn shortest_solution(&self) -> Option<DVector<f64>> {
+    fn minimum_norm_solution(&self) -> Option<DVector<f64>> {
         let SymmetricEigen {
             eigenvalues,
             eigenvectors,
@@ -92,27 +92,27 @@ impl Balanced {
                 0.0
             }
         });
-        let shortest = eigenvectors * parts;
-        let is_met = self.left_over(&shortest).amax()
-            <= CONTRADICTS * self.right.amax().max(f64::MIN_POSITIVE);
-        self.whole(shortest).filter(|_| is_met)
+        let solution = eigenvectors * parts;
+        let is_met = self.residual(&solution).amax()
+            <= INCONSISTENT * self.right.amax().max(f64::MIN_POSITIVE);
+        self.unscaled(solution).filter(|_| is_met)
     }
 
-    fn left_over(&self, x: &DVector<f64>) -> DVector<f64> {
+    fn residual(&self, x: &DVector<f64>) -> DVector<f64> {
         &self.right - &self.matrix * x
     }
 
-    /// A solution in the units of the system before it was balanced, if it is finite.
-    fn whole(&self, mut x: DVector<f64>) -> Option<DVector<f64>> {
+    /// Undoes the equilibration of a solution; `None` if it is not finite.
+    fn unscaled(&self, mut x: DVector<f64>) -> Option<DVector<f64>> {
         let is_finite = x.iter().all(|x| x.is_finite());
         x.component_mul_assign(&self.lengths);
         is_finite.then_some(x)
     }
 }
 
-/// Factors for rows and columns of a symmetric matrix that make the largest entry of each about 1
-/// (Ruiz 2001); they end where all are within [`ALIKE`] of it.
-fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
+/// Equilibration factors of a symmetric matrix (Ruiz 2001): they bring the largest entry of each
+/// row to within [`ALIKE`] of 1.
+fn equilibration_factors(matrix: &DMatrix<f64>) -> DVector<f64> {
     let n = matrix.nrows();
     let mut lengths = DVector::from_element(n, 1.0);
     let mut factors = lengths.clone();
@@ -121,7 +121,7 @@ fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
         for ((column, length), factor) in
             columns.zip(lengths.as_slice()).zip(factors.as_mut_slice())
         {
-            // finite all of them
+            // all entries are finite
             let larger = |most: f64, a: f64| if a > most { a } else { most };
             let entries = column
                 .iter()

@@ -1,12 +1,12 @@
-//! The quadratic program of a step: a warm start from the active set of the program before;
-//! otherwise Clarabel, polished to an exact KKT point (`QpSolver::solve`).
+//! Quadratic programs: a warm start from the previous active set, else Clarabel, polished to an
+//! exact KKT point (`QpSolver::solve`).
 
-mod active_set;
 mod interior_point;
 mod linear;
 mod polish;
 mod program;
 mod solve;
+mod working_set;
 
 pub(super) use program::quadratic_form;
 pub use program::{MaxTerm, QuadraticProgram, Row, Side, Step, StepSource};
@@ -17,7 +17,7 @@ mod tests {
     use super::{MaxTerm, QpSolver, QuadraticProgram, Row, Side, StepSource};
     use nalgebra::{DMatrix, DVector};
 
-    /// The minimum over every combination of free, low and high variables: exact, by enumeration.
+    /// Exact minimum by enumeration of all active sets of bounds.
     fn enumerated(qp: &QuadraticProgram) -> f64 {
         let n = qp.low.len();
         let mut least = f64::INFINITY;
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn exact_minimum_of_random_box_programs() {
-        // a fixed sequence without pattern: fractional parts of multiples of √2 powers
+        // deterministic pseudo-random numbers: fractional parts of a multiplicative recurrence
         let mut state = 0.5_f64;
         let mut random = || {
             state = (state * 97.409_1 + 0.137).fract();
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn exact_step_to_a_kink() {
-        // ½ d² + max(−d₀, 2 d₀ − 0.3) + d₁-parabola: the max_terms meet at d₀ = 0.1
+        // ½ d² + max(−d₀, 2 d₀ − 0.3) + d₁-parabola: the terms meet at d₀ = 0.1
         let qp = QuadraticProgram {
             hessian: DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 1.0]),
             max_terms: vec![
@@ -109,8 +109,8 @@ mod tests {
         assert!((step.weights[0] - 0.7).abs() < 1e-14 && (step.weights[1] - 0.3).abs() < 1e-14);
     }
 
-    /// Random convex programs with rows, of which some cannot be met; the first row of most is an
-    /// equation.
+    /// Random convex programs with rows, some of them infeasible; the first row of most is an
+    /// equality.
     fn random_programs_with_rows(count: usize) -> impl Iterator<Item = QuadraticProgram> {
         let mut state = 0.3_f64;
         let mut random = move || {
@@ -151,9 +151,8 @@ mod tests {
         })
     }
 
-    /// KKT conditions, checked from the program's own numbers: sufficient, for it is convex.
-    /// Clarabel's verdict of infeasibility is compared with the least violation, which an elastic
-    /// program has.
+    /// Checks the KKT conditions from the program's data: they are sufficient, because it is
+    /// convex. Clarabel's infeasibility is compared with the minimum of the violation.
     #[test]
     fn exact_kkt_conditions_of_random_programs_with_rows() {
         let (mut infeasible, mut solved) = (0, 0);
@@ -167,9 +166,9 @@ mod tests {
             solved += 1;
             assert_eq!(step.source, StepSource::Clarabel, "case {case}");
             assert!(qp.violation(&step.d) < 1e-12);
-            let mut slopes = &qp.hessian * &step.d + &qp.max_terms[0].gradient;
+            let mut gradient = &qp.hessian * &step.d + &qp.max_terms[0].gradient;
             for (row, multiplier) in qp.rows.iter().zip(&step.multipliers) {
-                slopes += &row.normal * *multiplier;
+                gradient += &row.normal * *multiplier;
                 let value = row.normal.dot(&step.d);
                 let limit = if *multiplier > 0.0 { row.high } else { row.low };
                 assert!(
@@ -179,20 +178,20 @@ mod tests {
             }
             for i in 0..n {
                 let is_balanced = match step.sides[i] {
-                    Side::Inactive => slopes[i].abs() < 1e-9,
-                    Side::Lower => slopes[i] > -1e-9,
-                    Side::Upper => slopes[i] < 1e-9,
+                    Side::Inactive => gradient[i].abs() < 1e-9,
+                    Side::Lower => gradient[i] > -1e-9,
+                    Side::Upper => gradient[i] < 1e-9,
                 };
                 assert!(
                     is_balanced || qp.low[i] == qp.high[i],
-                    "case {case}: {slopes}"
+                    "case {case}: {gradient}"
                 );
             }
         }
         assert!(solved > 100 && infeasible > 20, "{solved} {infeasible}");
     }
 
-    /// The least violation of the rows within the bounds, by projected gradient descent on
+    /// Minimum of the largest row violation within the bounds, by projected gradient descent on
     /// ½‖violation‖².
     fn least_violation(qp: &QuadraticProgram) -> f64 {
         let mut d = DVector::zeros(qp.low.len());
@@ -225,8 +224,8 @@ mod tests {
         }
     }
 
-    /// A solver that has solved other programs gives the bits that a new one gives: its data are
-    /// updated, and nothing else is left of them.
+    /// A solver that has solved other programs gives the same bits as a new one: updating its data
+    /// leaves no state of earlier programs.
     #[test]
     fn same_bits_of_a_used_solver_and_of_a_new_one() {
         let mut used = QpSolver::default();

@@ -1,51 +1,127 @@
-//! From an active set to the exact solution that it implies, and from there to a better active set.
+//! Polishing: the exact KKT point of a working set, and corrections of the set.
 
-use super::active_set::{ActiveConstraint, ActiveSet};
-use super::linear::solved;
+use super::linear::solve_symmetric;
 use super::program::{MaxTerm, QuadraticProgram, Row, Side, Step, StepSource};
+use super::working_set::{ActiveConstraint, WorkingSet};
 use nalgebra::{DMatrix, DVector};
 
-/// The solution of the equations of an active set. It may violate other constraints.
+/// Solution of the equations of a working set. It may violate other constraints.
 struct Candidate {
     d: DVector<f64>,
     weights: Vec<f64>,
     multipliers: Vec<f64>,
-    /// The common value of the active terms of the maximum.
+    /// Common value of the active terms of the maximum (epigraph variable).
     epigraph: f64,
 }
 
-/// Clarabel's solution is this near to the exact one, relative.
+/// Unknowns of a working set's equations, in this order: inactive variables, multipliers of the
+/// active terms but the first, multipliers of the active rows.
+struct Unknowns {
+    free: Vec<usize>,
+    first_term: usize,
+    other_terms: Vec<usize>,
+    rows: Vec<usize>,
+}
+
+impl Unknowns {
+    /// `None` without an active term.
+    fn new(program: &QuadraticProgram, active: &WorkingSet) -> Option<Self> {
+        let mut terms = (0..program.max_terms.len()).filter(|&k| active.max_terms[k]);
+        Some(Self {
+            free: (0..program.dimension())
+                .filter(|&i| active.bounds[i] == Side::Inactive)
+                .collect(),
+            first_term: terms.next()?,
+            other_terms: terms.collect(),
+            rows: (0..program.rows.len())
+                .filter(|&j| active.rows[j] != Side::Inactive)
+                .collect(),
+        })
+    }
+
+    /// Index of the first term's equation.
+    fn first_term_row(&self) -> usize {
+        self.free.len()
+    }
+
+    /// Index of the first active row's equation.
+    fn first_row(&self) -> usize {
+        self.free.len() + self.other_terms.len()
+    }
+
+    fn count(&self) -> usize {
+        self.first_row() + self.rows.len()
+    }
+}
+
+/// A symmetric system of KKT equations.
+struct KktSystem {
+    matrix: DMatrix<f64>,
+    right: DVector<f64>,
+}
+
+impl KktSystem {
+    fn zeros(size: usize) -> Self {
+        Self {
+            matrix: DMatrix::zeros(size, size),
+            right: DVector::zeros(size),
+        }
+    }
+
+    /// Adds the equation normal · d = limit of an active term or row, and its multiplier's column.
+    fn add_equation(
+        &mut self,
+        at: usize,
+        free: &[usize],
+        d: &DVector<f64>,
+        normal: impl Fn(usize) -> f64,
+        limit: f64,
+    ) {
+        for (row, &i) in free.iter().enumerate() {
+            self.matrix[(row, at)] = normal(i);
+            self.matrix[(at, row)] = normal(i);
+        }
+        self.right[at] = limit
+            - d.iter()
+                .enumerate()
+                .map(|(i, d)| normal(i) * d)
+                .sum::<f64>();
+    }
+}
+
+/// Largest relative distance of Clarabel's solution from the exact one.
 const NEARBY: f64 = 1e-6;
-/// Rounding of a row's value, relative to its terms.
+/// Rounding error of a row's value, relative to its terms.
 const ROW_ROUNDING: f64 = 1e-11;
-/// Rounding of a variable, relative to the largest of the step.
+/// Rounding error of a variable, relative to the step's largest component.
 const BOUND_ROUNDING: f64 = 1e-14;
 
 impl QuadraticProgram {
-    /// The active set of these constraints, strongest first, without the weakest that contradict
-    /// the others: two limits nearer to each other than Clarabel's tolerance both look active.
-    pub(super) fn consistent_part(&self, mut ranked: Vec<ActiveConstraint>) -> ActiveSet {
+    /// Working set of these constraints, sorted by falling multiplier. The last ones are dropped
+    /// until the equations are consistent: two limits closer than Clarabel's tolerance both look
+    /// active.
+    pub(super) fn consistent_working_set(&self, mut ranked: Vec<ActiveConstraint>) -> WorkingSet {
         loop {
-            let active = ActiveSet::new(self, ranked.iter().copied());
+            let active = WorkingSet::new(self, ranked.iter().copied());
             if self.candidate(&active).is_some() || ranked.pop().is_none() {
                 return active;
             }
         }
     }
 
-    /// The exact solution near an active set, with its own: what contradicts the KKT conditions is
-    /// corrected, up to a set that was there before. `None` where no set on the way is exact.
+    /// Corrects a working set until its exact solution satisfies the KKT conditions. Returns the
+    /// set and the solution; `None` if the corrections cycle or a system has no solution.
     pub(super) fn polished(
         &self,
-        mut active: ActiveSet,
+        mut active: WorkingSet,
         source: StepSource,
-    ) -> Option<(ActiveSet, Step)> {
+    ) -> Option<(WorkingSet, Step)> {
         let mut seen = vec![];
         while seen.len() < self.most_corrections() && !seen.contains(&active) {
             let candidate = self.candidate(&active)?;
             let corrected = self.corrected(&active, &candidate);
             if corrected == active {
-                let step = self.accepted(candidate, &active, source)?;
+                let step = self.checked_step(candidate, &active, source)?;
                 return Some((active, step));
             }
             seen.push(std::mem::replace(&mut active, corrected));
@@ -53,20 +129,20 @@ impl QuadraticProgram {
         None
     }
 
-    /// The exact point of an active set with the multipliers of an approximate solution: where
-    /// gradients of active constraints depend on each other the point is unique, its multipliers
-    /// are not, and those of the equations may have the wrong sign.
+    /// Exact point of a working set with the multipliers of an approximate solution. If gradients
+    /// of active constraints are linearly dependent, the point is unique but its multipliers are
+    /// not, and those from the equations may have the wrong sign.
     pub(super) fn with_multipliers_of(
         &self,
-        active: &ActiveSet,
+        active: &WorkingSet,
         approximate: &Step,
     ) -> Option<Step> {
         let candidate = self.candidate(active)?;
         let distance = (&candidate.d - &approximate.d).amax();
-        if distance > NEARBY * (approximate.d.amax() + self.reach().min(1.0)) {
+        if distance > NEARBY * (approximate.d.amax() + self.largest_bound().min(1.0)) {
             return None;
         }
-        let step = self.accepted(candidate, active, approximate.source)?;
+        let step = self.checked_step(candidate, active, approximate.source)?;
         let Step {
             weights,
             multipliers,
@@ -79,25 +155,26 @@ impl QuadraticProgram {
         })
     }
 
-    /// The solution that an active set implies, if the KKT conditions hold there.
-    pub(super) fn exact_step(&self, active: &ActiveSet, source: StepSource) -> Option<Step> {
+    /// Exact solution of a working set, if it satisfies the KKT conditions.
+    pub(super) fn exact_step(&self, active: &WorkingSet, source: StepSource) -> Option<Step> {
         let candidate = self.candidate(active)?;
         if self.corrected(active, &candidate) != *active {
             return None;
         }
-        self.accepted(candidate, active, source)
+        self.checked_step(candidate, active, source)
     }
 
-    /// Corrections after which a polish ends without a result.
+    /// Maximum number of corrections.
     fn most_corrections(&self) -> usize {
         2 * (self.dimension() + self.rows.len() + self.max_terms.len()) + 4
     }
 
-    /// A candidate as a step within the bounds; `None` where rounding has spoilt it.
-    fn accepted(
+    /// Converts a candidate to a step within the bounds; `None` if rounding violates a row or
+    /// raises the objective.
+    fn checked_step(
         &self,
         candidate: Candidate,
-        active: &ActiveSet,
+        active: &WorkingSet,
         source: StepSource,
     ) -> Option<Step> {
         let Candidate {
@@ -113,13 +190,13 @@ impl QuadraticProgram {
             multipliers,
             source,
         };
-        step.move_inside(self);
+        step.project_on_bounds(self);
         let meets_rows = self.violation(&step.d) <= 1e-9 * (1.0 + step.d.amax());
-        (meets_rows && self.is_no_worse_than_none(&step)).then_some(step)
+        (meets_rows && self.is_no_worse_than_zero_step(&step)).then_some(step)
     }
 
-    /// Whether a step is better than none, where none meets the rows too.
-    fn is_no_worse_than_none(&self, step: &Step) -> bool {
+    /// False if the zero step is feasible and has a lower objective.
+    fn is_no_worse_than_zero_step(&self, step: &Step) -> bool {
         if self.rows.iter().any(|row| row.low > 0.0 || row.high < 0.0) {
             return true;
         }
@@ -128,103 +205,95 @@ impl QuadraticProgram {
             .iter()
             .map(|term| term.offset)
             .fold(f64::NEG_INFINITY, f64::max);
-        let rounding = 1e-14 * self.reach() * self.largest_slope();
+        let rounding = 1e-14 * self.largest_bound() * self.largest_gradient_component();
         self.value(&step.d) <= at_zero + rounding
     }
 
     /// Solves the program with the active bounds, rows and terms as equations: B d + Σ αₖ gradientₖ
-    /// + Σ μⱼ normalⱼ = 0 on the inactive variables, Σ αₖ = 1, and offsetₖ + gradientₖ · d equal
-    /// for all active terms. The first active term is subtracted from the others, so that a single
-    /// one needs no equation.
-    fn candidate(&self, active: &ActiveSet) -> Option<Candidate> {
-        let free: Vec<usize> = (0..self.dimension())
-            .filter(|&i| active.bounds[i] == Side::Inactive)
-            .collect();
-        let active_rows: Vec<usize> = (0..self.rows.len())
-            .filter(|&j| active.rows[j] != Side::Inactive)
-            .collect();
-        let mut others = (0..self.max_terms.len()).filter(|&k| active.max_terms[k]);
-        let first = others.next()?;
-        let others: Vec<usize> = others.collect();
-        let MaxTerm { offset, gradient } = &self.max_terms[first];
+    /// + Σ μⱼ normalⱼ = 0 for the inactive variables, Σ αₖ = 1, and offsetₖ + gradientₖ · d equal
+    /// for all active terms. Subtracting the first active term from the others eliminates its
+    /// multiplier and the equation Σ αₖ = 1.
+    fn candidate(&self, active: &WorkingSet) -> Option<Candidate> {
+        let unknowns = Unknowns::new(self, active)?;
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {
             Side::Inactive => 0.0,
             Side::Lower => self.low[i],
             Side::Upper => self.high[i],
         });
-
-        let (f, after_terms) = (free.len(), free.len() + others.len());
-        let size = after_terms + active_rows.len();
-        let mut matrix = DMatrix::zeros(size, size);
-        let mut right = DVector::zeros(size);
-        for (column, &i) in free.iter().enumerate() {
-            let bend = self.hessian.column(i);
-            for (row, &j) in free.iter().enumerate() {
-                matrix[(row, column)] = bend[j];
-            }
-            right[column] = -gradient[i] - bend.dot(&d);
-        }
-        let mut border = |at: usize, normal: &dyn Fn(usize) -> f64, limit: f64| {
-            for (row, &i) in free.iter().enumerate() {
-                matrix[(row, at)] = normal(i);
-                matrix[(at, row)] = normal(i);
-            }
-            right[at] = limit
-                - d.iter()
-                    .enumerate()
-                    .map(|(i, d)| normal(i) * d)
-                    .sum::<f64>();
-        };
-        for (at, &k) in others.iter().enumerate() {
-            let other = &self.max_terms[k];
-            border(
-                f + at,
-                &|i| other.gradient[i] - gradient[i],
-                offset - other.offset,
-            );
-        }
-        for (at, &j) in active_rows.iter().enumerate() {
-            let Row { normal, low, high } = &self.rows[j];
-            border(
-                after_terms + at,
-                &|i| normal[i],
-                if active.rows[j] == Side::Lower {
-                    *low
-                } else {
-                    *high
-                },
-            );
-        }
-
-        let solution = solved(matrix, right)?;
-        for (row, &i) in free.iter().enumerate() {
+        let system = self.kkt_system(active, &unknowns, &d);
+        let solution = solve_symmetric(system.matrix, system.right)?;
+        for (row, &i) in unknowns.free.iter().enumerate() {
             d[i] = solution[row];
         }
-        let spread = |length: usize, places: &[usize], offset: usize| {
+        let scattered = |length: usize, indices: &[usize], offset: usize| {
             let mut all = vec![0.0; length];
-            for (at, &place) in places.iter().enumerate() {
-                all[place] = solution[offset + at];
+            for (k, &index) in indices.iter().enumerate() {
+                all[index] = solution[offset + k];
             }
             all
         };
-        let mut weights = spread(self.max_terms.len(), &others, f);
-        weights[first] = 1.0 - weights.iter().sum::<f64>();
+        let mut weights = scattered(
+            self.max_terms.len(),
+            &unknowns.other_terms,
+            unknowns.first_term_row(),
+        );
+        weights[unknowns.first_term] = 1.0 - weights.iter().sum::<f64>();
+        let MaxTerm { offset, gradient } = &self.max_terms[unknowns.first_term];
         let epigraph = offset + gradient.dot(&d);
         Some(Candidate {
             weights,
-            multipliers: spread(self.rows.len(), &active_rows, after_terms),
+            multipliers: scattered(self.rows.len(), &unknowns.rows, unknowns.first_row()),
             epigraph,
             d,
         })
     }
 
-    /// The active set with what a candidate contradicts corrected: a violated constraint becomes
-    /// active, one whose multiplier has the wrong sign inactive.
-    fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
-        let slopes = self.lagrangian_slopes(candidate);
-        ActiveSet {
+    /// The KKT equations of a working set, for the unknowns; `d` holds the variables at bounds.
+    fn kkt_system(&self, active: &WorkingSet, unknowns: &Unknowns, d: &DVector<f64>) -> KktSystem {
+        let MaxTerm { offset, gradient } = &self.max_terms[unknowns.first_term];
+        let mut system = KktSystem::zeros(unknowns.count());
+        for (column, &i) in unknowns.free.iter().enumerate() {
+            let curvature = self.hessian.column(i);
+            for (row, &j) in unknowns.free.iter().enumerate() {
+                system.matrix[(row, column)] = curvature[j];
+            }
+            system.right[column] = -gradient[i] - curvature.dot(d);
+        }
+        for (k, &term) in unknowns.other_terms.iter().enumerate() {
+            let other = &self.max_terms[term];
+            system.add_equation(
+                unknowns.first_term_row() + k,
+                &unknowns.free,
+                d,
+                |i| other.gradient[i] - gradient[i],
+                offset - other.offset,
+            );
+        }
+        for (k, &j) in unknowns.rows.iter().enumerate() {
+            let Row { normal, low, high } = &self.rows[j];
+            let limit = if active.rows[j] == Side::Lower {
+                *low
+            } else {
+                *high
+            };
+            system.add_equation(
+                unknowns.first_row() + k,
+                &unknowns.free,
+                d,
+                |i| normal[i],
+                limit,
+            );
+        }
+        system
+    }
+
+    /// Corrects a working set from its candidate: a violated constraint becomes active, one whose
+    /// multiplier has the wrong sign inactive.
+    fn corrected(&self, active: &WorkingSet, candidate: &Candidate) -> WorkingSet {
+        let gradient = self.lagrangian_gradient(candidate);
+        WorkingSet {
             bounds: (0..self.dimension())
-                .map(|i| self.corrected_bound(i, active, candidate, slopes[i]))
+                .map(|i| self.corrected_bound(i, active, candidate, gradient[i]))
                 .collect(),
             rows: (0..self.rows.len())
                 .map(|j| self.corrected_row(j, active, candidate))
@@ -235,22 +304,22 @@ impl QuadraticProgram {
         }
     }
 
-    /// B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ.
-    fn lagrangian_slopes(&self, candidate: &Candidate) -> DVector<f64> {
-        let mut slopes = &self.hessian * &candidate.d;
+    /// Gradient of the Lagrangian, B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ.
+    fn lagrangian_gradient(&self, candidate: &Candidate) -> DVector<f64> {
+        let mut gradient = &self.hessian * &candidate.d;
         for (term, weight) in self.max_terms.iter().zip(&candidate.weights) {
-            slopes.axpy(*weight, &term.gradient, 1.0);
+            gradient.axpy(*weight, &term.gradient, 1.0);
         }
         for (row, multiplier) in self.rows.iter().zip(&candidate.multipliers) {
-            slopes.axpy(*multiplier, &row.normal, 1.0);
+            gradient.axpy(*multiplier, &row.normal, 1.0);
         }
-        slopes
+        gradient
     }
 
     fn corrected_bound(
         &self,
         i: usize,
-        active: &ActiveSet,
+        active: &WorkingSet,
         candidate: &Candidate,
         slope: f64,
     ) -> Side {
@@ -266,7 +335,7 @@ impl QuadraticProgram {
         }
     }
 
-    fn corrected_row(&self, j: usize, active: &ActiveSet, candidate: &Candidate) -> Side {
+    fn corrected_row(&self, j: usize, active: &WorkingSet, candidate: &Candidate) -> Side {
         let (row, multiplier) = (&self.rows[j], candidate.multipliers[j]);
         let value = row.normal.dot(&candidate.d);
         let rounding = ROW_ROUNDING * (1.0 + row.normal.amax() * candidate.d.amax());
@@ -280,7 +349,7 @@ impl QuadraticProgram {
         }
     }
 
-    fn corrected_term(&self, k: usize, active: &ActiveSet, candidate: &Candidate) -> bool {
+    fn corrected_term(&self, k: usize, active: &WorkingSet, candidate: &Candidate) -> bool {
         if active.max_terms[k] {
             return candidate.weights[k] >= 0.0;
         }
@@ -291,8 +360,8 @@ impl QuadraticProgram {
 }
 
 impl Step {
-    /// Moves a step inside the bounds; a variable within rounding of one is set on it.
-    pub(super) fn move_inside(&mut self, program: &QuadraticProgram) {
+    /// Projects a step on the bounds; a variable within rounding of a bound is set to it.
+    pub(super) fn project_on_bounds(&mut self, program: &QuadraticProgram) {
         let rounding = BOUND_ROUNDING * self.d.amax();
         for i in 0..self.d.len() {
             let (low, high, d) = (program.low[i], program.high[i], self.d[i]);

@@ -1,16 +1,15 @@
 use nalgebra::{DMatrix, DVector};
 
-/// minimise ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d) over low ≤ d ≤ high and linear constraints,
-/// with B positive semidefinite.
+/// Quadratic program: minimise ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d) over low ≤ d ≤ high and
+/// linear constraints, with B positive semidefinite.
 ///
-/// One term of the maximum is the usual quadratic model of a smooth function; more describe a
-/// function with a corner, each smooth side of it by a term. All numbers must be finite but for
-/// limits of rows, and no lower end may exceed its upper one.
+/// A smooth function has one term, its quadratic model; a function with a kink has one for each
+/// smooth side. All numbers must be finite, except limits; no lower limit may exceed its upper one.
 #[derive(Clone, Debug, Default)]
 pub struct QuadraticProgram {
-    /// B.
+    /// Hessian B.
     pub hessian: DMatrix<f64>,
-    /// The terms of the maximum, at least one; the first is the largest at d = 0.
+    /// Terms of the maximum, at least one; the first is the largest at d = 0.
     pub max_terms: Vec<MaxTerm>,
     /// Lower bounds of the step, ≤ 0, or −∞.
     pub low: DVector<f64>,
@@ -20,16 +19,16 @@ pub struct QuadraticProgram {
     pub rows: Vec<Row>,
 }
 
-/// offset + gradient · d.
+/// Linear term offset + gradient · d.
 #[derive(Clone, Debug, Default)]
 pub struct MaxTerm {
     /// Value at d = 0.
     pub offset: f64,
-    /// Slope.
+    /// Gradient.
     pub gradient: DVector<f64>,
 }
 
-/// low ≤ normal · d ≤ high; an equation where both are one number.
+/// Linear constraint low ≤ normal · d ≤ high; low = high is an equality.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
     /// Coefficients of d.
@@ -40,42 +39,42 @@ pub struct Row {
     pub high: f64,
 }
 
-/// Whether a variable or a row is active, and on which side.
+/// Activity of a variable or row: inactive, or active at one of its limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
     /// Not active.
     Inactive,
-    /// Exactly at the lower end.
+    /// Exactly at the lower limit.
     Lower,
-    /// Exactly at the upper end.
+    /// Exactly at the upper limit.
     Upper,
 }
 
-/// A solution of a quadratic program.
+/// Solution of a quadratic program.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// d; a variable at a bound is there exactly.
+    /// Step d. A variable at a bound equals the bound exactly.
     pub d: DVector<f64>,
-    /// The bounds on which the variables lie.
+    /// Active bounds of the variables.
     pub sides: Vec<Side>,
-    /// Multiplier α of each term of the maximum, ≥ 0, together 1.
+    /// Multiplier αₖ of each term of the maximum: αₖ ≥ 0, Σ αₖ = 1.
     pub weights: Vec<f64>,
-    /// Multiplier μ of each row: > 0 at its upper limit, < 0 at its lower, 0 between.
-    /// B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the variables that are not at a bound.
+    /// Multiplier μⱼ of each row: > 0 at its upper limit, < 0 at its lower, 0 between. B d + Σ αₖ
+    /// gradientₖ + Σ μⱼ normalⱼ = 0 for the variables that are not at a bound.
     pub multipliers: Vec<f64>,
-    /// How it was found.
+    /// Method that found it.
     pub source: StepSource,
 }
 
-/// How a quadratic program was solved.
+/// Method that solved a quadratic program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepSource {
-    /// The active set of the program before holds: one linear system.
+    /// Warm start: the previous active set solves the program (one linear system).
     WarmStart,
     /// Clarabel's active set, polished to an exact KKT point.
     Clarabel,
-    /// Clarabel's own solution, moved inside the bounds: no active set near it is exact.
+    /// Clarabel's own solution, projected on the bounds: no exact KKT point was found nearby.
     Unpolished,
 }
 
@@ -84,7 +83,7 @@ impl Row {
         self.low == self.high
     }
 
-    /// The amount by which d exceeds the limits: above the upper > 0, below the lower < 0.
+    /// Signed violation at d: > 0 above the upper limit, < 0 below the lower.
     pub(in crate::optimize) fn excess(&self, d: &DVector<f64>) -> f64 {
         let value = self.normal.dot(d);
         value - value.clamp(self.low, self.high)
@@ -92,8 +91,7 @@ impl Row {
 }
 
 impl QuadraticProgram {
-    /// Gives it the shape of a program of `n` variables, one term and `m` rows, in the memory that
-    /// it has.
+    /// Resizes to `n` variables, one term and `m` rows; reuses the allocations.
     pub(in crate::optimize) fn resize(&mut self, n: usize, m: usize) {
         if self.dimension() != n {
             *self = Self {
@@ -111,7 +109,7 @@ impl QuadraticProgram {
         self.rows.resize_with(m, Row::default);
     }
 
-    /// The objective.
+    /// Objective at d.
     pub fn value(&self, d: &DVector<f64>) -> f64 {
         let terms = self
             .max_terms
@@ -120,7 +118,7 @@ impl QuadraticProgram {
         0.5 * quadratic_form(&self.hessian, d) + terms.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The largest violation of a row.
+    /// Largest violation of a row.
     pub(super) fn violation(&self, d: &DVector<f64>) -> f64 {
         self.rows
             .iter()
@@ -132,15 +130,15 @@ impl QuadraticProgram {
         self.low.len()
     }
 
-    /// The largest absolute value of a finite bound; 1 without one.
-    pub(super) fn reach(&self) -> f64 {
+    /// Largest absolute value of a finite bound; 1 if there is none.
+    pub(super) fn largest_bound(&self) -> f64 {
         let bounds = self.low.iter().chain(&self.high).map(|bound| bound.abs());
         let largest = bounds.filter(|bound| bound.is_finite()).fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     }
 
-    /// The largest slope of a term.
-    pub(super) fn largest_slope(&self) -> f64 {
+    /// Largest gradient component of a term.
+    pub(super) fn largest_gradient_component(&self) -> f64 {
         self.max_terms
             .iter()
             .map(|term| term.gradient.amax())
@@ -148,7 +146,7 @@ impl QuadraticProgram {
     }
 }
 
-/// dᵀ B d.
+/// Quadratic form dᵀ B d.
 pub(in crate::optimize) fn quadratic_form(b: &DMatrix<f64>, d: &DVector<f64>) -> f64 {
     b.column_iter()
         .zip(d)

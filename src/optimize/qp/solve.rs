@@ -1,24 +1,24 @@
-use super::active_set::ActiveSet;
 use super::interior_point::{Answer, InteriorPoint};
 use super::program::{QuadraticProgram, Side, Step, StepSource};
+use super::working_set::WorkingSet;
 use serde::{Deserialize, Serialize};
 
-/// Solves the quadratic programs of one search, each from what is known of the one before.
+/// Solves the quadratic programs of one search, each warm-started from the previous active set.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(in crate::optimize) struct QpSolver {
-    /// The active set of the last solution.
-    pub active_set: Option<ActiveSet>,
+    /// Active set of the last solution.
+    pub active_set: Option<WorkingSet>,
     #[serde(skip)]
     interior_point: InteriorPoint,
 }
 
-/// A violation of a row, relative to the step, up to which Clarabel's own solution is a step.
+/// Largest relative row violation with which Clarabel's own solution is accepted.
 const MOST_VIOLATION: f64 = 1e-6;
 
 impl QpSolver {
-    /// A solver whose first program begins, of `n` variables and no rows, where no bound is active.
+    /// Solver whose first program of `n` variables, without rows, starts from no active bound.
     pub fn from_no_active_bound(n: usize) -> Self {
-        let active_set = ActiveSet {
+        let active_set = WorkingSet {
             bounds: vec![Side::Inactive; n],
             rows: vec![],
             max_terms: vec![true],
@@ -29,16 +29,17 @@ impl QpSolver {
         }
     }
 
-    /// Solves a program; `None` where its rows cannot be met within the bounds.
+    /// Solves a program; `None` if its rows are infeasible within the bounds.
     ///
-    /// 1. Warm start: the active set of the program before, solved as equations. Where the KKT
-    ///    conditions hold at the result, it is the solution (the program is convex).
-    /// 2. Clarabel: it proves infeasibility, or finds an active set, which is polished to an exact
+    /// 1. Warm start: the previous active set, solved as equations. If the KKT conditions hold at
+    ///    the result, it is the solution, because the program is convex.
+    /// 2. Clarabel: it proves infeasibility or finds an active set, which is polished to an exact
     ///    KKT point.
-    /// 3. Where no active set near Clarabel's is exact, its own solution, moved inside the bounds.
+    /// 3. If no exact KKT point is found near Clarabel's solution: that solution, projected on the
+    ///    bounds.
     ///
     /// # Panics
-    /// Where there is no term of the maximum, or lengths differ.
+    /// If there is no term of the maximum, or lengths differ.
     pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Step> {
         if let Some(step) = self.warm_start(program) {
             return Some(step);
@@ -48,7 +49,7 @@ impl QpSolver {
             Some(Answer::Found(ranked, own)) => (ranked, own),
             Some(Answer::Infeasible) | None => return None,
         };
-        let active = program.consistent_part(ranked);
+        let active = program.consistent_working_set(ranked);
         let degenerate = own
             .as_ref()
             .and_then(|own| program.with_multipliers_of(&active, own));
@@ -57,7 +58,8 @@ impl QpSolver {
             return Some(step);
         }
         let is_feasible = |own: &Step| {
-            program.violation(&own.d) <= MOST_VIOLATION * (program.reach().min(1.0) + own.d.amax())
+            program.violation(&own.d)
+                <= MOST_VIOLATION * (program.largest_bound().min(1.0) + own.d.amax())
         };
         degenerate.or(own.filter(is_feasible))
     }

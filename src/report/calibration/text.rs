@@ -58,7 +58,10 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
     let has_end = |status: &Status| {
         matches!(
             status,
-            Status::Converged | Status::Undetermined | Status::Outweighed | Status::Misfit
+            Status::Converged
+                | Status::Undetermined
+                | Status::DominatedByOneResidual
+                | Status::Misfit
         )
     };
     if found.elsewhere.iter().any(|(status, _)| !has_end(status)) {

@@ -5,7 +5,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::{
-    Domain, Evaluation, Follow, Options, Problem, Status, minimize_from, starts,
+    Domain, Evaluation, Observers, Options, Problem, Status, minimize_from, starts,
 };
 use crate::parameters::Setup;
 use std::f64::consts::FRAC_PI_2;
@@ -195,7 +195,7 @@ impl FlightAlone {
             &domain,
             &starts,
             &Options::default(),
-            &Follow::default(),
+            &Observers::default(),
         )?;
         let best = found
             .into_iter()

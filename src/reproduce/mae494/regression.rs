@@ -2,7 +2,7 @@ use super::printed;
 use crate::error::{Error, Result};
 use crate::number::{Number, Numbers};
 use crate::optimize::{
-    Domain, Exact, Follow, Functions, Options, Status, Values, minimize_from, starts,
+    Domain, Exact, Functions, Observers, Options, Status, Values, minimize_from, starts,
 };
 use nalgebra::{SMatrix, SVector};
 
@@ -86,7 +86,7 @@ impl Polynomial {
             &domain,
             &starts,
             &Options::default(),
-            &Follow::default(),
+            &Observers::default(),
         )?;
         match found.first().map(|local| &local.solution) {
             Some(best) if best.status == Status::Converged => Ok(Peak {

@@ -2,7 +2,7 @@ use super::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use super::printed;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
-use crate::optimize::Follow;
+use crate::optimize::Observers;
 use crate::parameters::{Setup, Vary};
 use crate::study::{Active, Optimum, Search, optima};
 

@@ -1,7 +1,7 @@
 //! Calibrates the aerodynamic law to the printed values.
 
 use crate::error::Result;
-use crate::optimize::least_squares::Follow;
+use crate::optimize::least_squares::FitObserver;
 use crate::parameters::{Method, Parameter, Setup};
 use crate::study::calibrate::{Calibration, FitPlan, ShotTable, calibrate};
 

@@ -56,7 +56,10 @@ impl Calibration {
             self.statistics.degrees_of_freedom,
         );
         // the status reports a misfit or an outlier already
-        let is_told = !matches!(self.fit.status, Status::Outweighed | Status::Misfit);
+        let is_told = !matches!(
+            self.fit.status,
+            Status::DominatedByOneResidual | Status::Misfit
+        );
         let is_told = is_told && table.uncertainties != Uncertainties::Weights;
         let off = self
             .statistics

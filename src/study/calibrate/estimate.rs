@@ -6,7 +6,7 @@ use super::statistics::{Fitted, Statistics};
 use super::verdict;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{Fit, Follow, Options, Residuals, Status, fit_from};
+use crate::optimize::least_squares::{Fit, FitObserver, Options, Residuals, Status, fit_from};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Setup, Vary, refuse_replaced};
 use crate::study::cancellable::stopped;
@@ -199,7 +199,7 @@ pub fn calibrate(
         shots: &table.shots,
         fitted,
         curvatures: vec![],
-        stop: &follow.interrupt,
+        stop: &observer.interrupt,
     };
     let options = Options {
         rounding: table.rounding(),

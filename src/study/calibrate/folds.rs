@@ -4,7 +4,7 @@ use super::calibration::Remainder;
 use super::estimate::{FitPlan, calibrate, flown};
 use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{Follow, Status};
+use crate::optimize::least_squares::{FitObserver, Status};
 use crate::parameters::Setup;
 use crate::units::counted;
 
@@ -46,8 +46,12 @@ impl HeldOut {
     ///
     /// # Errors
     /// [`Error::NoFit`] with the rows that have no answer.
-    pub fn as_it_stands(setup: &Setup<f64>, table: &ShotTable, follow: &Follow) -> Result<Self> {
-        let flown = flown(setup, &table.shots, &follow.interrupt)?;
+    pub fn as_it_stands(
+        setup: &Setup<f64>,
+        table: &ShotTable,
+        observer: &FitObserver,
+    ) -> Result<Self> {
+        let flown = flown(setup, &table.shots, &observer.interrupt)?;
         let ended = if flown.is_none() {
             vec![Status::Interrupted]
         } else {
@@ -111,12 +115,12 @@ pub fn held_out(
     table: &ShotTable,
     plan: &FitPlan,
     folds: usize,
-    follow: &Follow,
+    observer: &FitObserver,
 ) -> Result<HeldOut> {
     check_folds(table, plan, folds)?;
     let (mut remainders, mut ended) = (vec![], vec![]);
     for fold in 0..folds {
-        if follow.is_interrupted() {
+        if observer.is_interrupted() {
             ended.push(Status::Interrupted);
             continue;
         }

@@ -58,7 +58,7 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
         return;
     }
     if let Some(row) = outweighing(&found.remainders, loss) {
-        found.fit.status = Status::Outweighed;
+        found.fit.status = Status::DominatedByOneResidual;
         found.fit.message = format!(
             "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. Compared \
              with that, all other rows are less than a \

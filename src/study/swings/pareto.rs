@@ -1,8 +1,8 @@
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
-use crate::optimize::front::{Front, FrontEvent, FrontPoint, NoFront, front};
-use crate::optimize::sensitivity::Held;
-use crate::optimize::{Evaluation, Follow, Options, Problem, Status};
+use crate::optimize::front::{Front, FrontError, FrontEvent, FrontPoint, front};
+use crate::optimize::sensitivity::ActiveSet;
+use crate::optimize::{Evaluation, Observers, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::cancellable::stopped;
 use crate::study::problem::SearchProblem;
@@ -112,7 +112,7 @@ pub fn pareto(
     setup: &Setup<f64>,
     search: ParetoSearch,
     scenarios: Scenarios,
-    follow: &Follow,
+    follow: &Observers,
 ) -> Result<Pareto> {
     let [(first, sense), (second, against)] = search.goals.clone();
     let (expression, low, high) = (second.expression.clone(), f64::NEG_INFINITY, f64::INFINITY);
@@ -155,7 +155,8 @@ pub fn pareto(
         &minimised,
         &problem.domain,
         &start,
-        (&search.options, search.points),
+        &search.options,
+        search.points,
         follow,
     );
     let Front {
@@ -212,7 +213,7 @@ impl ParetoSearch {
     }
 
     /// The active bounds and constraints of a design.
-    fn active(&self, x: &[f64], held: &Held) -> Vec<Active> {
+    fn active(&self, x: &[f64], held: &ActiveSet) -> Vec<Active> {
         let is_lower = |i: usize| x[i] - self.vary[i].low <= self.vary[i].high - x[i];
         active(&self.vary, &self.subject_to, held, is_lower)
     }
@@ -235,8 +236,8 @@ fn changed(active: &[Active], before: &[Active]) -> String {
 }
 
 /// The error for an end of the front that was not found, with the name of its goal.
-fn named(none: NoFront, search: &ParetoSearch, problem: &SearchProblem) -> Error {
-    let NoFront::NoEnd { function, found } = none else {
+fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Error {
+    let FrontError::NoEnd { function, found } = none else {
         return none.into_error();
     };
     let (goal, sense) = &search.goals[function];

@@ -1,8 +1,8 @@
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::{
-    Bounds, Constrained, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from,
-    starts,
+    Bounds, ConstraintValue, Domain, Evaluation, Observers, Problem, Solution, Status,
+    minimize_from, starts,
 };
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::study::cancellable::stopped;
@@ -160,7 +160,7 @@ impl Robust {
     /// The constraints of each model at the end of the search: the number of the model, that of the
     /// constraint, its value by the goal's definition, its multiplier of the search, and its gradient
     /// by the design and the greatest loss.
-    pub fn limits(&self) -> impl Iterator<Item = (usize, usize, Constrained, &[f64])> {
+    pub fn limits(&self) -> impl Iterator<Item = (usize, usize, ConstraintValue, &[f64])> {
         // each model's first constraint is its loss
         let each = 1 + self.search.subject_to.len();
         let all = self
@@ -177,7 +177,7 @@ impl Robust {
             (
                 model,
                 limit,
-                Constrained {
+                ConstraintValue {
                     value,
                     violation,
                     ..*at
@@ -205,7 +205,7 @@ impl Robust {
 
     /// The decrease of the greatest loss for each unit by which a limit of a model, numbered as in
     /// [`limits`](Self::limits), is relaxed; of an equation, raised.
-    pub fn limit_price(&self, model: usize, limit: usize, at: &Constrained) -> f64 {
+    pub fn limit_price(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
         let is_equation = self.search.subject_to[limit].low == self.search.subject_to[limit].high;
         let of_best = self.models[model]
             .1
@@ -261,7 +261,12 @@ impl Robust {
 /// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] where the best design
 /// of a model is not found, or the search for all of them is stopped before it has begun; as
 /// [`optima`](crate::study::optima).
-pub fn robust(models: Vec<Model>, search: Search, count: usize, follow: &Follow) -> Result<Robust> {
+pub fn robust(
+    models: Vec<Model>,
+    search: Search,
+    count: usize,
+    follow: &Observers,
+) -> Result<Robust> {
     if models.len() < 2 {
         let reason = "one design for several models needs two or more; give `model` once for each \
                       beside the setup";
@@ -341,7 +346,7 @@ fn best_of_each(
     models: Vec<Model>,
     search: &Search,
     count: usize,
-    follow: &Follow,
+    follow: &Observers,
 ) -> Result<Vec<(Model, Optimum)>> {
     let best = |model: Model| {
         let optima = local_optima(&model.setup, search, count.max(1), follow)?;
@@ -380,7 +385,7 @@ struct Losses<'a> {
 }
 
 impl<'a> Losses<'a> {
-    fn new(search: &'a Search, models: &[(Model, Optimum)], follow: &Follow) -> Result<Self> {
+    fn new(search: &'a Search, models: &[(Model, Optimum)], follow: &Observers) -> Result<Self> {
         let sign = search.sense.sign();
         let problem = |(model, _): &(Model, Optimum)| {
             SearchProblem::new(&model.setup, search, &follow.interrupt)

@@ -17,7 +17,7 @@ pub use distribution::{Distribution, Uncertain};
 pub use ellipse::LandingEllipse;
 pub use model::{Design, Indices, Interval, SamplePlan, Statistics};
 
-use crate::batch::{Batch, Block, CHUNK, Status, Tally};
+use crate::batch::{Batch, Block, CHUNK, Status, StatusCounts};
 use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
@@ -37,7 +37,7 @@ pub struct Uncertainty {
     /// Uncertainty of each outcome.
     pub outcomes: Vec<OutcomeUncertainty>,
     /// Statuses of all N (d + 2) drives of the sample.
-    pub tally: Tally,
+    pub tally: StatusCounts,
     /// Size and seed of the sample.
     pub plan: SamplePlan,
     /// Landing ellipses; empty unless carry and lateral are requested.
@@ -86,9 +86,9 @@ impl Uncertainty {
     }
 
     fn part_of(&self, is_meant: impl Fn(Status) -> bool) -> f64 {
-        let all: u64 = self.tally.counts().map(|(_, count)| count).sum();
+        let all: u64 = self.status_counts.counts().map(|(_, count)| count).sum();
         let meant: u64 = self
-            .tally
+            .status_counts
             .counts()
             .filter(|(status, _)| is_meant(*status))
             .map(|(_, count)| count)
@@ -214,7 +214,7 @@ pub fn uncertainty(
         blocks.collect::<Vec<_>>()
     };
     let blocks: Vec<_> = design.points.iter().enumerate().map(fly).collect();
-    let mut tally = Tally::default();
+    let mut tally = StatusCounts::default();
     blocks.iter().flatten().for_each(|block| tally.add(block));
     let sample = Sample {
         of,

@@ -1,12 +1,12 @@
 use crate::number::Mask;
 use std::ops::{BitAnd, BitOr, Not};
 
-/// The answers to a comparison of `W` numbers, a bit each, the first the lowest.
+/// Mask of `W` lanes, a bit each; lane 0 is the lowest bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bits<const W: usize>(pub u8);
 
 impl<const W: usize> Bits<W> {
-    /// Holds for each.
+    /// True in all lanes.
     pub const ALL: Self = Self(u8::MAX >> (8 - W));
 }
 

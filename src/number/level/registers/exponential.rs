@@ -1,21 +1,20 @@
-//! eˣ and eˣ − 1 without a branch or a call, so that they stay in the registers of a vector unit.
-//! Measured against exact values: within 2 units in the last place.
+//! eˣ and eˣ − 1 without branches or calls, so that they stay in vector registers. Error below 2
+//! ulp, measured against exact values.
 
 use crate::number::{Numbers, inlined};
 
-/// 1.5·2⁵²: a number added to it is rounded to a whole one, which then stands in the low bits.
+/// 1.5·2⁵²: adding it rounds a number to an integer in the low bits of the mantissa.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// ln 2 in two parts, the first short enough that its whole multiples are exact (Cody & Waite
-/// 1980).
+/// ln 2 in two parts; integer multiples of the first are exact (Cody & Waite 1980).
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
-/// x is clamped to these ends: beyond them eˣ is as good as 0 or ∞.
+/// Clamp limits of x: beyond them eˣ is 0 or ∞ for practical purposes.
 const LEAST: f64 = -708.0;
 const GREATEST: f64 = 709.0;
 
-/// 1/n!.
+/// Taylor coefficients 1/n!.
 pub(super) const TAYLOR: [f64; 18] = {
     let (mut inverse, mut factorial, mut n) = ([1.0; 18], 1.0, 1);
     while n < inverse.len() {
@@ -26,16 +25,16 @@ pub(super) const TAYLOR: [f64; 18] = {
     inverse
 };
 
-/// What the exponential asks of a number beside arithmetic.
+/// Operations of the exponential besides arithmetic.
 pub(super) trait Powers: Numbers {
-    /// 2ᵏ for a whole number k given as k + [`ROUNDER`], −1022 ≤ k ≤ 1023.
+    /// 2ᵏ for an integer k given as k + [`ROUNDER`], −1022 ≤ k ≤ 1023.
     fn two_to(rounded: Self) -> Self;
-    /// x, or the nearer end of the interval.
+    /// x clamped to an interval.
     fn clamped(self, low: f64, high: f64) -> Self;
 }
 
-/// 2ᵏ and eʳ − 1 with x = k ln 2 + r, |r| ≤ ½ ln 2: Taylor's polynomial of degree 13, summed in
-/// pairs.
+/// Argument reduction x = k ln 2 + r, |r| ≤ ½ ln 2: returns 2ᵏ and eʳ − 1 by Taylor's polynomial of
+/// degree 13.
 #[inline(always)]
 fn reduced<V: Powers>(x: V) -> (V, V) {
     let x = x.clamped(LEAST, GREATEST);
@@ -52,14 +51,14 @@ fn reduced<V: Powers>(x: V) -> (V, V) {
     (V::two_to(rounded), tail.mul_add(r2, r))
 }
 
-/// eˣ.
+/// Exponential eˣ.
 #[inline(always)]
 pub(super) fn exp<V: Powers>(x: V) -> V {
     let (power, grown) = reduced(x);
     grown.mul_add(power, power)
 }
 
-/// eˣ − 1.
+/// Exponential eˣ − 1.
 #[inline(always)]
 pub(super) fn exp_m1<V: Powers>(x: V) -> V {
     let (power, grown) = reduced(x);

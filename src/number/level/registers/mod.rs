@@ -1,12 +1,11 @@
-//! Vector registers as numbers: lanes of drives side by side, or partial derivatives of one.
+//! Vector registers as lanes: the only code with processor instructions.
 //!
-//! The one place that names instructions. Only the [`Level`](super::Level) above can name a
-//! register type. It does so after it has asked the processor (AVX2, AVX-512), or where every
-//! processor of the architecture (NEON) or of the build (WebAssembly) has the instructions. All
-//! other code has a register as the type that its [`Task`](super::Task) is run over. That is what
-//! each `unsafe` here relies on.
+//! Only [`Level`](super::Level) can name a register type. It does so after detecting the
+//! processor's features (AVX2, AVX-512), or where every processor of the architecture (NEON) or of
+//! the build (WebAssembly) has the instructions. All other code is generic over the lane type of a
+//! [`Task`](super::Task). Every `unsafe` here relies on that.
 #![allow(unsafe_code)]
-// what is unsafe on one architecture is not on another
+// an operation may be unsafe on one architecture only
 #![allow(unused_unsafe)]
 
 mod bits;
@@ -39,8 +38,7 @@ pub(super) use x86::{Pack4, Pack8};
 mod tests {
     use crate::number::{Lanes, Level, Numbers, Task, inlined};
 
-    /// The largest error of a function, in units of the last place of what the C library has, which
-    /// is within one of exact.
+    /// Largest error in ulp against libm, which is itself within 1 ulp.
     #[inline(always)]
     fn worst<V: Lanes<Lane = f64>>(
         at: impl Fn(f64) -> f64,
@@ -59,7 +57,7 @@ mod tests {
         worst
     }
 
-    /// The functions that are computed otherwise than in the C library.
+    /// Functions that are not computed by libm.
     struct Functions;
 
     impl Task for Functions {
@@ -74,7 +72,7 @@ mod tests {
             let [none, all, undefined] =
                 [-1e9, 1e9, f64::NAN].map(|x| V::constant(x).exp().lane(0));
             assert!(none < 1e-300 && all > 1e300 && undefined.is_nan());
-            // 1e-12 to 1e12, ±700 and ±4
+            // ranges: 1e-12 to 1e12, ±700 and ±4
             let powers = |i: f64| 10_f64.powf(i * 3e-4);
             let (wide, narrow) = (|i: f64| i * 0.0175 + 1e-7, |i: f64| i * 1e-4 + 3e-9);
             [

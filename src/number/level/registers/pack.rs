@@ -1,17 +1,16 @@
-/// A register type with its operators, as lanes. `outlined`: the module of `number/outlined.rs` for
-/// its instructions, `plain` where every processor of the architecture has them. `fused`: a b + c,
-/// rounded once where that is as fast. `least`: the smaller and the larger of two, NaN where the
-/// second is NaN. `power`: 2ᵏ from k + ROUNDER. `below`: a bit for each number, the first the
-/// lowest. `blend`: `yes` where the bit is set.
+/// Declares a lane type for a register. `not_inlined`: module of `number/not_inlined.rs` for its
+/// instructions, `plain` for baseline ones. `fused`: a b + c, rounded once where that is as fast.
+/// `least`: minimum and maximum of two numbers, NaN if the second is NaN. `power`: 2ᵏ from k +
+/// ROUNDER. `below`: comparison as a bit mask, lane 0 lowest. `select`: `yes` where the bit is set.
 macro_rules! pack {
     (
         $(#[doc = $doc:literal])+
-        $Pack:ident($Register:ident) of $width:literal outlined $outlined:ident,
+        $Pack:ident($Register:ident) of $width:literal not_inlined $not_inlined:ident,
         {
             operators $add:ident $sub:ident $mul:ident $div:ident,
             spread $set:ident, fused |$a:ident, $b:ident, $c:ident| $mul_add:expr, root $sqrt:ident, least $min:ident $max:ident,
             power |$rounded:ident| $power:expr, below |$x:ident, $limit:ident| $below:expr,
-            blend |$yes:ident, $no:ident, $mask:ident| $blend:expr
+            select |$yes:ident, $no:ident, $mask:ident| $select:expr
             $(, root and inverse |$square:ident| $sqrt_recip:expr)?
         }
     ) => {
@@ -22,7 +21,7 @@ macro_rules! pack {
         impl $Pack {
             #[inline(always)]
             pub fn from_array(values: [f64; $width]) -> Self {
-                // SAFETY: the register is as many numbers in a row
+                // SAFETY: the register has the layout of the array
                 Self(unsafe { std::mem::transmute::<[f64; $width], $Register>(values) })
             }
             #[inline(always)]
@@ -95,16 +94,16 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn ln(self) -> Self {
-                Self::outlined(inlined!(|| self.each(f64::ln)))
+                Self::not_inlined(inlined!(|| self.each(f64::ln)))
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                // not inlined: an impact has six of them
-                Self::outlined(inlined!(|| sine::sin_cos(self, inlined!(|x: Self| (x.each(f64::sin), x.each(f64::cos))))))
+                // not inlined: an impact calls it six times
+                Self::not_inlined(inlined!(|| sine::sin_cos(self, inlined!(|x: Self| (x.each(f64::sin), x.each(f64::cos))))))
             }
             #[inline(always)]
             fn atan(self) -> Self {
-                Self::outlined(inlined!(|| self.each(f64::atan)))
+                Self::not_inlined(inlined!(|| self.each(f64::atan)))
             }
             #[inline(always)]
             fn tanh(self) -> Self {
@@ -116,9 +115,9 @@ macro_rules! pack {
                 Bits(unsafe { $below } as u8)
             }
             #[inline(always)]
-            fn blend(self, other: Self, mask: Bits<$width>) -> Self {
+            fn select(self, other: Self, mask: Bits<$width>) -> Self {
                 let ($yes, $no, $mask) = (self.0, other.0, mask.0);
-                Self(unsafe { $blend })
+                Self(unsafe { $select })
             }
             #[inline(always)]
             fn without_derivatives(self) -> Self {
@@ -126,11 +125,11 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn is_finite(self) -> Bits<$width> {
-                // x − x is 0 where x is finite and NaN, below nothing, where it is not
+                // x − x is 0 for finite x, else NaN, which compares false
                 (self - self).below(1.0)
             }
             #[inline(always)]
-            fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N] {
+            fn gather<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N] {
                 let (x, y) = (self.to_array(), other.to_array());
                 let mut lanes = [[0.0; $width]; N];
                 let mut lane = 0;
@@ -150,8 +149,8 @@ macro_rules! pack {
                 all
             }
             #[inline(always)]
-            fn outlined<R>(work: impl FnMut() -> R) -> R {
-                unsafe { crate::number::outlined::$outlined::outlined(work) }
+            fn not_inlined<R>(work: impl FnMut() -> R) -> R {
+                unsafe { crate::number::not_inlined::$not_inlined::not_inlined(work) }
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
@@ -174,7 +173,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn with_values(mut f: impl FnMut(usize) -> f64) -> Self {
-                // a loop: `array::from_fn` may be a call for each lane
+                // a loop, because `array::from_fn` may compile to a call per lane
                 let (mut values, mut lane) = ([0.0; $width], 0);
                 while lane < $width {
                     values[lane] = f(lane);

@@ -1,18 +1,18 @@
 use super::exponential::{Powers, TAYLOR};
 use crate::number::{Mask, inlined};
 
-/// x² up to which Taylor's polynomials of degrees 17 and 16 are exact to rounding: 46°, where clubs
-/// and launches are.
+/// Largest x² at which Taylor's polynomials of degrees 17 and 16 are exact to rounding: 46°, the
+/// range of clubs and launches.
 const MOST_SQUARED: f64 = 0.64;
 
-/// sin x and cos x without a call where all angles are below 46°, and `large` else.
+/// sin x and cos x: by polynomials if all lanes are within 46°, else by `large`.
 #[inline(always)]
 pub(super) fn sin_cos<V: Powers>(x: V, large: impl Fn(V) -> (V, V)) -> (V, V) {
     let y = x * x;
     if !y.below(MOST_SQUARED).all() {
         return large(x);
     }
-    // Σ (−y)ᵏ/(2k + first)!, from k = 1 on and over −y
+    // Horner's scheme for Σ (−y)ᵏ/(2k + first)!, from k = 1 on, divided by −y
     let series = inlined!(|first: usize| {
         let mut sum = V::constant(TAYLOR[first + 16]);
         let mut k = 8;

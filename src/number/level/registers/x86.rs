@@ -3,7 +3,7 @@ use std::arch::x86_64::*;
 
 pack! {
     /// Four numbers (AVX2 with FMA).
-    Pack4(__m256d) of 4 outlined avx2,
+    Pack4(__m256d) of 4 not_inlined avx2,
     {
         operators _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd,
         spread _mm256_set1_pd, fused |a, b, c| _mm256_fmadd_pd(a, b, c), root _mm256_sqrt_pd, least _mm256_min_pd _mm256_max_pd,
@@ -11,7 +11,7 @@ pack! {
             _mm256_slli_epi64::<52>(_mm256_add_epi64(_mm256_castpd_si256(k), _mm256_set1_epi64x(1023)))
         ),
         below |x, limit| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(x, limit)),
-        blend |yes, no, mask| {
+        select |yes, no, mask| {
             let bit = _mm256_set_epi64x(8, 4, 2, 1);
             let set = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(i64::from(mask)), bit), bit);
             _mm256_blendv_pd(no, yes, _mm256_castsi256_pd(set))
@@ -21,7 +21,7 @@ pack! {
 
 pack! {
     /// Eight numbers (AVX-512).
-    Pack8(__m512d) of 8 outlined avx512,
+    Pack8(__m512d) of 8 not_inlined avx512,
     {
         operators _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd,
         spread _mm512_set1_pd, fused |a, b, c| _mm512_fmadd_pd(a, b, c), root _mm512_sqrt_pd, least _mm512_min_pd _mm512_max_pd,
@@ -29,11 +29,10 @@ pack! {
             _mm512_slli_epi64::<52>(_mm512_add_epi64(_mm512_castpd_si512(k), _mm512_set1_epi64(1023)))
         ),
         below |x, limit| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, limit),
-        blend |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
+        select |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
         root and inverse |x| {
-            // x above 0: at 0 both are NaN. 14 bits from a table, 70 by one step of fourth order:
-            // the divider is busy three times as long with a root and a quotient. Both are reached
-            // by the shortest chain; a rounding of the first is halved in them
+            // for x > 0 (NaN at 0): 14 bits from a table, 70 after one iteration of fourth order; the
+            // iteration halves the rounding error of `first`
             let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
             let first = x * guess;
             let error = -first.mul_add(guess, Self::constant(-1.0));

@@ -1,49 +1,49 @@
 use super::{Numbers, inlined};
 
-/// Beyond what a formula is good for its variable is held: `x` up to `end`, then a way with two
-/// continuous derivatives to `end + over/2`, which it reaches at `end + over` and keeps.
+/// Smooth (C²) upper clamp: x up to `end`, constant `end + over/2` from `end + over` on, and a
+/// polynomial of degree 4 between. It limits the variable of a formula to the range where the
+/// formula holds.
 #[inline(always)]
-pub(crate) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
-    T::choose(
+pub(crate) fn smooth_clamp_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
+    T::select_lazily(
         x.below(end),
         inlined!(|| x),
         inlined!(|| {
             let beyond = (x - end) * (1.0 / over);
-            let u = beyond.blend(T::constant(1.0), beyond.below(1.0));
+            let u = beyond.select(T::constant(1.0), beyond.below(1.0));
             let square = u * u;
-            // its slope is (1 − u)² (1 + 2u): 1 and without bend at u = 0, 0 and without bend at u
-            // = 1
+            // derivative (1 − u)² (1 + 2u): 1 at u = 0 and 0 at u = 1, with zero second derivatives
+            // there
             (square * square).scale_add(0.5, u - u * square) * over + end
         }),
     )
 }
 
-/// The same below: `x` down to `end`, `end − over/2` from `end − over` on.
+/// Smooth (C²) lower clamp: x down to `end`, constant `end − over/2` from `end − over` on.
 #[inline(always)]
-pub(crate) fn held_below<T: Numbers>(x: T, end: f64, over: f64) -> T {
-    -held_above(-x, -end, over)
+pub(crate) fn smooth_clamp_below<T: Numbers>(x: T, end: f64, over: f64) -> T {
+    -smooth_clamp_above(-x, -end, over)
 }
 
-/// 0 up to `start`, 1 from `start + over` on, and between them a way with two continuous
-/// derivatives.
+/// Smooth (C²) step: 0 up to `start`, 1 from `start + over` on.
 #[inline(always)]
 pub(crate) fn smooth_step<T: Numbers>(x: T, start: f64, over: f64) -> T {
     let u = (x - start) * (1.0 / over);
-    let u = u.blend(T::zero(), (-u).below(0.0));
-    let u = u.blend(T::constant(1.0), u.below(1.0));
+    let u = u.select(T::zero(), (-u).below(0.0));
+    let u = u.select(T::constant(1.0), u.below(1.0));
     (u * u * u) * (u * u).scale_add(6.0, u.scale_add(-15.0, T::constant(10.0)))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{held_above, held_below, smooth_step};
+    use super::{smooth_clamp_above, smooth_clamp_below, smooth_step};
     use num_dual::Dual2_64;
 
     #[test]
     fn exact_c2_at_both_ends_of_the_way_and_constant_beyond() {
         let at = |x: f64| Dual2_64::from(x).derivative();
-        let above = |x: f64| held_above(at(x), 0.3, 0.2);
-        let below = |x: f64| held_below(at(x), -0.3, 0.2);
+        let above = |x: f64| smooth_clamp_above(at(x), 0.3, 0.2);
+        let below = |x: f64| smooth_clamp_below(at(x), -0.3, 0.2);
         let rise = |x: f64| smooth_step(at(x), 0.2, 0.4);
         let is_smooth = |f: &dyn Fn(f64) -> Dual2_64, end: f64| {
             let [a, b] = [end * (1.0 - 1e-12), end * (1.0 + 1e-12)].map(f);
@@ -55,13 +55,13 @@ mod tests {
                 && is_smooth(&rise, 0.2)
                 && is_smooth(&rise, 0.6)
         );
-        let told = |found: Dual2_64| (found.re, found.v1, found.v2);
+        let parts = |found: Dual2_64| (found.re, found.v1, found.v2);
         assert_eq!(
             (
-                told(above(0.25)),
-                told(rise(-1.0)),
+                parts(above(0.25)),
+                parts(rise(-1.0)),
                 rise(0.4).re,
-                told(rise(7.0))
+                parts(rise(7.0))
             ),
             ((0.25, 1.0, 0.0), (0.0, 0.0, 0.0), 0.5, (1.0, 0.0, 0.0))
         );
@@ -75,7 +75,7 @@ mod tests {
         for x in [0.1, 0.33, 0.42, 0.8] {
             let mirrored = below(-x);
             assert_eq!(
-                told(above(x)),
+                parts(above(x)),
                 (-mirrored.re, mirrored.v1, -mirrored.v2),
                 "{x}"
             );

@@ -1,7 +1,7 @@
-//! Drives side by side: one in each lane of the processor's vector unit.
+//! A batch in the lanes of the vector unit: one drive per lane.
 
 use super::block::{Block, Status};
-use super::question::Batch;
+use super::definition::Batch;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{
     ExceededLimits, LaunchState, Outcome, OutcomeGroup, OutcomeInputs, flat_landing_angle,
@@ -12,65 +12,87 @@ use crate::impact::Head;
 use crate::number::{
     Derivatives, Lanes, Mask, Number, OverNumbers, Task, in_lane, inlined, over_drives,
 };
-use crate::parameters::Parameter;
+use crate::parameters::{Parameter, Setup};
 
-/// The drives of a block, with derivatives by a few parameters.
-pub(super) struct Abreast<'a> {
+/// Computes the drives of a block, with derivatives by a few parameters.
+pub(super) struct LaneBatch<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,
-    /// The parameters differentiated by, and the place of the first among all.
+    /// Parameters of differentiation, and the index of the first among all.
     pub wrt: &'a [&'static Parameter],
     pub first: usize,
 }
 
-impl Task for Abreast<'_> {
-    /// The rows that have to be looked at one by one.
+impl Task for LaneBatch<'_> {
+    /// Rows that need scalar evaluation.
     type Output = Vec<usize>;
 
     #[inline(always)]
     fn run<V: Lanes<Lane = f64>>(&mut self) -> Vec<usize> {
-        let (mut flying, mut alone) = self.line_up::<V>();
-        // flights of about the same length side by side: a group takes as long as its longest
-        flying.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let Partition {
+            mut flying,
+            mut scalar_rows,
+        } = self.partition::<V>();
+        // group flights of similar length: a group takes as long as its longest
+        flying.sort_unstable_by(|a, b| {
+            a.upward_speed
+                .total_cmp(&b.upward_speed)
+                .then(a.row.cmp(&b.row))
+        });
         let parameters = self.wrt.len();
-        let mut flight = Flying {
-            drives: self,
+        let mut flight = LaneFlight {
+            batch: self,
             rows: &flying,
-            alone: &mut alone,
+            scalar_rows: &mut scalar_rows,
         };
         over_drives::<V, _>(&mut flight, parameters);
-        alone
+        scalar_rows
     }
 }
 
-/// Rows that fly, each with its upward speed at launch, and those left to be computed alone.
-struct Flying<'a, 'b> {
-    drives: &'a mut Abreast<'b>,
-    rows: &'a [(f64, usize)],
-    alone: &'a mut Vec<usize>,
+/// A row whose ball flies.
+struct FlyingRow {
+    /// Vertical speed at launch, m/s: flights of similar speed have similar lengths.
+    upward_speed: f64,
+    row: usize,
 }
 
-impl OverNumbers for Flying<'_, '_> {
+/// Rows by the way they are evaluated.
+#[derive(Default)]
+struct Partition {
+    flying: Vec<FlyingRow>,
+    /// Rows that need scalar evaluation.
+    scalar_rows: Vec<usize>,
+}
+
+/// The flight of a lane batch, for each number type of the sweep.
+struct LaneFlight<'a, 'b> {
+    batch: &'a mut LaneBatch<'b>,
+    rows: &'a [FlyingRow],
+    scalar_rows: &'a mut Vec<usize>,
+}
+
+impl OverNumbers for LaneFlight<'_, '_> {
     type Output = ();
 
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, _per_lane: usize) {
-        self.drives.fly::<J>(self.rows, self.alone);
+        self.batch.fly::<J>(self.rows, self.scalar_rows);
     }
 }
 
-impl Abreast<'_> {
-    /// The rows that fly, each with its upward speed at launch, and those that have to be looked at
-    /// alone. Those whose ball is launched into the ground get their status here.
+impl LaneBatch<'_> {
+    /// Partitions the rows: those that fly, with their upward speed at launch, and those that need
+    /// scalar evaluation. A ball launched into the ground gets its status here.
     #[inline(always)]
-    fn line_up<V: Lanes<Lane = f64>>(&mut self) -> (Vec<(f64, usize)>, Vec<usize>) {
+    fn partition<V: Lanes<Lane = f64>>(&mut self) -> Partition {
         let batch = self.batch;
         let shows_launch = batch
             .of
             .iter()
             .any(|outcome| outcome.group() != OutcomeGroup::Flight);
         let mut setup = batch.setup.constant::<V>();
-        let (mut flying, mut alone) = (vec![], vec![]);
+        let mut partition = Partition::default();
         let is_in_range = |&row: &usize| {
             batch
                 .parameters
@@ -93,38 +115,39 @@ impl Abreast<'_> {
                     setup.ground.height.lane(lane),
                 );
                 if !launched.is_valid.holds(lane) {
-                    alone.push(row);
+                    partition.scalar_rows.push(row);
                 } else if up > 0.0 || ground < 0.0 {
-                    flying.push((up, row));
+                    partition.flying.push(FlyingRow {
+                        upward_speed: up,
+                        row,
+                    });
                 } else if shows_launch {
-                    alone.push(row);
+                    partition.scalar_rows.push(row);
                 } else {
                     self.block.status[row] = Status::NoFlight;
                 }
             }
         }
-        (flying, alone)
+        partition
     }
 
-    /// Hits and flies the rows, a group at a time, and writes what it finds into the block.
+    /// Computes impact and flight of the rows, a group of lanes at a time, and writes the results
+    /// to the block.
     #[inline(always)]
-    fn fly<J: Lanes<Lane: Derivatives>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
+    fn fly<J: Lanes<Lane: Derivatives>>(
+        &mut self,
+        rows: &[FlyingRow],
+        scalar_rows: &mut Vec<usize>,
+    ) {
         let batch = self.batch;
         let any = |is: fn(&Outcome) -> bool| batch.of.iter().any(is);
         let apex = any(|outcome| outcome.needs_apex());
         let has_run = any(|outcome| outcome.needs_run());
         let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
         let fitted = batch.setup.law.fitted();
-        // the setup with what is the same in every row: the swept parameters are put in for each
-        // group
+        // parameters without a column are equal in all rows; the swept ones are set for each group
         let mut setup = batch.setup.constant::<J>();
-        setup.put(
-            self.wrt,
-            inlined!(|k| {
-                let value = batch.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
-                changing(J::constant(value), Some(k))
-            }),
-        );
+        self.seed_parameters(&mut setup);
         let directions: Vec<Option<usize>> = batch
             .parameters
             .iter()
@@ -132,11 +155,11 @@ impl Abreast<'_> {
             .collect();
         for group in rows.chunks(J::WIDTH) {
             // the last group is filled up with copies of its last row
-            let row_of = |lane: usize| group[lane.min(group.len() - 1)].1;
+            let row_of = |lane: usize| group[lane.min(group.len() - 1)].row;
             let block = &*self.block;
             setup.put(
                 &batch.parameters,
-                inlined!(|k| changing(
+                inlined!(|k| seeded_in(
                     J::with_values(|lane| block.point(row_of(lane))[k]),
                     directions[k]
                 )),
@@ -144,29 +167,25 @@ impl Abreast<'_> {
             let launched = LaunchState::new(&setup);
             let inputs = Inputs::new(&setup, &launched.launch, has_run);
             let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
-            let (toe, high) = (setup.strike.toe, setup.strike.high);
-            let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
             let head = (has_head && launched.club_speed.is_some())
-                .then(|| J::outlined(|| Head::new(&setup.club)));
+                .then(|| J::not_inlined(|| Head::new(&setup.club)));
             let ended = inputs.integrate(
                 J::Mask::first(group.len()),
                 RequestedOutputs { apex, defect: true },
                 None,
             );
-            for (lane, &(_, row)) in group.iter().enumerate() {
+            for (lane, &FlyingRow { row, .. }) in group.iter().enumerate() {
                 if !ended.has_landed.holds(lane) {
-                    alone.push(row);
+                    scalar_rows.push(row);
                     continue;
                 }
-                let read = in_lane(lane);
-                let (landed, launch, club_speed) =
-                    (&ended.landed, &launched.launch, launched.club_speed);
+                let landed = &ended.landed;
                 let drive = OutcomeInputs {
-                    launch,
-                    club_speed,
+                    launch: &launched.launch,
+                    club_speed: launched.club_speed,
                     landed: Some(landed),
                     head: head.as_ref(),
-                    read,
+                    read: in_lane(lane),
                 };
                 let value = inlined!(|number: J| number.lane(lane).re());
                 self.block.status[row] = Status::Landed;
@@ -178,10 +197,11 @@ impl Abreast<'_> {
                         value(reynolds),
                         value(air_speed),
                     ]),
-                    face: club_speed.is_some() && is_outside_any_face(value(toe), value(high)),
+                    face: launched.club_speed.is_some()
+                        && is_outside_any_face(value(setup.strike.toe), value(setup.strike.high)),
                     flat: has_run
                         && flat_landing_angle(
-                            [value(slope), value(side_slope)],
+                            [value(setup.ground.slope), value(setup.ground.side_slope)],
                             &landed.map(value),
                         )
                         .is_some(),
@@ -193,7 +213,19 @@ impl Abreast<'_> {
         }
     }
 
-    /// Writes an outcome with its derivatives.
+    /// Seeds the parameters of differentiation at the setup's own values.
+    #[inline(always)]
+    fn seed_parameters<J: Lanes>(&self, setup: &mut Setup<J>) {
+        setup.put(
+            self.wrt,
+            inlined!(|k| {
+                let value = self.batch.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
+                seeded_in(J::constant(value), Some(k))
+            }),
+        );
+    }
+
+    /// Writes an outcome and its derivatives.
     fn write<L: Derivatives>(&mut self, row: usize, outcome: usize, found: Option<L>) {
         let Some(number) = found else { return };
         self.block.outcomes[outcome][row] = number.re();
@@ -204,9 +236,9 @@ impl Abreast<'_> {
     }
 }
 
-/// Numbers that change in a direction, in each lane.
+/// Seeds all lanes in one direction.
 #[inline(always)]
-fn changing<J: Lanes>(values: J, direction: Option<usize>) -> J {
+fn seeded_in<J: Lanes>(values: J, direction: Option<usize>) -> J {
     let changes_in = inlined!(|k: usize| if direction == Some(k) {
         J::Mask::first(J::WIDTH)
     } else {

@@ -4,31 +4,30 @@ use crate::error::{Error, Result};
 use crate::number::Level;
 use crate::parameters::{NO_CLUB, Parameter, Setup, refuse_twice};
 
-/// What is asked of every point.
+/// Definition of a batch: setup, swept parameters, outcomes, and parameters of differentiation.
 #[derive(Clone, Debug)]
 pub struct Batch {
     pub(super) setup: Setup<f64>,
-    /// The parameters that have a value in each point.
+    /// Swept parameters: each point has a value of each.
     pub(super) parameters: Vec<&'static Parameter>,
     pub(super) of: Vec<Outcome>,
-    /// What the outcomes are differentiated by; nothing for values alone.
+    /// Parameters of differentiation; empty for values only.
     pub(super) wrt: Vec<&'static Parameter>,
-    /// Drives with a larger defect are flown again, in shorter steps; infinite where the setup's
-    /// own step is kept.
+    /// Largest accepted defect, m: drives above it are repeated in shorter steps. Infinite to keep
+    /// the setup's step.
     pub(super) largest_defect: f64,
-    /// The most that is used of what the processor can do.
+    /// Instruction level.
     pub(super) level: Level,
 }
 
 impl Batch {
-    /// Outcomes of the setup at the points of some parameters, with their derivatives by `wrt`, if
-    /// any.
+    /// Batch of outcomes at points of some parameters, with derivatives by `wrt`.
     ///
     /// # Errors
-    /// What [`Setup::validate`] refuses; [`Error::Nothing`] without outcomes or swept parameters;
-    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] as [`Setup::variable`],
-    /// also for a coefficient of another law of the same name; [`Error::SearchRange`] and
-    /// [`Error::Together`] for a parameter given twice.
+    /// Errors of [`Setup::validate`]; [`Error::Nothing`] without outcomes or swept parameters;
+    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] of [`Setup::variable`],
+    /// also for a coefficient of another law with the same name; [`Error::SearchRange`] and
+    /// [`Error::Together`] for a repeated parameter.
     pub fn new(
         setup: &Setup<f64>,
         parameters: &[&'static Parameter],
@@ -79,14 +78,12 @@ impl Batch {
         })
     }
 
-    /// The same with another step for each drive that the setup's own step does not follow closely
-    /// enough: one whose steps have a larger defect than this, m (docs/model.md, eq. 16a), is flown
-    /// again in steps half as long, and again. One that stays above it in the shortest has the
-    /// status `diverged`. Infinity keeps the setup's own step, as does a batch that has not been
-    /// given any.
+    /// Adapts the step of each drive: a drive whose defect (docs/model.md, eq. 16a) exceeds this
+    /// limit, m, is repeated with half the step, and again. A drive above the limit in the shortest
+    /// step has the status `diverged`. The default, infinity, keeps the setup's step.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for NaN, 0 and below, which no drive meets.
+    /// [`Error::OutOfRange`] for NaN and for limits ≤ 0.
     pub fn with_largest_defect(self, defect: f64) -> Result<Self> {
         if defect > 0.0 {
             return Ok(Self {
@@ -102,10 +99,10 @@ impl Batch {
         })
     }
 
-    /// The same with the instructions of this level in place of the most that the processor has.
+    /// Sets the instruction level, in place of the widest of this processor.
     ///
     /// # Errors
-    /// [`Error::Together`] where the processor does not have them.
+    /// [`Error::Together`] if the processor does not have it.
     pub fn with_level(self, level: Level) -> Result<Self> {
         let most = Level::here();
         if !level.is_here() {
@@ -121,38 +118,37 @@ impl Batch {
         Ok(Self { level, ..self })
     }
 
-    /// The instructions that it is computed with.
+    /// Instruction level.
     pub fn level(&self) -> Level {
         self.level
     }
 
-    /// The largest defect that a drive may have, m; infinite where the setup's own step is kept.
+    /// Largest accepted defect, m; infinite if the setup's step is kept.
     pub fn largest_defect(&self) -> f64 {
         self.largest_defect
     }
 
-    /// The setup that the points move.
+    /// Setup whose parameters are swept.
     pub fn setup(&self) -> &Setup<f64> {
         &self.setup
     }
 
-    /// The swept parameters.
+    /// Swept parameters.
     pub fn parameters(&self) -> &[&'static Parameter] {
         &self.parameters
     }
 
-    /// The outcomes.
+    /// Outcomes.
     pub fn outcomes(&self) -> &[Outcome] {
         &self.of
     }
 
-    /// What the outcomes are differentiated by.
+    /// Parameters of differentiation.
     pub fn wrt(&self) -> &[&'static Parameter] {
         &self.wrt
     }
 
-    /// The names of the columns of results, as in files: the outcomes, then their derivatives, as
-    /// in `d_carry/d_club.loft`.
+    /// Names of the result columns in files: outcomes, then derivatives, as `d_carry/d_club.loft`.
     pub fn columns(&self) -> Vec<String> {
         let derivative = |of: &Outcome| {
             self.wrt()

@@ -1,15 +1,16 @@
 use super::program::{QuadraticProgram, Side};
 use serde::{Deserialize, Serialize};
 
-/// The bounds, rows and terms of the maximum that are active at a solution.
+/// Working set: the bounds, rows and terms of the maximum that are treated as active (Nocedal &
+/// Wright 2006, §16.5). At a solution it is the active set.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(in crate::optimize) struct ActiveSet {
+pub(in crate::optimize) struct WorkingSet {
     pub bounds: Vec<Side>,
     pub rows: Vec<Side>,
     pub max_terms: Vec<bool>,
 }
 
-/// A bound, row or term that can be active.
+/// A bound, row or term of the maximum.
 #[derive(Clone, Copy)]
 pub(super) enum ActiveConstraint {
     Bound(usize, Side),
@@ -17,21 +18,21 @@ pub(super) enum ActiveConstraint {
     MaxTerm(usize),
 }
 
-impl ActiveSet {
-    /// Whether it is one of a program of `n` variables and `m` rows.
-    pub fn is_of(&self, n: usize, m: usize) -> bool {
+impl WorkingSet {
+    /// True if the dimensions fit a program of `n` variables and `m` rows.
+    pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
         self.bounds.len() == n && self.rows.len() == m && !self.max_terms.is_empty()
     }
 
-    /// Whether it is one of a program of this shape.
+    /// True if the dimensions fit this program.
     pub fn fits(&self, program: &QuadraticProgram) -> bool {
         self.bounds.len() == program.dimension()
             && self.rows.len() == program.rows.len()
             && self.max_terms.len() == program.max_terms.len()
     }
 
-    /// The active set of these constraints, and of what is always active: fixed variables,
-    /// equations, and at least one term.
+    /// Working set of these constraints and of those that are always active: fixed variables,
+    /// equalities, and at least one term.
     pub(super) fn new(
         program: &QuadraticProgram,
         active: impl IntoIterator<Item = ActiveConstraint>,

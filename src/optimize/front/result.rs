@@ -1,0 +1,95 @@
+use crate::error::Error;
+use crate::optimize::sensitivity::ActiveSet;
+use crate::optimize::solution::Solution;
+use crate::optimize::status::Status;
+
+/// Pareto front: nondominated compromises from the minimum of the first function to that of the
+/// second.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Front {
+    /// Points in order.
+    pub points: Vec<FrontPoint>,
+    /// Index of the knee: the point farthest, on the better side, from the straight line between
+    /// the ends, with both functions scaled from 0 to 1 (Das 1999). `None` if the front is nearly
+    /// straight or bends the other way.
+    pub knee: Option<usize>,
+    /// Distance of the front from that line, relative to the line's length.
+    pub bend: f64,
+    /// Number of dominated points that were removed.
+    pub dominated: usize,
+    /// Reason why a part of the front is missing, if it is.
+    pub ended: Option<String>,
+    /// True if the computation was interrupted.
+    pub interrupted: bool,
+}
+
+/// A point of the front.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrontPoint {
+    /// Variables.
+    pub x: Vec<f64>,
+    /// Values of the two functions.
+    pub values: [f64; 2],
+    /// Derivative of the first function by the second along the front; `None` where it is not
+    /// unique.
+    pub slope: Option<f64>,
+    /// Derivative dx/ds of each variable.
+    pub rates: Vec<f64>,
+    /// Active set.
+    pub active_set: ActiveSet,
+    /// Event at this point.
+    pub event: Option<FrontEvent>,
+}
+
+/// Event at a point of a front.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FrontEvent {
+    /// The active set changes.
+    Changed {
+        /// Active set before this point.
+        before: ActiveSet,
+    },
+    /// Jump to another branch that is better from here on.
+    Jump,
+}
+
+/// Reason why there is no front.
+#[derive(Debug)]
+pub enum FrontError {
+    /// The search for the minimum of one function did not converge.
+    NoEnd {
+        /// Index of the function, 0 or 1.
+        function: usize,
+        /// Result of its search.
+        found: Box<Solution>,
+    },
+    /// Invalid input, or an undefined function.
+    Refused(Error),
+}
+
+impl From<Error> for FrontError {
+    fn from(error: Error) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl FrontError {
+    /// Converts to the crate's error.
+    pub fn into_error(self) -> Error {
+        match self {
+            Self::NoEnd { function, found } => {
+                let which = ["first", "second"][function];
+                let why = match (&found.undefined_at_start, found.status) {
+                    (Some(why), Status::Undefined) => why,
+                    _ => &found.message,
+                };
+                let message = format!("{which} function alone: {why}").into();
+                Error::NotConverged {
+                    status: found.status.name(),
+                    message,
+                }
+            }
+            Self::Refused(error) => error,
+        }
+    }
+}

@@ -1,0 +1,404 @@
+//! Traces the front from one end to the other, and spreads points evenly along it.
+
+use super::compromise::{Compromise, Plane};
+use super::context::{FrontContext, PART_MISSING, SAME, STRAIGHT, span_of};
+use super::result::{Front, FrontEvent, FrontPoint};
+use crate::error::Result;
+use crate::optimize::continuation::{AdaptiveStep, TOO_FAR, locate_change};
+use crate::optimize::sensitivity::ActiveSet;
+use crate::optimize::solution::Solution;
+
+/// Tolerance on s of located events.
+const LOCATED: f64 = 1e-9;
+
+/// Reason of a front with a missing part.
+const NO_COMPROMISE: &str = "no compromise was found in a part of the front";
+
+/// Relative difference of the slopes on two sides of a point that makes it a kink of the front.
+const KINK: f64 = 1e-3;
+
+/// A compromise on the traced path, with its event.
+#[derive(Clone)]
+struct PathPoint {
+    place: Compromise,
+    event: Option<FrontEvent>,
+}
+
+impl PathPoint {
+    fn new(place: Compromise) -> Self {
+        Self { place, event: None }
+    }
+
+    fn is_jump(&self) -> bool {
+        self.event == Some(FrontEvent::Jump)
+    }
+}
+
+/// A traced path, and the reason if a part of it is missing.
+struct Path {
+    points: Vec<PathPoint>,
+    ended: Option<String>,
+}
+
+/// Computes the front between the minima of the two functions.
+pub(super) fn trace_front(
+    context: &FrontContext<'_>,
+    ends: [Solution; 2],
+    values: [[f64; 2]; 2],
+    count: usize,
+) -> Result<Front> {
+    let plane = Plane {
+        context,
+        zero: std::array::from_fn(|k| values[k][k]),
+        span: std::array::from_fn(|k| span_of(values, k)),
+    };
+    let [first, second] = ends;
+    let end_active_sets = [plane.active_set(&first), plane.active_set(&second)];
+    let [first, second] = [
+        plane.end(0, first, values[0]),
+        plane.end(1, second, values[1]),
+    ];
+
+    let Path {
+        points: path,
+        mut ended,
+    } = trace_from_both_ends(&plane, first, second);
+    let mut points = spread_evenly(&plane, &path, count);
+    let mut interrupted = context.is_interrupted();
+    // after an interrupt during tracing, the traced path is the answer
+    if interrupted && points.len() < 3 {
+        points.clone_from(&path);
+    }
+    let knee = if interrupted {
+        None
+    } else {
+        find_knee(&plane, &path)
+    };
+    interrupted = interrupted || context.is_interrupted();
+    if interrupted {
+        ended = Some(PART_MISSING.into());
+    }
+    let smallest_sum = smallest_sum(&path, knee.as_ref());
+    let knee_at = knee.as_ref().map(|knee| knee.at);
+    points.extend(knee.map(PathPoint::new));
+    points.sort_by(|a, b| a.place.at.total_cmp(&b.place.at));
+    let (points, dominated) = nondominated(points, &path, plane.span);
+    let knee = knee_at.and_then(|at| {
+        points
+            .iter()
+            .position(|point| (point.place.at - at).abs() <= 2.0 * LOCATED)
+    });
+    Ok(Front {
+        points: points
+            .into_iter()
+            .map(|point| front_point(point, &end_active_sets))
+            .collect(),
+        knee,
+        bend: 0.5 * (1.0 - smallest_sum),
+        dominated,
+        ended,
+        interrupted,
+    })
+}
+
+/// Smallest a + b of a path and its knee, at most 1.
+fn smallest_sum(path: &[PathPoint], knee: Option<&Compromise>) -> f64 {
+    path.iter()
+        .map(|point| &point.place)
+        .chain(knee)
+        .fold(1.0, |least, place| f64::min(least, place.sum))
+}
+
+/// Converts a compromise to a point of the front. An end has the active set of its own function's
+/// search: as a compromise its multipliers vanish.
+fn front_point(point: PathPoint, end_active_sets: &[ActiveSet; 2]) -> FrontPoint {
+    let Compromise {
+        at,
+        x,
+        values,
+        slope,
+        rates,
+        active_set,
+        ..
+    } = point.place;
+    let active_set = match at {
+        _ if at <= -1.0 => end_active_sets[0].clone(),
+        _ if at >= 1.0 => end_active_sets[1].clone(),
+        _ => active_set,
+    };
+    FrontPoint {
+        x,
+        values,
+        slope,
+        rates,
+        active_set,
+        event: point.event,
+    }
+}
+
+/// Traces the front from the first end and, if that does not reach the second, also from there.
+fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, second: Compromise) -> Path {
+    let context = plane.context;
+    let mut path = trace(plane, first, 1.0);
+    let reaches_second = path.points.last().is_some_and(|PathPoint { place, .. }| {
+        context.distance(&place.x, &second.x) <= TOO_FAR && place.at >= 1.0 - STRAIGHT
+    });
+    if reaches_second {
+        // use the end from its own search
+        let event = path
+            .points
+            .pop_if(|point| point.place.at >= 1.0)
+            .and_then(|point| point.event);
+        path.points.push(PathPoint {
+            place: second,
+            event,
+        });
+        path.ended = None;
+        return path;
+    }
+    if context.is_interrupted() {
+        return path;
+    }
+    let mut back = trace(plane, second, -1.0).points;
+    back.reverse();
+    let is_connected = path
+        .points
+        .last()
+        .zip(back.first())
+        .is_some_and(|(last, first)| last.place.at >= first.place.at);
+    if is_connected {
+        path.ended = None;
+    }
+    path.points = join_branches(path.points, back);
+    path
+}
+
+/// Joins two branches of a front; where they overlap, the better one remains.
+fn join_branches(mut path: Vec<PathPoint>, mut back: Vec<PathPoint>) -> Vec<PathPoint> {
+    let (whole_path, whole_back) = (path.clone(), back.clone());
+    path.retain(|point| !is_worse_than_branch(&point.place, &whole_back));
+    back.retain(|point| !is_worse_than_branch(&point.place, &whole_path));
+    let mut all: Vec<(PathPoint, bool)> = path
+        .into_iter()
+        .map(|point| (point, false))
+        .chain(back.into_iter().map(|point| (point, true)))
+        .collect();
+    all.sort_by(|(a, _), (b, _)| a.place.at.total_cmp(&b.place.at));
+    let mut previous_branch = None;
+    let mut joined = vec![];
+    for (mut point, branch) in all {
+        if previous_branch.is_some_and(|previous| previous != branch) {
+            point.event = Some(FrontEvent::Jump);
+        }
+        previous_branch = Some(branch);
+        joined.push(point);
+    }
+    joined
+}
+
+/// True if a compromise has a larger a + b than a branch, interpolated linearly.
+fn is_worse_than_branch(place: &Compromise, branch: &[PathPoint]) -> bool {
+    branch
+        .windows(2)
+        .map(|pair| (&pair[0].place, &pair[1].place))
+        .find(|(before, after)| (before.at..=after.at).contains(&place.at))
+        .is_some_and(|(before, after)| {
+            let part = (place.at - before.at) / (after.at - before.at);
+            place.sum > before.sum + part * (after.sum - before.sum) + SAME
+        })
+}
+
+/// Traces the front towards s = `end` (−1 or 1).
+fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
+    let mut points = vec![PathPoint::new(from)];
+    let mut step = AdaptiveStep::new(2.0);
+    let ended_for = |points, reason: String| Path {
+        points,
+        ended: Some(reason),
+    };
+    // distance along the front, from −1 to 1
+    let travelled = |place: &Compromise| end * place.at;
+    while let Some(here) = points.last().map(|point| point.place.clone())
+        && travelled(&here) < 1.0
+        && !plane.context.is_interrupted()
+    {
+        let (next, distance) = match plane.next(&here, end * step.to(travelled(&here), 1.0)) {
+            Ok(found) if found.1 <= TOO_FAR || !step.halve() => found,
+            Ok(_) => continue,
+            // do not shorten the step after an interrupt
+            Err(_) if plane.context.is_interrupted() => continue,
+            Err(_) if step.halve() => continue,
+            Err(error) => return ended_for(points, format!("{NO_COMPROMISE}: {error}")),
+        };
+        if distance > TOO_FAR {
+            // jump to another branch: the trace from the other end finds it
+            return ended_for(points, NO_COMPROMISE.into());
+        }
+        step.adapt(distance);
+        if next.active_set == here.active_set {
+            points.push(PathPoint::new(next));
+        } else {
+            points.extend(locate_event(plane, &here, next, end));
+        }
+    }
+    Path {
+        points,
+        ended: None,
+    }
+}
+
+/// Locates the change of the active set between two compromises. Returns the points that the path
+/// gains: one with the event, and, tracing backwards, another with the active set that follows.
+fn locate_event(
+    plane: &Plane<'_>,
+    here: &Compromise,
+    next: Compromise,
+    end: f64,
+) -> Vec<PathPoint> {
+    let travelled = |place: &Compromise| end * place.at;
+    let compromise_at = |before: &Compromise, at: f64| Some(plane.next(before, end * at).ok()?.0);
+    let mut place = locate_change(
+        [here.clone(), next],
+        2.0 * LOCATED,
+        travelled,
+        |before, to| plane.expected_event(before, end * to).map(|at| end * at),
+        compromise_at,
+        |place| place.active_set == here.active_set,
+    );
+    // a kink of the front has no unique slope
+    let slope_before =
+        compromise_at(here, travelled(&place) - 4.0 * LOCATED).and_then(|before| before.slope);
+    let differ = |a: f64, b: f64| (a - b).abs() > KINK * a.abs().max(b.abs());
+    place.slope = place
+        .slope
+        .zip(slope_before)
+        .filter(|&(after, before)| !differ(after, before))
+        .map(|(after, _)| after);
+    let changed_from = |before: ActiveSet| Some(FrontEvent::Changed { before });
+    if end > 0.0 {
+        return vec![PathPoint {
+            place,
+            event: changed_from(here.active_set.clone()),
+        }];
+    }
+    // tracing backwards: seen from the first end, the active set of `here` begins at this point
+    let seen_from_first_end = Compromise {
+        active_set: here.active_set.clone(),
+        ..place.clone()
+    };
+    vec![
+        PathPoint {
+            place: seen_from_first_end,
+            event: changed_from(place.active_set.clone()),
+        },
+        PathPoint::new(place),
+    ]
+}
+
+/// Points at equal distances along a path in the plane of the two functions, with its ends and its
+/// events.
+fn spread_evenly(plane: &Plane<'_>, path: &[PathPoint], count: usize) -> Vec<PathPoint> {
+    let lengths = path_lengths(path);
+    let last = path.len() - 1;
+    // keep the ends, the events, and the last point before another branch
+    let is_kept = |i: usize| {
+        let precedes_jump = path.get(i + 1).is_some_and(PathPoint::is_jump);
+        i == 0 || i == last || precedes_jump || path[i].event.is_some()
+    };
+    let mut points: Vec<PathPoint> = (0..path.len())
+        .filter(|i| is_kept(*i))
+        .map(|i| path[i].clone())
+        .collect();
+    for k in 1..count.saturating_sub(1) {
+        if plane.context.is_interrupted() {
+            break;
+        }
+        let length = lengths[last] * k as f64 / (count - 1) as f64;
+        let after = lengths
+            .partition_point(|so_far| *so_far < length)
+            .clamp(1, last.max(1));
+        let Some([before, behind]) = path.get(after - 1..=after) else {
+            continue;
+        };
+        let part = (length - lengths[after - 1]) / (lengths[after] - lengths[after - 1]);
+        let to = before.place.at + part * (behind.place.at - before.place.at);
+        // start from the nearer neighbour, and from both across a jump
+        let starts = [(before, part <= 0.5), (behind, part > 0.5)];
+        let found = starts
+            .into_iter()
+            .filter(|(_, is_nearer)| *is_nearer || behind.is_jump())
+            .filter_map(|(start, _)| plane.next(&start.place, to).ok())
+            .map(|(place, _)| place)
+            .min_by(|a, b| a.sum.total_cmp(&b.sum));
+        points.extend(found.map(PathPoint::new));
+    }
+    points
+}
+
+/// Length of the path up to each of its points, in the plane of the two functions.
+fn path_lengths(path: &[PathPoint]) -> Vec<f64> {
+    let in_plane =
+        |place: &Compromise| [0.5 * (place.sum + place.at), 0.5 * (place.sum - place.at)];
+    let mut lengths = vec![0.0];
+    for pair in path.windows(2) {
+        let [from, to] = [in_plane(&pair[0].place), in_plane(&pair[1].place)];
+        lengths.push(lengths[lengths.len() - 1] + (to[0] - from[0]).hypot(to[1] - from[1]));
+    }
+    lengths
+}
+
+/// Knee of the front, if it has one.
+fn find_knee(plane: &Plane<'_>, path: &[PathPoint]) -> Option<Compromise> {
+    let nearest = path
+        .iter()
+        .map(|point| &point.place)
+        .min_by(|a, b| a.sum.total_cmp(&b.sum))?;
+    if nearest.at.abs() >= 1.0 || 0.5 * (1.0 - nearest.sum) < STRAIGHT {
+        return None;
+    }
+    plane
+        .knee(nearest)
+        .ok()
+        .filter(|knee| knee.sum <= nearest.sum + SAME)
+        .or_else(|| Some(nearest.clone()))
+}
+
+/// Removes points that another one, of these or of the path, dominates, and duplicates. Returns the
+/// number of dominated points too.
+fn nondominated(
+    points: Vec<PathPoint>,
+    path: &[PathPoint],
+    span: [f64; 2],
+) -> (Vec<PathPoint>, usize) {
+    let dominates =
+        |a: &Compromise, b: &Compromise| (0..2).all(|k| a.values[k] < b.values[k] - SAME * span[k]);
+    let mut kept: Vec<PathPoint> = vec![];
+    let mut dominated = 0;
+    let mut follows_jump = false;
+    for point in &points {
+        follows_jump |= point.is_jump();
+        let is_dominated = points
+            .iter()
+            .chain(path)
+            .any(|other| dominates(&other.place, &point.place));
+        if is_dominated {
+            dominated += 1;
+            continue;
+        }
+        let mut point = point.clone();
+        if std::mem::take(&mut follows_jump) {
+            point.event = Some(FrontEvent::Jump);
+        }
+        let duplicate = kept
+            .last_mut()
+            .filter(|last| (last.place.at - point.place.at).abs() <= 2.0 * LOCATED);
+        match duplicate {
+            // an end keeps the result of its own search
+            Some(last) if point.place.at >= 1.0 => *last = point,
+            Some(last) if point.event.is_some() && last.place.at > -1.0 => *last = point,
+            Some(_) => {}
+            None => kept.push(point),
+        }
+    }
+    (kept, dominated)
+}
