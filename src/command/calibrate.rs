@@ -36,7 +36,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let setup = request.for_many(setup, &ranges(&table, &plan.fit))?;
     let validation = CrossValidation::new(args, &setup, &table, &plan)?;
     warnings.add(table.one_drive(&setup, &plan.fit));
-    let follow = Follow {
+    let follow = FitObserver {
         iteration: Some(Arc::new(show_iteration(args.starts > 1))),
         interrupt: interrupt::stops(BEST_SO_FAR),
     };
@@ -47,7 +47,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         &follow.interrupt,
     ));
     warnings.add(found.warnings(&table));
-    let quiet = Follow {
+    let quiet = FitObserver {
         iteration: None,
         ..follow
     };
@@ -213,7 +213,7 @@ impl<'a> CrossValidation<'a> {
         setup: &Setup<f64>,
         table: &ShotTable,
         plan: &FitPlan,
-        follow: &Follow,
+        follow: &FitObserver,
     ) -> Result<Vec<(String, HeldOut)>> {
         let folds = self.folds;
         if !follow.is_interrupted() {

@@ -7,7 +7,7 @@ use crate::command::names::tell_of_the_run;
 use crate::command::output::{bar_of, system, tell, warn};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::optimize::{Checkpoint, Follow, Iteration, Options, Status};
+use crate::optimize::{Checkpoint, Iteration, Observers, Options, Status};
 use crate::parameters::Parameter;
 use crate::report::{goal_text, iteration_line, optimum_toml};
 use crate::study::swings::{Scenarios, Swings};

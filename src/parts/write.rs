@@ -6,7 +6,7 @@ use crate::atomic_file::create_beside;
 use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
-use crate::statistics::{Bins, Sought, Summary, SummarySpec};
+use crate::statistics::{Bins, RankingSpec, Summary, SummarySpec};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::ops::Range;
@@ -15,7 +15,7 @@ use std::path::Path;
 /// A sweep divided into parts.
 pub struct Dataset {
     batch: Batch,
-    summarized: SummarySpec,
+    summary_spec: SummarySpec,
     question: SweepDefinition,
     table: SweepParquet,
 }
@@ -45,8 +45,8 @@ impl Dataset {
         rankings: &[RankingSpec],
     ) -> Result<Self> {
         rows_of(parts, parts, points.rows())?;
-        let summarized = SummarySpec::new(&batch, bins, sought)?;
-        let question = SweepDefinition::new(&batch, points, &summarized, parts);
+        let summary_spec = SummarySpec::new(&batch, bins, rankings)?;
+        let question = SweepDefinition::new(&batch, points, &summary_spec, parts);
         let table = SweepParquet::new(&batch, &question.text())?;
         Ok(Self {
             batch,

@@ -162,7 +162,7 @@ impl Report for ShotsReport<'_> {
     }
 
     fn document(&self, system: System) -> Document {
-        document(self.status_counts, self.source, system)
+        document(self.tally, self.source, system)
     }
 }
 

@@ -77,7 +77,7 @@ fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
         ..Search::largest(Outcome::Carry)
     };
     // some printed optima do not fly, and carry may have several maxima
-    let best = optima(&at, &search, 8, &Follow::default())?.best;
+    let best = optima(&at, &search, 8, &Observers::default())?.best;
     Ok(Row {
         printed,
         active: best.active(),

@@ -55,7 +55,7 @@ impl Fitted {
                 from,
                 &table,
                 &FitPlan::read(from, names)?,
-                &Follow::default(),
+                &FitObserver::default(),
             )
         };
         let law = fit(setup, &names)?;

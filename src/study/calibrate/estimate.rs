@@ -179,7 +179,7 @@ pub fn calibrate(
     setup: &Setup<f64>,
     table: &ShotTable,
     plan: &FitPlan,
-    follow: &Follow,
+    observer: &FitObserver,
 ) -> Result<Calibration> {
     plan.check(table)?;
     for vary in &plan.fit {
@@ -205,13 +205,13 @@ pub fn calibrate(
         rounding: table.rounding(),
         ..plan.options.clone()
     };
-    let from = starting_points(&mut problem, &domain, &own, plan.starts, follow)?;
-    let mut searches = Searches::run(&mut problem, &domain, &own, from, &options, follow)?;
+    let from = starting_points(&mut problem, &domain, &own, plan.starts, observer)?;
+    let mut searches = Searches::run(&mut problem, &domain, &own, from, &options, observer)?;
     let (at_minimum, elsewhere) = searches.by_status();
     let (stopped, is_minimum) = verdict::of_searches(
         &mut searches.fits,
         searches.is_settled,
-        follow.is_interrupted(),
+        observer.is_interrupted(),
     );
     let mut found = finished(&problem, &domain, table, &own, searches.fits, &options)?;
     verdict::of_data(&mut found, options.loss, table.uncertainties);
@@ -232,7 +232,7 @@ fn starting_points(
     domain: &Domain,
     own: &[f64],
     count: usize,
-    follow: &Follow,
+    observer: &FitObserver,
 ) -> Result<Vec<Vec<f64>>> {
     /// Number of points tried if the rows have no answer at the planned ones.
     const START_TRIALS: usize = 64;
@@ -240,7 +240,7 @@ fn starting_points(
     if planned.iter().any(|start| problem.begin(start)) {
         return Ok(planned);
     }
-    if follow.is_interrupted() {
+    if observer.is_interrupted() {
         return Err(stopped("the fit began"));
     }
     // the setup's values give no answer: try other starting points, as the optimizer does
@@ -249,13 +249,13 @@ fn starting_points(
         .find(|start| problem.begin(start));
     match other {
         Some(start) => Ok(vec![start]),
-        None => Err(no_start(problem, own, follow)),
+        None => Err(no_start(problem, own, observer)),
     }
 }
 
 /// Error of a fit that could not begin.
-fn no_start(problem: &ShotResiduals<'_>, own: &[f64], follow: &Follow) -> Error {
-    if follow.is_interrupted() {
+fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) -> Error {
+    if observer.is_interrupted() {
         stopped("the fit began")
     } else {
         missing(NO_START, problem, own)
@@ -280,7 +280,7 @@ impl Searches {
         own: &[f64],
         mut from: Vec<Vec<f64>>,
         options: &Options,
-        follow: &Follow,
+        observer: &FitObserver,
     ) -> Result<Self> {
         /// Maximum number of renewals.
         const RENEWALS: usize = 8;
@@ -288,14 +288,14 @@ impl Searches {
         const SAME: f64 = 1e-4;
         let mut renewals = 0;
         loop {
-            let fits = fit_from(&*problem, domain, &from, options, follow)?;
+            let fits = fit_from(&*problem, domain, &from, options, observer)?;
             let best = &fits[0];
             if best.rows.residuals.is_empty() {
-                return Err(no_start(problem, own, follow));
+                return Err(no_start(problem, own, observer));
             }
             let renewed = match problem.curvatures_at(&best.x) {
                 // an interrupted fit is settled only if no row is an optimum
-                Err(_) if follow.is_interrupted() => {
+                Err(_) if observer.is_interrupted() => {
                     let is_settled = problem.shots.iter().all(|shot| shot.stationary.is_empty());
                     return Ok(Self {
                         fits,
@@ -310,7 +310,7 @@ impl Searches {
                 .flatten()
                 .zip(problem.curvatures.iter().flatten())
                 .all(|(new, old)| (new / old - 1.0).abs() <= SAME);
-            if is_settled || renewals == RENEWALS || follow.is_interrupted() {
+            if is_settled || renewals == RENEWALS || observer.is_interrupted() {
                 return Ok(Self {
                     fits,
                     is_settled,

@@ -136,13 +136,13 @@ pub fn held_out(
             shots: strip(seen),
             ..table.clone()
         };
-        let found = match calibrate(setup, &seen, plan, follow) {
+        let found = match calibrate(setup, &seen, plan, observer) {
             // interrupted before the fit began
-            Err(_) if follow.is_interrupted() => None,
+            Err(_) if observer.is_interrupted() => None,
             found => Some(found?).filter(|found| found.fit.status != Status::Interrupted),
         };
         let held_out = match &found {
-            Some(found) => flown(&found.setup, &strip(held_out), &follow.interrupt)?,
+            Some(found) => flown(&found.setup, &strip(held_out), &observer.interrupt)?,
             None => None,
         };
         let status = found

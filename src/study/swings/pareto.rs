@@ -193,7 +193,7 @@ impl ParetoSearch {
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
         let never = AtomicBool::new(false);
         let values = problem.values_until(&point.x, &never)?;
-        let active = self.active(&point.x, &point.held);
+        let active = self.active(&point.x, &point.active_set);
         let event = point.event.as_ref().map(|event| match event {
             FrontEvent::Jump => {
                 "other designs are better from here on, which those before do not lead to"

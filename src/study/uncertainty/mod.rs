@@ -37,7 +37,7 @@ pub struct Uncertainty {
     /// Uncertainty of each outcome.
     pub outcomes: Vec<OutcomeUncertainty>,
     /// Statuses of all N (d + 2) drives of the sample.
-    pub tally: StatusCounts,
+    pub status_counts: StatusCounts,
     /// Size and seed of the sample.
     pub plan: SamplePlan,
     /// Landing ellipses; empty unless carry and lateral are requested.
@@ -214,8 +214,11 @@ pub fn uncertainty(
         blocks.collect::<Vec<_>>()
     };
     let blocks: Vec<_> = design.points.iter().enumerate().map(fly).collect();
-    let mut tally = StatusCounts::default();
-    blocks.iter().flatten().for_each(|block| tally.add(block));
+    let mut status_counts = StatusCounts::default();
+    blocks
+        .iter()
+        .flatten()
+        .for_each(|block| status_counts.add(block));
     let sample = Sample {
         of,
         inputs,
@@ -227,7 +230,7 @@ pub fn uncertainty(
     Ok(Uncertainty {
         inputs: inputs.to_vec(),
         outcomes: (0..of.len()).map(|i| sample.outcome(i)).collect(),
-        tally,
+        status_counts,
         plan,
         ellipses: sample.ellipses(),
     })
