@@ -221,7 +221,7 @@ fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() 
         let table =
             ShotTable::read(&setup, "optima.csv", format!("{head}\n{rows}").as_bytes()).unwrap();
         let plan = FitPlan::read(&setup, &names.map(str::to_owned)).unwrap();
-        let found = calibrate(&setup, &table, &plan, &Follow::default()).unwrap();
+        let found = calibrate(&setup, &table, &plan, &FitObserver::default()).unwrap();
         assert!(
             found.statistics.is_exact,
             "{attack} {carry} {time}: {:?}",
@@ -905,7 +905,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     let setup = elsewhere();
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = FitPlan::read(&setup, &LAW.map(str::to_owned)).unwrap();
-    let whole = held_out(&setup, &table, &plan, 4, &Follow::default()).unwrap();
+    let whole = held_out(&setup, &table, &plan, 4, &FitObserver::default()).unwrap();
     assert_eq!(
         (
             whole.count(Status::Converged),
@@ -1074,7 +1074,7 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     let text = shots(&mut Noise(11), 1.0);
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = FitPlan::read(&setup, &LAW.map(str::to_owned)).unwrap();
-    let found = calibrate(&setup, &table, &plan, &Follow::default()).unwrap();
+    let found = calibrate(&setup, &table, &plan, &FitObserver::default()).unwrap();
     let partly =
         (2..60).map(|after| held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap());
     let held = partly
