@@ -12,8 +12,7 @@ pub fn run(args: &Laws) -> Result<Answer> {
     document.list([
         Line::item("choose one with `set aero.law=NAME`; `parameters()` lists the coefficients"),
         Line::item(
-            "or your own table with `set aero.table=mine.csv`; `plot laws()` with `output \
-             laws.svg` draws them",
+            "or your own table with `set aero.table=mine.csv`; `plot laws()` draws them",
         ),
     ]);
     Ok(Answer::text(document.text()))

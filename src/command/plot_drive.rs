@@ -204,11 +204,9 @@ pub fn at_optimum(best: &Optimum) -> Vec<Message> {
 /// found, the drive is drawn alone, and that is said.
 fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Option<Optimum>)> {
     let setup = request.setup()?;
-    if setup.launch.is_given() && search.given().is_empty() {
-        tell(
-            "no optimum is drawn: the drive is given by its launch; give what to vary of it, for \
-             example `vary launch.launch_angle=5deg..20deg`",
-        );
+    let reason = search.nothing_to_vary(request, &setup);
+    if let Some(reason) = reason.filter(|_| search.given().is_empty()) {
+        tell(&format!("no optimum is drawn: {reason}"));
         return Ok((request.for_many(setup, &[])?, None));
     }
     let search = search.search(request, &setup)?;

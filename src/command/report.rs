@@ -309,16 +309,15 @@ impl Slopes {
 }
 
 /// The remark of a report without a search.
-const NO_SEARCH: &str = "the drive is given by its launch, so there is no loft and no attack angle \
-                         to vary: the optimum, its map and its chart \
-                         are left out; to look for the best launch, give `vary`, for example \
-                         launch.launch_angle=5deg..20deg";
+const NO_SEARCH: &str = "nothing is left to vary (the drive is given by its launch, or loft and \
+                         attack angle are stated), so that the optimum, its map and its chart are \
+                         left out; `vary` names what to vary, for example \
+                         launch.launch_angle=5deg..20deg or club.loft=4deg..20deg";
 
 impl Report {
     /// The search, and the parameter that the chart follows; `None` for a launch without `--vary`.
     fn sought(&self, request: &Request, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
-        let is_launched = setup.launch.is_given();
-        if !is_launched || !self.search.vary.is_empty() {
+        if self.search.nothing_to_vary(request, setup).is_none() {
             let along = match &self.along {
                 Some(given) => Vary::read(setup, given)?,
                 None => usual_speeds(setup)?,

@@ -33,12 +33,12 @@ impl SearchArgs {
     ) -> Result<Search> {
         let vary = match self.vary.as_slice() {
             [] if setup.launch.is_given() => {
-                let source = "the drive is given by its launch, so there is no loft and no attack \
-                              angle to vary; give what to vary of the \
-                              launch, for example `vary launch.launch_angle=5deg..20deg`";
                 return Err(Error::Unreadable {
                     name: "`vary`".into(),
-                    source: source.into(),
+                    source: self
+                        .nothing_to_vary(request, setup)
+                        .unwrap_or_default()
+                        .into(),
                 });
             }
             [] => {
@@ -82,6 +82,26 @@ impl SearchArgs {
         usual
             .filter(|parameter| request.states(parameter))
             .collect()
+    }
+
+    /// Reason why there is nothing to search for unless `--vary` says what to vary: the drive is
+    /// given by its launch, or loft and attack angle are stated; `None` otherwise.
+    pub fn nothing_to_vary(&self, request: &Request, setup: &Setup<f64>) -> Option<&'static str> {
+        if !self.vary.is_empty() {
+            return None;
+        }
+        if setup.launch.is_given() {
+            return Some(
+                "the drive is given by its launch, so there is no loft and no attack angle to \
+                 vary; give the parameters of the launch to vary, for example `vary \
+                 launch.launch_angle=5deg..20deg`",
+            );
+        }
+        let usual = Search::longest_drive(setup).map_or(0, |search| search.vary.len());
+        (self.held(request, setup).len() == usual).then_some(
+            "loft and attack angle are stated, so that they are held; give the parameters to \
+             vary, for example `vary club.loft=4deg..20deg`",
+        )
     }
 
     /// The objective and its sense.

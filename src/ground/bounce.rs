@@ -1,6 +1,6 @@
 //! A bounce on the turf (docs/model.md, eqs. 19–22).
 
-use super::Turf;
+use super::turf::Turf;
 use crate::number::{Numbers, Vector, inlined, smooth_clamp_above, smooth_step};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -117,7 +117,7 @@ impl<T: Numbers> Turf<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::Turf;
+    use crate::ground::Turf;
     use super::{INCIDENCE, Motion, SPEED};
     use crate::Setup;
     use crate::number::Vector;

@@ -6,11 +6,13 @@
 
 mod bounce;
 mod sliding;
+mod turf;
 
 use crate::number::{Mask, Numbers, Vector, inlined, smooth_step};
 use crate::parameters::Setup;
 use bounce::Motion;
 use sliding::Sliding;
+pub(crate) use turf::Turf;
 
 /// Position of the ball at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,25 +54,6 @@ pub(crate) struct Landing<T> {
     pub gravity: T,
     /// ρ A/(2 m): deceleration by the air per C_D |v|², 1/m.
     pub force_per_mass: T,
-}
-
-/// The ground of the landing area.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Turf<T> {
-    /// e_g: restitution of a slow impact; `None` if the ball embeds.
-    pub restitution: Option<T>,
-    /// μ_g.
-    pub friction: T,
-    /// θ_g, rad.
-    pub compliance: T,
-    /// ρ_g.
-    pub rolling: T,
-    /// β_z: slope downrange, rad.
-    pub slope: T,
-    /// β_y: slope to the right, rad.
-    pub side_slope: T,
-    /// I_b/(m R²) of the ball.
-    pub inertia: T,
 }
 
 /// Speed away from the ground, m/s, below which the ball stays on it; at twice this speed it hops

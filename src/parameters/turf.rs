@@ -170,7 +170,7 @@ mod tests {
             (setup.ground.rolling, setup.ground.compliance),
             (0.4, 15.4_f64.to_radians())
         );
-        let text = "[ground]\nrolling = 0.4\nturf = 'firm'";
+        let text = "preset = 'modern-driver'\n[ground]\nrolling = 0.4\nturf = 'firm'";
         assert_eq!(Setup::from_toml(text, "a.toml").unwrap(), setup);
         assert!(setup.variable("ground.turf").is_err());
     }

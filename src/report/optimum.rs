@@ -320,11 +320,17 @@ pub fn optimum_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> 
     let place = place_text(optimum, over, system);
     let limits = constraints_text(optimum, system);
     match &optimum.drive {
-        Some(drive) => {
+        Some(drive) if optimum.solution.status == Status::Converged => {
             let gain = gain_text(optimum, drive, system);
             let sample = sample_text(optimum);
             let drive = drive_text(optimum, value, drive, system);
             format!("{gain}\n{place}{limits}\n{drive}\n{sample}{ending}")
+        }
+        // the status of a search without an optimum is the answer
+        Some(drive) => {
+            let sample = sample_text(optimum);
+            let drive = drive_text(optimum, value, drive, system);
+            format!("{ending}{sample}\n{place}{limits}\n{drive}")
         }
         None => {
             let goals = goals_text(optimum, over.price, system);
@@ -350,46 +356,43 @@ fn ending_text(optimum: &Optimum, system: System) -> String {
     ))
 }
 
-/// "carry 286.0 → 300.4 yd: +14.4 yd", and the total beside it; advice if they disagree about the
-/// better drive.
+/// "carry 286.0 yd → 300.4 yd: +14.4 yd", with the total beside it; advice if they disagree about
+/// the better drive.
 fn gain_text(optimum: &Optimum, drive: &Drive<f64>, system: System) -> String {
-    let of = optimum.search.of.outcome();
+    let objective = optimum.search.of.outcome().unwrap_or(Outcome::Carry);
     let start = optimum.start_drive.as_ref();
+    let before = |of: Outcome| start.and_then(|start| of.value(start));
+    let change = |of: Outcome| Some(of.value(drive)? - before(of)?);
     let line = |of: Outcome| {
-        let best = of.value(drive)?;
-        let text = shown::outcome(of, best, system);
+        let best = shown::outcome(of, of.value(drive)?, system);
         let name = shown::words(of.name());
-        let Some(before) = start.and_then(|start| of.value(start)) else {
-            return Some(format!("{name} {text}"));
+        let (Some(before), Some(gain)) = (before(of), change(of)) else {
+            return Some(format!("{name} {best}"));
         };
+        let before = shown::outcome(of, before, system);
         let unit = system.unit(of.unit());
-        let gain = signed(best - before, of.quantity().read_off(best - before, unit));
-        Some(format!(
-            "{name} {} → {text}: {gain}",
-            shown::outcome(of, before, system)
-        ))
+        let gain = signed(gain, of.quantity().read_off(gain, unit));
+        Some(format!("{name} {before} → {best}: {gain}"))
     };
-    let shown_of = of.unwrap_or(Outcome::Carry);
-    let mut outcomes = vec![shown_of];
-    let others = [Outcome::Carry, Outcome::Total];
-    if others.contains(&shown_of) {
-        outcomes.extend(others.into_iter().filter(|other| *other != shown_of));
+    let rolls = Outcome::Run.value(drive).is_some_and(|run| run != 0.0);
+    let is_distance = [Outcome::Carry, Outcome::Total].contains(&objective);
+    if !is_distance || !rolls {
+        return line(objective).map_or(String::new(), |line| paragraph(&line));
     }
-    let lines: Vec<_> = outcomes.into_iter().filter_map(line).collect();
-    let mut text = lines.join("; ");
-    if others.contains(&shown_of) && Outcome::Total.value(drive).is_some() {
-        text += " (totals are known to 10 yd)";
-    }
-    let falls = |of: Outcome| {
-        let before = start.and_then(|start| of.value(start));
-        before
-            .zip(of.value(drive))
-            .is_some_and(|(before, best)| best < before)
+    let other = match objective {
+        Outcome::Total => Outcome::Carry,
+        _ => Outcome::Total,
     };
-    if shown_of == Outcome::Carry && falls(Outcome::Total) {
-        text += "\nthe carry grows and the total falls: `maximize total` finds the longest total";
-    }
-    text.lines().map(paragraph).collect()
+    let lines: Vec<_> = [objective, other].into_iter().filter_map(line).collect();
+    let text = format!("{} (totals are known to 10 yd)", lines.join("; "));
+    let falls = |of: Outcome| change(of).is_some_and(|change| change < 0.0);
+    let advice = match objective {
+        Outcome::Carry if !falls(Outcome::Carry) && falls(Outcome::Total) => {
+            "the carry grows and the total falls: `maximize total` finds the longest total"
+        }
+        _ => "",
+    };
+    paragraph(&text) + &if advice.is_empty() { String::new() } else { paragraph(advice) }
 }
 
 /// The parameters varied as a table; over swings beside the best design for the mean swing.

@@ -613,30 +613,3 @@ fn the_while_loop_is_compared_only_where_it_has_a_difference() {
         );
     }
 }
-
-#[test]
-fn a_replaced_number_without_a_unit_has_no_warning() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("mine.toml");
-    std::fs::write(
-        &path,
-        "[launch]\nball_speed = 70\nlaunch_angle = 0.2\nbackspin = 250\n",
-    )
-    .unwrap();
-    let said = longdrive(&[
-        "simulate",
-        path.to_str().unwrap(),
-        "--launch",
-        "ball_speed=160mph,spin=2500rpm",
-    ]);
-    assert!(
-        said.status == 0 && said.err.contains("launch.launch_angle = 0.2 rad"),
-        "{}",
-        said.err
-    );
-    assert!(
-        !said.err.contains("launch.ball_speed") && !said.err.contains("launch.backspin"),
-        "{}",
-        said.err
-    );
-}

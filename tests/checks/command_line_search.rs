@@ -82,7 +82,8 @@ fn a_set_value_of_a_variable_is_reported_as_its_start() {
         ("club.loft=10deg", "10°", ""),
         ("club.loft=25deg", "20°", ", the end of its range"),
     ] {
-        let args = ["optimize", "--set", set, "--max-iterations", "1"];
+        let vary = "club.loft=4deg..20deg";
+        let args = ["optimize", "--set", set, "--vary", vary, "--max-iterations", "1"];
         assert_eq!(
             notes(&args),
             [format!(
@@ -590,7 +591,13 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
             "the range is reversed",
         ),
         (
-            vec!["chart", "--along", "club.loft=5deg..6deg"],
+            vec![
+                "chart",
+                "--along",
+                "club.loft=5deg..6deg",
+                "--vary",
+                "club.loft=4deg..20deg",
+            ],
             "one of the parameters varied",
         ),
         (
@@ -887,31 +894,6 @@ fn options_of_another_search_are_refused() {
             said.err
         );
     }
-}
-
-#[test]
-fn numbers_without_a_unit_in_a_setup_file_are_reported_as_si() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("mine.toml").display().to_string();
-    std::fs::write(
-        &file,
-        "[swing]\nspeed = 50\n[impact]\nrestitution = 0.8\n[club]\nbulge_radius = inf\n",
-    )
-    .unwrap();
-    let said = longdrive(&["simulate", &file]);
-    assert_eq!(said.status, 0, "{}", said.err);
-    let notes: Vec<_> = said
-        .err
-        .lines()
-        .filter(|line| line.starts_with("note: "))
-        .collect();
-    assert_eq!(notes.len(), 1, "{}", said.err);
-    assert!(
-        notes[0].contains("swing.speed = 50 m/s") && !notes[0].contains("restitution"),
-        "{}",
-        said.err
-    );
-    assert!(!notes[0].contains("bulge"), "{}", said.err);
 }
 
 #[test]

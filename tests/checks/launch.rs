@@ -441,7 +441,7 @@ fn a_report_of_a_launch_names_omitted_parts() {
         assert!(files.contains(&name.into()), "{name}: {files:?}");
     }
     let told =
-        "the optimum, its map and its chart are left out; to look for the best launch, give --vary";
+        "so that the optimum, its map and its chart are left out; --vary names what to vary";
     assert!(warnings.contains(told) && page.contains(told), "{warnings}");
     assert!(page.contains("d carry/d launch.backspin") && !page.contains("swing.speed"));
 

@@ -678,7 +678,7 @@ fn contradictory_weather_settings_are_refused() {
         "carry",
     ];
     let swept = longdrive(&[&over[..], &["--set", "air.density=none"]].concat());
-    let alike = longdrive(&[&["sweep", "modern-driver"][..], &over[2..]].concat());
+    let alike = longdrive(&[&["sweep"][..], &over[2..]].concat());
     assert_eq!((swept.status, &swept.out), (0, &alike.out), "{}", swept.err);
     let idle = longdrive(&[
         "sweep",
