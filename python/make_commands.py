@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 FOLDER = Path(__file__).parent / "python" / "longdrive"
-WIDTH = 140
+WIDTH = 100
 
 # functions written by hand do these
 BY_HAND = {"simulate", "gradient", "parameters", "presets", "sweep"}
@@ -26,8 +26,7 @@ OF_THE_PROGRAM = {"fly": {"listen", "address"}}
 SEARCHES = {"optimize", "optimum-sensitivity", "design", "robust"}
 
 TEXTS = {
-    "tolerance": "every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless the setup gives "
-    "flight.method or flight.step.",
+    "tolerance": "every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless the setup gives " "flight.method or flight.step.",
     "own-step": "integrate by flight.method and flight.step of the setup in every case.",
 }
 """What options mean in Python, where the program speaks of its other commands and options."""
@@ -58,15 +57,13 @@ def main() -> int:
     written = {
         "commands.py": module(
             "The studies: a function for each command of the program.",
-            "from ._ask import ask\nfrom .optimum import Optimum, optimum\nfrom .progress import Progress\nfrom .reply import Reply, as_reply\n"
-            "from .rows import flown\nfrom .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
+            "from ._ask import ask\nfrom .optimum import Optimum, optimum\nfrom .progress import Progress\nfrom .reply import Reply, as_reply\n" "from .rows import flown\nfrom .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
             studies,
             "",
         ),
         "plot.py": module(
             "Plots, as pictures for notebooks and files: a function for each kind.",
-            "from ._ask import ask\nfrom .picture import Picture, picture\nfrom .progress import Progress\n"
-            "from .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
+            "from ._ask import ask\nfrom .picture import Picture, picture\nfrom .progress import Progress\n" "from .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
             plots,
             "plot ",
         ),
@@ -74,7 +71,10 @@ def main() -> int:
     stale = [name for name, text in written.items() if read(FOLDER / name) != text]
     if "--check" in sys.argv[1:]:
         for name in stale:
-            print(f"{name} is not what the commands say of their options; run python make_commands.py", file=sys.stderr)
+            print(
+                f"{name} is not what the commands say of their options; run python make_commands.py",
+                file=sys.stderr,
+            )
         return 1 if stale else 0
     for name, text in written.items():
         (FOLDER / name).write_text(text, encoding="utf-8")
@@ -84,7 +84,12 @@ def main() -> int:
 def compiled() -> Any:
     """The compiled half of the package, without what is to be written."""
     folders = [FOLDER, *(Path(folder) / "longdrive" for folder in sys.path)]
-    files = [file for folder in folders for file in folder.glob("_longdrive.*") if file.suffix in (".so", ".pyd")]
+    files = [
+        file
+        for folder in folders
+        for file in folder.glob("_longdrive.*")
+        if file.suffix in (".so", ".pyd")
+    ]
     loader = importlib.machinery.ExtensionFileLoader("_longdrive", str(files[0]))
     spec = importlib.util.spec_from_loader("_longdrive", loader)
     assert spec is not None
@@ -99,8 +104,16 @@ def read(path: Path) -> str:
 
 def module(title: str, imports: str, commands: list[dict[str, Any]], before: str) -> str:
     functions = "\n\n".join(function(command, before) for command in commands)
-    used = "\n".join(line for line in (kept(line, functions) for line in imports.split("\n")) if line)
-    names = "\n" + "".join(f'    "{name(command)}",\n' for command in sorted(commands, key=lambda command: name(command)))
+    used = "\n".join(
+        line for line in (kept(line, functions) for line in imports.split("\n")) if line
+    )
+    names = (
+        "\n"
+        + "".join(
+            f'    "{name(command)}",\n'
+            for command in sorted(commands, key=lambda command: name(command))
+        )
+    )
     head = HEAD.format(title=title, imports=used, names=names)
     if "Literal[" not in functions:
         head = head.replace("from typing import Literal\n\n", "")
@@ -123,16 +136,25 @@ def type_of(option: dict[str, Any]) -> str:
     if option["takes"] == "nothing":
         return "bool"
     if option["choices"]:
-        return f"Literal[{', '.join(repr(choice) for choice in option['choices'])}]".replace("'", '"')
+        return f"Literal[{', '.join(repr(choice) for choice in option['choices'])}]".replace(
+            "'", '"'
+        )
     if what in ("SETUP", "SETUP_B"):
         return "SetupLike"
     if what in ("N", "K", "SEED", "PIXELS"):
         return "int"
     if what in ("LENGTH", "AMOUNT", "SPEED", "ANGLE", "SPIN", "NUMBER", "POINT"):
         return "Amount"
-    if what in ("DIR", "DIR or FILE.csv", "LAW", "STUDY") or option["name"] in ("output", "checkpoint"):
-        return "str" if what in ("LAW", "STUDY") and option["takes"] == "one" else "Names" if what == "LAW" else "PathLike"
-    if what in ("FILE", "SHOTS", "DATA") and option["name"] in ("swings", "strokes", "shots", "data", "points"):
+    if what in ("DIR", "DIR or FILE.csv", "LAW", "STUDY") or option["name"] in (
+        "output", "checkpoint"
+    ):
+        return (
+            "str" if what in ("LAW", "STUDY")
+            and option["takes"] == "one" else "Names" if what == "LAW" else "PathLike"
+        )
+    if what in ("FILE", "SHOTS", "DATA") and option["name"] in (
+        "swings", "strokes", "shots", "data", "points"
+    ):
         return "TableLike"
     if option["takes"] == "several":
         return "Given" if "=" in what else "Goals" if what == "GOAL" else "Names"
@@ -144,19 +166,40 @@ def function(command: dict[str, Any], before: str) -> str:
     left_out = LEFT_OUT | OF_THE_PROGRAM.get(own, set())
     options = [option for option in command["options"] if option["name"] not in left_out]
     is_plot = before != ""
-    required = [option for option in options if option["positional"] and option["name"] not in ("setup", "other")]
-    setups = [option for option in options if option["positional"] and option["name"] in ("setup", "other")]
+    required = [
+        option
+        for option in options
+        if option["positional"] and option["name"] not in ("setup", "other")
+    ]
+    setups = [
+        option
+        for option in options
+        if option["positional"] and option["name"] in ("setup", "other")
+    ]
     others = [option for option in options if not option["positional"]]
-    is_needed = {option["name"] for option in others if option["required"] and not (is_plot and option["name"] == "output")}
+    is_needed = {
+        option["name"]
+        for option in others
+        if option["required"] and not (is_plot and option["name"] == "output")
+    }
 
-    parameters = [f"{option['name']}: {type_of(option)}{'' if option['required'] or own == 'fly' else ' | None = None'}" for option in required]
+    parameters = [
+        f"{option['name']}: {type_of(option)}{'' if option['required'] or own == 'fly' else ' | None = None'}"
+        for option in required
+    ]
     parameters += [f"{option['name']}: SetupLike = None" for option in setups]
     if others:
         parameters.append("*")
         for option in sorted(others, key=lambda option: option["name"] not in is_needed):
             python = option["name"].replace("-", "_")
             plain = type_of(option)
-            nothing = " = False" if plain == "bool" else "" if option["name"] in is_needed else " | None = None"
+            nothing = (
+                " = False"
+                if plain == "bool"
+                else ""
+                if option["name"] in is_needed
+                else " | None = None"
+            )
             parameters.append(f"{python}: {plain}{nothing}")
     parameters.append("progress: Progress = False")
     if not others:
@@ -169,11 +212,21 @@ def function(command: dict[str, Any], before: str) -> str:
 
 def body(command: dict[str, Any], before: str) -> str:
     """One line: what the program says of the options tells how each argument is written."""
-    answered = "picture" if before else "optimum" if command["name"] in SEARCHES else "flown" if command["name"] == "fly" else "as_reply"
+    answered = (
+        "picture"
+        if before
+        else "optimum"
+        if command["name"] in SEARCHES
+        else "flown"
+        if command["name"] == "fly"
+        else "as_reply"
+    )
     return f'    return ask("{before}{command["name"]}", locals(), {answered})\n'
 
 
-def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], others: list[Any]) -> str:
+def docstring(
+    command: dict[str, Any], required: list[Any], setups: list[Any], others: list[Any]
+) -> str:
     lines = wrapped(as_python(command["about"] or "") + ".", "    ")
     lines.append("")
     lines.append("    Args:")
@@ -189,23 +242,42 @@ def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], o
         if option["name"] == "other":
             text = "The second drive, b, as setup is given: for example setup.replace({\"club.loft\": \"11 deg\"}). Without it launch_a or launch_b says in what it differs."
         default = option["default"]
-        if default not in (None, "false") and not option["positional"] and option["takes"] != "nothing" and default != "-":
+        if default not in (None, "false") and not option[
+            "positional"
+        ] and option["takes"] != "nothing" and default != "-":
             text += f" [default: {default}]"
         lines += wrapped(f"{python}: {lower(text).removesuffix('.')}.", "        ", "            ")
-    lines += wrapped("progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.", "        ", "            ")
+    lines += wrapped(
+        "progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.",
+        "        ",
+        "            ",
+    )
     lines[0] = '    """' + lines[0].strip()
     return "\n".join(lines) + '\n    """'
 
 
 def wrapped(text: str, first: str, then: str | None = None) -> list[str]:
-    return textwrap.wrap(text, WIDTH, initial_indent=first, subsequent_indent=then or first, break_long_words=False, break_on_hyphens=False)
+    return textwrap.wrap(
+        text,
+        WIDTH,
+        initial_indent=first,
+        subsequent_indent=then or first,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def as_python(text: str) -> str:
     """Help in the words of Python: options as names of arguments."""
     text = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda match: match[1].replace("-", "_"), text)
-    text = re.sub(r"\.? Repeatable\.?$", "", text).replace(", separated by commas", ", one or several")
-    return " ".join(text.replace("Repeatable. ", "").replace(" Repeatable [", " [").replace(" Repeatable.", "").replace("\\", "\\\\").split())
+    text = re.sub(r"\.? Repeatable\.?$", "", text).replace(
+        ", separated by commas", ", one or several"
+    )
+    return " ".join(
+        text.replace("Repeatable. ", "").replace(" Repeatable [", " [").replace(
+            " Repeatable.", ""
+        ).replace("\\", "\\\\").split()
+    )
 
 
 def lower(text: str) -> str:

@@ -106,4 +106,8 @@ def __getattr__(name: str) -> object:
         import importlib
 
         return importlib.import_module(f"{__name__}.{name}")
-    raise AttributeError(f"module '{__name__}' has no attribute '{name}'", name=name, obj=__import__("sys").modules[__name__])
+    raise AttributeError(
+        f"module '{__name__}' has no attribute '{name}'",
+        name=name,
+        obj=__import__("sys").modules[__name__],
+    )

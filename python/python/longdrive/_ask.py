@@ -30,7 +30,9 @@ def ask(command: str, given: Mapping[str, Any], answered: Callable[[Reply, Quest
     from pathlib import Path
 
     function = "longdrive." + command.replace("-", "_").replace(" ", ".")
-    with interruptible(f"{function} was interrupted before it began"), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
+    with interruptible(f"{function} was interrupted before it began"), tempfile.TemporaryDirectory(
+        prefix="longdrive-"
+    ) as name:
         question = Question(command, Path(name))
         question.take(given)
         reply = asked(function, question, given, answered)
@@ -45,7 +47,12 @@ def _done(function: str) -> str:
     return f"{function} was interrupted when its work was done, before it could answer; what it was to write is written, and the same call begins again"
 
 
-def asked(function: str, question: Question, given: Mapping[str, Any], answered: Callable[[Reply, Question], Any]) -> Reply:
+def asked(
+    function: str,
+    question: Question,
+    given: Mapping[str, Any],
+    answered: Callable[[Reply, Question], Any],
+) -> Reply:
     """The program's answer to a question.
 
     Raises:
@@ -71,7 +78,11 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
         if raised is None:
             return _reply(status, answer, question)
     # a search that had not finished one point has none
-    has_answer = isinstance(answer, dict) and answer.keys() - OF_EVERY and answer.get("optimum", answer) is not None
+    has_answer = (
+        isinstance(answer, dict)
+        and answer.keys() - OF_EVERY
+        and answer.get("optimum", answer) is not None
+    )
     found = answered(Reply(answer), question) if has_answer else None
     message = interruption(function, answer, notes, question.continued(given))
     raise Interrupted(message, answer=found) from raised
@@ -86,5 +97,7 @@ def _reply(status: int | None, answer: Any, question: Question) -> Reply:
         raise InputError("the command has no answer" if answer is None else str(answer))
     if status == 2 or (status == 1 and not answer.keys() - OF_EVERY):
         message = answer["message"] or answer["status"]
-        raise InputError(question.meant(message)) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
+        raise InputError(question.meant(message)) if answer["status"] == "error" else NoAnswerError(
+            message, answer["status"]
+        )
     return Reply(answer)

@@ -52,7 +52,12 @@ class Question:
         Raises:
             InputError: for one that is not what the option takes.
         """
-        self.goal = str(next((given[name] for name in ("maximize", "minimize") if given.get(name) is not None), self.goal))
+        self.goal = str(
+            next(
+                (given[name] for name in ("maximize", "minimize") if given.get(name) is not None),
+                self.goal,
+            )
+        )
         for option in commands()[self.command]:
             name = option["argument"]
             if name in given:
@@ -64,11 +69,19 @@ class Question:
         if name == "output" and value is None:
             value = self.scratch
             if value is not None and given.get("format") is not None:
-                raise InputError(f"format = {given['format']!r} is of a file, and no file is written; give output too, or leave format out")
-            if value is not None and given.get("overwrite") is not None and switch_of("overwrite", given["overwrite"]):
-                raise InputError("overwrite is about a file, and no file is written; name it with output, or leave overwrite out")
+                raise InputError(
+                    f"format = {given['format']!r} is of a file, and no file is written; give output too, or leave format out"
+                )
+            if value is not None and given.get("overwrite") is not None and switch_of(
+                "overwrite", given["overwrite"]
+            ):
+                raise InputError(
+                    "overwrite is about a file, and no file is written; name it with output, or leave overwrite out"
+                )
         if value is None and (option["required"] or name == "shots" and option["positional"]):
-            raise InputError(f"{name} is None, and {self.command} needs it: {option['words'].removesuffix('. Repeatable')}")
+            raise InputError(
+                f"{name} is None, and {self.command} needs it: {option['words'].removesuffix('. Repeatable')}"
+            )
         if not option["positional"] and _is_empty(value):
             _refuse_empty(name, option)
         if name == "at" and not isinstance(value, str) and value is not None and "along" in given:
@@ -100,7 +113,9 @@ class Question:
     def meant(self, message: str) -> str:
         """What is wrong with a number of radians, with what was meant where it was given without a unit."""
         found = OUTSIDE.search(message)
-        if found is None or not any(math.isclose(float(found[1]), number, rel_tol=1e-5) for number in self._radians):
+        if found is None or not any(
+            math.isclose(float(found[1]), number, rel_tol=1e-5) for number in self._radians
+        ):
             return message
         return f'{message}; a number without a unit is SI; did you mean "{found[1]} deg"?'
 
@@ -134,7 +149,11 @@ class Question:
         names = {option["name"] for option in commands()[self.command]}
         if "checkpoint" in names:
             return "the same call begins again; one with checkpoint=FILE saves every iteration, and goes on from there"
-        return "the rows so far are kept, and the same call with resume=True goes on" if "resume" in names else "the same call begins again"
+        return (
+            "the rows so far are kept, and the same call with resume=True goes on"
+            if "resume" in names
+            else "the same call begins again"
+        )
 
     def take_setup(self, given: Any) -> None:
         """The setup, in its place among the words."""
@@ -166,7 +185,9 @@ class Question:
         write_table(name, given, path)
         return str(path)
 
-    def option(self, name: str, value: Any, kind: str, what: str, argument: str | None = None) -> None:
+    def option(
+        self, name: str, value: Any, kind: str, what: str, argument: str | None = None
+    ) -> None:
         """An option with its value: `kind` is what it takes (nothing, one, several), `what` the name of its value, `argument` its name in Python."""
         if value is None or value is False:
             return
@@ -196,26 +217,37 @@ class Question:
             return self.file(name, value) if name in TABLES else path_of(name, value, PATHS[what])
         if what == "SETUP":
             path = self.folder / f"{name}.toml"
-            path.write_text((value if isinstance(value, Setup) else Setup(value)).to_toml(), encoding="utf-8")
+            path.write_text(
+                (value if isinstance(value, Setup) else Setup(value)).to_toml(), encoding="utf-8"
+            )
             return str(path)
         if what in UNITS or what == "AMOUNT":
             return self._amount(name, value, UNITS.get(what) or self._unit(_outcome_of(self.goal)))
         if "=" in what:
             return self._only(name, value, what)
         if isinstance(value, (Mapping, Set)) or parts_of(value) is not None:
-            raise InputError(f"{name} is {kind_of(value)}; expected {ONE.get(what, 'one text').format(name)}")
+            raise InputError(
+                f"{name} is {kind_of(value)}; expected {ONE.get(what, 'one text').format(name)}"
+            )
         try:
             return str(value)
         except ValueError:  # a whole number of more than 4300 digits
-            raise InputError(f"{name} = {shown(value)}; expected {ONE.get(what, 'one text').format(name)}") from None
+            raise InputError(
+                f"{name} = {shown(value)}; expected {ONE.get(what, 'one text').format(name)}"
+            ) from None
 
     def _only(self, name: str, value: Any, what: str) -> str:
         """A name with its value, of which there is one."""
         texts = list(self._several(name, value, what))
-        names = [part.rpartition(",")[2].strip() for text in texts for part in text.split("=")[:-1]] or texts
+        names = (
+            [part.rpartition(",")[2].strip() for text in texts for part in text.split("=")[:-1]]
+            or texts
+        )
         if len(names) != 1:
             found = f"has {len(names)} parameters ({', '.join(names)})" if names else "is empty"
-            raise InputError(f"{name} {found}; expected one, as in {name}={{'swing.speed': (40.0, 50.0)}}")
+            raise InputError(
+                f"{name} {found}; expected one, as in {name}={{'swing.speed': (40.0, 50.0)}}"
+            )
         return texts[0]
 
     def _several(self, name: str, value: Any, what: str) -> Iterable[str]:
@@ -223,7 +255,9 @@ class Question:
             return [value]
         if isinstance(value, Mapping):
             if what == "CONSTRAINT":
-                raise InputError(f"{name} is {kind_of(value)}; expected a text or a list of texts, as in {name}=['descent_angle >= 38 deg']")
+                raise InputError(
+                    f"{name} is {kind_of(value)}; expected a text or a list of texts, as in {name}=['descent_angle >= 38 deg']"
+                )
             return [self._pair(name, key, inner, what) for key, inner in value.items()]
         try:
             items = list(value)
@@ -232,10 +266,17 @@ class Question:
             raise InputError(message) from None
         strange = [item for item in items if not isinstance(item, (str, Mapping))]
         if strange:
-            instead = f", or one dict for all, as in {name}={{'club.loft': …}}" if "=" in what else ""
-            raise InputError(f"{name} has {kind_of(strange[0])} in its {type(value).__name__}: {shown(strange[0])}; expected texts{instead}")
+            instead = (
+                f", or one dict for all, as in {name}={{'club.loft': …}}" if "=" in what else ""
+            )
+            raise InputError(
+                f"{name} has {kind_of(strange[0])} in its {type(value).__name__}: {shown(strange[0])}; expected texts{instead}"
+            )
         # a dict among them is one value of several parts: the changes that make a model
-        return [",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item) for item in items]
+        return [
+            ",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item)
+            for item in items
+        ]
 
     def _pair(self, name: str, key: Any, value: Any, what: str) -> str:
         """A name with its value: a text as it is, a number with its SI unit, a pair as a range, a triple as one with a count, a kind with numbers."""
@@ -250,18 +291,28 @@ class Question:
         if "KIND" in what and parts and isinstance(parts[0], str) and parts[0].isidentifier():
             # the deviation of a normal distribution, cut or not, stands behind its mean
             of_deviation = 1 if parts[0] in ("normal", "truncated") else None
-            numbers = [self._amount(key, number, is_difference=at == of_deviation) for at, number in enumerate(parts[1:])]
+            numbers = [
+                self._amount(
+                    key, number, is_difference=at == of_deviation
+                ) for at, number in enumerate(parts[1:])
+            ]
             return f"{key}={parts[0]}({','.join(numbers)})"
         # an array or a list of three is values of one's own, and no (low, high, count)
         is_counted = len(parts) == 3 and isinstance(value, tuple) and ":" in what
         if ".." not in what or not (len(parts) == 2 or is_counted):
-            raise InputError(f"{key} in {name} is {kind_of(value)} of {len(parts)}; expected {_wanted(name, key, what)}")
+            raise InputError(
+                f"{key} in {name} is {kind_of(value)} of {len(parts)}; expected {_wanted(name, key, what)}"
+            )
         count = f":{count_text(key, parts[2])}" if is_counted else ""
         return f"{key}={self._amount(key, parts[0])}..{self._amount(key, parts[1])}{count}"
 
-    def _amount(self, name: str, value: Any, unit: str | None = None, is_difference: bool = False) -> str:
+    def _amount(
+        self, name: str, value: Any, unit: str | None = None, is_difference: bool = False
+    ) -> str:
         if value is None:
-            raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
+            raise InputError(
+                f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'"
+            )
         if isinstance(value, str):
             return value
         if unit is None:
@@ -278,7 +329,13 @@ class Question:
 
     def places(self, name: str, values: Any, along: Any) -> list[str]:
         """Values along a parameter, numbers in its SI unit."""
-        first = along if isinstance(along, str) else str(next(iter(along), "")) if isinstance(along, Iterable) else ""
+        first = (
+            along
+            if isinstance(along, str)
+            else str(next(iter(along), ""))
+            if isinstance(along, Iterable)
+            else ""
+        )
         parameter = first.split("=")[0].strip()
         parts = parts_of(values)
         return [self._amount(parameter, value) for value in ([values] if parts is None else parts)]
@@ -286,7 +343,13 @@ class Question:
     def _unit(self, name: str) -> str:
         if not self._units:
             outcomes = {row["name"]: row["si"] for row in _longdrive.outcomes()}
-            self._units = outcomes | {row["parameter"]: row["unit"] for row in _longdrive.parameters(self.setup)["parameters"]}
+            self._units = (
+                outcomes
+                | {
+                    row["parameter"]: row["unit"]
+                    for row in _longdrive.parameters(self.setup)["parameters"]
+                }
+            )
         return self._units.get(name, "")
 
 
@@ -330,7 +393,11 @@ def _wanted(name: str, key: Any, what: str) -> str:
     if ".." not in what:
         return "one number (SI), or a text with its unit"
     if ":" in what:
-        own = f"; values of your own, a drive each, go into points={{'{key}': …}}, or to longdrive.batch" if name == "over" else ""
+        own = (
+            f"; values of your own, a drive each, go into points={{'{key}': …}}, or to longdrive.batch"
+            if name == "over"
+            else ""
+        )
         return f"a tuple (low, high, count), for values spread evenly{own}"
     return "(low, high)" + ("; values of your own go into at=…" if name == "along" else "")
 
@@ -341,7 +408,9 @@ REFUSED_EMPTY = {"distribution", "sigma", "model"}
 
 def _refuse_empty(name: str, option: Mapping[str, Any]) -> None:
     """An empty dict or list of what has a default, or stands for another question, which nobody asked for: no constraints are what an empty list of them says."""
-    if name in REFUSED_EMPTY or option["required"] or option["default"] or "default" in option["help"]:
+    if name in REFUSED_EMPTY or option["required"] or option[
+        "default"
+    ] or "default" in option["help"]:
         left_out = "" if option["required"] else ", or leave it out"
         about = option["words"].removesuffix(". Repeatable").replace(". Repeatable [", " [")
         raise InputError(f"{name} is empty; give one or more{left_out}: {about}")

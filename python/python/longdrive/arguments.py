@@ -13,7 +13,19 @@ import numpy as np
 
 from .errors import InputError
 
-__all__ = ["MOST_SCENARIOS", "MOST_SEED", "count_of", "kind_of", "no_attribute", "one_name", "path_of", "refuse_idle_seed", "shown", "switch_of", "whole_characters"]
+__all__ = [
+    "MOST_SCENARIOS",
+    "MOST_SEED",
+    "count_of",
+    "kind_of",
+    "no_attribute",
+    "one_name",
+    "path_of",
+    "refuse_idle_seed",
+    "shown",
+    "switch_of",
+    "whole_characters",
+]
 
 MOST_SEED = 2**32 - 1
 """The greatest seed of swings and of samples."""
@@ -32,7 +44,8 @@ def shown(value: Any) -> str:
     """A value as messages show it: as Python writes it, cut where it is long."""
     try:
         text = repr(value)
-    except (RecursionError, ValueError):  # what lies too deep within itself, and whole numbers of more than 4300 digits
+    # what lies too deep within itself, and whole numbers of more than 4300 digits
+    except (RecursionError, ValueError):
         return f"{kind_of(value)} too long to show"
     return text if len(text) <= 400 else f"{text[:60]}… ({len(text)} characters)"
 
@@ -43,12 +56,16 @@ def whole_characters(name: str) -> Iterator[None]:
     try:
         yield
     except UnicodeEncodeError as error:
-        raise InputError(f"{name}: {shown(error.object.strip())} has half a character (a lone surrogate); give the text without it") from None
+        raise InputError(
+            f"{name}: {shown(error.object.strip())} has half a character (a lone surrogate); give the text without it"
+        ) from None
 
 
 def no_attribute(owner: object, name: str, instead: str) -> AttributeError:
     """What is raised for an attribute that there is not, with what there is instead."""
-    return AttributeError(f"a {type(owner).__name__} has no attribute '{name}'; {instead}", name=name, obj=owner)
+    return AttributeError(
+        f"a {type(owner).__name__} has no attribute '{name}'; {instead}", name=name, obj=owner
+    )
 
 
 def refuse_idle_seed(seed: Any, sample: Any) -> None:
@@ -61,7 +78,9 @@ def refuse_idle_seed(seed: Any, sample: Any) -> None:
         return
     count_of("seed", seed, most=MOST_SEED)
     if sample is None:
-        raise InputError(f"seed = {seed!r} chooses the points of a sample, and nothing is sampled; give sample too, or leave seed out")
+        raise InputError(
+            f"seed = {seed!r} chooses the points of a sample, and nothing is sampled; give sample too, or leave seed out"
+        )
 
 
 def count_of(name: str, value: Any, least: int = 0, most: int = sys.maxsize) -> int:
@@ -76,7 +95,9 @@ def count_of(name: str, value: Any, least: int = 0, most: int = sys.maxsize) -> 
         number = least - 1
     if isinstance(value, bool) or not least <= number <= most:
         end = f" (at most {most})" if number > most else ""
-        raise InputError(f"{name} = {shown(value)}; expected a whole number of {least} or more{end}")
+        raise InputError(
+            f"{name} = {shown(value)}; expected a whole number of {least} or more{end}"
+        )
     return number
 
 
@@ -87,7 +108,9 @@ def switch_of(name: str, value: Any, instead: str = "") -> bool:
         InputError: for anything else, which is not guessed at: ``overwrite="no"`` must not replace a file.
     """
     if not isinstance(value, (bool, np.bool_)):
-        raise InputError(f"{name} = {shown(value)}; expected True or False{f', or {instead}' if instead else ''}")
+        raise InputError(
+            f"{name} = {shown(value)}; expected True or False{f', or {instead}' if instead else ''}"
+        )
     return bool(value)
 
 
@@ -98,7 +121,9 @@ def one_name(name: str, value: Any, several: str) -> str:
         InputError: for anything else.
     """
     if not isinstance(value, str):
-        raise InputError(f"{name} is {kind_of(value)}; expected one name, as in {name}='carry'; {several}")
+        raise InputError(
+            f"{name} is {kind_of(value)}; expected one name, as in {name}='carry'; {several}"
+        )
     with whole_characters(name):
         value.encode()
     return value

@@ -69,9 +69,20 @@ def batch(
     """
     if switch_of("hessians", hessians) and wrt is None:
         wrt = "points"
-    with interruptible("longdrive.batch was interrupted before the first row"), follower("drives", progress) as told:
+    with interruptible("longdrive.batch was interrupted before the first row"), follower(
+        "drives", progress
+    ) as told:
         table = computed(
-            setup, points, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, first_row=first_row, hessians=hessians
+            setup,
+            points,
+            of,
+            wrt,
+            tolerance=tolerance,
+            own_step=own_step,
+            threads=threads,
+            told=told,
+            first_row=first_row,
+            hessians=hessians,
         )
     warn_of(table.warnings, table, stacklevel=2)
     return table
@@ -79,23 +90,37 @@ def batch(
 
 def _without_units(setup: Setup, points: Any) -> Any:
     """The points with quantities of pint, or sequences of them, as numbers in SI: an array of NumPy would lose their unit."""
-    if not isinstance(points, Mapping) or not any(is_quantity(values) or elements_of(values) is not None for values in points.values()):
+    if not isinstance(points, Mapping) or not any(
+        is_quantity(values) or elements_of(values) is not None for values in points.values()
+    ):
         return points
     units = {row["parameter"]: row["unit"] for row in _longdrive.parameters(setup)["parameters"]}
 
     def converted(name: str, values: Any) -> Any:
         elements = None if is_quantity(values) else elements_of(values)
         try:
-            return in_si(values, units[name]) if elements is None else [in_si(value, units[name]) for value in elements]
+            return (
+                in_si(values, units[name])
+                if elements is None
+                else [in_si(value, units[name]) for value in elements]
+            )
         except InputError as error:
             raise InputError(f"points: {name}: {error}") from None
 
     # of a name that nothing bears the batch says so
-    return {name: converted(name, values) if name in units else values for name, values in points.items()}
+    return {
+        name: converted(
+            name, values
+        ) if name in units else values for name, values in points.items()
+    }
 
 
 def _interrupted(after: int, whole: int) -> str:
-    rest = f"goes on, and Table.concatenate([table, rest]) joins both" if after < whole else "has nothing left to do"
+    rest = (
+        f"goes on, and Table.concatenate([table, rest]) joins both"
+        if after < whole
+        else "has nothing left to do"
+    )
     return f"longdrive.batch was interrupted after {after} of {whole} rows, which `table` of this exception has; batch(…, first_row={after}) {rest}"
 
 
@@ -118,14 +143,22 @@ def computed(
     setup = setup if isinstance(setup, Setup) else Setup(setup)
     points, tolerance = _without_units(setup, points), in_si(tolerance, "m")
     if isinstance(tolerance, (bool, np.bool_)):
-        raise InputError(f'tolerance = {tolerance!r}; expected a length, in m or as a text like "1 um"')
-    status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(
-        setup, points, of, wrt, tolerance, switch_of("own_step", own_step), count_of("threads", threads), told,
-        count_of("first_row", first_row), switch_of("hessians", hessians), ranges,
-    )
+        raise InputError(
+            f'tolerance = {tolerance!r}; expected a length, in m or as a text like "1 um"'
+        )
+    status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(setup, points, of, wrt, tolerance, switch_of("own_step", own_step), count_of("threads", threads), told, count_of("first_row", first_row), switch_of("hessians", hessians), ranges,)
     table = Table(
-        status=status[:done], columns=columns[len(given) :, :done], points=columns[: len(given), :done], of=of, wrt=by, parameters=given, units=units,
-        hessians=None if seconds is None else seconds[:done], first_row=first_row, warnings=warnings, setup=setup,
+        status=status[:done],
+        columns=columns[len(given) :, :done],
+        points=columns[: len(given), :done],
+        of=of,
+        wrt=by,
+        parameters=given,
+        units=units,
+        hessians=None if seconds is None else seconds[:done],
+        first_row=first_row,
+        warnings=warnings,
+        setup=setup,
     )
     if raised is None:
         return table

@@ -36,7 +36,9 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
     except ImportError as error:
         raise ImportError("longdrive.dask needs Dask: pip install 'dask[distributed]'") from error
     if not isinstance(client, Client):
-        raise InputError(f"client is {kind_of(client)}; expected a distributed.Client of the cluster, as in longdrive.dask.sweep(Client(), 'tour-average', …)")
+        raise InputError(
+            f"client is {kind_of(client)}; expected a distributed.Client of the cluster, as in longdrive.dask.sweep(Client(), 'tour-average', …)"
+        )
     count_of("retries", retries)
     asked = question_of(setup, question)
     # not pure: what another sweep has written says nothing about this folder
@@ -52,7 +54,9 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
                 raise failure
             else:
                 part = part_of[future.key]
-                raise PartError(f"part {part} of {asked.parts}: {type(failure).__name__}: {failure}", part) from failure
+                raise PartError(
+                    f"part {part} of {asked.parts}: {type(failure).__name__}: {failure}", part
+                ) from failure
             # its manifest row is here
             future.release()
     finally:

@@ -103,7 +103,11 @@ def hessian(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None
         InputError: as :func:`gradient`.
         NoAnswerError: as :func:`gradient`.
     """
-    return Hessian(*_longdrive.hessian(setup, one_name("of", of, "batch with hessians=True takes several"), wrt))
+    return Hessian(
+        *_longdrive.hessian(
+            setup, one_name("of", of, "batch with hessians=True takes several"), wrt
+        )
+    )
 
 
 def objective(
@@ -166,8 +170,7 @@ def objective(
         if not (file is None or isinstance(file, (str, PathLike))):
             instead = "" if name == "strokes" else "; distribution takes dicts of distributions"
             raise InputError(
-                f"{name} is {kind_of(file)}; expected the name of a file, which an objective reads again where it is unpickled: write a table with "
-                f"pandas.DataFrame(…).to_csv('{name}.csv', index=False), and give that name{instead}"
+                f"{name} is {kind_of(file)}; expected the name of a file, which an objective reads again where it is unpickled: write a table with " f"pandas.DataFrame(…).to_csv('{name}.csv', index=False), and give that name{instead}"
             )
     for name, text in (("sense", sense), ("invalid", invalid)):
         with whole_characters(name):

@@ -16,7 +16,12 @@ def commands() -> dict[str, list[dict[str, Any]]]:
     found: dict[str, list[dict[str, Any]]] = {}
     for command in _longdrive.described():
         found[command["name"]] = command["options"]
-        found.update({f"{command['name']} {below['name']}": below["options"] for below in command["commands"]})
+        found.update(
+            {
+                f"{command['name']} {below['name']}": below["options"]
+                for below in command["commands"]
+            }
+        )
     return found
 
 

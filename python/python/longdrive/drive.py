@@ -63,13 +63,24 @@ class Drive(Mapping[str, "float | None"]):
         except KeyError:
             pass
         if any(row["name"] == name for row in _longdrive.outcomes()):
-            raise UnknownKeyError(f"'{name}' was not asked for; simulate(…, of=[…]) gives {', '.join(self.outcomes)} here; add it to of")
-        raise UnknownKeyError(_longdrive.unknown_key("outcome", str(name), list(self.outcomes), "a drive has the outcomes that it was asked for"))
+            raise UnknownKeyError(
+                f"'{name}' was not asked for; simulate(…, of=[…]) gives {', '.join(self.outcomes)} here; add it to of"
+            )
+        raise UnknownKeyError(
+            _longdrive.unknown_key(
+                "outcome",
+                str(name),
+                list(self.outcomes),
+                "a drive has the outcomes that it was asked for",
+            )
+        )
 
     if not TYPE_CHECKING:  # what is no attribute is none to type checkers, too
 
         def __getattr__(self, name: str) -> Any:
-            raise no_attribute(self, name, f"outcomes go by name, as in drive['{name_or_carry(name)}']")
+            raise no_attribute(
+                self, name, f"outcomes go by name, as in drive['{name_or_carry(name)}']"
+            )
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.outcomes)

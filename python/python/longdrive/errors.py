@@ -76,7 +76,9 @@ class Interrupted(KeyboardInterrupt):
     answer: Reply | None
     """The answer with what was found so far, of the functions of commands; None where there was none yet."""
 
-    def __init__(self, message: str, table: Table | None = None, answer: Reply | None = None) -> None:
+    def __init__(
+        self, message: str, table: Table | None = None, answer: Reply | None = None
+    ) -> None:
         super().__init__(message)
         self.table = table
         self.answer = answer

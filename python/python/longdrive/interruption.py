@@ -38,8 +38,14 @@ def _best(answer: Mapping[str, Any]) -> list[str]:
     if found is None:
         return []
     if found is not answer and isinstance(found, Mapping) and found:
-        goal = f"{answer.get('objective')} = {_number(answer.get('value'))} at " if answer.get("value") is not None else ""
-        return [f"the best so far, in SI, which `answer` of this exception has: {goal}{_named(found)}"]
+        goal = (
+            f"{answer.get('objective')} = {_number(answer.get('value'))} at "
+            if answer.get("value") is not None
+            else ""
+        )
+        return [
+            f"the best so far, in SI, which `answer` of this exception has: {goal}{_named(found)}"
+        ]
     estimates = answer.get("estimates")
     if isinstance(estimates, Mapping) and estimates:
         values = {name: row["value"] for name, row in estimates.items()}
@@ -47,7 +53,11 @@ def _best(answer: Mapping[str, Any]) -> list[str]:
     points = answer.get("points")
     if isinstance(points, Sequence) and points:
         return [f"`answer` of this exception has the {len(points)} points so far"]
-    return ["`answer` of this exception has what was found"] if answer.keys() - {"command", "status", "message", "warnings"} else []
+    return (
+        ["`answer` of this exception has what was found"]
+        if answer.keys() - {"command", "status", "message", "warnings"}
+        else []
+    )
 
 
 def _named(values: Mapping[str, Any]) -> str:

@@ -19,7 +19,9 @@ from .types import Names, SetupLike
 __all__ = ["outcome"]
 
 
-def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> Callable[[Any], Any]:
+def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> Callable[
+    [Any], Any
+]:
     """An outcome, or several, as a function of JAX.
 
     The function takes x, shape (parameters,), SI, and returns a number, or for several outcomes an array, shape (outcomes,). Its first and

@@ -64,7 +64,9 @@ class Optimum(Reply):
         """The exact Hessian of what was looked for at the optimum, SI."""
         if self["reply"].get("swings") is not None or self["optimum"] is None:
             return None
-        return np.asarray(_longdrive.hessian(self.setup, self["reply"]["objective"], self["names"])[2])
+        return np.asarray(
+            _longdrive.hessian(self.setup, self["reply"]["objective"], self["names"])[2]
+        )
 
     def __missing__(self, key: str) -> Any:
         # computed when asked for, as keys too
@@ -88,9 +90,13 @@ def optimum(reply: Reply, question: Question) -> Optimum:
     gradient = reply.get("gradient") or {}
     names = list(at)
     multipliers = reply.get("multipliers") or {}
-    of_bounds = {f"{name} {side}": value for name, sides in multipliers.items() for side, value in sides.items() if value}
+    of_bounds = {
+        f"{name} {side}": value for name, sides in multipliers.items() for side, value in sides.items() if value
+    }
     constraints = reply.get("constraints") or []
-    of_constraints = {row["expression"]: row["multiplier"] for row in constraints if row.get("multiplier")}
+    of_constraints = {
+        row["expression"]: row["multiplier"] for row in constraints if row.get("multiplier")
+    }
     ended = reply["status"]
     return Optimum(
         x=np.array([at[name] for name in names]),
@@ -107,7 +113,9 @@ def optimum(reply: Reply, question: Question) -> Optimum:
         multipliers=multipliers,
         prices={**of_bounds, **of_constraints},
         constraints=constraints,
-        maxcv=max((row["violation"] for row in constraints), default=0.0) if "constraints" in reply and place else None,
+        maxcv=max(
+            (row["violation"] for row in constraints), default=0.0
+        ) if "constraints" in reply and place else None,
         kkt_residual=reply.get("kkt_residual"),
         warnings=reply["warnings"],
         started=question.setup,

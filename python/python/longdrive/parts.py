@@ -104,7 +104,9 @@ class Question:
         count_of("parts", parts, 1)
         count_of("threads", threads, 1)
         folder = path_of("output", output, "folder")
-        file = None if points is None else path_of("points", points, "file that every worker can read")
+        file = (
+            None if points is None else path_of("points", points, "file that every worker can read")
+        )
         asked = Words("sweep", Path())
         asked.take_setup(setup)
         asked.option("over", over or None, "several", "NAME=LOW..HIGH:COUNT")
@@ -136,7 +138,10 @@ class Question:
         # the program looks at the folder after the question, and before the first drive: a file in its place ends the work there
         with tempfile.NamedTemporaryFile(prefix="longdrive-") as file:
             try:
-                _sweep([*self.words, f"--output={file.name}", f"--part={self.parts}/{self.parts}"], self.setup)
+                _sweep(
+                    [*self.words, f"--output={file.name}", f"--part={self.parts}/{self.parts}"],
+                    self.setup,
+                )
             except InputError as error:
                 if file.name not in str(error):
                     raise
@@ -147,7 +152,12 @@ class Question:
         Raises:
             PartError: with why it could not be written.
         """
-        words = [*self.words, f"--output={self.output}", f"--part={part}/{self.parts}", f"--threads={self.threads}"]
+        words = [
+            *self.words,
+            f"--output={self.output}",
+            f"--part={part}/{self.parts}",
+            f"--threads={self.threads}",
+        ]
         try:
             answer = _sweep(words, self.setup)
         except Error as error:
@@ -159,10 +169,24 @@ class Question:
         return check(self.output, contents=contents, question=self)
 
 
+# fmt: skip
 _MANIFEST = (
-    "file", "bytes", "sha256", "part", "parts", "first_row", "rows", "question", "instructions", "data", "statuses",
-    "beyond", "moments", "histograms", "best",
-)  # fmt: skip
+    "file",
+    "bytes",
+    "sha256",
+    "part",
+    "parts",
+    "first_row",
+    "rows",
+    "question",
+    "instructions",
+    "data",
+    "statuses",
+    "beyond",
+    "moments",
+    "histograms",
+    "best",
+)
 
 
 @dataclass(frozen=True)
@@ -199,7 +223,10 @@ def _sweep(words: list[str], setup: str) -> dict[str, Any]:
     """The answer of ``longdrive sweep``; what the program warns of stands in it."""
     status, answer, raised = _longdrive.command([*words, "--quiet"], setup, lambda kind, text: None)
     if raised is not None:
-        why = answer["message"] if isinstance(answer, dict) and answer["message"] else "interrupted before there was an answer"
+        why = (
+            answer["message"] if isinstance(answer, dict)
+            and answer["message"] else "interrupted before there was an answer"
+        )
         raise Interrupted(why) from raised
     if status == 2:
         raise InputError(answer["message"])
@@ -212,7 +239,9 @@ def _best(name: str, rows: Mapping[str, int] | str | None) -> list[str]:
     if isinstance(rows, str):
         return [rows]
     if not (rows is None or isinstance(rows, Mapping)):
-        raise InputError(f"{name} is {kind_of(rows)}; expected a dict of outcomes with their number of rows, as in {{'carry': 10}}")
+        raise InputError(
+            f"{name} is {kind_of(rows)}; expected a dict of outcomes with their number of rows, as in {{'carry': 10}}"
+        )
     return [f"{of}:{count_of(f'{name} of {of}', count, 1)}" for of, count in (rows or {}).items()]
 
 
@@ -234,7 +263,9 @@ def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
     """
     missing = [name for name in ("output", "parts") if name not in question]
     if missing:
-        raise InputError(f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how many there are")
+        raise InputError(
+            f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how many there are"
+        )
     found = Question.of(setup, **question)
     found.refuse_unsound()
     # workers may have been started in other folders
@@ -267,7 +298,9 @@ def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     """
 
     if isinstance(manifests, (str, os.PathLike)):
-        raise InputError(f"manifests is {kind_of(manifests)}; expected the `manifests` of parts; longdrive.parts.check tells of a folder what its rows are like")
+        raise InputError(
+            f"manifests is {kind_of(manifests)}; expected the `manifests` of parts; longdrive.parts.check tells of a folder what its rows are like"
+        )
 
     def finite(value: Any) -> Any:
         # JSON has no infinity: a flat face is "inf"
@@ -281,7 +314,9 @@ def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     return merged
 
 
-def sweep(setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **question: Any) -> Parts:
+def sweep(
+    setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **question: Any
+) -> Parts:
     """Computes all parts in processes of this machine.
 
     >>> import longdrive.parts, tempfile
@@ -314,17 +349,26 @@ def sweep(setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **qu
             _in_processes(asked, left, tries, manifests, processes or os.cpu_count() or 1, retries)
         except KeyboardInterrupt as raised:
             done = f"{len(manifests)} of {asked.parts} parts are known to be whole in {asked.output}"
-            raise Interrupted(f"longdrive.parts.sweep was interrupted: {done}; the same call writes those that are missing") from raised
+            raise Interrupted(
+                f"longdrive.parts.sweep was interrupted: {done}; the same call writes those that are missing"
+            ) from raised
         except BrokenProcessPool as error:
             part = next(part for part in tries if part not in manifests)
             tries[part] += 1
             if tries[part] > retries:
-                raise PartError(f"part {part} of {asked.parts}: its process died, {retries + 1} times", part) from error
+                raise PartError(
+                    f"part {part} of {asked.parts}: its process died, {retries + 1} times", part
+                ) from error
     return Parts.of(asked, manifests.values())
 
 
 def _in_processes(
-    asked: Question, left: list[int], tries: dict[int, int], manifests: dict[int, dict[str, Any]], processes: int, retries: int
+    asked: Question,
+    left: list[int],
+    tries: dict[int, int],
+    manifests: dict[int, dict[str, Any]],
+    processes: int,
+    retries: int,
 ) -> None:
     with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
         waiting = iter(left)

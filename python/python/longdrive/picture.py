@@ -42,18 +42,30 @@ class Picture(Reply):
 
         path, form = Path(path_of("path", path)), self["form"]
         if path.suffix.lower() != form:
-            another = f", or give the plot itself output='{path}', to have it in that form" if path.suffix.lower() in FORMS else ""
-            raise InputError(f"path = '{path}': this plot is {form[1:].upper()}; name a file that ends in {form}{another}")
+            another = (
+                f", or give the plot itself output='{path}', to have it in that form"
+                if path.suffix.lower() in FORMS
+                else ""
+            )
+            raise InputError(
+                f"path = '{path}': this plot is {form[1:].upper()}; name a file that ends in {form}{another}"
+            )
         try:
             # mode "x": another process may make the file meanwhile
             with path.open("wb" if switch_of("overwrite", overwrite) else "xb") as file:
                 file.write(self["data"])
         except FileExistsError:
-            raise InputError(f"the file '{path}': it already exists; use overwrite=True to replace it") from None
+            raise InputError(
+                f"the file '{path}': it already exists; use overwrite=True to replace it"
+            ) from None
         except FileNotFoundError:
-            raise InputError(f"the file '{path}': it cannot be written: there is no folder '{path.parent}'") from None
+            raise InputError(
+                f"the file '{path}': it cannot be written: there is no folder '{path.parent}'"
+            ) from None
         except OSError as error:
-            raise InputError(f"the file '{path}': it cannot be written ({error.strerror}); name another place") from error
+            raise InputError(
+                f"the file '{path}': it cannot be written ({error.strerror}); name another place"
+            ) from error
         return path
 
     def __repr__(self) -> str:

@@ -15,8 +15,7 @@ from .types import Floats, Names, SetupLike
 __all__ = ["NO_THIRD", "OutcomeFunction", "Pointwise"]
 
 NO_THIRD = (
-    "longdrive.{}.outcome has exact first and second derivatives, and a third derivative was asked for; take it by differences of the Hessian: "
-    "(hessian(x + h) - hessian(x - h)) / (2 h), with h of 1e-5 and 64-bit floats"
+    "longdrive.{}.outcome has exact first and second derivatives, and a third derivative was asked for; take it by differences of the Hessian: " "(hessian(x + h) - hessian(x - h)) / (2 h), with h of 1e-5 and 64-bit floats"
 )
 """What is said of a third derivative."""
 
@@ -38,7 +37,9 @@ class Pointwise:
             InputError: where it has not.
         """
         if shape != (len(self.wrt),):
-            raise InputError(f"x has shape {shape}; expected shape ({len(self.wrt)},): {', '.join(self.wrt)}, SI")
+            raise InputError(
+                f"x has shape {shape}; expected shape ({len(self.wrt)},): {', '.join(self.wrt)}, SI"
+            )
         if kind != "f":
             raise InputError(f"x is of kind '{kind}'; expected floats, in SI")
 
@@ -54,7 +55,17 @@ class Pointwise:
         points = {name: rows[:, k] for k, name in enumerate(self.wrt)}
         # an optimizer calls this very often: of what is to be warned, simulate and Setup.warnings tell
         by = self.wrt if order else None
-        table = computed(self.setup, points, self.of, by, tolerance=None, own_step=True, threads=0, told=None, hessians=order > 1)
+        table = computed(
+            self.setup,
+            points,
+            self.of,
+            by,
+            tolerance=None,
+            own_step=True,
+            threads=0,
+            told=None,
+            hessians=order > 1,
+        )
         found = [table.values, table.gradients if order else None, table.hessians]
         return [array.reshape(lead + array.shape[1:]) for array in found if array is not None]
 
@@ -62,7 +73,12 @@ class Pointwise:
 class OutcomeFunction:
     """Outcomes of a setup as a function of x, of another library. It pickles as what it was made of, since its derivatives are functions within functions."""
 
-    def __init__(self, outcome: Callable[..., Callable[[Any], Any]], point: Pointwise, call: Callable[[Any], Any]) -> None:
+    def __init__(
+        self,
+        outcome: Callable[..., Callable[[Any], Any]],
+        point: Pointwise,
+        call: Callable[[Any], Any],
+    ) -> None:
         self._outcome = outcome
         self._point = point
         self._call = call
@@ -77,4 +93,6 @@ class OutcomeFunction:
 
     def __reduce__(self) -> tuple[Any, ...]:
         point = self._point
-        return (self._outcome, (point.setup, point.of[0] if point.is_single else point.of, point.wrt))
+        return (
+            self._outcome, (point.setup, point.of[0] if point.is_single else point.of, point.wrt)
+        )

@@ -28,7 +28,9 @@ def follower(doing: str, progress: Progress) -> Iterator[Show | None]:
     """
     if callable(progress):
         yield progress
-    elif progress is None or not switch_of("progress", progress, "a function of parts done and parts in all"):
+    elif progress is None or not switch_of(
+        "progress", progress, "a function of parts done and parts in all"
+    ):
         yield None
     else:
         try:

@@ -32,7 +32,9 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
         raise ImportError("longdrive.ray needs Ray: pip install ray") from error
     count_of("retries", retries)
     asked = question_of(setup, question)
-    write = ray.remote(num_cpus=asked.threads, max_retries=retries, retry_exceptions=True)(Question.write)
+    write = ray.remote(num_cpus=asked.threads, max_retries=retries, retry_exceptions=True)(
+        Question.write
+    )
     shared = ray.put(asked)
     waiting = iter(range(1, asked.parts + 1))
     ahead = _AHEAD * max(1, int(ray.cluster_resources().get("CPU", 1)))
@@ -51,5 +53,9 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
                 for task in running:
                     ray.cancel(task)
                 cause = error.cause if isinstance(error, ray.exceptions.RayTaskError) else error
-                text = str(cause) if isinstance(cause, PartError) else f"part {part} of {asked.parts}: {cause}"
+                text = (
+                    str(cause)
+                    if isinstance(cause, PartError)
+                    else f"part {part} of {asked.parts}: {cause}"
+                )
                 raise PartError(text, part) from error

@@ -52,18 +52,29 @@ def _row(key: str, value: Any) -> str:
 def _cell(value: Any) -> str:
     if isinstance(value, Mapping):
         inner = "".join(_row(str(key), part) for key, part in value.items())
-        return f"<details><summary>{len(value)}</summary><table><tbody>{inner}</tbody></table></details>" if value else ""
+        return (
+            f"<details><summary>{len(value)}</summary><table><tbody>{inner}</tbody></table></details>"
+            if value
+            else ""
+        )
     if isinstance(value, list):
         if value and isinstance(value[0], Mapping):
             return f"<details><summary>{len(value)}</summary>{_listed(value)}</details>"
-        return escape(", ".join(_text(part) for part in value[:12])) + (", …" if len(value) > 12 else "")
+        return (
+            escape(", ".join(_text(part) for part in value[:12]))
+            + (", …" if len(value) > 12 else "")
+        )
     return escape(_text(value))
 
 
 def _listed(rows: list[Any]) -> str:
     heads = list(rows[0])
     head = "".join(f"<th>{escape(str(key))}</th>" for key in heads)
-    body = "".join(f"<tr>{''.join(f'<td>{_cell(row.get(key))}</td>' for key in heads)}</tr>" for row in rows if isinstance(row, Mapping))
+    body = "".join(
+        f"<tr>{''.join(f'<td>{_cell(row.get(key))}</td>' for key in heads)}</tr>"
+        for row in rows
+        if isinstance(row, Mapping)
+    )
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 

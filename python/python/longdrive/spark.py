@@ -20,7 +20,9 @@ __all__ = ["manifests", "sweep"]
 _COLUMNS = "part long, file string, rows long, bytes long, sha256 string, manifest string"
 
 
-def _writer(asked: Question) -> Callable[[Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]]:
+def _writer(asked: Question) -> Callable[
+    [Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]
+]:
     def write(batches: Iterable[pyarrow.RecordBatch]) -> Iterable[pyarrow.RecordBatch]:
         import pyarrow
 
@@ -62,11 +64,15 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
         import pyarrow  # noqa: F401
         from pyspark.errors import PySparkException
     except ImportError as error:
-        raise ImportError("longdrive.spark needs Spark, pandas and Arrow: pip install pyspark pandas pyarrow") from error
+        raise ImportError(
+            "longdrive.spark needs Spark, pandas and Arrow: pip install pyspark pandas pyarrow"
+        ) from error
     from py4j.protocol import Py4JError
 
     if not callable(getattr(spark, "range", None)):
-        raise InputError(f"spark is {kind_of(spark)}; expected a SparkSession, as SparkSession.builder.getOrCreate() gives it")
+        raise InputError(
+            f"spark is {kind_of(spark)}; expected a SparkSession, as SparkSession.builder.getOrCreate() gives it"
+        )
     asked = question_of(setup, question)
     try:
         rows = manifests(spark, asked).select("manifest").collect()

@@ -106,16 +106,42 @@ def sweep(
     Warns:
         LongdriveWarning: once, with all of ``warnings`` of the table or the reply.
     """
-    _refuse(over, sample, seed, points, output, switch_of("resume", resume) or switch_of("overwrite", overwrite))
+    _refuse(
+        over,
+        sample,
+        seed,
+        points,
+        output,
+        switch_of("resume", resume) or switch_of("overwrite", overwrite),
+    )
     if output is not None:
         by = {"gradient": True} if wrt == "points" else {"wrt": wrt}
-        file = {"output": os.fspath(output), "resume": resume, "overwrite": overwrite, "progress": progress}
-        given = {"setup": setup, "over": over, "sample": sample, "seed": seed, "points": points, "of": of, **by}
-        return ask("sweep", {**given, "tolerance": tolerance, "own_step": own_step, "threads": threads, **file}, as_reply)
+        file = {
+            "output": os.fspath(output),
+            "resume": resume,
+            "overwrite": overwrite,
+            "progress": progress,
+        }
+        given = {
+            "setup": setup,
+            "over": over,
+            "sample": sample,
+            "seed": seed,
+            "points": points,
+            "of": of,
+            **by,
+        }
+        return ask(
+            "sweep",
+            {**given, "tolerance": tolerance, "own_step": own_step, "threads": threads, **file},
+            as_reply,
+        )
     import tempfile  # `import longdrive` does not wait for these
     from pathlib import Path
 
-    with interruptible("longdrive.sweep was interrupted before the first row"), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
+    with interruptible(
+        "longdrive.sweep was interrupted before the first row"
+    ), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
         question = Question("sweep", Path(name))
         question.setup = setup if isinstance(setup, Setup) else Setup(setup)
         table = None if points is None else question.file("points", points)
@@ -126,7 +152,15 @@ def sweep(
             at, ranges = _longdrive.plan(question.setup, ranges_asked, sample, seed or 0, table)
         with follower("sweep", progress) as told:
             found = computed(
-                question.setup, at, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, ranges=ranges,
+                question.setup,
+                at,
+                of,
+                wrt,
+                tolerance=tolerance,
+                own_step=own_step,
+                threads=threads,
+                told=told,
+                ranges=ranges,
                 interrupted=_interrupted,
             )
     warn_of(found.warnings, found, stacklevel=2)
@@ -135,8 +169,7 @@ def sweep(
 
 def _interrupted(after: int, whole: int) -> str:
     return (
-        f"longdrive.sweep was interrupted after {after} of {whole} rows, which `table` of this exception has; the same call begins again; one with "
-        "output=FILE keeps its rows, and goes on with resume=True"
+        f"longdrive.sweep was interrupted after {after} of {whole} rows, which `table` of this exception has; the same call begins again; one with " "output=FILE keeps its rows, and goes on with resume=True"
     )
 
 
@@ -145,21 +178,34 @@ def _refuse_counts(over: list[str]) -> None:
     counted = next((text for text in over if ":" in text), None)
     if counted is not None:
         without = counted.rpartition(":")[0]
-        raise InputError(f"the range {counted}: sample says how many points there are; write {without}, or (low, high), without a count")
+        raise InputError(
+            f"the range {counted}: sample says how many points there are; write {without}, or (low, high), without a count"
+        )
 
 
 def _refuse(
-    over: Given | None, sample: int | None, seed: int | None, points: TableLike | None, output: PathLike | None, is_of_file: bool
+    over: Given | None,
+    sample: int | None,
+    seed: int | None,
+    points: TableLike | None,
+    output: PathLike | None,
+    is_of_file: bool,
 ) -> None:
     """Arguments of which one would leave another without effect."""
     if points is not None and over is not None:
         raise InputError("over and points both say what is swept; keep one of the two")
     if points is not None and sample is not None:
-        raise InputError("sample takes points in the ranges of over, and points has its own; keep one of the two")
+        raise InputError(
+            "sample takes points in the ranges of over, and points has its own; keep one of the two"
+        )
     if over is None and points is None:
-        raise InputError('nothing to sweep: give over, as in over={"club.loft": ("5 deg", "15 deg", 101)}, or points')
+        raise InputError(
+            'nothing to sweep: give over, as in over={"club.loft": ("5 deg", "15 deg", 101)}, or points'
+        )
     if sample is not None:
         count_of("sample", sample, 1)
     refuse_idle_seed(seed, sample)
     if output is None and is_of_file:
-        raise InputError("resume and overwrite are about a file; name it with output, or leave them out")
+        raise InputError(
+            "resume and overwrite are about a file; name it with output, or leave them out"
+        )

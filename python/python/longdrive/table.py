@@ -132,13 +132,26 @@ class Table:
             UnknownKeyError: for one that was not asked for; it says with what it is.
         """
         if of not in self.of:
-            raise UnknownKeyError(_longdrive.unknown_key("outcome", of, list(self.of), f"the table has {', '.join(self.of)}; ask for others with of"))
+            raise UnknownKeyError(
+                _longdrive.unknown_key(
+                    "outcome",
+                    of,
+                    list(self.of),
+                    f"the table has {', '.join(self.of)}; ask for others with of",
+                )
+            )
         if by not in self.wrt:
             has = f"those by {', '.join(self.wrt)}" if self.wrt else "none"
             known = [row["parameter"] for row in _longdrive.parameters(self.setup)["parameters"]]
             if by not in known:
-                raise UnknownKeyError(_longdrive.unknown_key("parameter", by, [*self.wrt, *known], f"of derivatives the table has {has}"))
-            raise UnknownKeyError(f"the table has no derivatives by '{by}'; it has {has}; ask for others with wrt, as in wrt='{by}'")
+                raise UnknownKeyError(
+                    _longdrive.unknown_key(
+                        "parameter", by, [*self.wrt, *known], f"of derivatives the table has {has}"
+                    )
+                )
+            raise UnknownKeyError(
+                f"the table has no derivatives by '{by}'; it has {has}; ask for others with wrt, as in wrt='{by}'"
+            )
         return self._column(f"d_{of}/d_{by}")
 
     def _column(self, name: str) -> Floats:
@@ -148,14 +161,22 @@ class Table:
         elif name in self.parameters:
             column = self._points[self.parameters.index(name)]
         else:
-            raise UnknownKeyError(_longdrive.unknown_key("column", name, self.keys(), f"the columns are {', '.join(self.keys())}"))
+            raise UnknownKeyError(
+                _longdrive.unknown_key(
+                    "column", name, self.keys(), f"the columns are {', '.join(self.keys())}"
+                )
+            )
         return column
 
     if not TYPE_CHECKING:  # what is no attribute is none to type checkers, too
 
         def __getattr__(self, name: str) -> Any:
             columns = f"columns go by name, as in table['{name_or_carry(name)}']"
-            raise no_attribute(self, name, f"{columns}; pandas.DataFrame.from_arrow(table) and polars.DataFrame(table) take all of it")
+            raise no_attribute(
+                self,
+                name,
+                f"{columns}; pandas.DataFrame.from_arrow(table) and polars.DataFrame(table) take all of it",
+            )
 
     def __getitem__(self, key: str | slice) -> Any:
         """A column by its name, or some rows as a table: views, not copies."""
@@ -163,7 +184,9 @@ class Table:
             return self.status if key == "status" else self._column(key)
         if not isinstance(key, slice):
             kind = kind_of(key) if hasattr(key, "__len__") else repr(key)
-            raise InputError(f"a table has columns by name and rows by slice; {kind} is neither: index its columns, as in table['{self.of[0]}'][…]")
+            raise InputError(
+                f"a table has columns by name and rows by slice; {kind} is neither: index its columns, as in table['{self.of[0]}'][…]"
+            )
         start, _, step = key.indices(len(self))
         return Table(
             status=self.status[key],
@@ -193,8 +216,13 @@ class Table:
             return NotImplemented
         names = (self.of, self.wrt, self.parameters) == (other.of, other.wrt, other.parameters)
         same = np.array_equal
-        hessians = self.hessians is other.hessians or (
-            self.hessians is not None and other.hessians is not None and same(self.hessians, other.hessians, equal_nan=True)
+        hessians = (
+            self.hessians is other.hessians
+            or (
+                self.hessians is not None
+                and other.hessians is not None
+                and same(self.hessians, other.hessians, equal_nan=True)
+            )
         )
         return (
             names
@@ -224,13 +252,17 @@ class Table:
         """
         parts = parts_of(tables)
         if parts is None:
-            raise InputError(f"tables is {kind_of(tables)}; expected several tables, as in Table.concatenate([table, rest])")
+            raise InputError(
+                f"tables is {kind_of(tables)}; expected several tables, as in Table.concatenate([table, rest])"
+            )
         tables = parts
         if not tables:
             raise InputError("nothing to concatenate: give at least one table")
         for number, table in enumerate(tables, start=1):
             if not isinstance(table, Table):
-                raise InputError(f"table {number} is {kind_of(table)}; expected a Table, as batch and sweep give it")
+                raise InputError(
+                    f"table {number} is {kind_of(table)}; expected a Table, as batch and sweep give it"
+                )
         first = tables[0]
         for number, table in enumerate(tables[1:], start=2):
             _refuse_difference(first, table, number)
@@ -258,12 +290,15 @@ class Table:
     def __array__(self, *_: object, **__: object) -> Any:
         # as a sequence it would be an array of the names of its columns, and so would a DataFrame of it
         raise InputError(
-            "a table is no one array: take columns by name, table.values or table.gradients; a DataFrame of it is pandas.DataFrame(dict(table)), or "
-            "pandas.DataFrame.from_arrow(table)"
+            "a table is no one array: take columns by name, table.values or table.gradients; a DataFrame of it is pandas.DataFrame(dict(table)), or " "pandas.DataFrame.from_arrow(table)"
         )
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        whole = [(name, np.ascontiguousarray(self._column(name)), unit) for name, unit in self.units.items()]
+        whole = [
+            (
+                name, np.ascontiguousarray(self._column(name)), unit
+            ) for name, unit in self.units.items()
+        ]
         names = [status.label for status in Status]
         status = np.ascontiguousarray(self.status)
         metadata = {"longdrive": _longdrive.__version__}
@@ -284,7 +319,9 @@ class Table:
             return "" if np.isnan(number) else f"{number:.6g}"
 
         def line(row: int) -> str:
-            return "<tr>" + "".join(f"<td>{escape(cell(name, row))}</td>" for name in names) + "</tr>"
+            return (
+                "<tr>" + "".join(f"<td>{escape(cell(name, row))}</td>" for name in names) + "</tr>"
+            )
 
         rows = "".join(line(row) for row in range(min(_SHOWN, len(self))))
         caption = escape(repr(self).strip("<>"))
@@ -302,7 +339,9 @@ def _refuse_difference(first: Table, other: Table, number: int) -> None:
     for what, (one, two) in told.items():
         if one != two:
             both = " and ".join(", ".join(map(str, names)) or "none" for names in (one, two))
-            raise InputError(f"tables 1 and {number} differ in {what}: {both}; give tables of one question")
+            raise InputError(
+                f"tables 1 and {number} differ in {what}: {both}; give tables of one question"
+            )
     if first.setup == other.setup:
         return
     here, there = ({} if table.setup is None else table.setup.to_dict() for table in (first, other))
@@ -310,8 +349,7 @@ def _refuse_difference(first: Table, other: Table, number: int) -> None:
     shown = ", ".join(f"{name} = {here.get(name)} and {there.get(name)}" for name in names[:4])
     more = f", and {len(names) - 4} more" if len(names) > 4 else ""
     raise InputError(
-        f"tables 1 and {number} are of different setups: {shown}{more}; a table says of one setup what its points do: give what differs as a "
-        "parameter of the points, or keep the tables apart"
+        f"tables 1 and {number} are of different setups: {shown}{more}; a table says of one setup what its points do: give what differs as a " "parameter of the points, or keep the tables apart"
     )
 
 

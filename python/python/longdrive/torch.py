@@ -19,7 +19,9 @@ from .types import Names, SetupLike
 __all__ = ["outcome"]
 
 
-def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> Callable[[torch.Tensor], torch.Tensor]:
+def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> Callable[
+    [torch.Tensor], torch.Tensor
+]:
     """An outcome, or several, as a function of PyTorch.
 
     The function takes x, shape (parameters,), SI, and returns a tensor without dimensions, or for several outcomes one of shape
@@ -94,7 +96,9 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
         def jvp(ctx: Any, of_x: Any) -> Any:
             x, jacobian = ctx.saved_tensors
             hessian = Curvatures.apply(x)[2]
-            return along(jacobian, of_x), along(hessian, of_x.unsqueeze(-2).expand(hessian.shape[:-1]))
+            return along(jacobian, of_x), along(
+                hessian, of_x.unsqueeze(-2).expand(hessian.shape[:-1])
+            )
 
         @staticmethod
         def vmap(info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
@@ -103,7 +107,9 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
     def batched(function: Any, info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
         # one call for all points: every result has their dimensions first
         at = in_dims[0]
-        return function.apply(x.expand(info.batch_size, *x.shape) if at is None else x.movedim(at, 0))
+        return function.apply(
+            x.expand(info.batch_size, *x.shape) if at is None else x.movedim(at, 0)
+        )
 
     def function(x: torch.Tensor) -> torch.Tensor:
         if not isinstance(x, torch.Tensor):

@@ -13,7 +13,9 @@ import numpy.typing as npt
 if TYPE_CHECKING:
     from ._longdrive import Setup
 
-__all__ = ["Amount", "Floats", "Given", "Goals", "Names", "PathLike", "Sense", "SetupLike", "TableLike"]
+__all__ = [
+    "Amount", "Floats", "Given", "Goals", "Names", "PathLike", "Sense", "SetupLike", "TableLike"
+]
 
 Floats = npt.NDArray[np.float64]
 """An array of numbers in SI."""

@@ -13,7 +13,16 @@ from .errors import InputError
 if TYPE_CHECKING:
     from pathlib import Path
 
-__all__ = ["count_text", "elements_of", "in_si", "is_quantity", "number_text", "parts_of", "point_in_si", "write_table"]
+__all__ = [
+    "count_text",
+    "elements_of",
+    "in_si",
+    "is_quantity",
+    "number_text",
+    "parts_of",
+    "point_in_si",
+    "write_table",
+]
 
 
 def parts_of(value: Any) -> tuple[Any, ...] | None:
@@ -30,7 +39,13 @@ def count_text(name: str, value: Any) -> str:
     """How many values a range has; an array has it as a float."""
     if isinstance(value, str):
         return value
-    return str(count_of(f"the count of {name}", int(value) if isinstance(value, float) and value.is_integer() else value, 1))
+    return str(
+        count_of(
+            f"the count of {name}",
+            int(value) if isinstance(value, float) and value.is_integer() else value,
+            1,
+        )
+    )
 
 
 def is_quantity(value: Any) -> bool:
@@ -62,7 +77,11 @@ def in_si(value: Any, unit: str, is_difference: bool = False) -> Any:
             value = value - type(value)(0, value.units)
         number = value.to(unit or "dimensionless").magnitude
         # to pint a radian is the number 1
-        is_angle = not unit and hasattr(value, "to_root_units") and "radian" in str(value.to_root_units().units)
+        is_angle = (
+            not unit
+            and hasattr(value, "to_root_units")
+            and "radian" in str(value.to_root_units().units)
+        )
     except Exception as error:  # those of pint have no name here
         raise InputError(str(error)) from None
     if is_angle:
@@ -100,7 +119,9 @@ def number_text(value: Any, unit: str, is_difference: bool = False) -> str:
             raise TypeError
         return f"{float(value)!r} {unit}".strip()
     except OverflowError:
-        raise InputError(f"{shown(value)} is too large for a 64-bit float, which ends at 1.8e308") from None
+        raise InputError(
+            f"{shown(value)} is too large for a 64-bit float, which ends at 1.8e308"
+        ) from None
     except (TypeError, ValueError):
         message = f"{shown(value)} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
         raise InputError(message) from None
@@ -118,7 +139,9 @@ def write_table(name: str, table: Any, path: Path) -> None:
         columns = [_column(name, head, values) for head, values in table.items()]
         lengths = sorted({len(column) for column in columns})
         if len(lengths) > 1:
-            raise InputError(f"{name}: its columns have {' and '.join(map(str, lengths))} rows; expected as many in each")
+            raise InputError(
+                f"{name}: its columns have {' and '.join(map(str, lengths))} rows; expected as many in each"
+            )
         with path.open("w", newline="", encoding="utf-8") as file:
             import csv  # as below: `import longdrive` does not wait for what only some calls need
 
@@ -126,7 +149,9 @@ def write_table(name: str, table: Any, path: Path) -> None:
             write.writerow(table.keys())
             write.writerows([_cell(value) for value in row] for row in zip(*columns))
     else:
-        raise InputError(f"{name} is {kind_of(table)}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow")
+        raise InputError(
+            f"{name} is {kind_of(table)}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow"
+        )
 
 
 def _column(name: str, head: Any, values: Any) -> list[Any]:
@@ -137,18 +162,24 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
     """
     if is_quantity(values) or elements_of(values) is not None:
         found = f"is {kind_of(values)}" if is_quantity(values) else "has quantities with units"
-        raise InputError(f"{name}: the column '{head}' {found}; the head of a column names the unit, so give the numbers in that unit, as in values.to('mph').magnitude")
+        raise InputError(
+            f"{name}: the column '{head}' {found}; the head of a column names the unit, so give the numbers in that unit, as in values.to('mph').magnitude"
+        )
     parts = parts_of(values)
     shape: tuple[int, ...] = getattr(values, "shape", (len(parts or ()),))
     if parts is None or len(shape) != 1:
         found = kind_of(values) if parts is None else f"of shape {shape}"
-        raise InputError(f"{name}: the column '{head}' is {found}; expected a value for each row, shape (rows,)")
+        raise InputError(
+            f"{name}: the column '{head}' is {found}; expected a value for each row, shape (rows,)"
+        )
     return list(parts)
 
 
 def _cell(value: Any) -> Any:
     # a masked element of NumPy, pandas.NA and NaT are no values either
-    if value is None or value is np.ma.masked or type(value).__name__ in ("NAType", "NaTType") or value != value:
+    if value is None or value is np.ma.masked or type(value).__name__ in (
+        "NAType", "NaTType"
+    ) or value != value:
         return ""
     # numbers of NumPy print as Python's own
     return repr(float(value)) if hasattr(value, "dtype") and value.dtype.kind in "fiu" else value
