@@ -11,9 +11,7 @@ pub fn run(args: &Laws) -> Result<Answer> {
     let mut document = report.document(system());
     document.list([
         Line::item("choose one with `set aero.law=NAME`; `parameters()` lists the coefficients"),
-        Line::item(
-            "or your own table with `set aero.table=mine.csv`; `plot laws()` draws them",
-        ),
+        Line::item("or your own table with `set aero.table=mine.csv`; `plot laws()` draws them"),
     ]);
     Ok(Answer::text(document.text()))
 }

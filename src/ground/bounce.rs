@@ -117,9 +117,9 @@ impl<T: Numbers> Turf<T> {
 
 #[cfg(test)]
 mod tests {
-    use crate::ground::Turf;
     use super::{INCIDENCE, Motion, SPEED};
     use crate::Setup;
+    use crate::ground::Turf;
     use crate::number::Vector;
     use num_dual::Dual2_64;
 

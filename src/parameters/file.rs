@@ -363,7 +363,7 @@ mod tests {
             (
                 "\n\nprset = 'mae494'",
                 "f:3:1: unknown parameter 'prset'",
-                "longdrive parameters",
+                "`parameters()` lists them all",
             ),
             (
                 "preset = 'mae'",

@@ -392,7 +392,12 @@ fn gain_text(optimum: &Optimum, drive: &Drive<f64>, system: System) -> String {
         }
         _ => "",
     };
-    paragraph(&text) + &if advice.is_empty() { String::new() } else { paragraph(advice) }
+    paragraph(&text)
+        + &if advice.is_empty() {
+            String::new()
+        } else {
+            paragraph(advice)
+        }
 }
 
 /// The parameters varied as a table; over swings beside the best design for the mean swing.

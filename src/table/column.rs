@@ -1,6 +1,5 @@
 //! Meaning, unit and number format of a column.
 
-use super::head::OF_SHOTS;
 use super::heads::Meaning;
 use super::launch_monitor;
 use super::numbers;
@@ -64,6 +63,11 @@ pub(crate) struct Format {
     /// Numbers may have decimal commas.
     pub has_decimal_comma: bool,
 }
+
+/// Advice for tables of measured shots.
+pub(super) const OF_SHOTS: &str = "give each a name that is known, or take it out: a column is a \
+                                   parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma \
+                                   stationary' or 'note'";
 
 /// Head of the column of stationary parameters.
 const STATIONARY: &str = "stationary";

@@ -1,7 +1,7 @@
 //! The head of a table: meaning of its columns, and errors in heads.
 
 use super::CONDITIONS;
-use super::column::{Column, Content, Format};
+use super::column::{Column, Content, Format, OF_SHOTS};
 use super::export_columns::{ClubColumns, SpinSource, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
 use crate::drive::Outcome;
@@ -231,11 +231,6 @@ pub(crate) struct ColumnErrors {
     at: Vec<usize>,
     reason: String,
 }
-
-/// Advice for tables of measured shots.
-pub(super) const OF_SHOTS: &str = "give each a name that is known, or take it out: a column is a \
-                                   parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma \
-                                   stationary' or 'note'";
 
 /// Advice for tables of points or swings.
 pub(super) const OF_POINTS: &str = "give each a name that is known, or take it out: a column is a \

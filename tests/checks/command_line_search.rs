@@ -83,7 +83,15 @@ fn a_set_value_of_a_variable_is_reported_as_its_start() {
         ("club.loft=25deg", "20°", ", the end of its range"),
     ] {
         let vary = "club.loft=4deg..20deg";
-        let args = ["optimize", "--set", set, "--vary", vary, "--max-iterations", "1"];
+        let args = [
+            "optimize",
+            "--set",
+            set,
+            "--vary",
+            vary,
+            "--max-iterations",
+            "1",
+        ];
         assert_eq!(
             notes(&args),
             [format!(

@@ -583,10 +583,6 @@ fn broken_files_have_plain_messages() {
             "{text}: no '{says}' in {}",
             said.err
         );
-        assert!(
-            said.err.contains(name),
-            "{text}: {}",
-            said.err
-        );
+        assert!(said.err.contains(name), "{text}: {}", said.err);
     }
 }

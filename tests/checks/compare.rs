@@ -593,7 +593,7 @@ fn no_difference_is_said_and_bad_input_names_the_drive() {
         (
             vec!["--launch-a", "ball_speed=70m/s,ball_speed=71m/s"],
             2,
-            "--launch-a ball_speed=71m/s: --launch-a ball_speed=70m/s gives ball_speed too",
+            "--launch-a ball_speed=71m/s: --launch-a ball_speed=70m/s gives the ball_speed too",
         ),
         (
             vec!["--set-b", "club.loft"],

@@ -440,7 +440,7 @@ fn a_missing_answer_is_reported_first() {
     ]);
     let said = words(answer(&page), "us");
     assert!(
-        status == 0 && said.starts_with("Carry 2") && said.contains("give --vary"),
+        status == 0 && said.starts_with("Carry 2") && said.contains("--vary names what to vary"),
         "{said}"
     );
     let down = [

@@ -674,7 +674,10 @@ fn bad_swings_and_goals_are_refused_with_the_reason() {
             "recorded swing 2: swing.face_angle is missing",
         ),
         (&["--swings", &empty], "it has no row"),
-        (&["--swings", &launches], "'longdrive delivery' with --shots"),
+        (
+            &["--swings", &launches],
+            "'longdrive delivery' with --shots",
+        ),
         (
             &[one, "--set", "swing.path=1deg"],
             "the swings have values of it",

@@ -79,7 +79,9 @@ fn exact_minimum_from_a_start_whose_value_and_slope_vanish() {
 fn without_second_derivatives_a_stationary_point_is_reported_as_not_examined() {
     let found = solve(&Gradients(DoubleWell), &[FREE], &[], &[0.0]);
     assert!(
-        found.message.contains("without second derivatives a saddle point"),
+        found
+            .message
+            .contains("without second derivatives a saddle point"),
         "{}",
         found.message
     );
