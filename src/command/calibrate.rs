@@ -170,7 +170,7 @@ impl Outputs {
     }
 }
 
-/// The fits without a part of the rows, of this law and of those to compare with.
+/// Cross-validation: fits that leave out some rows, of this law and of the laws to compare.
 struct CrossValidation<'a> {
     folds: usize,
     compared: Vec<Compared<'a>>,
@@ -207,7 +207,7 @@ impl<'a> CrossValidation<'a> {
         Ok(Some(Self { folds, compared }))
     }
 
-    /// The errors of prediction, each with the name of its law.
+    /// Prediction errors, each with the name of its law.
     fn run(
         &self,
         setup: &Setup<f64>,
@@ -239,7 +239,7 @@ impl<'a> CrossValidation<'a> {
     }
 }
 
-/// Returns true if the values are those of a fit: an interrupted fit has those of its last
+/// Returns true if the values are fitted. After an interruption they are those of the last
 /// iteration.
 fn is_fitted(found: &Calibration) -> bool {
     found.is_minimum
@@ -249,8 +249,8 @@ fn is_fitted(found: &Calibration) -> bool {
         )
 }
 
-/// Shows each iteration, with the number of the search where there are several: each search begins
-/// with iteration 0.
+/// Shows each iteration. With several searches, it also shows the number of the search, because
+/// every search begins with iteration 0.
 fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
     let (running, begun) = (running(), AtomicU64::new(0));
     move |iteration, sum| {
@@ -270,7 +270,7 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
 /// The label of a law whose parameters are not fitted.
 const AS_SET_UP: &str = "as the setup has it";
 
-/// Another law on the same rows: as published, and with all its coefficients fitted.
+/// Another law on the same rows, with its published and with its fitted coefficients.
 struct Compared<'a> {
     law: &'a str,
     as_it_stands: &'static str,

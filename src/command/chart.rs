@@ -68,7 +68,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }
 
-/// Follows the optimum along the parameter, with a line for each place that was asked for.
+/// Follows the optimum along the parameter and prints a line for each requested value.
 fn follow(
     setup: &Setup<f64>,
     search: &Search,
@@ -85,7 +85,7 @@ fn follow(
         let (spinner, last) = (spinner.clone(), RefCell::new(String::new()));
         move |at| {
             let place = place_text(at);
-            // the steps towards the end of a chart get so small that their texts are equal
+            // near the end of a chart the steps are so small that their texts are equal
             if last.replace(place.clone()) != place {
                 spinner.suspend(|| tell(&format!("searching for an optimum at {place}")));
             }
@@ -112,7 +112,8 @@ fn follow(
     chart
 }
 
-/// Shows an iteration after a second without a line: most searches of a chart take less.
+/// Shows an iteration only after one second without a new line: most searches of a chart are
+/// shorter.
 fn progress(search: &Search, spinner: &ProgressBar) -> impl Fn(&Iteration) + use<> {
     const SILENCE: Duration = Duration::from_secs(1);
     let (search, spinner, told) = (search.clone(), spinner.clone(), Cell::new(Instant::now()));
@@ -125,7 +126,7 @@ fn progress(search: &Search, spinner: &ProgressBar) -> impl Fn(&Iteration) + use
 }
 
 impl ChartArgs {
-    /// The parameter with its range, and the values asked for in it.
+    /// The parameter with its range, and the requested values in it.
     fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
         if !self.along.contains('=') && self.at.is_empty() {
             let reason =

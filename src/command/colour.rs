@@ -1,5 +1,5 @@
-//! Colours of status words, on terminals only; NO_COLOR turns them off, as do `TERM=dumb` and a
-//! pipe.
+//! Colours of status words. Only terminals show them; `NO_COLOR`, `TERM=dumb` and a pipe turn them
+//! off.
 
 use crate::report::remark;
 use anstream::{AutoStream, ColorChoice};
@@ -10,7 +10,7 @@ const GOOD: Style = AnsiColor::Green.on_default().bold();
 const DOUBTFUL: Style = AnsiColor::Yellow.on_default().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 
-/// Words that begin a line of an answer and say how it ended.
+/// Status words at the beginning of a line.
 const STATUS: [(&str, Style); 15] = [
     ("converged", GOOD),
     ("passed", GOOD),
@@ -32,7 +32,7 @@ const STATUS: [(&str, Style); 15] = [
 /// Prints an answer to standard output.
 pub fn print(text: &str) -> io::Result<()> {
     let mut out = anstream::stdout().lock();
-    // text without colours is written unchanged, byte for byte
+    // write text without colours unchanged, byte for byte
     if AutoStream::choice(&io::stdout()) == ColorChoice::Never {
         let mut out = out.into_inner();
         return out.write_all(text.as_bytes()).and_then(|()| out.flush());
@@ -41,8 +41,8 @@ pub fn print(text: &str) -> io::Result<()> {
         .and_then(|()| out.flush())
 }
 
-/// On standard error: "warning: …", in lines that fit a terminal; "error: …", which stays in the
-/// lines that it has: they may point at a place of a file or of an expression.
+/// Prints a message to standard error. "warning: …" is wrapped to the width of the terminal;
+/// "error: …" keeps its lines, which may point at a place in a file or an expression.
 pub fn say(kind: &str, message: &str) {
     let (style, text) = match kind {
         "error" => (BAD, format!("{kind}: {message}")),

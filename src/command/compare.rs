@@ -18,7 +18,7 @@ pub fn run(args: &Compare) -> Result<Answer> {
     let (mut each, mut is_complete) = (vec![], true);
     for (of, difference) in of.into_iter().zip(found) {
         match difference {
-            // what one outcome lacks (a landing, a direction) is no reason to keep back the others
+            // an outcome without a value (no landing, no direction) does not prevent the others
             Err(error) if error.is_an_outcome() => {
                 is_complete = false;
                 tell_error(&error);
@@ -57,7 +57,7 @@ impl Pair {
     /// The requests of the two drives.
     ///
     /// # Errors
-    /// If nothing differs on the command line; as [`SetupArgs::request`] for each drive.
+    /// If the command line states no difference; those of [`SetupArgs::request`] for each drive.
     pub fn requests(&self) -> Result<[Request; 2]> {
         let own = [&self.set_a, &self.set_b, &self.launch_a, &self.launch_b];
         if self.other.is_none() && own.iter().all(|options| options.is_empty()) {
@@ -87,7 +87,7 @@ impl Pair {
         ])
     }
 
-    /// The settings of a drive: its own, and those of both drives that its own do not replace.
+    /// The settings of a drive: its own settings, and the common settings that they do not replace.
     fn settings(&self, own_set: Vec<Setting>, own_launch: Vec<Setting>) -> Result<Vec<Setting>> {
         let own = [own_set, own_launch].concat();
         let common = self.setup_args.settings()?;
@@ -103,7 +103,7 @@ impl Pair {
     /// The comparison of the two drives.
     ///
     /// # Errors
-    /// For a setup that is not complete; as [`Comparison::new`].
+    /// For an incomplete setup; the errors of [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
         let setup = |request: &Request| request.within_tolerance(request.setup()?);
         let comparison = Comparison::new(&setup(a).map_err(of_a)?, &setup(b).map_err(of_b)?)?;

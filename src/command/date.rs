@@ -1,16 +1,16 @@
-//! The day on which a page is made.
+//! The date of a page.
 
 use crate::{Error, Result};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// The variable of a reproducible build's time, seconds since 1970:
+/// The environment variable for the time of a reproducible build, in seconds since 1970:
 /// <https://reproducible-builds.org/specs/source-date-epoch>.
 const EPOCH: &str = "SOURCE_DATE_EPOCH";
 
-/// Today in UTC, as 2026-11-22; that of `SOURCE_DATE_EPOCH` where it is set.
+/// The current date in UTC, such as 2026-11-22. `SOURCE_DATE_EPOCH` overrides it.
 ///
 /// # Errors
-/// [`Error::Unreadable`] where that is no number of seconds.
+/// [`Error::Unreadable`] if `SOURCE_DATE_EPOCH` is not a number of seconds.
 pub fn today() -> Result<String> {
     let seconds = match std::env::var(EPOCH) {
         Ok(text) => text.trim().parse().map_err(|_| Error::Unreadable {

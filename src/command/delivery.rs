@@ -35,7 +35,7 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     let is_setup_written = outputs.write_setup(&found, &requests.club, &setup, &mut warnings)?;
     let setup_words = || match &outputs.setup {
         Some(output) if is_setup_written => vec![output.path().display().to_string()],
-        // swings are of one club, ball and air: the parameters found are no part of it
+        // omit the unknowns, which vary between the swings; club, ball and air are common
         _ => requests.club.as_arguments(
             &unknowns
                 .iter()
@@ -48,25 +48,26 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     Ok(answer(args, &found, warnings).found(is_found))
 }
 
-/// The deliveries found, and the population of them where there are several.
+/// The deliveries found. Several deliveries also have a population.
 struct Found {
     all: Vec<Delivery>,
     population: Option<Result<Population>>,
-    /// The measurement in the head of a setup file.
+    /// The measurement, as the first line of a setup file names it.
     from: String,
-    /// Rows left out by an interruption.
+    /// Number of rows that an interruption left out.
     left_out: usize,
     /// Warnings of the table.
     of_table: Vec<Message>,
 }
 
 impl Found {
-    /// The number of deliveries that explain their launch.
+    /// The number of deliveries that explain their measured launch.
     fn explained(&self) -> usize {
         self.all.iter().filter_map(Delivery::explained).count()
     }
 
-    /// Warnings about the deliveries; the host gets those that it has not had.
+    /// All warnings. The host gets only the warnings about the deliveries, because it already has
+    /// those of the table.
     fn warnings(&self) -> Vec<Message> {
         let mut warnings = vec![];
         if self.left_out > 0 {
@@ -139,7 +140,7 @@ fn of_shots(
     })
 }
 
-/// The parameters to find, with what is known of them before the shot.
+/// The parameters to find, with the prior knowledge of each.
 fn read_unknowns(args: &DeliveryArgs, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
     let vary = args
         .vary
@@ -200,7 +201,7 @@ impl Outputs {
         })
     }
 
-    /// Writes the setup with the delivery; returns whether there is such a file.
+    /// Writes the setup with the delivery. Returns true if a file was written.
     fn write_setup(
         &self,
         found: &Found,
@@ -232,8 +233,8 @@ impl Outputs {
         Ok(false)
     }
 
-    /// Writes the swings behind the shots; `setup_words` gives their setup to another command.
-    /// Returns false if they were asked for and are not written.
+    /// Writes the swings that explain the shots; `setup_words` are the arguments that give their
+    /// setup to another command. Returns false if the swings were requested but not written.
     fn write_swings(
         &self,
         found: &Found,
@@ -274,7 +275,7 @@ fn is_table(file: &Path) -> Result<bool> {
 }
 
 impl SwingsFile {
-    /// Writes the swings behind the shots, or returns the reason.
+    /// Writes the swings that explain the shots, or returns the reason why it cannot.
     fn write(
         &self,
         found: &Found,
@@ -324,8 +325,8 @@ impl SwingsFile {
     }
 }
 
-/// The command that finds the best design over these swings, of the setup that these arguments
-/// give.
+/// The command line that optimizes the design over these swings; `setup` has the arguments of
+/// their setup.
 fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
     let setup = setup.into_iter().map(OsString::from);
     let arguments = std::iter::once("optimize".into())
@@ -334,7 +335,7 @@ fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
     command_line(&arguments.collect::<Vec<_>>())
 }
 
-/// Notes the default uncertainty of each parameter before the shot.
+/// Notes the default prior uncertainty of each parameter.
 fn note_assumed(unknowns: &[Unknown]) {
     for unknown in unknowns {
         if let Some(source) = unknown.source {
@@ -351,7 +352,7 @@ fn note_assumed(unknowns: &[Unknown]) {
     }
 }
 
-/// Notes the uncertainty of the club's columns that are unknowns too.
+/// Notes the uncertainty of each club column whose parameter is an unknown too.
 fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     for unknown in unknowns {
         let name = unknown.parameter.name;
@@ -364,7 +365,7 @@ fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     }
 }
 
-/// The requests of the club and of the measured launch, from one command line.
+/// The requests for the club and for the measured launch, from one command line.
 struct Requests {
     club: Request,
     launched: Request,
@@ -407,7 +408,7 @@ impl Requests {
         Ok(setup)
     }
 
-    /// The setup with the measured launch; the shots of a table have their own.
+    /// The setup with the measured launch. The shots of a table have their own launches.
     fn setup_of_launch(&self, args: &DeliveryArgs) -> Result<Setup<f64>> {
         let options: Vec<_> = self
             .launched
@@ -435,7 +436,7 @@ impl Requests {
     }
 }
 
-/// Refuses an accuracy of the flight: only the impact is computed.
+/// Refuses options for the accuracy of the flight: this command computes only the impact.
 fn refuse_step(args: &SetupArgs) -> Result<()> {
     let option = match (&args.tolerance, args.own_step) {
         (Some(_), _) => "`tolerance`",

@@ -2,11 +2,11 @@ use super::args::Args;
 use clap::{Arg, ArgAction, Command, CommandFactory};
 use serde_json::{Value, json};
 
-/// Commands about the program itself.
+/// Commands that concern the program itself.
 const OF_THE_PROGRAM: [&str; 3] = ["completions", "man", "help"];
 
-/// Every command with its options, as JSON, from which a program in another language can generate
-/// functions.
+/// Every command with its options, as JSON. Bindings for another language can be generated from
+/// it.
 ///
 /// ```
 /// let commands = longdrive::command::described();
@@ -24,7 +24,7 @@ pub fn described() -> Value {
         .collect()
 }
 
-/// A command: its name, what it does, its options, and the commands below it.
+/// A command: its name, purpose, options and subcommands.
 fn of_command(command: &Command) -> Value {
     let about = command
         .get_long_about()
@@ -42,7 +42,7 @@ fn of_command(command: &Command) -> Value {
     })
 }
 
-/// An option: its name without hyphens, and what it takes: `nothing`, `one` value, or `several`.
+/// An option: its name without hyphens, and its number of values: `nothing`, `one` or `several`.
 fn of_option(arg: &Arg) -> Value {
     let takes = match arg.get_action() {
         ArgAction::SetTrue | ArgAction::Count => "nothing",

@@ -1,4 +1,4 @@
-//! The design of a head and its face.
+//! The `design` command: the best head and face.
 
 use crate::command::args::DesignArgs;
 use crate::command::interrupt;
@@ -11,7 +11,7 @@ use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Goal, Search, Sense};
 use crate::{Error, Result};
 
-/// The default goal.
+/// The default objective.
 const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
 
 pub fn run(args: &DesignArgs) -> Result<Answer> {
@@ -99,7 +99,8 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     Ok(answer.found(found.is_found()))
 }
 
-/// The parameters that the swings were given with: those of the golfer taken by default may be set.
+/// The parameters whose distributions the user stated. A setting may override the parameters of the
+/// default golfer.
 fn distributed(args: &DesignArgs, swings: &Swings) -> Vec<&'static Parameter> {
     if args.optimize.swings.is_given() {
         swings.parameters()

@@ -1,7 +1,10 @@
-//! Every file that the program writes, under one rule: nothing that exists is replaced unless
-//! `--overwrite` says so, no output is an input of the same command, and a file is written beside
-//! its place and put there when it is whole. All of this is checked before the work begins, and
-//! again for what was made since then.
+//! Output files. One rule holds for every file that the program writes:
+//!
+//! - An existing file is replaced only with `--overwrite`.
+//! - An output is never an input of the same command.
+//! - A file is written under a temporary name in the same folder, and renamed once it is complete.
+//!
+//! The program checks the rule before the work begins, and again when it writes the file.
 
 use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::command::interrupt;
@@ -19,7 +22,7 @@ pub struct Rule {
 }
 
 impl Rule {
-    /// The rule of a command that reads these files, or keeps its work in them.
+    /// The rule for a command that reads these files, or that stores its progress in them.
     pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
         Self {
             inputs: inputs
@@ -37,26 +40,26 @@ impl Rule {
         self
     }
 
-    /// A file to be written, if it may be.
+    /// The destination of a file, if the rule allows it.
     ///
     /// # Errors
-    /// [`Error::Results`] for a folder, an input, a file that exists, and a place that cannot be
-    /// written to.
+    /// [`Error::Results`] for a folder, an input, an existing file, and a path that cannot be
+    /// written.
     pub fn file(&self, path: &Path) -> Result<Destination> {
         refuse_standard_output(path, "file, as in `output mine.toml`")?;
         let destination = self.place(path)?;
         if destination.is_file {
-            // what cannot be written there is said now, not after the work
+            // report a path that cannot be written before the work, not after it
             create_beside(&destination.at).map_err(|error| unwritable(path, &error))?;
         }
         Ok(destination)
     }
 
-    /// A setup file to be written, if it may be. It is TOML, and its name must not say that it is
-    /// something else.
+    /// The destination of a setup file, if the rule allows it. The file is TOML, and its extension
+    /// must not be that of another format.
     ///
     /// # Errors
-    /// As [`file`](Self::file); for the ending of another kind of file.
+    /// Those of [`file`](Self::file); the extension of another format.
     pub fn setup_file(&self, path: &Path) -> Result<Destination> {
         let destination = self.file(path)?;
         match ending_of_a_file(path).filter(|ending| ending != "toml") {
@@ -71,10 +74,10 @@ impl Rule {
         }
     }
 
-    /// Checks a destination without the permissions of its folder.
+    /// Checks a destination, except for the permissions of its folder.
     ///
     /// # Errors
-    /// As [`file`](Self::file).
+    /// Those of [`file`](Self::file).
     pub fn place(&self, path: &Path) -> Result<Destination> {
         let found = match fs::metadata(path) {
             Ok(found) => Some(found),
@@ -100,7 +103,7 @@ impl Rule {
         if found.is_dir() {
             return Err(refused(path, "it is a folder; name a file"));
         }
-        // through links, so that the file itself is compared and replaced, and not a link to it
+        // resolve links: compare and replace the file itself, not a link to it
         let at = fs::canonicalize(path).map_err(|error| match found.is_file() {
             true => unwritable(path, &error),
             false => refused(
@@ -121,7 +124,7 @@ impl Rule {
     }
 
     fn refuse_input(&self, path: &Path, at: &Path) -> Result<()> {
-        // a folder in the inputs means all files in it
+        // a folder among the inputs protects all files in it
         if self
             .inputs
             .iter()
@@ -135,12 +138,12 @@ impl Rule {
         Ok(())
     }
 
-    /// A folder for several files, some of whose names are known. If it does not exist, it is made
-    /// with the files, but its parent is not: a misspelt path is an error, as for a file.
+    /// The destination of several files, some with known names. A missing folder is created with
+    /// its files. A missing parent is an error, because the path is probably misspelt.
     ///
     /// # Errors
-    /// [`Error::Results`] for a file, a folder that cannot be made or written to, and a file in it
-    /// that may not be replaced.
+    /// [`Error::Results`] for a path to a file, a folder that cannot be created or written, and an
+    /// existing file in it that the rule protects.
     pub fn folder(&self, path: &Path, names: &[&str]) -> Result<Folder> {
         refuse_standard_output(path, "folder")?;
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
@@ -169,14 +172,14 @@ impl Rule {
         }
         create_beside(&path.join("file")).map_err(|error| unwritable(path, &error))?;
         if is_new {
-            // it was a trial: where the work ends without an answer there is no folder
+            // remove the trial folder: work that ends without an answer leaves no folder
             fs::remove_dir(path).map_err(|error| unwritable(path, &error))?;
         }
         Ok(folder)
     }
 }
 
-/// The ending of a name by which files are known that this program writes.
+/// The extension of a file name, if it is an output format of this program.
 fn ending_of_a_file(path: &Path) -> Option<String> {
     let ending = path.extension()?.to_str()?.to_lowercase();
     let files = [
@@ -185,16 +188,16 @@ fn ending_of_a_file(path: &Path) -> Option<String> {
     files.contains(&ending.as_str()).then_some(ending)
 }
 
-/// A file that may be written.
+/// A path that the rule allows to write.
 #[derive(Clone, Debug)]
 pub struct Destination {
     /// The name as typed, for messages.
     shown: PathBuf,
-    /// The file itself, where the name was a link.
+    /// The path of the file itself, with links resolved.
     at: PathBuf,
     /// True for a file, new or existing; false for a device or a pipe.
     is_file: bool,
-    /// True if a file that appeared meanwhile may be replaced.
+    /// True if a file that was created since the check may be replaced.
     may_replace: bool,
 }
 
@@ -204,27 +207,27 @@ impl Destination {
         &self.at
     }
 
-    /// Returns true for a file; a device or a pipe keeps nothing.
+    /// Returns true for a file, which stores its bytes; false for a device or a pipe.
     pub fn is_file(&self) -> bool {
         self.is_file
     }
 
-    /// Puts the whole file in its place.
+    /// Writes the complete file.
     ///
     /// # Errors
-    /// [`Error::Results`]; what stood there before then still does.
+    /// [`Error::Results`]; an existing file is then unchanged.
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
-        // a pipe without a reader may be waited for without end
+        // writing to a pipe may block forever without a reader
         if !self.is_file {
             return self.put(bytes);
         }
         interrupt::undisturbed(&[&self.shown], || self.put(bytes))
     }
 
-    /// Begins a file that is written piece by piece, and put in its place once it is whole.
+    /// Begins a file that is written in pieces and renamed once it is complete.
     ///
     /// # Errors
-    /// [`Error::Results`] where it cannot be written.
+    /// [`Error::Results`] if it cannot be written.
     pub fn begin(&self) -> Result<Pieces> {
         let to = match self.is_file {
             true => create_beside(&self.at).map(To::Beside),
@@ -254,7 +257,7 @@ impl Destination {
         written().map_err(|error| self.failed(&error))
     }
 
-    /// Puts a file that is whole in its place.
+    /// Moves a complete file to its path.
     fn end(&self, file: NamedTempFile) -> io::Result<()> {
         file.as_file().sync_all()?;
         Ok(persist(file.into_temp_path(), &self.at, self.may_replace)?)
@@ -279,7 +282,7 @@ pub struct Pieces {
 }
 
 enum To {
-    /// Beside its place, where it is gone again unless it is put there.
+    /// A temporary file in the same folder. It is deleted unless it is renamed.
     Beside(NamedTempFile),
     Device(fs::File),
 }
@@ -288,7 +291,7 @@ impl Pieces {
     /// Writes the next piece.
     ///
     /// # Errors
-    /// [`Error::Results`], with why.
+    /// [`Error::Results`] with the reason.
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
         let written = match &mut self.to {
             To::Beside(file) => file.write_all(bytes),
@@ -297,10 +300,10 @@ impl Pieces {
         written.map_err(|error| unwritable(&self.destination.shown, &error))
     }
 
-    /// Puts the whole file in its place.
+    /// Moves the complete file to its path.
     ///
     /// # Errors
-    /// [`Error::Results`]; what stood there before then still does.
+    /// [`Error::Results`]; an existing file is then unchanged.
     pub fn finish(self) -> Result<()> {
         let Self {
             to: To::Beside(file),
@@ -317,7 +320,7 @@ impl Pieces {
     }
 }
 
-/// A folder that may be written to.
+/// A folder that the rule allows to write.
 #[derive(Clone, Debug)]
 pub struct Folder {
     path: PathBuf,
@@ -325,10 +328,10 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Writes files, none before all of them may be.
+    /// Writes files. All destinations are checked before the first file is written.
     ///
     /// # Errors
-    /// As [`Rule::file`] and [`Destination::write`].
+    /// Those of [`Rule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
         fs::create_dir_all(&self.path).map_err(|error| unwritable(&self.path, &error))?;
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
@@ -341,13 +344,13 @@ impl Folder {
         })
     }
 
-    /// Its name.
+    /// The path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
 }
 
-/// Refuses "-": several files, and a file put in place when whole, need names.
+/// Refuses "-": these outputs need a file name.
 fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
     match path == Path::new("-") {
         true => Err(refused(

@@ -29,7 +29,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     });
     bar.finish_and_clear();
     let each: Vec<Result<Taylor>> = match evaluated {
-        // what one outcome lacks (a landing, a direction) is no reason to keep back the others
+        // an outcome without a value (no landing, no direction) does not prevent the others
         Err(error) if error.is_an_outcome() => {
             of.iter().map(|of| one(&setup, *of, &wrt, order)).collect()
         }

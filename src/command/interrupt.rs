@@ -1,4 +1,4 @@
-//! What a command says to whom it is run for about being stopped.
+//! Announces to the host which work of a command can be interrupted.
 
 use super::running::running;
 use std::path::Path;
@@ -8,19 +8,19 @@ use std::sync::atomic::AtomicBool;
 /// The message of an interrupted search.
 pub const BEST_SO_FAR: &str = "stopping with the best result so far";
 
-/// Becomes true when the work that follows is to stop with what is done so far.
+/// A flag that the host sets to stop the following work. The work then returns its result so far.
 pub fn stops(stopping: &'static str) -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     running().host.can_stop(stopping, &stop);
     stop
 }
 
-/// The following work cannot be interrupted.
+/// Announces that the following work cannot be interrupted.
 pub fn ends() {
     running().host.cannot_stop();
 }
 
-/// Writes a file, or files that belong together, whole.
+/// Writes a file, or several files that belong together, without an interruption between them.
 pub fn undisturbed<T, E>(files: &[&Path], write: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     let running = running();
     let mut hold = running.host.hold();

@@ -29,10 +29,10 @@ pub fn run(args: &Man) -> Result<Answer> {
     Ok(Answer::text(String::new()))
 }
 
-/// The command that these words name.
+/// The command or subcommand that these words name.
 fn found<'a>(program: &'a Command, words: &[String]) -> Result<&'a Command> {
     let mut command = program;
-    // a command in quotes is one word of the shell's
+    // a quoted command with spaces is a single word for the shell
     for word in words.iter().flat_map(|words| words.split_whitespace()) {
         let names = || command.get_subcommands().map(Command::get_name);
         command = command.find_subcommand(word).ok_or_else(|| {
@@ -50,7 +50,7 @@ fn found<'a>(program: &'a Command, words: &[String]) -> Result<&'a Command> {
 
 fn page(command: &Command) -> Result<String> {
     let mut page = vec![];
-    // only the program has a version of its own
+    // only the program has a version; subcommands have none
     let source = concat!("longdrive ", env!("CARGO_PKG_VERSION"));
     clap_mangen::Man::new(command.clone())
         .source(source)
@@ -59,7 +59,7 @@ fn page(command: &Command) -> Result<String> {
     Ok(String::from_utf8_lossy(&page).into_owned())
 }
 
-/// The pages of a command and of all below it, each with the name of its file.
+/// The manual pages of a command and all its subcommands, each with its file name.
 fn all(command: &Command, pages: &mut Vec<(String, String)>) -> Result<()> {
     let name = command
         .get_display_name()

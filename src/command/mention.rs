@@ -1,18 +1,18 @@
 //! Arguments and commands in messages.
 //!
-//! A message names an argument of a request in backquotes, with its value after a space:
+//! A message writes an argument of a request in backquotes, with its value after a space:
 //! `` `vary club.loft=4deg..20deg` ``; a command has parentheses: `` `parameters()` ``. The host
-//! writes them in its own words: the program as `--vary club.loft=4deg..20deg`.
+//! replaces both by its own syntax: the program writes `--vary club.loft=4deg..20deg`.
 
 use super::args::Args;
 use clap::CommandFactory;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-/// An argument of a request, as a message names it.
+/// An argument of a request, as it appears in a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Argument<'a> {
-    /// The name, with underscores: `subject_to`.
+    /// The name with underscores: `subject_to`.
     pub name: &'a str,
     /// The value, if the message gives one.
     pub value: Option<&'a str>,
@@ -20,7 +20,7 @@ pub struct Argument<'a> {
     pub takes_value: bool,
 }
 
-/// A part of a message that each host writes in its own words.
+/// A mention of an argument or a command in a message. Each host has its own syntax for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mention<'a> {
     /// An argument of a request.
@@ -30,7 +30,7 @@ pub enum Mention<'a> {
 }
 
 impl Mention<'_> {
-    /// The words of the command line: `--vary club.loft=4deg..20deg`.
+    /// The syntax of the command line: `--vary club.loft=4deg..20deg`.
     pub fn in_words_of_the_program(self) -> String {
         let Argument { name, value, .. } = match self {
             Mention::Command(name) => return format!("'longdrive {name}'"),
@@ -42,14 +42,14 @@ impl Mention<'_> {
         };
         match value {
             None => option,
-            // an option whose value may be left out
+            // the value of this option is optional, so that it needs an equals sign
             Some(value) if name == "tolerance" => format!("{option}={value}"),
             Some(value) => format!("{option} {value}"),
         }
     }
 }
 
-/// A message with its arguments and commands in the words of `write`.
+/// Formats the arguments and commands of a message with `write`.
 ///
 /// ```
 /// use longdrive::command::{Mention, with_mentions};
@@ -79,7 +79,7 @@ pub fn with_mentions(message: &str, write: impl Fn(Mention<'_>) -> String) -> St
     written + rest
 }
 
-/// The text of a help with its options in backquotes, as a message mentions them.
+/// Puts the options in a help text in backquotes, as in a message.
 ///
 /// ```
 /// use longdrive::command::mark_options;
@@ -106,7 +106,7 @@ pub fn mark_options(help: &str) -> String {
     marked + rest
 }
 
-/// The argument or command between two backquotes, if the program has it.
+/// The argument or command between two backquotes, if it exists.
 fn mention(inside: &str) -> Option<Mention<'_>> {
     if let Some(command) = inside.strip_suffix("()") {
         return Some(Mention::Command(command));
@@ -122,7 +122,7 @@ fn mention(inside: &str) -> Option<Mention<'_>> {
     }))
 }
 
-/// All arguments of all commands, each with whether it takes a value.
+/// All arguments of all commands. The value is true if the argument takes a value.
 fn arguments() -> &'static BTreeMap<String, bool> {
     static ARGUMENTS: OnceLock<BTreeMap<String, bool>> = OnceLock::new();
     fn collect(command: &clap::Command, all: &mut BTreeMap<String, bool>) {

@@ -1,4 +1,4 @@
-//! The commands of the program, asked in the words of its command line.
+//! The commands of the program, with the syntax of its command line.
 //!
 //! Each command reads its request, calls the library, and answers as text or as one JSON object.
 //!
@@ -93,8 +93,9 @@ pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
     run(words, Arc::new(Terminal::default()))
 }
 
-/// Runs a command line, the name of the program first, for a host. Exit status: 0 done, 1 no
-/// answer, 2 bad input. The host gets the message; with `--json` the answer has it too.
+/// Runs a command line for a host; the first word is the name of the program. Returns the exit
+/// status: 0 done, 1 no answer, 2 bad input. The host receives the message; with `--json` the
+/// answer contains it too.
 pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     let args = match Args::read(&words) {
         Ok(args) => args,
@@ -111,7 +112,7 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     running::within(host, Some(args.shown.clone()), &words, || {
         match answer(&args.command).and_then(Answer::print) {
             Ok(status) => status,
-            // a broken pipe, as of `head`, is no error
+            // a broken pipe, as in `longdrive … | head`, is not an error
             Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
             Err(error) => output::complain(&wording::with_argument(error), name, is_json),
         }

@@ -1,4 +1,4 @@
-//! Lists of names on the command line. Naming a thing twice asks for it once.
+//! Lists of names on the command line. A repeated name counts once.
 
 use crate::command::output::{system, tell};
 use crate::parameters::Parameter;
@@ -12,7 +12,7 @@ fn given(names: &[String]) -> impl Iterator<Item = &str> {
         .filter(|name| !name.is_empty())
 }
 
-/// The outcomes named; "all" for every one.
+/// The named outcomes; "all" means every outcome.
 pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
     let mut of = Vec::new();
     for name in given(names) {
@@ -28,16 +28,17 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
     Ok(of)
 }
 
-/// Notes the uncertainty of a run, for outcomes of it.
+/// Notes the uncertainty of the roll-out if an outcome depends on it.
 pub fn tell_of_the_run(of: &[Outcome]) {
     if of.iter().any(|of| of.needs_run()) {
         tell(&known_within().in_units(system()));
     }
 }
 
-/// The parameters named, to differentiate by; "all" for every one that has a number here.
+/// The named parameters, to differentiate by; "all" means every parameter with a number in this
+/// setup.
 ///
-/// "all" leaves out the parameters that affect only the run, unless an outcome is of the run.
+/// "all" excludes the parameters that affect only the roll-out, unless an outcome depends on it.
 pub fn variables(
     setup: &Setup<f64>,
     names: &[String],

@@ -47,7 +47,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
 }
 
 impl Optimize {
-    /// The file of the setup at the optimum, if it may be written.
+    /// The destination of the setup file of the optimum.
     pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
         let inputs = request.inputs().chain(self.work.checkpoint.clone());
         let rule = Rule::new(inputs, self.overwrite);

@@ -54,7 +54,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         };
         return Ok(answer.found(false));
     }
-    // each changed search chooses its own step, as "optimize" of that setup does
+    // each changed setup gets its own integration step, as `optimize` of that setup would
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)
@@ -89,7 +89,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
 struct Asked {
     wrt: Vec<&'static Parameter>,
     changes: Vec<Change>,
-    /// The loss of `--loss`, in the unit of the outcome, SI.
+    /// The loss of `--loss`, in the SI unit of the outcome.
     loss: Option<f64>,
 }
 
@@ -116,7 +116,7 @@ impl Asked {
     }
 }
 
-/// Sensitivities, flatness, and the effects of stated changes.
+/// Sensitivities, flatness, and the effects of the requested changes.
 struct Found {
     sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
     flatness: Flatness,
@@ -133,14 +133,14 @@ impl Found {
         }
     }
 
-    /// Returns true if a sensitivity exists, or none was requested.
+    /// Returns true if a sensitivity exists, or if none was requested.
     fn is_answered(&self) -> bool {
         let mut all = self.sensitivities.iter();
         self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
     }
 }
 
-/// Analyses an optimum; `integrated` chooses the step of a changed setup.
+/// Analyses an optimum; `integrated` chooses the integration step of a changed setup.
 fn analyse(
     best: &Optimum,
     asked: &Asked,

@@ -11,23 +11,23 @@ use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
 
-/// The units of `--units`.
+/// The units of `--units`, if it is stated.
 pub fn stated_system() -> Option<System> {
     running().stated_system()
 }
 
-/// The units that results are shown in.
+/// The units of the results.
 pub fn system() -> System {
     running().system()
 }
 
-/// Says a warning before the command's own work, and keeps it for the answer.
+/// Reports a warning before the work of the command, and adds it to the answer.
 pub fn warn_early(warning: Message) {
     warn(std::slice::from_ref(&warning));
     running().keep(warning);
 }
 
-/// The standard output of a command, and whether it has found an answer.
+/// The standard output of a command, with a flag that is true if the command found an answer.
 pub struct Answer {
     text: String,
     found: bool,
@@ -42,7 +42,7 @@ impl Answer {
     }
 
     pub fn json(value: &impl Serialize) -> Self {
-        // keys are strings and numbers finite, so that serialization cannot fail
+        // serialization cannot fail: keys are strings, and numbers are finite
         let mut value = serde_json::to_value(value).unwrap_or_default();
         if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
             warnings.splice(
@@ -66,22 +66,22 @@ impl Answer {
         }
     }
 
-    /// Sets the exit status: 1 if nothing was found.
+    /// Sets the exit status: 1 if the command found nothing.
     pub fn found(self, found: bool) -> Self {
         Self { found, ..self }
     }
 
-    /// Hands the answer over; the exit status.
+    /// Prints the answer and returns the exit status.
     pub fn print(self) -> Result<u8> {
         match running().host.print(&self.text) {
-            // a reader that has gone away, as `head` does, is no failure of ours
+            // a broken pipe, as in `longdrive … | head`, is not an error
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
             _ => Ok(u8::from(!self.found)),
         }
     }
 }
 
-/// Writes the arguments that the strings of a JSON value mention in the words of the host.
+/// Formats the arguments in the strings of a JSON value with the syntax of the host.
 fn put_in_words_of_the_host(value: &mut Value) {
     match value {
         Value::String(text) if text.contains('`') => *text = in_words_of_the_host(text),
@@ -91,7 +91,7 @@ fn put_in_words_of_the_host(value: &mut Value) {
     }
 }
 
-/// The arguments as a command line that can be given again to a shell.
+/// The arguments as a command line that a shell can run again.
 pub fn command_line(arguments: &[OsString]) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=,:+@%".contains(c);
     let quoted = |argument: String| match !argument.is_empty() && argument.chars().all(is_plain) {
@@ -107,7 +107,7 @@ pub fn command_line(arguments: &[OsString]) -> String {
         .join(" ")
 }
 
-/// A remark or progress, unless --quiet is given.
+/// Reports a remark or progress, unless `--quiet` is given.
 pub fn tell(text: &str) {
     running().tell(text);
 }
@@ -122,38 +122,38 @@ pub fn warn(warnings: &[Message]) {
     }
 }
 
-/// The warnings of an answer; `add` also says each to the host.
+/// The warnings of an answer. `add` also reports each of them to the host.
 #[derive(Default)]
 pub struct Warnings(Vec<Message>);
 
 impl Warnings {
-    /// Adds warnings and says them to the host.
+    /// Adds warnings and reports them to the host.
     pub fn add(&mut self, warnings: impl IntoIterator<Item = Message>) {
         let before = self.0.len();
         self.0.extend(warnings);
         warn(&self.0[before..]);
     }
 
-    /// All of them, for the answer.
+    /// All warnings, for the answer.
     pub fn into_vec(self) -> Vec<Message> {
         self.0
     }
 }
 
-/// Says an error after which the command continues.
+/// Reports an error after which the command continues.
 pub fn tell_error(error: &Error) {
     say_error(&error.in_units(system()));
 }
 
-/// Says an error message.
+/// Reports an error message.
 pub fn say_error(message: &str) {
     running()
         .host
         .say(Kind::Error, &in_words_of_the_host(message));
 }
 
-/// Says an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
-/// input. With `--json`, standard output has the error too.
+/// Reports an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
+/// input. With `--json`, standard output also contains the error.
 pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
     tell_error(error);
     // after an output error, no further output
@@ -163,7 +163,7 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
     if error.is_an_outcome() { 1 } else { 2 }
 }
 
-/// Says an error in the arguments, or shows the help.
+/// Reports an error in the arguments, or shows the help.
 pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: bool) -> u8 {
     in_own_words(&mut error);
     let rendered = error.render();
@@ -189,8 +189,8 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
-/// The message with the arguments that the parser names in the words of the host: the program keeps
-/// `--width <PIXELS>`, Python says `width`.
+/// The parser's message with argument names in the syntax of the host: `--width <PIXELS>` for the
+/// program, `width` for Python.
 fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     let mut message = message.to_owned();
     for kind in [ContextKind::InvalidArg, ContextKind::PriorArg] {
@@ -208,8 +208,8 @@ fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     message
 }
 
-/// Replaces the parser's tip about an unexpected argument. The parser takes a word with a hyphen
-/// that is no option for a setup, and advises `--`.
+/// Replaces the parser's tip about an unexpected argument. The parser treats an unknown option as a
+/// setup, and advises `--`.
 fn in_own_words(error: &mut clap::Error) {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else {
         return;
@@ -247,12 +247,12 @@ fn say(reply: &Reply<Empty>) {
     let _ = running().host.print(&Answer::json(reply).text);
 }
 
-/// Progress of long work; none with --quiet.
+/// A progress bar for long work; hidden with `--quiet`.
 pub fn bar(of: &str) -> ProgressBar {
     bar_of(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left"))
 }
 
-/// A progress bar of this many parts, with a template.
+/// A progress bar with this number of steps and this template.
 pub fn bar_of(parts: u64, template: &str) -> ProgressBar {
     let running = running();
     if running.is_quiet() {
@@ -265,13 +265,13 @@ pub fn bar_of(parts: u64, template: &str) -> ProgressBar {
         .shows(ProgressBar::new(parts).with_style(style))
 }
 
-/// Shows how many of how many are done.
+/// Shows the number of completed steps and of all steps.
 pub fn show(bar: &ProgressBar, done: usize, all: usize) {
     bar.set_length(all as u64);
     bar.set_position(done as u64);
 }
 
-/// That work without parts to count is under way, and for how long.
+/// A spinner with the elapsed time, for work without countable steps.
 pub fn spinner(doing: &'static str) -> ProgressBar {
     let running = running();
     if running.is_quiet() {

@@ -1,4 +1,4 @@
-//! Two goals weighed against each other: `pareto` and `plot pareto`.
+//! The trade-off between two objectives: `pareto` and `plot pareto`.
 
 use crate::command::args::{ParetoArgs, ParetoAsked, PlotPareto, SearchArgs};
 use crate::command::files::{Destination, Rule, refused};
@@ -33,7 +33,7 @@ pub fn run(args: &ParetoArgs) -> Result<Answer> {
         None => None,
     };
     warn(&warnings);
-    // a file that was asked for and is not there is no success
+    // a requested file that was not written is a failure
     let is_whole = found.ended.is_none() && output.is_none() == written.is_none();
     let mut report = ParetoReport::new(&found);
     report.file = written;
@@ -61,7 +61,7 @@ pub fn draw(args: &PlotPareto) -> Result<Answer> {
     )
 }
 
-/// The front, and what deserves a word about the setup and its drives.
+/// The front, with warnings about the setup and its drives.
 struct Followed {
     found: Pareto,
     warnings: Vec<Message>,
@@ -83,7 +83,7 @@ fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &scenarios))?;
     let spinner = spinner("following the front");
-    // a line now and then: most searches are done before it could be read
+    // show a line at most once a second: most searches end before a line could be read
     const SILENCE: Duration = Duration::from_secs(1);
     let told = Mutex::new(Instant::now());
     let (shown, running) = (spinner.clone(), running());
@@ -117,7 +117,7 @@ fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
     Ok(Followed { found, warnings })
 }
 
-/// Goals over many swings.
+/// Objectives over many swings.
 fn over_swings(
     request: &Request,
     asked: &ParetoAsked,
@@ -139,7 +139,7 @@ fn over_swings(
         .chain(subject_to.iter().map(|limit| &limit.goal));
     refuse_idle_strokes(strokes, all)?;
     let vary = match asked.vary.as_slice() {
-        // the attack angle is the golfer's, and varies from swing to swing
+        // the attack angle varies from swing to swing: it belongs to the golfer
         [] => not_stated(vec![Search::longest_drive(&setup)?.vary[0]], request)?,
         given => given
             .iter()
@@ -156,7 +156,7 @@ fn over_swings(
     Ok((set_up, search, scenarios))
 }
 
-/// Outcomes of the drive as set up.
+/// Objectives of a single drive with this setup.
 fn of_one_drive(
     request: &Request,
     asked: &ParetoAsked,
@@ -191,7 +191,7 @@ fn of_one_drive(
 }
 
 impl ParetoAsked {
-    /// The two goals, as `read` reads them.
+    /// The two objectives, parsed by `read`.
     fn goals(
         &self,
         read: impl Fn(&'static str, &str) -> Result<Goal>,
@@ -237,12 +237,12 @@ impl ParetoAsked {
     }
 }
 
-/// What is written, and where.
+/// The output file: its destination and content.
 struct Output {
     destination: Destination,
-    /// Whether it is the setup at one point, and not the table of all.
+    /// True for the setup at one point; false for the table of all points.
     is_setup: bool,
-    /// That point: `None` for the knee.
+    /// The point of the setup; `None` for the knee.
     at: Option<usize>,
 }
 
@@ -295,7 +295,7 @@ impl Output {
         }))
     }
 
-    /// Writes the file, and says what it is; where there is no such point, nothing.
+    /// Writes the file and reports its content. Writes nothing if the point does not exist.
     fn write(
         &self,
         found: &Pareto,

@@ -51,19 +51,19 @@ impl Format {
     }
 }
 
-/// The destination of a plot, and its format.
+/// The destination of a plot, with its format.
 pub struct Target {
     format: Format,
     destination: Destination,
 }
 
 impl Target {
-    /// The destination of a plot of this request, checked.
+    /// The checked destination of a plot of this request.
     pub fn new(request: &Request, drawing: &Drawing) -> Result<Self> {
         Self::beside(request.inputs(), drawing)
     }
 
-    /// The destination of a plot that reads these files, checked.
+    /// The checked destination of a plot that reads these files.
     pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
@@ -81,8 +81,8 @@ impl Target {
         })
     }
 
-    /// Writes the plot; `of_optima` is what deserves a word about the optima in it, beside the
-    /// setup's own drive.
+    /// Writes the plot; `of_optima` are the warnings about its optima, in addition to those about
+    /// the drive of the setup.
     pub fn written(
         &self,
         request: &Request,
@@ -97,7 +97,7 @@ impl Target {
         self.put(request.is_json(), drawing, figure, warnings)
     }
 
-    /// Writes the plot, with what is to be said about its drives.
+    /// Writes the plot and reports these warnings.
     pub fn put(
         &self,
         is_json: bool,

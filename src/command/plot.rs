@@ -136,8 +136,8 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
     Ok((is_found.then_some(best), map))
 }
 
-/// The constraints of a search with the map of each one's outcome, over the first two parameters
-/// varied.
+/// The constraints of a search, each with a map of the limited outcome over the first two varied
+/// parameters.
 pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, Map)>> {
     let [across, up, ..] = search.vary[..] else {
         return Ok(vec![]);
@@ -183,7 +183,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     target.written(&request, &setup, &args.drawing, figure, chart.warnings())
 }
 
-/// The varied parameter whose curve is shown; `None` for the outcome.
+/// The varied parameter to plot; `None` for the outcome.
 fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Parameter>> {
     let Some(name) = args
         .show
@@ -204,8 +204,8 @@ fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Para
     Err(Error::unknown("curve", name, names, advice))
 }
 
-/// The figure of the curve: the outcome's is the first, then those of the parameters that move, in
-/// the order of the search.
+/// The figure of the curve. The first figure shows the outcome; the next ones show the parameters
+/// that change, in the order of the search.
 fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
@@ -312,7 +312,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     bar.finish_and_clear();
     let certificate = certificate?;
     tell_left_out(&certificate);
-    // in the requested order, without the additional rows
+    // in the requested order, without additional rows
     let asked = of
         .iter()
         .flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
@@ -349,7 +349,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     }
     let own = setup.law.table().map(|_| setup.law.name());
     let all = || Law::NAMES.iter().copied().chain(own);
-    // the law of the setup with its coefficients, and the others as published
+    // the law of the setup has its own coefficients; the others have the published ones
     let named = |name: &str| {
         let mut other = setup;
         other.set_law(name).map(|()| other.law)
@@ -384,7 +384,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
 }
 
 impl PlotLaws {
-    /// The abscissa of the laws, and the fixed value of the other variable.
+    /// The abscissa of the plot, and the fixed value of the other variable.
     fn over(&self) -> Result<Over> {
         let unused = |name: &str, over: &str| {
             let source = format!(
@@ -419,7 +419,7 @@ impl PlotLaws {
     }
 }
 
-/// The number of an option, checked against a range.
+/// The number of an option, checked against its range.
 fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
     let Some(text) = text else { return Ok(default) };
     let unreadable = |e| Error::Unreadable {

@@ -84,7 +84,7 @@ pub fn face(args: &PlotFace) -> Result<Answer> {
 
 pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    // the settings are those of the first design
+    // the settings of the command line apply only to the first design
     let other = |after: &String| Request::new(Source::read(after)?, vec![], &args.setup_args);
     let after = args.after.as_ref().map(other).transpose()?;
     let inputs = request
@@ -151,7 +151,7 @@ fn refuse_launch(setup: &Setup<f64>, drawing: &Drawing) -> Result<()> {
     })
 }
 
-/// Refuses golfers of different hands: their toes are on opposite sides.
+/// Refuses designs for golfers of different hands: the toe is on opposite sides.
 fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, drawing: &Drawing) -> Result<()> {
     if before.golfer == after.golfer {
         return Ok(());
@@ -200,8 +200,8 @@ pub fn at_optimum(best: &Optimum) -> Vec<Message> {
         .collect()
 }
 
-/// The setup and its optimum. Where a launch is given of which nothing is varied, or no optimum is
-/// found, the drive is drawn alone, and that is said.
+/// The setup and its optimum. Without an optimum, or if the setup gives the launch and nothing is
+/// varied, the plot shows only the drive, with a remark.
 fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Option<Optimum>)> {
     let setup = request.setup()?;
     let reason = search.nothing_to_vary(request, &setup);
@@ -211,7 +211,7 @@ fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Optio
     }
     let search = search.search(request, &setup)?;
     let setup = request.for_many(setup, &search.vary)?;
-    // a plot needs a drive
+    // the plot needs a drive that lands
     Drive::new(&setup)?.landed()?;
     let best = optimum(&setup, search, Observer::default())?;
     if best.solution.status == Status::Converged {

@@ -24,7 +24,7 @@ use indicatif::ProgressBar;
 use serde::Serialize;
 use std::path::Path;
 
-/// The usual number of optima in a chart, for the progress bar.
+/// The typical number of optima in a chart, for the progress bar.
 const USUAL_POINTS: u64 = 24;
 
 pub fn run(args: &Report) -> Result<Answer> {
@@ -44,7 +44,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         .map(|text| Sigma::read(&setup, text))
         .collect::<Result<Vec<_>>>()?;
     let sigmas = with_defaults(&setup, &given, &[of])?;
-    // before the work, not after it
+    // check the folder before the work, not after it
     let folder = Rule::new(request.inputs(), args.overwrite)
         .folder(&args.output, &["index.html", SETUP_FILE])?;
 
@@ -120,7 +120,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     Ok(answer(args, &drives, &documents, remarks))
 }
 
-/// The name of the setup; of a file without its folder (privacy).
+/// The name of the setup. For a file, omit the folder (privacy).
 fn name_of(request: &Request) -> String {
     Path::new(request.source().name()).file_name().map_or_else(
         || request.source().argument.clone(),
@@ -152,7 +152,7 @@ fn answer(args: &Report, drives: &Drives, documents: &[Document], remarks: Vec<M
 /// The drive as set up and the drive of the optimum.
 struct Drives {
     flown: Vec<NamedDrive>,
-    /// The end of the search, optimum or not.
+    /// The result of the search, converged or not.
     found: Option<Optimum>,
 }
 
@@ -194,7 +194,7 @@ impl Drives {
         found.filter(|found| found.solution.status == Status::Converged)
     }
 
-    /// Why there is no optimum.
+    /// The reason why there is no optimum.
     fn why_none(&self) -> Option<Message> {
         match (&self.found, self.best()) {
             (None, _) => Some(Message::from(NO_SEARCH)),
@@ -206,7 +206,7 @@ impl Drives {
     }
 }
 
-/// The map around the optimum, or around the setup, by the first two varied parameters.
+/// The map around the optimum, or else around the setup, over the first two varied parameters.
 struct Neighbourhood {
     map: Option<Map>,
     limits: Vec<(Constraint, Map)>,
@@ -268,7 +268,7 @@ fn chart_of(
     Ok(chart)
 }
 
-/// Effects of uncertainties, and derivatives beside differences.
+/// Effects of uncertainties, and derivatives compared with finite differences.
 struct Slopes {
     effects: Vec<Effects>,
     /// The effects at the optimum.
@@ -308,14 +308,15 @@ impl Slopes {
     }
 }
 
-/// The remark of a report without a search.
+/// The remark of a report without an optimization.
 const NO_SEARCH: &str = "nothing is left to vary (the drive is given by its launch, or loft and \
                          attack angle are stated), so that the optimum, its map and its chart are \
                          left out; `vary` names what to vary, for example \
                          launch.launch_angle=5deg..20deg or club.loft=4deg..20deg";
 
 impl Report {
-    /// The search, and the parameter that the chart follows; `None` for a launch without `--vary`.
+    /// The search, and the parameter along which the chart runs. `None` if the setup gives the
+    /// launch and `--vary` is absent.
     fn sought(&self, request: &Request, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
         if self.search.nothing_to_vary(request, setup).is_none() {
             let along = match &self.along {
@@ -347,8 +348,8 @@ impl Report {
     }
 }
 
-/// The default speeds of the chart: the usual range, or one of that width around the drive's own
-/// speed if this is outside, down to half of it.
+/// The default speed range of the chart. If the speed of the drive is outside of it, a range of the
+/// same width around that speed, not below half of the speed.
 fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     let usual = if setup.launch.is_given() {
         "launch.ball_speed=120mph..190mph"
@@ -375,8 +376,8 @@ struct Pictures {
 }
 
 impl Pictures {
-    /// The data of the drive and its optimum, as far as they fly; `flown` are both, `given` the
-    /// stated uncertainties.
+    /// The plot data of the drive and its optimum, as far as they fly; `flown` are both drives,
+    /// `given` the stated uncertainties.
     fn of(
         setup: &Setup<f64>,
         best: Option<&Optimum>,
@@ -420,8 +421,8 @@ impl Pictures {
     }
 }
 
-/// The derivatives of the outcome by what is varied, or by what is usual, and by the speed of swing
-/// or ball, beside differences.
+/// Derivatives of the outcome by the varied (or default) parameters and by the club or ball speed,
+/// compared with finite differences.
 fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<Row>> {
     let mut wrt = match search {
         Some(search) => search.vary.iter().map(|vary| vary.parameter).collect(),
@@ -436,12 +437,12 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
         wrt.push(speed);
     }
     let mut rows = certify(setup, &[of], &wrt, &|_, _| true)?.rows;
-    // not those of the landing, which are looked at beside
+    // drop the derivatives of the landing, which are verified separately
     rows.retain(|row| row.of == of);
     Ok(rows)
 }
 
-/// A part of the report; where it has no answer the report says so, and goes on.
+/// A section of the report. A section without an answer becomes a remark, and the report continues.
 fn said<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
     match part {
         Ok(part) => Ok(Some(part)),

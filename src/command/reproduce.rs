@@ -6,7 +6,7 @@ use crate::report::{Document, Mae494Report, Report, WinfieldTanReport, document_
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
 
-/// Files that every document has.
+/// Files of every document.
 pub const DOCUMENT: [&str; 2] = ["report.md", "index.html"];
 
 pub fn run(args: &Reproduce) -> Result<Answer> {
@@ -39,8 +39,8 @@ pub fn run(args: &Reproduce) -> Result<Answer> {
     }
 }
 
-/// Writes the report of a study if there is a folder, and answers with it: in the units of the
-/// study, if no others are requested.
+/// Writes the report of a study if a folder is given, and returns the answer. The default units are
+/// those of the study.
 fn answer(
     report: &impl Report,
     units: System,
@@ -59,12 +59,13 @@ fn answer(
     })
 }
 
-/// The document in a system, of the two in [`System::ALL`].
+/// The document for a system of units, from the two in [`System::ALL`].
 pub fn chosen(documents: &[Document; 2], system: System) -> &Document {
     &documents[usize::from(system == System::ALL[1])]
 }
 
-/// Writes a document, given in both systems, with its figures and their data into a folder.
+/// Writes a document with its figures and their data into a folder; `documents` has one version for
+/// each system of units.
 pub fn write(folder: &Folder, documents: &[Document; 2], system: System) -> Result<()> {
     let mut files = document_files(documents, system)?;
     files.push((

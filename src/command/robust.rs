@@ -14,7 +14,7 @@ use crate::study::{Goal, Search};
 use crate::units::{Message, Quantity};
 use crate::{Error, Result, Setup};
 
-/// The loss that is allowed of a distance: 1 yd, m.
+/// The default allowed loss of a distance: 1 yd, m.
 const YARD: f64 = 0.9144;
 
 pub fn run(args: &RobustArgs) -> Result<Answer> {
@@ -82,7 +82,7 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
 }
 
 impl RobustArgs {
-    /// The setup, what is looked for, and over which swings.
+    /// The setup, and the search with its objective and swings.
     fn search(&self, request: &Request) -> Result<(Setup<f64>, Search)> {
         if self.swings.is_given() {
             let (set_up, _, scenarios) = self.swings.taken(request, false)?;
@@ -99,7 +99,7 @@ impl RobustArgs {
         Ok((setup, search))
     }
 
-    /// The setup as it is, and the models beside it.
+    /// The model of the setup, and the alternative models.
     fn models(&self, setup: &Setup<f64>, search: &Search) -> Result<Vec<Model>> {
         if self.model.is_empty() {
             return Model::usual(setup);
@@ -138,7 +138,7 @@ impl RobustArgs {
         Ok(all)
     }
 
-    /// The loss that is allowed: what was given, else a yard of a distance.
+    /// The allowed loss: the stated value, or one yard if the objective is a distance.
     fn within(&self, of: &Goal) -> Result<Option<f64>> {
         let Some(text) = &self.within else {
             return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD));

@@ -1,4 +1,4 @@
-//! The command of a thread: its host, and its options about output.
+//! The command that runs on a thread: its host, and its output options.
 
 use super::args::Shown;
 use super::host::{Host, Kind};
@@ -15,15 +15,15 @@ pub struct Running {
     shown: Option<Shown>,
     /// The arguments, without the name of the program.
     words: Vec<OsString>,
-    /// Warnings about what was read and chosen before the command's own work.
+    /// Warnings about the input and automatic choices, from before the work of the command.
     early: Mutex<Vec<Message>>,
-    /// The text of the setup that is named `-`, once it was read.
+    /// The text of the setup named `-`, after its first use.
     input: Mutex<Option<Arc<str>>>,
 }
 
 thread_local! {
-    /// The commands that are run on this thread: one that waits for other threads' work may have
-    /// another run meanwhile.
+    /// The commands on this thread, the innermost last: while a command waits for other threads,
+    /// this thread may run another one.
     static RUNNING: RefCell<Vec<Arc<Running>>> = const { RefCell::new(vec![]) };
 }
 
@@ -36,7 +36,7 @@ impl Drop for Ended {
     }
 }
 
-/// Does the work of a command.
+/// Runs `work` as a command of this thread.
 pub fn within<T>(
     host: Arc<dyn Host>,
     shown: Option<Shown>,
@@ -49,8 +49,8 @@ pub fn within<T>(
     work()
 }
 
-/// The command on this thread; a thread that runs none speaks to the terminal. What runs on threads
-/// that the work of a command makes takes it along.
+/// The innermost command of this thread; without one, a command in a terminal. Threads that a
+/// command starts must get its `Running` explicitly.
 pub fn running() -> Arc<Running> {
     RUNNING
         .with_borrow(|all| all.last().cloned())
@@ -68,7 +68,7 @@ impl Running {
         }
     }
 
-    /// The units of `--units`.
+    /// The units of `--units`, if it is stated.
     pub fn stated_system(&self) -> Option<System> {
         self.shown
             .as_ref()
@@ -76,7 +76,7 @@ impl Running {
             .map(System::from)
     }
 
-    /// The units that results are shown in.
+    /// The units of the results.
     pub fn system(&self) -> System {
         self.stated_system().unwrap_or_default()
     }
@@ -90,7 +90,7 @@ impl Running {
         &self.words
     }
 
-    /// A remark or progress, unless --quiet is given.
+    /// Reports a remark or progress, unless `--quiet` is given.
     pub fn tell(&self, text: &str) {
         if !self.is_quiet() {
             self.host.say(
@@ -100,7 +100,7 @@ impl Running {
         }
     }
 
-    /// Keeps a warning for the answer, which has it before its own.
+    /// Stores a warning. It comes first in the answer.
     pub fn keep(&self, warning: Message) {
         self.early
             .lock()
@@ -108,7 +108,7 @@ impl Running {
             .push(warning);
     }
 
-    /// The kept warnings.
+    /// The stored warnings.
     pub fn kept(&self) -> Vec<Message> {
         self.early
             .lock()
@@ -116,10 +116,10 @@ impl Running {
             .clone()
     }
 
-    /// The text of the setup that is named `-`, read once.
+    /// The text of the setup named `-`, which is read once.
     ///
     /// # Errors
-    /// If nothing can be read.
+    /// If the setup cannot be read.
     pub fn input(&self) -> std::io::Result<Arc<str>> {
         let mut input = self.input.lock().unwrap_or_else(PoisonError::into_inner);
         if input.is_none() {

@@ -18,13 +18,13 @@ use indicatif::ProgressBar;
 use std::sync::{Arc, Mutex, PoisonError};
 
 impl SearchArgs {
-    /// The search. By default it varies loft and attack angle: each one that the command line
-    /// does not state.
+    /// The search. By default it varies loft and attack angle, except for a parameter that the
+    /// command line states.
     pub fn search(&self, request: &Request, setup: &Setup<f64>) -> Result<Search> {
         self.search_beside(request, setup, None)
     }
 
-    /// The search of a chart along a parameter, which the search does not vary by default.
+    /// The search of a chart. By default it does not vary the parameter of the chart.
     pub fn search_beside(
         &self,
         request: &Request,
@@ -72,7 +72,7 @@ impl SearchArgs {
         Ok(search)
     }
 
-    /// The parameters of the default search that the command line states: they are held.
+    /// The parameters of the default search that are fixed, because the command line states them.
     pub fn held(&self, request: &Request, setup: &Setup<f64>) -> Vec<&'static Parameter> {
         if !self.vary.is_empty() {
             return vec![];
@@ -84,8 +84,8 @@ impl SearchArgs {
             .collect()
     }
 
-    /// Reason why there is nothing to search for unless `--vary` says what to vary: the drive is
-    /// given by its launch, or loft and attack angle are stated; `None` otherwise.
+    /// Reason why nothing can be varied without `--vary`: the setup gives the launch, or loft and
+    /// attack angle are stated; `None` otherwise.
     pub fn nothing_to_vary(&self, request: &Request, setup: &Setup<f64>) -> Option<&'static str> {
         if !self.vary.is_empty() {
             return None;
@@ -107,7 +107,7 @@ impl SearchArgs {
     /// The objective and its sense.
     ///
     /// # Errors
-    /// As [`refuse_two_goals`](Self::refuse_two_goals); for an unknown outcome.
+    /// Those of [`refuse_two_goals`](Self::refuse_two_goals); an unknown outcome.
     pub fn sought(&self) -> Result<(Outcome, Sense)> {
         self.refuse_two_goals()?;
         Ok(match (&self.maximize, &self.minimize) {
@@ -117,10 +117,10 @@ impl SearchArgs {
         })
     }
 
-    /// Refuses two goals: a search has one.
+    /// Refuses two objectives.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] that names the command for two.
+    /// [`Error::Unreadable`], which names the command for two objectives.
     pub fn refuse_two_goals(&self) -> Result<()> {
         let (Some(most), Some(least)) = (&self.maximize, &self.minimize) else {
             return Ok(());
@@ -135,7 +135,7 @@ impl SearchArgs {
         })
     }
 
-    /// The options that were given.
+    /// The names of the stated options.
     pub fn given(&self) -> Vec<&'static str> {
         let given = [
             ("`maximize`", self.maximize.is_some()),
@@ -153,14 +153,14 @@ impl SearchArgs {
 }
 
 impl WorkArgs {
-    /// Searches, with the progress on standard error.
+    /// Runs the search, with its progress on standard error.
     pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
         let found = self.searched(setup, search, &self.follow(setup, search)?);
         interrupt::ends();
         found
     }
 
-    /// The optima. The search can be stopped until [`interrupt::ends`].
+    /// The optima. Ctrl-C can stop the search until [`interrupt::ends`].
     pub fn searched(
         &self,
         setup: &Setup<f64>,
@@ -177,8 +177,8 @@ impl WorkArgs {
         found
     }
 
-    /// The progress of a search: every iteration as a line, or of several searches a bar. It keeps
-    /// the checkpoint, and ends on Ctrl-C.
+    /// The progress of a search: a line for every iteration, or a bar for several searches. The
+    /// observers also write the checkpoint, and stop the search on Ctrl-C.
     pub fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Observers, ProgressBar)> {
         let checkpoint = match &self.checkpoint {
             Some(path) => Some(Arc::new(Checkpoint::open(
@@ -199,7 +199,7 @@ impl WorkArgs {
         Ok((follow, bar))
     }
 
-    /// A bar of the searches that have ended, with the best value so far.
+    /// A bar with the number of completed searches and the best value so far.
     fn many(&self, search: &Search, follow: &mut Observers) -> ProgressBar {
         let (of, sign, system) = (search.of.clone(), search.sense.sign(), system());
         let show = move |value: f64| goal_text(&of, sign * value, system);
@@ -223,7 +223,7 @@ impl WorkArgs {
     }
 }
 
-/// Writes the setup at the optimum, into the file returned; without an optimum, nothing.
+/// Writes the setup at the optimum and returns its file. Without an optimum, writes nothing.
 pub fn write(
     output: &Destination,
     request: &Request,
@@ -247,10 +247,10 @@ pub fn write(
     Ok(Some(file.to_string()))
 }
 
-/// The default ranges of the parameters that the command line does not state.
+/// The default ranges, without those of parameters that the command line states.
 ///
 /// # Errors
-/// [`Error::Unreadable`] if it states all of them.
+/// [`Error::Unreadable`] if the command line states all of them.
 pub fn not_stated(usual: Vec<Vary>, request: &Request) -> Result<Vec<Vary>> {
     let is_held = |range: &Vary| request.states(range.parameter);
     let (held, vary): (Vec<_>, Vec<_>) = usual.into_iter().partition(is_held);
@@ -273,7 +273,7 @@ pub fn not_stated(usual: Vec<Vary>, request: &Request) -> Result<Vec<Vary>> {
     })
 }
 
-/// The outcome of one drive that an option names; a goal over many swings needs their distribution.
+/// The outcome in an option of a single drive. A goal over many swings needs their distribution.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {
@@ -290,8 +290,8 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     })
 }
 
-/// The identity of a search for its checkpoint: every number of setup and search in its debug form,
-/// to the last digit. The iteration limit is no part of it.
+/// The identity of a search for its checkpoint: the numbers of setup and search in debug form, to
+/// the last digit, without the iteration limit.
 fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
     let options = Options {
         max_iterations: 0,
@@ -304,7 +304,7 @@ fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
     format!("{setup:?} {search:?} {starts}")
 }
 
-/// Every iteration as a line.
+/// A line for every iteration.
 fn one(search: &Search, follow: &mut Observers) -> ProgressBar {
     let (shown, running) = (search.clone(), running());
     let line = move |_, iteration: &Iteration| {

@@ -37,7 +37,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let found = effects(&setup, &of, &sigmas, &mut |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
-    // reasons for the dashes in the table
+    // the reasons for missing values in the table
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
     warnings.add(unflown.into_iter().flatten());
     let totals = best.as_ref().map(Totals::at).transpose()?;
@@ -53,7 +53,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     ))
 }
 
-/// The optimum of `--at-optimum`; `None` without it.
+/// The optimum for `--at-optimum`; `None` without this option.
 fn find_optimum(
     args: &SensitivityArgs,
     request: &Request,
@@ -82,14 +82,14 @@ fn find_optimum(
     Ok(Some(found))
 }
 
-/// The total derivatives of an optimum: with the varied parameters following.
+/// Total derivatives of an optimum: the varied parameters are re-optimized.
 struct Totals {
     of: Outcome,
     slopes: Vec<(&'static Parameter, Result<Sensitivity>)>,
 }
 
 impl Totals {
-    /// The slopes by every parameter that is not varied and has an effect.
+    /// The total derivatives by every parameter that is not varied and has an effect.
     fn at(best: &Optimum) -> Result<Self> {
         let is_varied = |parameter: &Parameter| {
             let mut varied = best.search.vary.iter();
@@ -104,7 +104,7 @@ impl Totals {
         })
     }
 
-    /// Why slopes are missing.
+    /// The reasons for missing total derivatives.
     fn missing(&self) -> Vec<Message> {
         let reasons = self
             .slopes
@@ -118,7 +118,7 @@ impl Totals {
     }
 }
 
-/// Why there is no drive at one end of an uncertainty, for each that has none.
+/// For each end of an uncertainty range without a drive, the reason.
 fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message> {
     let why = |bar: &Bar, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
     let ends = effects

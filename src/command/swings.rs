@@ -1,4 +1,4 @@
-//! The search for the design that is best over many swings.
+//! The search for the best design over many swings.
 
 use crate::command::args::{Optimize, SearchArgs, SwingsArgs};
 use crate::command::interrupt;
@@ -30,7 +30,7 @@ impl SwingsArgs {
         self.swings.is_some() || !self.distribution.is_empty()
     }
 
-    /// What is given without the swings that it is about.
+    /// An option about swings, if one is given.
     fn stray(&self) -> Option<&'static str> {
         let given = [
             ("`correlation`", !self.correlation.is_empty()),
@@ -70,8 +70,7 @@ impl SwingsArgs {
         }
     }
 
-    /// How the swings that stand for all are taken. The seed is also that of the resamples of
-    /// recorded swings, where there are any.
+    /// The rule that chooses the scenarios. The seed also applies to resamples of recorded swings.
     pub fn rule(&self, swings: &Swings, is_resampled: bool) -> Result<Rule> {
         let rule = Rule::of(swings, self.scenarios, self.seed.unwrap_or(0))?;
         if !(is_resampled && rule == Rule::Recorded) {
@@ -80,8 +79,8 @@ impl SwingsArgs {
         Ok(rule)
     }
 
-    /// The swings and those of them that stand for all, with the setup, in which what varies from
-    /// swing to swing has a value.
+    /// The swings and their scenarios, and the setup with a value for each parameter that varies
+    /// from swing to swing.
     pub fn taken(
         &self,
         request: &Request,
@@ -99,7 +98,7 @@ impl SwingsArgs {
         Ok((setup, swings, scenarios))
     }
 
-    /// The table of expected strokes, where one is given.
+    /// The table of expected strokes, if one is given.
     pub fn strokes(&self) -> Result<Option<Strokes>> {
         self.strokes
             .as_ref()
@@ -107,7 +106,7 @@ impl SwingsArgs {
             .transpose()
     }
 
-    /// The files that it reads.
+    /// The files that these options read.
     pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
         self.swings.iter().chain(&self.strokes).cloned()
     }
@@ -153,15 +152,15 @@ pub struct Asked {
     pub search: Search,
 }
 
-/// The best design over swings, with what else is known of it.
+/// The best design over swings, with its analyses.
 pub struct Found {
-    /// The setup before.
+    /// The setup before the search.
     pub setup: Setup<f64>,
     pub optima: Optima,
     swings: Swings,
     price: Option<Price>,
     resampled: Option<Resampled>,
-    /// Becomes true when the rest of the work is to be left out.
+    /// True if the rest of the work is to be skipped.
     pub stop: Arc<AtomicBool>,
     warnings: Vec<Message>,
     /// The file that was written.
@@ -219,7 +218,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     Ok(answer.found(found.is_found()))
 }
 
-/// Searches, and writes the setup if a file is given. The work can be stopped until
+/// Runs the search, and writes the setup if a file is given. Ctrl-C can stop the work until
 /// [`interrupt::ends`].
 pub fn found(args: &Optimize, request: &Request, asked: Asked) -> Result<Found> {
     let Asked {
@@ -270,13 +269,13 @@ pub fn found(args: &Optimize, request: &Request, asked: Asked) -> Result<Found> 
     })
 }
 
-/// What is looked for where nothing is asked.
+/// The default objective.
 type Usual<'a> = &'a dyn Fn() -> Result<(Goal, Sense)>;
-/// What is varied where nothing is asked.
+/// The default ranges to vary.
 type UsualVary<'a> = &'a dyn Fn(&Setup<f64>) -> Result<Vec<Vary>>;
 
-/// The largest mean carry by the loft, unless something else is asked: the attack angle is the
-/// golfer's, and varies from swing to swing.
+/// The search over swings. By default it maximizes the mean carry and varies the loft: the attack
+/// angle belongs to the golfer and varies from swing to swing.
 pub fn searched(
     request: &Request,
     search: &SearchArgs,
@@ -294,7 +293,7 @@ pub fn searched(
     )
 }
 
-/// What is looked for.
+/// The objective and its sense.
 pub fn sought(
     search: &SearchArgs,
     swings: &SwingsArgs,
@@ -341,7 +340,7 @@ pub fn sought(
     })
 }
 
-/// A table of strokes that no goal asks for is refused.
+/// Refuses a table of strokes that no goal uses.
 pub fn refuse_idle_strokes<'a>(
     strokes: Option<&Strokes>,
     mut goals: impl Iterator<Item = &'a Goal>,
@@ -357,7 +356,7 @@ pub fn refuse_idle_strokes<'a>(
     Ok(())
 }
 
-/// A limit of a goal, or of a relation of parameters.
+/// A constraint on a goal or on an expression of parameters.
 pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Result<Constraint> {
     if Constraint::is_relation(text) {
         Constraint::read_relation(setup, text)
@@ -366,7 +365,7 @@ pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Resul
     }
 }
 
-/// What an option says is looked for; what is wrong with it is pointed at.
+/// The goal in an option. An error points at the wrong place in the text.
 pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
     Goal::read(text, strokes).map_err(|error| match error {
         Error::Constraint {
@@ -384,12 +383,12 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
     })
 }
 
-/// The ranges of the drives of a search: those of the parameters varied, and of the swings.
+/// Ranges of the drives in a search: those of the varied parameters, and those of the swings.
 pub fn ranges(search: &Search) -> Vec<Vary> {
     swing_ranges(&search.vary, &search.scenarios)
 }
 
-/// The ranges of parameters varied, and those of swings.
+/// Ranges of the varied parameters and of the swings.
 pub fn swing_ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
     let all = scenarios.parameters.iter().enumerate();
     let swung = all.map(|(i, parameter)| {

@@ -1,7 +1,9 @@
-//! The program in a terminal, and what Ctrl-C does there, under one rule for every command. Work
-//! that can answer with what is done so far stops and does so. Any other work ends with status 1:
-//! nothing is printed, and no file is begun. A file is whole or not there, and files that were
-//! written before are named. A second Ctrl-C ends the program at once.
+//! The program in a terminal, with one rule for Ctrl-C in every command:
+//!
+//! - Work that can return a partial result stops and returns it.
+//! - Other work ends with status 1: it prints no answer and begins no file.
+//! - Files are complete or absent. A message names the files that were completed before.
+//! - A second Ctrl-C ends the program at once.
 
 use super::colour;
 use super::host::{Hold, Host, Kind};
@@ -12,8 +14,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Signals within this time are one: a program around this one (`timeout`) may send its own beside
-/// the terminal's.
+/// Signals within this time count as one: a wrapper such as `timeout` may repeat the signal of the
+/// terminal.
 const ONE_PRESS: Duration = Duration::from_millis(300);
 
 /// The exit status of a program that Ctrl-C ends at once.
@@ -30,20 +32,20 @@ pub struct Terminal {
 struct Now {
     command: &'static str,
     is_json: bool,
-    /// Work that can stop, if it is such.
+    /// The current work, if it can be interrupted.
     work: Option<Work>,
     /// True while the answer is printed.
     is_printed: bool,
-    /// Files that are whole.
+    /// Completed files.
     written: Vec<String>,
 }
 
-/// Work that can stop with what is done so far.
+/// Work that can stop and return its result so far.
 struct Work {
     stop: Arc<AtomicBool>,
     /// The message when it is interrupted.
     stopping: &'static str,
-    /// When it was told to.
+    /// The time of the interruption.
     told: Option<Instant>,
 }
 
@@ -103,7 +105,7 @@ impl Terminal {
 
 impl Host for Terminal {
     fn print(&self, text: &str) -> io::Result<()> {
-        // Ctrl-C ends printing at once, as where a reader takes no more of it
+        // during printing, Ctrl-C ends the program at once, like a broken pipe
         self.now().is_printed = true;
         colour::print(text)
     }
@@ -115,7 +117,7 @@ impl Host for Terminal {
             }
             Kind::Warning => colour::say("warning", text),
             Kind::Error => colour::say("error", text),
-            // a reader that has gone away is no failure of ours
+            // a broken pipe is not an error
             Kind::Usage => {
                 let _ = write!(anstream::stderr().lock(), "{text}");
             }
@@ -129,7 +131,7 @@ impl Host for Terminal {
         let mut now = self.now();
         (now.command, now.is_json) = (command, is_json);
         let terminal = self.clone();
-        // without a handler Ctrl-C ends the program as it ends any other
+        // if no handler can be set, Ctrl-C ends the program in the default way
         let _ = ctrlc::set_handler(move || terminal.pressed());
     }
 

@@ -8,7 +8,7 @@ use crate::study::certificate::{Certificate, StepError, certify};
 use crate::{Drive, Result};
 use std::sync::atomic::Ordering;
 
-/// Says which outcomes were left out, and why.
+/// Reports the excluded outcomes, with the reasons.
 pub fn tell_left_out(certificate: &Certificate) {
     let missing = certificate
         .missing
@@ -44,13 +44,13 @@ pub fn run(args: &Verify) -> Result<Answer> {
     let warnings = [of_drive, of_step].concat();
     warn(&warnings);
     tell_left_out(&certificate);
-    // what was stopped is not gone on with
+    // do not continue after an interruption
     let loops = if certificate.stopped.is_none() {
         while_loop(&setup, &certificate.rows)
     } else {
         vec![]
     };
-    // until here an interruption is too late to stop anything, and the answer is given
+    // an interruption before this line still lets the command answer
     interrupt::ends();
     let report = CertificateReport::new(&certificate, &loops);
     let answer = Answer::report(&report, warnings, request.is_json());

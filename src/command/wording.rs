@@ -1,4 +1,4 @@
-//! Messages in the words of the host, and advice on words that belong to no option.
+//! Messages in the syntax of the host, and advice on words that belong to no option.
 
 use super::mention::{Argument, Mention, with_mentions};
 use super::running::running;
@@ -7,14 +7,14 @@ use crate::parameters::{Preset, Setup};
 use crate::units::Quantity;
 use std::path::Path;
 
-/// A message in the words of the host of this command.
+/// A message in the syntax of this command's host.
 pub fn in_words_of_the_host(message: &str) -> String {
     let running = running();
     with_mentions(message, |mention| running.host.mention(mention))
 }
 
-/// The name of an argument as the parser shows it (`--width <PIXELS>`, `<STUDY>`) in the words of
-/// the host; `None` in a terminal, and for an unknown argument.
+/// The name of an argument in the syntax of the host, from the name in the parser's message
+/// (`--width <PIXELS>`, `<STUDY>`); `None` in a terminal, and for an unknown argument.
 pub fn name_in_words_of_the_host(shown: &str) -> Option<String> {
     let name = match shown.strip_prefix("--") {
         Some(option) => option.split([' ', '=']).next()?.replace('-', "_"),
@@ -29,7 +29,7 @@ pub fn name_in_words_of_the_host(shown: &str) -> Option<String> {
         .filter(|words| *words != mention.in_words_of_the_program())
 }
 
-/// An error with the argument that would help.
+/// Adds to an error the argument that would solve it.
 pub fn with_argument(error: Error) -> Error {
     match error {
         Error::Nothing { doing, what } => Error::Nothing {
@@ -40,7 +40,7 @@ pub fn with_argument(error: Error) -> Error {
     }
 }
 
-/// The argument that a command without anything to do lacks.
+/// The missing argument of a command that has nothing to do.
 fn missing_argument(doing: &str) -> Option<&'static str> {
     match doing {
         "vary" => Some(
@@ -52,14 +52,14 @@ fn missing_argument(doing: &str) -> Option<&'static str> {
     }
 }
 
-/// Advice on a word that belongs to no option and is no setup.
+/// Advice on a word that is neither an option nor a setup.
 pub fn advice_on(left_over: &str) -> Option<String> {
     in_quotes(left_over)
         .or_else(|| joined(left_over))
         .or_else(|| after_an_option(left_over))
 }
 
-/// Advice on a length after `--tolerance` without '='.
+/// Advice on a separate length after `--tolerance`, which needs '='.
 fn joined(left_over: &str) -> Option<String> {
     let running = running();
     let is_behind = running
@@ -76,7 +76,7 @@ fn joined(left_over: &str) -> Option<String> {
 /// Extensions of tables, lower case.
 const TABLES: [&str; 6] = ["arrow", "arrows", "csv", "feather", "jsonl", "parquet"];
 
-/// Advice on a table in the place of a setup, with the option of the command for it.
+/// Advice on a table given as a setup, with the command's option for it.
 pub fn no_setup(file: &Path) -> Option<String> {
     let kind = file.extension()?.to_ascii_lowercase();
     if !TABLES.iter().any(|table| kind == *table) {
@@ -95,7 +95,7 @@ pub fn no_setup(file: &Path) -> Option<String> {
     Some(format!("a table is no setup{advice}"))
 }
 
-/// Advice on a value of a parameter without an option before it.
+/// Advice on `NAME=VALUE` without an option before it.
 fn after_an_option(left_over: &str) -> Option<String> {
     let (name, value) = left_over.split_once('=')?;
     let is_parameter = Setup::default().parameter(name.trim()).is_ok();

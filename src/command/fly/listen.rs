@@ -1,4 +1,4 @@
-//! Shots that are sent while the program runs.
+//! Flies shots that arrive over the network.
 
 use super::request::{asked, followed, setup};
 use crate::batch::Status;
@@ -17,13 +17,13 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
-/// Wait for the rest of a message, and the interval of looks for Ctrl-C.
+/// Read timeout: the wait for the rest of a message, and the interval of checks for Ctrl-C.
 const PATIENCE: Duration = Duration::from_millis(200);
-/// Interval of looks for a new connection.
+/// Interval of checks for a new connection.
 const PAUSE: Duration = Duration::from_millis(20);
-/// Connections at a time.
+/// Maximum number of simultaneous connections.
 const MOST: u64 = 64;
-/// The answer to one connection too many.
+/// The answer to a connection above the maximum.
 const TOO_MANY: &[u8] =
     b"{\"Code\":503,\"Message\":\"there are too many connections; close one\"}\n";
 
@@ -47,7 +47,7 @@ struct Summary {
     refused: u64,
 }
 
-/// The error of `--listen` with a file that is no setup, most likely shots.
+/// The error for `--listen` with a file that is not a setup and probably contains shots.
 fn both_given(file: &Path, why: &str) -> Error {
     let file = file.display();
     let source = format!(
@@ -98,7 +98,7 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
     })
 }
 
-/// The request of a listener: it reads no shots, so that its first argument is the setup.
+/// The request of a listener. The first argument is the setup, because no file of shots is read.
 fn request(args: &Fly) -> Result<Request> {
     let shots = args.shots.as_ref();
     if let Some(shots) = shots.filter(|_| args.setup_args.setup != SETUP) {
@@ -157,7 +157,7 @@ fn accept(listener: &TcpListener, flying: &Flying, stop: &AtomicBool) -> Counts 
     counts
 }
 
-/// Answers the messages of a connection until it is closed.
+/// Answers the messages of a connection until the client closes it.
 fn serve(
     mut stream: TcpStream,
     flying: &Flying,
@@ -181,7 +181,7 @@ fn serve(
                 true
             }
             Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
-                // what has not come by now does not come
+                // no more bytes are expected: end an incomplete message
                 objects.finish();
                 true
             }
@@ -211,7 +211,7 @@ fn serve(
     Ok(())
 }
 
-/// Why nothing can be heard there, and what to do.
+/// The reason why the address cannot be used, with advice.
 fn refused(address: SocketAddr, error: &io::Error) -> Error {
     let why = match error.kind() {
         ErrorKind::AddrInUse => {

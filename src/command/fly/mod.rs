@@ -1,4 +1,4 @@
-//! The shots of a launch monitor, flown.
+//! Flies the shots of a launch monitor.
 
 mod listen;
 mod request;
@@ -39,7 +39,7 @@ fn fly(args: &Fly) -> Result<Answer> {
     let target = Target::new(args, file, &request)?;
     let stop = interrupt::stops("stopping after the rows under way");
     let mut shots = read_shots(file, &request, &setup)?;
-    // notes about the outcomes, after all checks of the input
+    // print notes about the outcomes after all checks of the input
     let of = asked(args)?;
     request.refuse_replaced(&setup, shots.further())?;
     let mut flying = followed(&request, &setup, &of, |setup| {
@@ -95,7 +95,7 @@ fn fly(args: &Fly) -> Result<Answer> {
     ))
 }
 
-/// Refuses the name of a preset in the place of the shots.
+/// Refuses a preset name given as the file of shots.
 fn refuse_preset(file: &Path) -> Result<()> {
     if Preset::named(&file.to_string_lossy()).is_none() || file.exists() {
         return Ok(());
@@ -135,7 +135,7 @@ fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
     })
 }
 
-/// Remarks about a file of shots; `add` also says each to the host.
+/// Remarks about a file of shots. `add` also reports each of them to the host.
 struct Remarks<'a> {
     file: &'a Path,
     all: Vec<Message>,
@@ -155,7 +155,7 @@ impl<'a> Remarks<'a> {
     }
 }
 
-/// The measured outcomes that no prediction is compared with, and how to get one.
+/// Remarks on measured outcomes without a comparison, with advice on how to get one.
 fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<Message> {
     let mut remarks = vec![];
     if !is_on_their_ground && of.iter().any(|of| of.needs_run() && shots.has(*of)) {
@@ -176,7 +176,7 @@ fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<
     remarks
 }
 
-/// Error of the law for shots of clubs with more loft than a driver.
+/// The error of the law for shots of clubs with more loft than a driver.
 fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
     (tally.lofted > 0 && law.name() == "launch-monitor").then(|| {
         format!(
@@ -188,7 +188,7 @@ fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
     })
 }
 
-/// Flies the shots into the output, which the caller finishes.
+/// Flies the shots and writes the rows. The caller finishes the output.
 fn written(
     target: &Target,
     flying: &Flying,
@@ -226,9 +226,9 @@ fn written(
 
 /// Reasons for missing rows.
 struct Missing {
-    /// The rows before an interruption, and the state of the file.
+    /// The note about an interruption: the number of rows before it, and the state of the file.
     stopped: Option<String>,
-    /// The reason if no row flies.
+    /// The reason why no row flies.
     nothing: Option<String>,
 }
 
@@ -240,7 +240,7 @@ fn stopped(tally: &ShotStatistics, target: &Target) -> String {
     }
 }
 
-/// The reason if no row flies: that of the first row, and the units assumed for columns without
+/// The reason why no row flies: that of the first row, and the assumed units of columns without
 /// units.
 fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
     (tally.flown == 0 && tally.rows > 0).then(|| {
@@ -295,7 +295,7 @@ fn answer(
     }
     let answer = match target.file() {
         Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
-        // the rows are on standard output
+        // standard output already has the rows
         None if !target.is_silent() => {
             tell(&text);
             Answer::text(String::new())

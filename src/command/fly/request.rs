@@ -7,7 +7,7 @@ use crate::drive::OutcomeGroup;
 use crate::shots::Flying;
 use crate::{Error, Outcome, Result, Setup};
 
-/// The outcomes; of "all", those of the flight.
+/// The outcomes to compute; "all" means those of the flight.
 pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
     let is_all = args.of.iter().any(|name| name.trim() == "all");
     let of = outcomes(&args.of)?;
@@ -20,7 +20,7 @@ pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
     })
 }
 
-/// The setup: ball, air and law. The rows have the launches.
+/// The setup with ball, air and law. The rows state the launches.
 pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     let setup = *request.partial_setup();
     if setup.launch.is_given() {
@@ -34,14 +34,14 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     Ok(setup)
 }
 
-/// The flights of the shots, integrated as commands with many drives do.
+/// The flights of the shots, with the integration step for many drives.
 pub fn followed(
     request: &Request,
     setup: &Setup<f64>,
     of: &[Outcome],
     new: impl Fn(&Setup<f64>) -> Result<Flying>,
 ) -> Result<Flying> {
-    // errors in the request before the first flight
+    // report errors in the request before the first flight
     new(setup)?;
     match request.accuracy_for_many(setup, &Flying::usual(setup)?, of)? {
         Some(found) => new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect),

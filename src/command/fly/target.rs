@@ -6,7 +6,7 @@ use crate::{Error, Result};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// How the rows are written.
+/// Format of the rows.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Written {
     Rows(ShotFormat),
@@ -78,7 +78,7 @@ impl Target {
         })
     }
 
-    /// The file, where they go into one.
+    /// The file, if the rows are written to one.
     pub fn file(&self) -> Option<&Path> {
         self.destination.as_ref().map(Destination::path)
     }
@@ -88,7 +88,7 @@ impl Target {
         self.is_silent
     }
 
-    /// Begins with these bytes.
+    /// Opens the destination and writes the first bytes.
     pub fn open(&self, head: &[u8]) -> Result<Output> {
         let mut output = match &self.destination {
             Some(destination) => Output::File(destination.begin()?),
@@ -119,7 +119,7 @@ impl Output {
         }
     }
 
-    /// Ends with what was written.
+    /// Completes the output.
     pub fn finish(self) -> Result<()> {
         match self {
             Self::File(file) => file.finish(),

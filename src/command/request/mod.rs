@@ -1,7 +1,7 @@
 //! The request of a command: its setup with the settings of the command line, read once.
 //!
-//! The words of a command line become [`SetupArgs`] and these a [`Request`], which all commands
-//! use. The library gets the setup; only this module and the commands know options.
+//! The words of a command line become [`SetupArgs`], and these become a [`Request`], which all
+//! commands use. The library receives a setup; only this module and the commands know options.
 
 mod setting;
 mod source;
@@ -18,7 +18,7 @@ use crate::report::parameter_text;
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 
-/// The setup of a command, with what the command line states of it.
+/// The setup of a command, with the settings of its command line.
 #[derive(Clone)]
 pub struct Request {
     source: Source,
@@ -26,7 +26,7 @@ pub struct Request {
     stated: Vec<Setting>,
     /// The source with the settings applied; parameters without a default may be missing.
     setup: Setup<f64>,
-    /// The largest error of a length, of `--tolerance`, m.
+    /// The length of `--tolerance`, the maximum error of a length, m.
     tolerance: Option<f64>,
     /// True for `--own-step`.
     own_step: bool,
@@ -38,7 +38,7 @@ impl SetupArgs {
     /// Reads the setup and the settings.
     ///
     /// # Errors
-    /// For a setup that cannot be read, and a setting that cannot be applied to it.
+    /// For an unreadable setup, and a setting that does not apply to it.
     pub fn request(&self) -> Result<Request> {
         let source = Source::read(&self.setup)?;
         Request::new(source, self.settings()?, self)
@@ -47,7 +47,7 @@ impl SetupArgs {
     /// The settings of `--set` and `--launch`.
     ///
     /// # Errors
-    /// For one that cannot be read.
+    /// For an unreadable setting.
     pub fn settings(&self) -> Result<Vec<Setting>> {
         let mut settings = Setting::read_all("set", &self.set)?;
         settings.extend(Setting::read_all_launch("launch", &self.launch)?);
@@ -56,11 +56,11 @@ impl SetupArgs {
 }
 
 impl Request {
-    /// The source with these settings; notes for the user go to the host. `args` has the other
-    /// options.
+    /// Applies these settings to the source; the host receives notes for the user. `args` has
+    /// the other options.
     ///
     /// # Errors
-    /// For two settings of one parameter, and one that cannot be applied.
+    /// For two settings of one parameter, and a setting that does not apply.
     pub fn new(source: Source, stated: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
         refuse_duplicates(&stated)?;
         let tolerance = args.tolerance.as_deref().map(read_tolerance).transpose()?;
@@ -93,7 +93,7 @@ impl Request {
             setup.replace_spin(setup.parameter(&setting.parameter)?);
             self.note_replaced(&setup, &before, setting);
         }
-        // columns may give what such a parameter follows from
+        // a value `none` is applied later: columns may give the parameters that determine it
         let (taken_back, settings): (Vec<_>, Vec<_>) =
             settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(
@@ -111,7 +111,7 @@ impl Request {
         Ok(())
     }
 
-    /// The setup, checked.
+    /// The checked setup.
     ///
     /// # Errors
     /// For a missing parameter, and parameters that contradict each other.
@@ -121,8 +121,8 @@ impl Request {
         Ok(self.setup)
     }
 
-    /// The setup without a check of its launch: columns of a table, or the points of a sweep, may
-    /// give the rest.
+    /// The setup without a check of its launch: the columns of a table or the points of a sweep may
+    /// complete it.
     pub fn partial_setup(&self) -> &Setup<f64> {
         &self.setup
     }
@@ -131,7 +131,7 @@ impl Request {
     /// the middle of its range.
     ///
     /// # Errors
-    /// As [`setup`](Self::setup); for a range that cannot be read.
+    /// Those of [`setup`](Self::setup); an unreadable range.
     pub fn setup_with_starts<'a>(
         &self,
         ranges: impl IntoIterator<Item = &'a String>,
@@ -140,10 +140,10 @@ impl Request {
         self.with_starts(self.setup, ranges)
     }
 
-    /// A setup with the start of each varied parameter that has no value in it.
+    /// A setup with a start value for each varied parameter that has no value.
     ///
     /// # Errors
-    /// As [`setup_with_starts`](Self::setup_with_starts).
+    /// Those of [`setup_with_starts`](Self::setup_with_starts).
     pub fn with_starts<'a>(
         &self,
         setup: Setup<f64>,
@@ -151,7 +151,7 @@ impl Request {
     ) -> Result<Setup<f64>> {
         let mut starts = vec![];
         for text in ranges {
-            // errors in it are reported where the search is read
+            // the code that reads the search reports errors in the text
             let parameter = text
                 .split_once('=')
                 .and_then(|(name, _)| setup.column(name.trim()).ok());
@@ -165,11 +165,11 @@ impl Request {
         self.with_values(setup, starts, "begins at")
     }
 
-    /// A setup with the value of each of these parameters that has none in it; `how` is the verb of
-    /// the note about it.
+    /// Adds these values to a setup, each only if its parameter has no value. A note tells the
+    /// user; `how` is its verb.
     ///
     /// # Errors
-    /// As [`setup`](Self::setup).
+    /// Those of [`setup`](Self::setup).
     pub fn with_values(
         &self,
         mut setup: Setup<f64>,
@@ -181,7 +181,7 @@ impl Request {
             if setup.value(parameter).is_some() {
                 continue;
             }
-            // a launch is given as a whole
+            // launch conditions are given together, not one by one
             if parameter.is_of_launch() {
                 setup.variable(parameter.name)?;
             }
@@ -214,12 +214,12 @@ impl Request {
         self.stated.iter().map(|setting| setting.parameter.as_str())
     }
 
-    /// Whether the command line states a parameter.
+    /// True if the command line states the parameter.
     pub fn states(&self, parameter: &Parameter) -> bool {
         self.stated().any(|name| name == parameter.name)
     }
 
-    /// The setup in words: "tour-average, swing.speed=95mph".
+    /// The setup as a title: "tour-average, swing.speed=95mph".
     pub fn title(&self) -> String {
         let settings = self.stated.iter();
         let settings = settings.map(|setting| format!(", {}={}", setting.parameter, setting.value));
@@ -231,8 +231,8 @@ impl Request {
         &self.stated
     }
 
-    /// The words that give this setup to another command: the setup, and its settings without those
-    /// of these parameters.
+    /// The arguments that give this setup to another command: the source and its settings, except
+    /// those of the parameters `without`.
     pub fn as_arguments(&self, without: &[&Parameter]) -> Vec<String> {
         let mut words = vec![self.source.argument.clone()];
         for setting in &self.stated {
@@ -247,7 +247,7 @@ impl Request {
         words
     }
 
-    /// The option or file that gives this setup its launch: "--launch", "the launch in mine.toml".
+    /// The option or file that states the launch: "--launch", "the launch in mine.toml".
     pub fn launch_from(&self) -> String {
         let of_launch = || {
             let settings = self.stated.iter();
@@ -262,7 +262,7 @@ impl Request {
             )
     }
 
-    /// Returns true if a setup file or a setting gives the ground that the ball runs on.
+    /// Returns true if a setup file or a setting gives the ground of the roll-out.
     pub fn gives_ground(&self) -> bool {
         self.gives(|name| name.starts_with("ground.") && name != "ground.height")
     }
@@ -281,7 +281,7 @@ impl Request {
                 .any(|parameter| is(parameter.name))
     }
 
-    /// The files that the setup is read from: the setup file, and tables of drag and lift.
+    /// The input files of the setup: the setup file, and tables of drag and lift.
     pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
         let of_source = self.source.setup().law.table();
         let of_setting = self
@@ -297,10 +297,10 @@ impl Request {
 
 /// Settings and files that contradict the command.
 impl Request {
-    /// Refuses settings of the club where no club strikes the ball: they would have no effect.
+    /// Refuses club settings of a command that uses no club, because they would have no effect.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] that names the setting, with `why` no club is used.
+    /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
     pub fn refuse_club(&self, why: &str) -> Result<()> {
         let is_of_club = |name: &str| {
             [GOLFER, SPEED_OF].contains(&name)
@@ -328,10 +328,11 @@ impl Request {
         }
     }
 
-    /// Refuses settings of parameters whose values come from elsewhere: they would have no effect.
+    /// Refuses settings of parameters whose values have another source, because they would have no
+    /// effect.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] that names the setting, with `why` it is not used.
+    /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
     pub fn refuse_stated(&self, parameters: &[&'static Parameter], why: &str) -> Result<()> {
         let is_unused = |setting: &&Setting| {
             parameters
@@ -347,11 +348,11 @@ impl Request {
         }
     }
 
-    /// Refuses settings that another option replaces. A parameter without a value in the source
-    /// needs its setting, and so does a launch condition.
+    /// Refuses settings that another option replaces. A setting is allowed if its parameter has no
+    /// value in the source, or is a launch condition.
     ///
     /// # Errors
-    /// As [`refuse_stated`](Self::refuse_stated).
+    /// Those of [`refuse_stated`](Self::refuse_stated).
     pub fn refuse_stated_with_default(
         &self,
         parameters: &[&'static Parameter],
@@ -364,8 +365,8 @@ impl Request {
         self.refuse_stated(&parameters, why)
     }
 
-    /// Refuses parameters of the setup file and the settings that follow from others, given in this
-    /// setup or by `more`.
+    /// Refuses parameters of the setup file and the settings that other parameters determine. The
+    /// setup or the columns `more` state those parameters.
     ///
     /// # Errors
     /// [`Error::Together`].
@@ -396,8 +397,8 @@ impl Request {
         setup.refuse_replaced(&names)
     }
 
-    /// Refuses `--set NAME=none` if nothing gives what the parameter would follow from, neither the
-    /// setup nor `more`.
+    /// Refuses `--set NAME=none` if neither the setup nor `more` states the parameters that would
+    /// determine NAME.
     fn refuse_idle_unset(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
         let mut setup = *setup;
         for setting in self.stated.iter().filter(|setting| setting.is_reset()) {
@@ -414,7 +415,7 @@ impl Request {
 
 /// Notes for the user about the setup.
 impl Request {
-    /// Notes the start of each parameter that is both stated and varied.
+    /// Notes the start value of each parameter that is both stated and varied.
     pub fn note_starts(&self, setup: &Setup<f64>, vary: &[Vary]) {
         for name in self.stated() {
             let Some(range) = vary.iter().find(|range| range.parameter.name == name) else {
@@ -434,7 +435,7 @@ impl Request {
         }
     }
 
-    /// Notes the launch conditions of the setup that the other form of the spin replaces.
+    /// Notes the spin values of the setup that a setting of another spin condition replaces.
     fn note_replaced(&self, setup: &Setup<f64>, before: &[&'static Parameter], by: &Setting) {
         let after = setup.given_launch_conditions();
         let gone: Vec<_> = before
@@ -453,7 +454,7 @@ impl Request {
         ));
     }
 
-    /// Notes the club parameters of a setup file whose drive is given by its launch.
+    /// Notes the club parameters of a setup file that have no effect, because it states the launch.
     fn note_unused_club(&self) {
         let names: Vec<_> = self
             .source
@@ -473,10 +474,10 @@ impl Request {
 }
 
 impl OwnLaw {
-    /// The user's own table of drag and lift, if one is given.
+    /// The user's table of drag and lift, if one is given.
     ///
     /// # Errors
-    /// As for a setup; for a setting of anything else.
+    /// Those of a setup; a setting of another parameter.
     pub fn law(&self) -> Result<Option<Law<f64>>> {
         let settings = Setting::read_all("set", &self.set)?;
         refuse_duplicates(&settings)?;

@@ -5,12 +5,12 @@ use crate::units::Quantity;
 use crate::{Error, Result, Setup};
 use std::fmt;
 
-/// A parameter with its value, as an option of the command line gives them.
+/// A parameter with its value, from an option of the command line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The argument that gives it: `set`, `launch_a`, `ball_speed`.
+    /// The argument that states it: `set`, `launch_a`, `ball_speed`.
     argument: &'static str,
-    /// The name as it was typed: `ball_speed` after `--launch`.
+    /// The name as typed: `ball_speed` after `--launch`.
     name: String,
     /// The name of the parameter: `launch.ball_speed`.
     pub parameter: String,
@@ -41,7 +41,7 @@ impl Setting {
         Self::of_launch(argument, name, value)
     }
 
-    /// A launch condition with its value, from an option of its own (`--ball-speed 167mph`) or from
+    /// A launch condition with its value, from a separate option (`--ball-speed 167mph`) or from
     /// `--launch`.
     ///
     /// # Errors
@@ -88,8 +88,8 @@ impl Setting {
         self.parameter.starts_with("launch.")
     }
 
-    /// Returns true for `--launch` and options such as `--ball-speed`, which replace the launch of
-    /// the setup. `--set launch.ball_speed=…` changes one condition of it.
+    /// Returns true for `--launch` and options such as `--ball-speed`, which replace the whole
+    /// launch of the setup. `--set launch.ball_speed=…` changes only one condition.
     pub fn replaces_launch(&self) -> bool {
         self.name != self.parameter
     }
@@ -99,13 +99,13 @@ impl Setting {
         is_unset(&self.value)
     }
 
-    /// Returns true for the value `none` of a parameter that other parameters can determine: air
-    /// density follows from the weather.
+    /// Returns true for the value `none` of a parameter that other parameters can determine. The
+    /// weather determines the air density, for example.
     pub fn is_reset(&self) -> bool {
         is_reset(&self.parameter, &self.value)
     }
 
-    /// The argument with the name, for messages: `--set club.loft`.
+    /// The argument with the parameter name, for messages: `--set club.loft`.
     pub fn named(&self) -> String {
         if self.has_own_option() {
             format!("`{}`", self.argument)
@@ -114,7 +114,7 @@ impl Setting {
         }
     }
 
-    /// The argument that gives it, for a launch: `--launch`, or `--set launch.…`.
+    /// The argument that states the launch: `--launch`, or `--set launch.…`.
     pub fn argument_of_launch(&self) -> String {
         if self.replaces_launch() {
             format!("`{}`", self.argument)
@@ -129,7 +129,7 @@ impl Setting {
     }
 }
 
-/// The setting as it was typed, for messages: `--set club.loft=11deg`.
+/// The setting as typed, for messages: `--set club.loft=11deg`.
 impl fmt::Display for Setting {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.has_own_option() {
@@ -140,10 +140,10 @@ impl fmt::Display for Setting {
     }
 }
 
-/// Refuses two settings of one parameter.
+/// Refuses several settings of one parameter.
 ///
 /// # Errors
-/// [`Error::Unreadable`] that names both.
+/// [`Error::Unreadable`], which names two of them.
 pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
     for (i, setting) in settings.iter().enumerate() {
         let earlier = settings[..i]
@@ -167,7 +167,7 @@ pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
 /// Reads the length of `--tolerance`, m.
 ///
 /// # Errors
-/// For a text that is no length above 0.
+/// For a text that is not a positive length.
 pub fn read_tolerance(text: &str) -> Result<f64> {
     let tolerance = Quantity::LENGTH
         .read(text)
@@ -180,7 +180,7 @@ pub fn read_tolerance(text: &str) -> Result<f64> {
     )))
 }
 
-/// The error of a bad tolerance.
+/// The error for an invalid tolerance.
 pub fn bad_tolerance(reason: String) -> Error {
     Error::Unreadable {
         name: "`tolerance`".into(),

@@ -1,4 +1,4 @@
-//! The setup that a command line names: a preset, a TOML file, or standard input.
+//! The source of a setup: a preset, a TOML file, or standard input.
 
 use super::setting::is_of_step;
 use crate::command::running::running;
@@ -7,17 +7,17 @@ use crate::parameters::{PRESETS, Parameter, Preset, SetupFile};
 use crate::{Error, Result, Setup};
 use std::path::Path;
 
-/// The name of a setup whose text is on standard input.
+/// The argument for standard input.
 const STANDARD_INPUT: &str = "-";
 const STANDARD_INPUT_NAME: &str = "standard input";
 
-/// A setup as its preset or file gives it, before any setting of the command line.
+/// The setup of a preset or a file, before the settings of the command line.
 #[derive(Clone)]
 pub struct Source {
-    /// The name on the command line.
+    /// The argument on the command line.
     pub argument: String,
     kind: Kind,
-    /// The content; of a preset, the setup alone.
+    /// The content of the file; for a preset, only its setup.
     content: SetupFile,
 }
 
@@ -29,10 +29,10 @@ enum Kind {
 }
 
 impl Source {
-    /// Reads the setup that a command line names.
+    /// Reads the setup that the command line names.
     ///
     /// # Errors
-    /// For an unknown preset, and as [`SetupFile::open`] for a file.
+    /// For an unknown preset; those of [`SetupFile::open`] for a file.
     pub fn read(argument: &str) -> Result<Self> {
         let path = Path::new(argument);
         let is_named_like_a_file = argument.contains(['/', '\\']) || path.extension().is_some();
@@ -56,12 +56,12 @@ impl Source {
         &self.content.setup
     }
 
-    /// The preset that it is, or that the file starts from.
+    /// The preset itself, or the preset on which the file is based.
     pub fn preset(&self) -> &'static Preset {
         self.content.preset
     }
 
-    /// The name in messages.
+    /// The name for messages.
     pub fn name(&self) -> &str {
         match self.kind {
             Kind::StandardInput => STANDARD_INPUT_NAME,
@@ -69,18 +69,18 @@ impl Source {
         }
     }
 
-    /// Returns true if it states flight.method or flight.step.
+    /// Returns true if the source states `flight.method` or `flight.step`.
     pub fn gives_step(&self) -> bool {
         let entries = self.content.preset.entries;
         self.content.gives_step || entries.iter().any(|entry| is_of_step(entry.name))
     }
 
-    /// The setup file, if it is one on a disk.
+    /// The setup file, if the source is a file on disk.
     pub fn file(&self) -> Option<&Path> {
         (self.kind == Kind::File).then_some(Path::new(&self.argument))
     }
 
-    /// The parameters that a setup file on a disk gives.
+    /// The parameters that a setup file on disk states.
     pub fn given_in_file(&self) -> &[&'static Parameter] {
         match self.kind {
             Kind::File => &self.content.given,

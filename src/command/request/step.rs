@@ -1,4 +1,4 @@
-//! The method and step of a request: as stated, for a tolerance, or chosen for many drives.
+//! Integration method and step of a request: stated, for a tolerance, or chosen for many drives.
 
 use super::Request;
 use super::setting::{Setting, bad_tolerance, is_of_step};
@@ -9,24 +9,24 @@ use crate::study::{Accuracy, accuracy};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 
-/// The tolerance of commands that fly many drives, m.
+/// Default tolerance of commands with many drives, m.
 const MICROMETRE: f64 = 1e-6;
 
 impl Request {
-    /// The setup, integrated within the tolerance of `--tolerance`; unchanged without one.
+    /// The setup with a step for `--tolerance`; unchanged without this option.
     ///
     /// # Errors
-    /// [`Error::Tolerance`] if no step is fine enough; if a setting gives method or step too.
+    /// [`Error::Tolerance`] if no step is fine enough; if a setting states method or step too.
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
         Ok(self
             .accuracy_of_tolerance(&setup, &[], &of_the_flight())?
             .map_or(setup, |found| found.applied_to(&setup)))
     }
 
-    /// The setup, integrated as commands with many drives do, for parameters in these ranges.
+    /// The setup with a step for many drives whose parameters are in these ranges.
     ///
     /// # Errors
-    /// As [`within_tolerance`](Self::within_tolerance).
+    /// Those of [`within_tolerance`](Self::within_tolerance).
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
         let begun = Vary::initialised(&setup, ranges)?;
         Ok(self
@@ -34,11 +34,11 @@ impl Request {
             .map_or(setup, |found| found.applied_to(&setup)))
     }
 
-    /// Method and step for many drives: within the tolerance of `--tolerance`, or else within a
-    /// micrometre; `None` if the setup's own flight.method and flight.step apply.
+    /// Method and step for many drives. The tolerance is that of `--tolerance`, or one micrometre;
+    /// `None` if `flight.method` and `flight.step` of the setup apply.
     ///
     /// # Errors
-    /// As [`within_tolerance`](Self::within_tolerance).
+    /// Those of [`within_tolerance`](Self::within_tolerance).
     pub fn accuracy_for_many(
         &self,
         setup: &Setup<f64>,
@@ -91,14 +91,14 @@ impl Request {
         Ok(found)
     }
 
-    /// Returns true if the command chooses method and step: neither `--own-step`, a setting nor the
-    /// setup states them.
+    /// Returns true if the command chooses method and step, because neither `--own-step`, a setting
+    /// nor the setup states them.
     fn chooses_step(&self) -> bool {
         !self.own_step && self.setting_of_step().is_none() && !self.source.gives_step()
     }
 
-    /// The text of a setup file for other commands: with method and step only where the user stated
-    /// them. A step that was chosen is for the drives of this command.
+    /// The text of a setup file for other commands. It has method and step only if the user stated
+    /// them: an automatically chosen step is valid only for the drives of this command.
     ///
     /// # Errors
     /// If the setup cannot be written.
@@ -120,7 +120,7 @@ impl Request {
     }
 }
 
-/// All outcomes but those of the run, whose step error is unknown.
+/// All outcomes except those of the roll-out, whose step error is unknown.
 fn of_the_flight() -> Vec<Outcome> {
     Outcome::ALL
         .iter()
@@ -129,7 +129,7 @@ fn of_the_flight() -> Vec<Outcome> {
         .collect()
 }
 
-/// `None` if no drive lands: there is no error to limit.
+/// `None` if no drive lands, so that there is no error to limit.
 fn none_without_flight(found: Result<Accuracy>) -> Result<Option<Accuracy>> {
     match found {
         Err(Error::NoFlight { .. }) => Ok(None),

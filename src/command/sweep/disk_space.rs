@@ -1,4 +1,4 @@
-//! Disk space: the size and time of a sweep, estimated before its start.
+//! Disk space: estimates the size and time of a sweep before its start.
 
 use super::rows::{Content, Writer};
 use super::target::Target;
@@ -8,7 +8,7 @@ use crate::{Error, Result};
 use std::path::Path;
 use std::time::Instant;
 
-/// Drives of the trial that measures bytes and seconds of a row.
+/// Number of drives in the trial that measures the size and time of a row.
 const TRIED: usize = 64;
 
 /// Refuses a sweep larger than `--max-size` or the free disk space, before any other work.
@@ -42,7 +42,7 @@ pub fn check(
     let seconds = begun.elapsed().as_secs_f64();
     let row = match content {
         Content::Text(bytes) => bytes.len() as f64 / tried as f64,
-        // the swept values of a grid are kept once for many rows
+        // a grid stores its swept values once for many rows
         #[cfg(feature = "parquet")]
         Content::Block(_) => 8.5 * (batch.outcomes().len() * (1 + batch.wrt().len())) as f64 + 1.0,
     };
@@ -65,7 +65,7 @@ pub fn check(
     })
 }
 
-/// The free bytes for a file, including its present size, and its folder.
+/// The available bytes for a file, including its present size, with its folder.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = path
         .parent()
@@ -107,7 +107,7 @@ fn read_size(text: &str) -> Result<f64> {
     }
 }
 
-/// Bytes as a person reads them.
+/// A number of bytes with a unit.
 fn size(bytes: f64) -> String {
     let (name, of) = SIZES
         .into_iter()
@@ -116,7 +116,7 @@ fn size(bytes: f64) -> String {
     format!("{} {name}", crate::units::significant(bytes / of, 3))
 }
 
-/// Seconds as a person reads them.
+/// A duration with a unit.
 fn duration(seconds: f64) -> String {
     let units = [
         ("years", 3.156e7),

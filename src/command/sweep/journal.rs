@@ -8,7 +8,7 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// The first line.
+/// The first line of a journal.
 #[derive(Debug, Serialize, Deserialize)]
 struct Begun {
     #[serde(flatten)]
@@ -18,32 +18,32 @@ struct Begun {
     overwrite: bool,
 }
 
-/// The progress of a file of rows, beside it as `FILE.resume` until it is complete: the identity of
-/// the sweep in the first line, then a line whenever rows are on the disk. A line counts if it is
-/// complete; a kill can cut the last one short.
+/// The progress of an incomplete file of rows, in a separate file `FILE.resume`. The first line is
+/// the identity of the sweep; each further line records that rows were written to the disk. An
+/// incomplete last line, after a kill, is ignored.
 pub struct Journal {
     path: PathBuf,
     file: File,
-    /// For each entry, how long the file of rows was, and where in the journal the entry begins.
+    /// For each entry, the size of the file of rows and the offset in the journal, bytes.
     entries: Vec<(u64, u64)>,
     length: u64,
     /// True if the rows may replace an existing file.
     pub overwrite: bool,
-    /// The journal that this one has replaced: its lock keeps away who has opened it before.
+    /// The replaced journal. Its lock refuses programs that opened it before.
     _replaced: Option<File>,
 }
 
-/// Rows that are safe.
+/// Rows that are stored on the disk.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Entry {
-    /// Rows in the file.
+    /// Number of rows in the file.
     pub rows: u64,
-    /// Bytes in the file.
+    /// Size of the file, bytes.
     pub bytes: u64,
     /// Drives by status.
     pub drives: BTreeMap<Status, u64>,
-    /// Landed drives; of these those outside of the fitted range of the law, those struck beside
-    /// any face, and those that land too flat.
+    /// Number of landed drives, and of those that exceed a validity limit: the fitted range of the
+    /// law, the face of the club, the descent angle.
     pub beyond: [u64; 4],
     /// The metadata of the row group that ends here, in hexadecimal.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -92,17 +92,17 @@ impl Entry {
 }
 
 impl Journal {
-    /// The journal's name beside a file.
+    /// The path of the journal for a file.
     pub fn path(of: &Path) -> PathBuf {
         let mut name = of.as_os_str().to_owned();
         name.push(".resume");
         name.into()
     }
 
-    /// Returns true for the journal of a sweep: its first line is an identity.
+    /// Returns true for the journal of a sweep, whose first line is an identity.
     ///
     /// # Errors
-    /// Where a sweep is writing it.
+    /// If a sweep is writing the journal.
     pub fn is_one(path: &Path) -> io::Result<bool> {
         let Ok(file) = File::open(path) else {
             return Ok(false);
@@ -113,8 +113,8 @@ impl Journal {
         Ok(read.is_ok() && serde_json::from_str::<Begun>(&line).is_ok())
     }
 
-    /// A new journal, whole from its first moment on. One that another program is writing stays,
-    /// and with `overwrite` alone one is replaced.
+    /// Creates a journal atomically. A journal that another program is writing is never replaced;
+    /// another one is replaced only with `overwrite`.
     pub fn begin(of: &Path, identity: &Identity, overwrite: bool) -> io::Result<Self> {
         let path = Self::path(of);
         let replaced = if overwrite {
@@ -131,10 +131,10 @@ impl Journal {
         line.push(b'\n');
         beside.write_all(&line)?;
         beside.as_file().sync_all()?;
-        // locked before others can find it
+        // lock the journal before other programs can find it
         lock(beside.as_file())?;
         let (file, at) = beside.into_parts();
-        // of two that begin at once one finds the other's
+        // if two programs begin at once, the second one finds the journal of the first
         persist(at, &path, replaced.is_some()).map_err(|failed| match failed.error.kind() {
             io::ErrorKind::AlreadyExists => busy(),
             _ => failed.error,
@@ -149,8 +149,8 @@ impl Journal {
         })
     }
 
-    /// The journal of a file, with the identity and the entries that `keeps` accepts, up to the
-    /// first it does not; `None` where there is no journal.
+    /// Opens the journal of a file and returns its identity and entries, up to the first entry that
+    /// `keeps` rejects; `None` if there is no journal.
     pub fn open(
         of: &Path,
         keeps: impl Fn(&Entry) -> bool,
@@ -163,7 +163,7 @@ impl Journal {
         lock(&file)?;
         let mut text = String::new();
         file.read_to_string(&mut text)?;
-        // its sweep has ended since it was opened
+        // its sweep ended after the journal was opened
         if text.is_empty() {
             return Ok(None);
         }
@@ -197,7 +197,7 @@ impl Journal {
         Ok(Some((journal, identity, entries)))
     }
 
-    /// Adds an entry. The rows must be safe before.
+    /// Adds an entry. The rows must be on the disk before.
     pub fn add(&mut self, entry: &Entry) -> io::Result<()> {
         let mut line = serde_json::to_vec(entry)?;
         line.push(b'\n');
@@ -214,7 +214,7 @@ impl Journal {
         Ok(())
     }
 
-    /// Forgets entries of more than so many bytes of rows.
+    /// Removes the entries beyond this number of bytes of rows.
     #[cfg(feature = "parquet")]
     pub fn forget_beyond(&mut self, bytes: u64) -> io::Result<()> {
         while let Some((_, at)) = self.entries.pop_if(|(of, _)| *of > bytes) {
@@ -235,11 +235,11 @@ impl Journal {
     }
 }
 
-/// Two sweeps into one file would make neither.
+/// Locks a journal, because two sweeps that write one file would corrupt it.
 fn lock(file: &File) -> io::Result<()> {
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => Err(busy()),
-        // where files cannot be locked, none is
+        // some file systems support no locks: continue without one
         _ => Ok(()),
     }
 }

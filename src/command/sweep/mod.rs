@@ -1,4 +1,4 @@
-//! Very many drives, to a file.
+//! Writes very many drives to a file.
 
 mod disk_space;
 mod journal;
@@ -35,7 +35,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         return of_parts(args, path);
     }
     refuse_options_of_parts(args)?;
-    // from here on: reading a long table takes a while before the first drive
+    // interruptible from here on: reading a long table takes time before the first drive
     let stop = interrupt::stops("stopping after the drives under way");
     let request = args.setup_args.request()?;
     let target = Target::new(args, &request)?;
@@ -53,7 +53,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     let total = points.rows();
     let is_complete = write_rows(args, &batch, points.as_mut(), &writer, &mut output, &stop)?;
 
-    // an incomplete file has a name beside its own
+    // an incomplete file has another name
     let file = target
         .part()
         .filter(|_| !is_complete)
@@ -73,7 +73,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
-    // of a file, standard output has the counts
+    // standard output gets the counts if the rows go to a file
     let all_landed = output
         .status_counts()
         .counts()
@@ -99,7 +99,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     Ok(answer.found(is_answered))
 }
 
-/// Refuses options that keep something with a part, where no part is written.
+/// Refuses options that apply only to a part of a sweep, if no part is written.
 fn refuse_options_of_parts(args: &Sweep) -> Result<()> {
     let options = [
         ("`histogram`", &args.histogram),
@@ -116,7 +116,7 @@ fn refuse_options_of_parts(args: &Sweep) -> Result<()> {
     }
 }
 
-/// Computes the rows into the output; returns whether all of them are there.
+/// Computes the rows and writes them. Returns true if the rows are complete.
 fn write_rows(
     args: &Sweep,
     batch: &Batch,
@@ -147,13 +147,13 @@ fn write_rows(
     );
     bar.finish_and_clear();
     let is_complete = done.as_ref().is_ok_and(|done| *done == total);
-    // an error of closing the file goes before that of the rows
+    // an error on closing the file has precedence over an error of the rows
     output.close(is_complete)?;
     done?;
     Ok(is_complete)
 }
 
-/// The note about a sweep that was stopped, with how to continue it.
+/// The note about an interrupted sweep, with the command to continue it.
 fn stopped(summary: &Summary, target: &Target, output: &Output<'_>) -> String {
     let drives = summary.text(None);
     match target.part() {
@@ -167,7 +167,7 @@ fn stopped(summary: &Summary, target: &Target, output: &Output<'_>) -> String {
     }
 }
 
-/// The error of a sweep in which no drive has an outcome that was asked for.
+/// The error of a sweep in which no drive has a requested outcome.
 fn no_outcome(summary: &Summary, tally: &StatusCounts, of: &[Outcome]) -> String {
     let which = if of.len() == 1 {
         "the outcome"

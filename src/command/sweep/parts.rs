@@ -1,4 +1,4 @@
-//! A sweep in parts, each a file of its own.
+//! A sweep divided into parts, each with its own file.
 
 use super::request::SweepRequest;
 use crate::batch::Run;
@@ -17,7 +17,7 @@ use serde::Serialize;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// A part that is in its place, as JSON.
+/// A completed part, as JSON.
 #[derive(Serialize)]
 struct OfPart {
     folder: String,
@@ -99,7 +99,7 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     )))
 }
 
-/// The answer of a part that was stopped.
+/// The answer for an interrupted part.
 fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
     let note = format!(
         "stopped: nothing of part {part} of {parts} is kept; the same command begins it again"
@@ -113,7 +113,7 @@ fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
     answer.found(false)
 }
 
-/// The set of parts that the options describe.
+/// The divided sweep that the options describe.
 fn dataset_of(
     args: &Sweep,
     batch: crate::batch::Batch,
@@ -139,7 +139,7 @@ fn dataset_of(
     Dataset::new(batch, points, parts, &bins, &sought)
 }
 
-/// The folder of the parts: other processes may make it at the same moment.
+/// Creates the folder of the parts. Another process may create it at the same time.
 fn make(folder: &Path) -> Result<()> {
     if folder == Path::new("-") {
         return Err(refused(
@@ -158,7 +158,7 @@ fn make(folder: &Path) -> Result<()> {
     }
 }
 
-/// Looks through the parts of a folder.
+/// Checks the parts in a folder.
 pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
     let wanted = wanted(args)?;
     let checked = parts::check(folder, wanted.as_ref(), args.hash)?;
@@ -192,7 +192,7 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
     Ok(Answer::text(text).found(is_complete))
 }
 
-/// The identity of the sweep that the options describe; `None` without points.
+/// The definition of the sweep that the options describe; `None` without points.
 fn wanted(args: &Sweep) -> Result<Option<SweepDefinition>> {
     if args.over.is_empty() && args.points.is_none() {
         return match args.instructions {
@@ -207,7 +207,7 @@ fn wanted(args: &Sweep) -> Result<Option<SweepDefinition>> {
         };
     }
     let SweepRequest { points, batch, .. } = SweepRequest::of(args, &args.setup_args.request()?)?;
-    // the files state the number of parts
+    // the number of parts comes from the files
     Ok(Some(
         dataset_of(args, batch, points.as_ref(), 1)?
             .question()
@@ -215,7 +215,7 @@ fn wanted(args: &Sweep) -> Result<Option<SweepDefinition>> {
     ))
 }
 
-/// The parts present and missing, a sentence each.
+/// The present and missing parts, as sentences.
 fn said(checked: &Checked) -> Vec<String> {
     let Checked {
         question,
@@ -268,7 +268,7 @@ fn said(checked: &Checked) -> Vec<String> {
     said
 }
 
-/// Numbers as job arrays take them: `3,17-20`.
+/// Numbers in the syntax of job arrays: `3,17-20`.
 fn ranges(numbers: &[u64]) -> String {
     let mut ranges: Vec<(u64, u64)> = vec![];
     for number in numbers {

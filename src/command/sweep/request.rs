@@ -7,9 +7,9 @@ use crate::command::request::Request;
 use crate::units::Message;
 use crate::{Error, Result, Setup};
 
-/// A sweep, resolved: setup, points, outcomes and derivatives.
+/// The inputs of a sweep: setup, points, outcomes and derivatives.
 pub struct SweepRequest {
-    /// The setup, with the method and step that were chosen.
+    /// The setup, with the chosen method and step.
     pub setup: Setup<f64>,
     pub points: Box<dyn Points>,
     pub batch: Batch,

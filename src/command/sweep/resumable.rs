@@ -18,25 +18,25 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tempfile::TempPath;
 
-/// A line of the journal at most so often, and after at least so many blocks.
+/// Minimum time between two lines of the journal. A line also needs a minimum number of blocks.
 const OFTEN: Duration = Duration::from_secs(1);
 const BLOCKS: u64 = 16;
 
-/// The file of a sweep that can be resumed: `FILE.part` until all rows are there, then the file
-/// itself. At any time it holds whole rows, and its journal counts those that an uninterrupted run
-/// would have written with the same bytes.
+/// The output file of a sweep that can be resumed: `FILE.part` until all rows are present, then
+/// `FILE`. It always contains whole rows. The journal counts the rows that equal those of an
+/// uninterrupted run, byte for byte.
 pub struct ResumableFile<'a> {
     files: Files,
     file: File,
     journal: Journal,
     writer: &'a Writer,
-    /// Rows, bytes and statuses in the file.
+    /// Number of rows, number of bytes and status counts of the file.
     rows: u64,
     bytes: u64,
     status_counts: StatusCounts,
-    /// Rows that the journal knows of, after which a resumed sweep begins.
+    /// Number of rows in the journal. A resumed sweep continues after them.
     safe: u64,
-    /// Blocks since the last line of the journal, and when that was.
+    /// Number of blocks since the last line of the journal, and the time of that line.
     since: u64,
     last: Option<Instant>,
     #[cfg(feature = "parquet")]
@@ -49,16 +49,16 @@ pub struct ResumableFile<'a> {
 struct Groups {
     /// The written groups, each with the bytes, rows and statuses before it.
     placed: Vec<(PlacedGroup, u64, u64, StatusCounts)>,
-    /// Blocks of the next one.
+    /// Blocks of the next row group.
     pending: Vec<Block>,
 }
 
 /// The files of a sweep.
 #[derive(Clone, Debug)]
 pub struct Files {
-    /// The rows, once all of them are there.
+    /// The path of the complete file.
     pub whole: PathBuf,
-    /// The rows so far, `FILE.part`.
+    /// The path of the incomplete file, `FILE.part`.
     pub part: PathBuf,
 }
 
@@ -77,7 +77,7 @@ impl Files {
         resume && Journal::path(&self.whole).exists()
     }
 
-    /// Refuses what would lose the rows of an earlier sweep, or a file that no sweep wrote.
+    /// Refuses to lose the rows of an earlier sweep, or to replace a file that no sweep wrote.
     pub fn check(&self, resume: bool, overwrite: bool) -> Result<()> {
         let journal = Journal::path(&self.whole);
         if !journal.exists() {
@@ -116,16 +116,16 @@ fn nothing_left(path: &Path) -> Error {
 }
 
 impl<'a> ResumableFile<'a> {
-    /// Begins the file, or continues it. The destination is checked already.
+    /// Begins or continues the file. The destination must have been checked.
     pub fn open(files: Files, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
         if files.can_be_resumed(resume) {
             return Self::go_on(files, writer);
         }
         let unwritable = |error: io::Error| unwritable(&files.whole, &error);
-        // the journal first: rows without one are nobody's
+        // create the journal first: rows without a journal could not be identified
         let journal =
             Journal::begin(&files.whole, &writer.identity, overwrite).map_err(unwritable)?;
-        // another sweep may have ended since that was checked
+        // another sweep may have completed the file since the check
         if !overwrite && files.whole.exists() {
             journal.remove().map_err(unwritable)?;
             return Err(exists(&files.whole));
@@ -168,7 +168,7 @@ impl<'a> ResumableFile<'a> {
         let path = files.whole.clone();
         let unusable =
             |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
-        // a kill may have come between the journal and the first row
+        // a kill may have come between the creation of the journal and the first row
         let file = OpenOptions::new()
             .write(true)
             .create(true)
@@ -218,7 +218,7 @@ impl<'a> ResumableFile<'a> {
         self.rows
     }
 
-    /// Rows after which a resumed sweep begins.
+    /// Number of rows after which a resumed sweep continues.
     pub fn safe(&self) -> u64 {
         self.safe
     }
@@ -253,12 +253,12 @@ impl<'a> ResumableFile<'a> {
         Ok(())
     }
 
-    /// Makes the rows so far readable: what was computed is written, and a Parquet file gets its
-    /// foot. Once all are there the file is put in its place, and the journal goes.
+    /// Writes the rows computed so far and, for Parquet, the footer, so that the file can be read.
+    /// A complete file is renamed to its final name, and its journal is deleted.
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         #[cfg(feature = "parquet")]
         if let Table::Parquet(table) = &self.writer.table {
-            // after an error of the disk there may be no room for these rows
+            // after a disk error there may be no space for these rows
             let rest = if self.groups.pending.is_empty() {
                 Ok(())
             } else {
@@ -267,7 +267,7 @@ impl<'a> ResumableFile<'a> {
             self.write_foot(table).and(rest)?;
         }
         if !is_complete && self.since > 0 {
-            // where this cannot be entered, a resumed sweep begins a little earlier
+            // without this entry, a resumed sweep only repeats some more rows
             let _ = self.keep(&[]);
         }
         if is_complete {
@@ -275,7 +275,7 @@ impl<'a> ResumableFile<'a> {
                 self.file.sync_all()?;
                 let part = TempPath::try_from_path(&self.files.part)?;
                 persist(part, &self.files.whole, self.journal.overwrite).map_err(|failed| {
-                    // it is not for us to delete
+                    // keep the file: it has all rows
                     let _ = failed.path.keep();
                     failed.error
                 })?;
@@ -286,7 +286,7 @@ impl<'a> ResumableFile<'a> {
         Ok(())
     }
 
-    /// Appends all of some bytes or none.
+    /// Appends all of the bytes, or none.
     fn append(&mut self, bytes: &[u8]) -> Result<()> {
         if let Err(error) = self.file.write_all(bytes) {
             // remove the incomplete row
@@ -327,7 +327,7 @@ impl<'a> ResumableFile<'a> {
         refused(&self.files.whole, reason)
     }
 
-    /// Enters what is written in the journal.
+    /// Records the written rows in the journal.
     fn keep(&mut self, group: &[u8]) -> Result<()> {
         let entry = Entry::new(self.rows, self.bytes, self.status_counts, group);
         self.file
@@ -341,7 +341,7 @@ impl<'a> ResumableFile<'a> {
 
 #[cfg(feature = "parquet")]
 impl ResumableFile<'_> {
-    /// Writes the blocks that wait as a row group; its metadata.
+    /// Writes the pending blocks as a row group and returns its metadata.
     fn write_group(&mut self, table: &SweepParquet) -> Result<Vec<u8>> {
         let blocks = std::mem::take(&mut self.groups.pending);
         let ParquetGroup { bytes, metadata } = table.group(&blocks)?;
@@ -356,8 +356,8 @@ impl ResumableFile<'_> {
         Ok(metadata)
     }
 
-    /// Without a foot no row of a Parquet file can be read: where there is no room for it, row
-    /// groups make room.
+    /// Writes the footer, without which no row of a Parquet file can be read. If the disk is full,
+    /// removes row groups to make space.
     fn write_foot(&mut self, table: &SweepParquet) -> Result<()> {
         let mut no_room = None;
         loop {
@@ -380,14 +380,14 @@ impl ResumableFile<'_> {
                 .map_err(|error| self.failed(&error))?;
             no_room = Some(error);
         }
-        // what had to go is no longer complete
+        // with row groups removed, the file is incomplete
         no_room.map_or(Ok(()), |error| Err(self.failed(&error)))
     }
 }
 
 #[cfg(feature = "parquet")]
 impl Groups {
-    /// The row groups that a journal knows.
+    /// Restores the row groups that the journal records.
     fn restore(&mut self, table: &SweepParquet, entries: &[Entry], head: u64) -> Result<()> {
         let mut before = (head, 0, StatusCounts::default());
         for entry in entries {

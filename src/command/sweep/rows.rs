@@ -6,7 +6,7 @@ use crate::report::SweepParquet;
 use crate::report::{SweepCsv, SweepJsonLines};
 use serde::{Deserialize, Serialize};
 
-/// The identity of a sweep: sweeps with one identity write the same bytes.
+/// The identity of a sweep. Sweeps with equal identities write the same bytes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Identity {
     pub version: String,
@@ -18,7 +18,7 @@ pub struct Identity {
 }
 
 impl Identity {
-    /// The first part that differs from another identity.
+    /// The first difference from another identity.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         let parts = [
             ("the versions of longdrive", &self.version, &other.version),
@@ -26,7 +26,7 @@ impl Identity {
             ("the points", &self.points, &other.points),
             ("the outcomes", &self.outcomes, &other.outcomes),
             ("the derivatives", &self.derivatives, &other.derivatives),
-            // last: the step in it is chosen for all of the above
+            // compare the setups last: their step depends on all of the above
             ("the setups", &self.setup, &other.setup),
         ];
         parts
@@ -36,7 +36,7 @@ impl Identity {
     }
 }
 
-/// Rows on their way to a file.
+/// Rows ready to be written to a file.
 pub struct Rows {
     pub rows: u64,
     pub status_counts: StatusCounts,
@@ -46,12 +46,12 @@ pub struct Rows {
 /// The bytes of rows, or a block for a row group.
 pub enum Content {
     Text(Vec<u8>),
-    /// Rows that wait for the rest of their row group.
+    /// Rows of a row group that is not complete yet.
     #[cfg(feature = "parquet")]
     Block(Block),
 }
 
-/// Makes rows of blocks.
+/// Converts blocks to rows.
 pub struct Writer {
     pub identity: Identity,
     pub table: Table,
@@ -70,7 +70,7 @@ impl Writer {
         let names = |names: Vec<&str>| names.join(",");
         let identity = Identity {
             version: env!("CARGO_PKG_VERSION").into(),
-            // every number is in the debug form, to the last digit
+            // debug form: every number to the last digit
             setup: format!("{:?}", batch.setup()),
             points,
             outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
@@ -82,7 +82,7 @@ impl Writer {
             Format::Jsonl => Table::JsonLines(SweepJsonLines::new(batch)),
             #[cfg(feature = "parquet")]
             Format::Parquet => {
-                // strings serialise
+                // strings always serialise
                 let note = serde_json::to_string(&identity).unwrap_or_default();
                 Table::Parquet(Box::new(SweepParquet::new(batch, &note)?))
             }
@@ -100,7 +100,7 @@ impl Writer {
         }
     }
 
-    /// The rows of a block; done on the thread that computed it.
+    /// The rows of a block; called on the thread that computed it.
     pub fn rows(&self, block: Block) -> Rows {
         let mut status_counts = StatusCounts::default();
         status_counts.add(&block);

@@ -12,9 +12,9 @@ use std::path::{Path, PathBuf};
 
 /// The destination of the rows.
 pub struct Target {
-    /// The name as typed.
+    /// The path as typed.
     path: PathBuf,
-    /// The file with those beside it, where it keeps its rows.
+    /// The files of the sweep, if the destination is a file.
     files: Option<Files>,
     pub format: Format,
 }
@@ -60,7 +60,7 @@ impl Target {
             return Ok(Self { format, ..target });
         }
         let inputs = request.inputs().chain(args.points.clone());
-        // whether there is something to resume is looked at below
+        // the code below checks if there is a sweep to resume
         let destination = Rule::new(inputs, args.overwrite || args.resume).file(&target.path)?;
         let files = destination.is_file().then(|| Files::of(destination.path()));
         if let Some(files) = &files {
@@ -73,7 +73,7 @@ impl Target {
         })
     }
 
-    /// The format of `--format`, or else of the ending of the name.
+    /// The format of `--format`, or else of the file name extension.
     fn format_of(&self, args: &Sweep) -> Result<Format> {
         let ending = self
             .path
@@ -107,23 +107,23 @@ impl Target {
         self.path == Path::new("-")
     }
 
-    /// Returns true for a pipe, a terminal or a device, which keep nothing.
+    /// Returns true for a pipe, a terminal or a device, which do not store the bytes.
     fn is_stream(&self) -> bool {
         self.is_standard_output()
             || std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file())
     }
 
-    /// The file of an incomplete sweep.
+    /// The path of the incomplete file.
     pub fn part(&self) -> Option<&Path> {
         self.files.as_ref().map(|files| files.part.as_path())
     }
 
-    /// The file, where it is one that keeps its bytes.
+    /// The file, if the destination stores its bytes.
     pub fn file(&self) -> Option<&Path> {
         self.files.as_ref().map(|files| files.whole.as_path())
     }
 
-    /// Begins, or goes on with what was kept.
+    /// Begins the output, or continues an interrupted one.
     pub fn open<'a>(&self, writer: &'a Writer, args: &Sweep) -> Result<Output<'a>> {
         if let Some(files) = &self.files {
             return Ok(Output::Resumable(Box::new(ResumableFile::open(
@@ -193,7 +193,7 @@ impl Stream {
 }
 
 impl Output<'_> {
-    /// Rows that were kept before.
+    /// Number of rows from an earlier run.
     pub fn rows(&self) -> u64 {
         match self {
             Self::Resumable(file) => file.rows(),
@@ -201,7 +201,7 @@ impl Output<'_> {
         }
     }
 
-    /// Rows after which a resumed sweep begins.
+    /// Number of rows after which a resumed sweep continues.
     pub fn safe(&self) -> u64 {
         match self {
             Self::Resumable(file) => file.safe(),
@@ -230,7 +230,7 @@ impl Output<'_> {
         }
     }
 
-    /// Ends what was written so that it can be read.
+    /// Closes the output so that the rows can be read.
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         match self {
             Self::Resumable(file) => file.close(is_complete),
