@@ -1,7 +1,7 @@
-//! Bundle of the other sides of kinks. At a kink the quadratic model of one side does not describe
-//! the other: steps fail, and the trust region shrinks to nothing far from the minimum along the
-//! kink. So a trial point on another side adds a term to a piecewise model: at most one term per
-//! side, from its second-order expansion.
+//! Bundle: nearby points on the other sides of kinks of f. At a kink the quadratic model of one
+//! side does not describe the other sides: steps fail, and the trust region shrinks to nothing far
+//! from the minimum along the kink. A trial point on another side therefore adds a term to a
+//! piecewise model: its second-order expansion, at most one term per side.
 
 use super::qp::MaxTerm;
 use super::scaling::{Point, Scaling};
@@ -90,8 +90,8 @@ impl Bundle {
     }
 }
 
-/// True if two points lie on different sides of a kink: the change of the gradient is not explained
-/// by either Hessian, nor by their mean.
+/// True if two points lie on different sides of a kink: neither Hessian, nor their mean, explains
+/// the change of the gradient between the points.
 fn are_sides_of_a_kink(scaling: &Scaling, a: &Point, b: &Point) -> bool {
     let has_no_hessian = |p: &Point| p.f.objective.hessian.is_empty();
     if has_no_hessian(a) || has_no_hessian(b) {

@@ -82,7 +82,7 @@ impl Checkpoint {
             path: path.into(),
             content: Mutex::new(content),
         };
-        // report a file that cannot be written now, not after hours of work
+        // if the file cannot be written, fail now and not after hours of work
         checkpoint.write(&checkpoint.lock(), text.is_some())?;
         Ok(checkpoint)
     }

@@ -7,10 +7,10 @@ use super::domain::Bounds;
 pub(crate) const LONGEST: f64 = 1.0 / 16.0;
 /// Shortest step, as a fraction of the range.
 const SHORTEST: f64 = 1.0 / 65_536.0;
-/// A step is halved if its corrected optimum is farther from the predicted one than this, in units
-/// of the ranges …
+/// A step is halved if the distance between its predicted and its corrected optimum, in units of
+/// the variables' ranges, exceeds this.
 pub(crate) const TOO_FAR: f64 = 0.02;
-/// … and the next step is doubled if it is nearer than this.
+/// The next step is doubled if that distance is below this.
 const NEAR: f64 = 0.002;
 /// Trust-region radius of the corrector. It keeps the search on the followed optimum.
 pub(crate) const RADIUS: f64 = 0.05;
@@ -85,9 +85,9 @@ pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -
     parts.fold(0.0, f64::max)
 }
 
-/// Locates the first point, within a tolerance, at which `is_as_before` no longer holds. `guess`
-/// predicts the location, `next` computes the point at a location from one before it. If `next`
-/// fails, the last located point is returned.
+/// Locates the first point, within a tolerance, at which `is_as_before` is false. `guess` predicts
+/// the location; `next` computes the point at a location from an earlier point. If `next` fails,
+/// the last computed point is returned.
 pub(crate) fn locate_change<P>(
     [mut before, mut after]: [P; 2],
     tolerance: f64,

@@ -60,11 +60,11 @@ impl Bounds {
             .collect()
     }
 
-    /// Scale of each number: the width of its range, but at most ten times max(|x|, 1); that size
-    /// itself if the range is infinite.
+    /// Scale of each number: the width of its range, but at most ten times max(|x|, 1). For an
+    /// infinite range the scale is max(|x|, 1).
     ///
     /// # Panics
-    /// If `x` has fewer numbers.
+    /// If `x` has fewer numbers than the limits.
     pub fn scale(&self, x: &[f64]) -> Vec<f64> {
         let scale = |i: usize| match self.high[i] - self.low[i] {
             0.0 => 1.0,
@@ -77,7 +77,7 @@ impl Bounds {
     /// True if both limits of a number are equal.
     ///
     /// # Panics
-    /// If there is no such number.
+    /// If `i` is out of range.
     pub fn is_fixed(&self, i: usize) -> bool {
         self.low[i] == self.high[i]
     }
@@ -85,7 +85,7 @@ impl Bounds {
     /// Signed violation of a number's limits: > 0 above the upper, < 0 below the lower, 0 within.
     ///
     /// # Panics
-    /// If there is no such number, or its limits are NaN or reversed.
+    /// If `i` is out of range, or the limits are NaN or reversed.
     pub fn excess(&self, i: usize, value: f64) -> f64 {
         value - value.clamp(self.low[i], self.high[i])
     }

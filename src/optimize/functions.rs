@@ -96,8 +96,9 @@ impl<F: Functions> Problem for Gradients<F> {
     }
 }
 
-/// Writes the derivatives of one pass to the Taylor polynomials of all functions; allocates them in
-/// the first pass, with `columns` gradient entries and `rows` rows of the Hessian.
+/// Writes the derivatives of one evaluation of the functions to their Taylor polynomials. The first
+/// evaluation allocates the polynomials, with `columns` gradient entries and `rows` rows of the
+/// Hessian.
 fn put<T>(
     evaluation: &mut Option<Evaluation>,
     values: Values<T>,

@@ -249,7 +249,7 @@ impl Checkpoint<Sqp, SqpState> for SnapshotIo {
 /// Passes argmin's iterations to the observer.
 struct IterationObserver {
     callback: Box<dyn FnMut(&Iteration)>,
-    /// Last iteration passed on; its allocation is reused.
+    /// Last iteration reported to the callback; its allocation is reused.
     current: Iteration,
 }
 

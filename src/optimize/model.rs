@@ -38,8 +38,8 @@ struct LeastViolation {
     remaining: Vec<f64>,
 }
 
-/// Weight of ½‖d‖² beside the squared violations. It makes the step of least violation unique and
-/// short.
+/// Weight of ½‖d‖², which is added to the squared violations to make the step of least violation
+/// unique and short.
 const SHORT: f64 = 1e-8;
 /// Slack for rounding added to relaxed inequality rows.
 const ROUNDING: f64 = 1e-12;
@@ -115,7 +115,7 @@ impl Model<'_> {
         trial
     }
 
-    /// Gives a step without multipliers those of the previous iteration.
+    /// If a step has no multipliers, uses the multipliers of the previous iteration.
     fn with_previous_multipliers(&self, step: Step) -> Step {
         let multipliers = self
             .multipliers
@@ -363,8 +363,8 @@ fn zero_step(variables: usize, rows: usize) -> Step {
     }
 }
 
-/// Elastic program: minimises ½‖e‖² + ½ SHORT ‖d‖² with a variable eⱼ for the violation of each row
-/// and |d| up to `reach`.
+/// Elastic program: minimises ½‖e‖² + ½ SHORT ‖d‖², with a variable eⱼ for the violation of each
+/// row and |d| at most the available part of the radius.
 fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     let (n, m) = (program.low.len(), program.rows.len());
     let wide = |j: usize| {

@@ -12,8 +12,8 @@ use std::sync::atomic::AtomicBool;
 pub struct Observer {
     /// Called after every iteration.
     pub iteration: Box<dyn FnMut(&Iteration)>,
-    /// Interrupt flag: once true, the search ends with the best point so far, before the next
-    /// evaluation or within one that [checks the flag](super::Problem::evaluate).
+    /// Interrupt flag: once true, the search ends with the best point so far. It ends before the
+    /// next evaluation, or during an evaluation that [checks the flag](super::Problem::evaluate).
     pub interrupt: Arc<AtomicBool>,
     /// Called after every iteration with a snapshot to save.
     pub save: Option<Box<SaveSnapshot>>,

@@ -9,7 +9,8 @@ use argmin::core::Error;
 const HUGE: f64 = 1e6;
 /// Maximum number of steps across redundant bounds in a search.
 const MOST_CROSSINGS: u32 = 10;
-/// First step along the constraint, in units of the scale; each following one is a quarter of it.
+/// First step along the constraint, in units of the scale. Each further step is a quarter of the
+/// previous one.
 const FIRST_STEP: f64 = 0.25;
 const STEPS: u32 = 8;
 

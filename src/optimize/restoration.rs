@@ -21,8 +21,8 @@ const ITERATIONS: u64 = 50;
 const MAX_RESTORATIONS: u32 = 3;
 /// Largest ratio of the new violation to the current one with which the search continues.
 const CONTINUE_BELOW: f64 = 0.99;
-/// Largest such ratio with which an infeasible search moves before it ends; a smaller change is
-/// rounding.
+/// Largest ratio of the new violation to the current one with which an infeasible search moves to
+/// the new point before it ends. A larger ratio is rounding.
 const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl State {

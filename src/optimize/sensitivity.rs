@@ -22,21 +22,21 @@ pub struct Response {
     pub multipliers: Vec<f64>,
     /// dc/dp of the constraint functions along the optimum.
     pub constraints: Vec<f64>,
-    /// d/dp of the Lagrangian's gradient. The multiplier of an active lower bound changes by this,
-    /// that of an upper bound by its negative.
+    /// Derivative of the Lagrangian's gradient by p: the rate of an active lower bound's
+    /// multiplier, and the negative rate of an active upper bound's multiplier.
     pub slopes: Vec<f64>,
 }
 
 /// Change of the active set along a moving optimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// Variable i reaches a bound; the lower one if true.
+    /// Variable i reaches a bound: the lower one for `true`, the upper one for `false`.
     BoundReached(usize, bool),
-    /// Variable i leaves a bound; the lower one if true.
+    /// Variable i leaves a bound: the lower one for `true`, the upper one for `false`.
     BoundLeft(usize, bool),
-    /// Constraint j reaches a limit; the lower one if true.
+    /// Constraint j reaches a limit: the lower one for `true`, the upper one for `false`.
     LimitReached(usize, bool),
-    /// Constraint j leaves a limit; the lower one if true.
+    /// Constraint j leaves a limit: the lower one for `true`, the upper one for `false`.
     LimitLeft(usize, bool),
 }
 

@@ -31,9 +31,9 @@ pub struct Solution {
     pub constraints: Vec<ConstraintValue>,
     /// Jacobian ∂cⱼ/∂xᵢ, a row for each constraint.
     pub jacobian: Vec<Vec<f64>>,
-    /// Relative KKT residual (see [`status`](super::status)): the largest of its parts.
+    /// Relative KKT residual (see [`status`](super::status)): the largest of its three components.
     pub kkt_residual: f64,
-    /// Parts of the KKT residual.
+    /// Components of the KKT residual.
     pub residual: Residual,
     /// Kink of f at the point, if the search ended at one.
     pub kink: Option<Kink>,

@@ -2,8 +2,9 @@ use super::domain::Bounds;
 use super::problem::Evaluation;
 use super::scaling::Point;
 
-/// If f is undefined at the start: number of points tried before the best defined one is taken. If
-/// none of them is defined, the first defined one is taken.
+/// Number of points tried if f is undefined at the start. The search begins at the best point at
+/// which f is defined. If there is none, further points are tried up to the first one at which f is
+/// defined.
 const CHOICE: u32 = 8;
 
 /// Finds the first iterate: the start, or another point of the box if f is undefined there.

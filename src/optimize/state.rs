@@ -14,10 +14,10 @@ use serde::{Deserialize, Serialize};
 const MAX_CORRECTIONS: u32 = 3;
 /// Largest trust-region radius, in units of the variables' scale.
 const MAX_RADIUS: f64 = 1e16;
-/// After a poor step the radius becomes this fraction of the step length …
+/// After a poor step, the trust-region radius becomes this fraction of the step length.
 const SHRINK: f64 = 0.25;
-/// … and after a good step on the trust-region boundary it grows by this factor (Conn, Gould &
-/// Toint 2000, §17.1).
+/// After a good step that ends on the trust-region boundary, the radius grows by this factor (Conn,
+/// Gould & Toint 2000, §17.1).
 const GROW: f64 = 2.0;
 /// Smallest factor applied to |λ| when a negative eigenvalue λ is reflected.
 const MIN_REFLECTION: f64 = 1e-12;

@@ -6,7 +6,7 @@ use crate::optimize::sobol;
 use crate::parameters::{Method, Parameter, Setup};
 use crate::units::Quantity;
 
-/// Integration method and step for a tolerance of lengths.
+/// Integration method and step that meet a tolerance on lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
     /// The method.
@@ -29,26 +29,29 @@ impl Accuracy {
     }
 }
 
-/// The method of highest order needs the fewest force evaluations for every tolerance offered.
+/// Method for every tolerance: the method of highest order needs the fewest force evaluations.
 const METHOD: Method = Method::DormandPrince8;
-/// Share of the tolerance that the compared drives may use; the rest covers drives between them.
+/// Fraction of the tolerance allowed as error of the compared drives; the rest covers the drives
+/// between them.
 const SAFETY: f64 = 0.25;
-/// Trial steps, s, in ratios of 2^(−1/4).
+/// Longest trial step, s. Each further trial step is shorter by the factor 2^(−1/4).
 const LONGEST_STEP: f64 = 1.6;
 const STEPS: i32 = 36;
-/// Step of the reference flights, relative to the tested step, and its lower limit in s.
+/// Step of the reference flights, relative to the tested step, and the shortest reference step in
+/// s.
 const REFERENCE: f64 = 1.0 / 4.0;
 const SHORTEST_REFERENCE: f64 = 1e-3;
 /// Number of points within the ranges.
 const INSIDE: u64 = 64;
-/// Number of drives tested first; a step that fails for them fails for all.
+/// Number of drives tested first. If a step fails for one of them, the other drives are not tested.
 const FIRST: usize = 16;
-/// Number of parameters whose range ends are combined; further ones keep the setup's value.
+/// Largest number of parameters whose range ends are combined; all further parameters keep the
+/// setup's value.
 const COMBINED: usize = 4;
-/// Number of slightly shorter steps per drive, because the error depends on where in its last step
-/// the ball lands.
+/// Number of slightly shorter steps tested per drive, because the error depends on the position of
+/// the landing within the last step.
 const PHASES: u32 = 8;
-/// Defects below this are rounding, m (a flight almost without air).
+/// Errors below this are rounding, m (for example in a flight almost without air).
 const ROUNDING: f64 = 1e-12;
 
 /// The longest step for which all lengths among the outcomes have errors below `tolerance` (m), for
@@ -120,8 +123,8 @@ struct StepErrors {
     largest_defect: f64,
 }
 
-/// A drive for which a step fails: its row, and the outcome with its error in m; `None` if it does
-/// not land.
+/// A drive for which a step fails: its row, and the failing outcome with its error in m. `None` if
+/// the drive does not land.
 type FailingDrive = (usize, Option<(Outcome, f64)>);
 
 /// The drives compared.
@@ -251,7 +254,7 @@ impl Sample {
                 for (i, of) in self.lengths.iter().enumerate() {
                     let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
                         (Some(exact), Some(flown)) => (exact, flown),
-                        // the ball lands, but does not come to rest
+                        // the ball lands but does not come to rest, so this outcome does not exist
                         (None, None) if of.needs_run() => continue,
                         _ => return Ok(Err((row, None))),
                     };

@@ -5,7 +5,7 @@ use crate::optimize::problem::{Evaluation, Problem};
 /// sum is the objective, the other replaces the last constraint.
 pub(super) struct Combined<'a> {
     pub problem: &'a dyn Problem,
-    /// Zero point of each function.
+    /// Value subtracted from each function before the weighting.
     pub zero: [f64; 2],
     /// Weights in the objective.
     pub objective: [f64; 2],
@@ -14,7 +14,7 @@ pub(super) struct Combined<'a> {
 }
 
 impl<'a> Combined<'a> {
-    /// Objective without the additional constraint.
+    /// Minimises the weighted sum, without a constraint on the second sum.
     pub fn minimized(problem: &'a dyn Problem, objective: [f64; 2]) -> Self {
         Self {
             problem,

@@ -11,7 +11,7 @@ use crate::optimize::sensitivity::{ActiveSet, Response, first_event, response};
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
-/// Slopes above this, or below its inverse, are infinite or zero to rounding.
+/// Slopes above this count as infinite, slopes below its inverse as zero: rounding dominates both.
 const STEEPEST: f64 = 1e8;
 
 /// A compromise, with its derivatives along the front.
@@ -134,8 +134,8 @@ impl Plane<'_> {
         })
     }
 
-    /// Computes the compromise at another s. Returns its distance from the prediction, in units of
-    /// the ranges.
+    /// Computes the compromise at s = `to`. Also returns its distance from the prediction, in units
+    /// of the variables' ranges.
     pub fn next(&self, here: &Compromise, to: f64) -> Result<(Compromise, f64)> {
         let bounds = &self.context.domain.variables;
         let predicted = predicted(&here.x, &here.rates, to - here.at, bounds);

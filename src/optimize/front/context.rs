@@ -27,7 +27,7 @@ pub(super) const STRAIGHT: f64 = 0.01;
 /// Shared data of all searches of a front.
 pub(super) struct FrontContext<'a> {
     pub problem: &'a dyn Problem,
-    /// Domain without the second function.
+    /// Domain without the limits of the second function.
     pub domain: Domain,
     pub options: &'a Options,
     pub observers: &'a Observers,

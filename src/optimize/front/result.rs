@@ -13,7 +13,8 @@ pub struct Front {
     /// the ends, with both functions scaled from 0 to 1 (Das 1999). `None` if the front is nearly
     /// straight or bends the other way.
     pub knee: Option<usize>,
-    /// Distance of the front from that line, relative to the line's length.
+    /// Distance of the front from the straight line between its ends, relative to the length of
+    /// that line.
     pub bend: f64,
     /// Number of dominated points that were removed.
     pub dominated: usize,

@@ -14,7 +14,7 @@ const LOCATED: f64 = 1e-9;
 /// Reason of a front with a missing part.
 const NO_COMPROMISE: &str = "no compromise was found in a part of the front";
 
-/// Relative difference of the slopes on two sides of a point that makes it a kink of the front.
+/// A point is a kink of the front if the slopes on its two sides differ by more than this fraction.
 const KINK: f64 = 1e-3;
 
 /// A compromise on the traced path, with its event.
@@ -109,8 +109,8 @@ fn smallest_sum(path: &[PathPoint], knee: Option<&Compromise>) -> f64 {
         .fold(1.0, |least, place| f64::min(least, place.sum))
 }
 
-/// Converts a compromise to a point of the front. An end has the active set of its own function's
-/// search: as a compromise its multipliers vanish.
+/// Converts a compromise to a point of the front. An end takes its active set from the search for
+/// its own function's minimum, because its multipliers vanish in the search for a compromise.
 fn front_point(point: PathPoint, end_active_sets: &[ActiveSet; 2]) -> FrontPoint {
     let Compromise {
         at,
@@ -136,7 +136,8 @@ fn front_point(point: PathPoint, end_active_sets: &[ActiveSet; 2]) -> FrontPoint
     }
 }
 
-/// Traces the front from the first end and, if that does not reach the second, also from there.
+/// Traces the front from the first end. If the trace does not reach the second end, the front is
+/// also traced from there.
 fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, second: Compromise) -> Path {
     let context = plane.context;
     let mut path = trace(plane, first, 1.0);
@@ -247,8 +248,9 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
     }
 }
 
-/// Locates the change of the active set between two compromises. Returns the points that the path
-/// gains: one with the event, and, tracing backwards, another with the active set that follows.
+/// Locates the change of the active set between two compromises. Returns the points to add to the
+/// path: one with the event and, in a backward trace, another one with the active set after the
+/// event.
 fn locate_event(
     plane: &Plane<'_>,
     here: &Compromise,
@@ -363,8 +365,8 @@ fn find_knee(plane: &Plane<'_>, path: &[PathPoint]) -> Option<Compromise> {
         .or_else(|| Some(nearest.clone()))
 }
 
-/// Removes points that another one, of these or of the path, dominates, and duplicates. Returns the
-/// number of dominated points too.
+/// Removes duplicates, and points that another point of the list or of the path dominates. Also
+/// returns the number of dominated points.
 fn nondominated(
     points: Vec<PathPoint>,
     path: &[PathPoint],

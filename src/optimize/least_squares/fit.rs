@@ -23,8 +23,8 @@ const MOST_DAMPING: f64 = 1e20;
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
 /// If no step lowers the sum, the fit has converged once an undamped step is shorter than this,
-/// relative to the point and the distance travelled (Moré 1978, MINPACK's `xtol`). Near a sum of 0
-/// the gradient cannot tell: the residuals themselves are rounding errors.
+/// relative to the point and the distance travelled (Moré 1978, MINPACK's `xtol`). The gradient is
+/// no criterion near a sum of 0, where the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
 /// Name of the convergence measure in messages: 0 at a stationary point.
@@ -98,7 +98,7 @@ pub struct Fit {
     pub evaluations: u64,
     /// Number of trial points at which the residuals were undefined.
     pub refused: u64,
-    /// Reason at the last of these points.
+    /// Reason why the residuals were undefined at the last of these points.
     pub why_refused: Option<String>,
 }
 
@@ -107,8 +107,9 @@ pub struct Fit {
 pub struct FitObserver {
     /// Called at every iteration with its number and F.
     pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
-    /// Interrupt flag: once true, the fit ends with the best point so far, after the current
-    /// evaluation or within one that [checks the flag](super::Residuals::evaluate).
+    /// Interrupt flag: once true, the fit ends with the best point so far. It ends after the
+    /// current evaluation, or during an evaluation that [checks the
+    /// flag](super::Residuals::evaluate).
     pub interrupt: Arc<AtomicBool>,
 }
 

@@ -26,7 +26,7 @@ pub(super) struct InteriorPoint {
 }
 
 impl Clone for InteriorPoint {
-    /// A new solver: results depend only on the data of the next program.
+    /// Returns a new solver, so that results depend only on the data of the next program.
     fn clone(&self) -> Self {
         Self::default()
     }
@@ -172,8 +172,8 @@ impl StandardForm {
         let length_unit = program.largest_bound();
         let curvature = program.hessian.amax() * length_unit * length_unit;
         let slope = program.largest_gradient_component() * length_unit;
-        // geometric mean if curvature dominates, so that neither part vanishes beside the
-        // tolerances
+        // geometric mean if curvature dominates, so that neither slope nor curvature becomes
+        // smaller than the tolerances
         let value_unit = if slope > 0.0 {
             (slope * slope.max(curvature)).sqrt()
         } else {

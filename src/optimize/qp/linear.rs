@@ -1,10 +1,10 @@
-//! Small symmetric linear systems, equilibrated so that curvatures and normals of very different
-//! sizes do not hide each other.
+//! Small symmetric linear systems. Equilibration prevents large curvatures and normals from hiding
+//! small ones.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Equations are linearly dependent if a pivot, after equilibration, is below this fraction of the
-/// largest.
+/// largest pivot.
 const DEPENDENT: f64 = 1e-14;
 /// Eigenvalues below this, after equilibration, count as zero.
 const RANK: f64 = 1e-13;

@@ -224,8 +224,8 @@ mod tests {
         }
     }
 
-    /// A solver that has solved other programs gives the same bits as a new one: updating its data
-    /// leaves no state of earlier programs.
+    /// A solver that has solved other programs gives the same bits as a new solver: an update of
+    /// the data leaves no state of earlier programs.
     #[test]
     fn same_bits_of_a_used_solver_and_of_a_new_one() {
         let mut used = QpSolver::default();

@@ -12,7 +12,7 @@ pub struct Estimate {
     pub parameter: &'static Parameter,
     /// Its value.
     pub value: f64,
-    /// Standard error; `None` if the data do not determine the value or it lies on a bound.
+    /// Standard error; `None` if the data do not determine the value, or the value lies on a bound.
     pub standard_error: Option<f64>,
     /// The value lies on a bound of its range.
     pub is_at_bound: bool,
@@ -47,14 +47,14 @@ pub struct Calibration {
     pub fit: Fit,
     /// Number of searches.
     pub starts: usize,
-    /// Number of searches that ended at the smallest sum of squares (within 1e-6 of it).
+    /// Number of searches that ended at the smallest sum of squares (within a relative 1e-6).
     pub at_minimum: usize,
     /// Statuses of the other searches with their counts. Empty if the curvatures of optima were
     /// renewed more than once, since then only the best search continues.
     pub elsewhere: Vec<(Status, usize)>,
     /// Number of searches that were interrupted.
     pub stopped: usize,
-    /// The search shown converged to a minimum, even if others were interrupted.
+    /// True if the best search converged to a minimum, even if other searches were interrupted.
     pub is_minimum: bool,
     /// The fitted parameters.
     pub estimates: Vec<Estimate>,

@@ -21,8 +21,8 @@ impl ShotTable {
         Self::opened(setup, path, ClubColumns::Ignored)
     }
 
-    /// Reads launches from a CSV file, together with the club columns beside them. A row needs no
-    /// measurement other than its launch.
+    /// Reads launches from a CSV file, together with the club columns in the same rows. A row needs
+    /// no measurement other than its launch.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read).
@@ -40,8 +40,8 @@ impl ShotTable {
         Self::read_rows(setup, &file, source, club)
     }
 
-    /// Reads measured shots from CSV text. Messages of GSPro Open Connect and exports with title
-    /// lines before the head are read too.
+    /// Reads measured shots from CSV text. Also reads messages of GSPro Open Connect, and exports
+    /// with title lines above the column heads.
     ///
     /// Rows without a measurement, or without a value that every shot needs, are ignored; a remark
     /// lists them. In a launch monitor's export, summary rows and rows with an unusable value are

@@ -16,8 +16,8 @@ use std::sync::atomic::AtomicBool;
 const MUCH: f64 = 3.0;
 
 impl Calibration {
-    /// Warnings about the fit: rows read as deliveries, residuals too large for noise, values on a
-    /// bound, and confidence intervals beyond the allowed range.
+    /// Warnings about the fit: rows that are read as deliveries, residuals too large for noise,
+    /// values on a bound, and confidence intervals wider than the allowed range.
     pub fn warnings(&self, table: &ShotTable) -> Vec<Message> {
         let of_values = self
             .estimates
@@ -115,8 +115,8 @@ impl Calibration {
 const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
 
 impl ShotTable {
-    /// A note if no row has a launch or an input of swing, club, strike or impact. It shows the
-    /// setup's swing, without the fitted parameters.
+    /// Returns a note if no row has a launch or an input of swing, club, strike or impact. The note
+    /// shows the setup's swing, without the fitted parameters.
     pub fn one_drive(&self, setup: &Setup<f64>, fitted: &[Vary]) -> Option<Message> {
         let has_own = |(parameter, _): &(&Parameter, f64)| parameter.is_of_strike();
         if self.is_launched
@@ -160,8 +160,8 @@ impl ShotTable {
     }
 }
 
-/// Flies the shots and counts those outside the model's validity limits; shots that do not land are
-/// not counted. Once `stop` is true, the warning says that they were not checked.
+/// Warnings about shots outside the model's validity limits. Shots that do not land are not
+/// counted. Once `stop` is true, the warning says that the shots were not checked.
 pub fn validity_warnings(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Vec<Message> {
     let looked_at = |shot: &Shot| {
         let setup = at_shot(setup, shot).ok()?;

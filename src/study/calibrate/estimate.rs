@@ -226,7 +226,7 @@ pub fn calibrate(
     })
 }
 
-/// Starting points of the searches. At one of them at least, every row has an answer.
+/// Starting points of the searches. At least at one of them, all rows can be computed.
 fn starting_points(
     problem: &mut ShotResiduals<'_>,
     domain: &Domain,
@@ -253,7 +253,7 @@ fn starting_points(
     }
 }
 
-/// Error of a fit that could not begin.
+/// Error of a fit without a usable starting point.
 fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) -> Error {
     if observer.is_interrupted() {
         stopped("the fit began")
@@ -264,7 +264,7 @@ fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) ->
 
 /// Searches from several starting points, with constant curvatures of optima at the end.
 struct Searches {
-    /// In ascending order of the sum of squares.
+    /// Fits in ascending order of the sum of squares.
     fits: Vec<Fit>,
     /// The curvatures no longer change.
     is_settled: bool,
@@ -284,7 +284,7 @@ impl Searches {
     ) -> Result<Self> {
         /// Maximum number of renewals.
         const RENEWALS: usize = 8;
-        /// Relative change of a curvature that counts as none.
+        /// Largest relative change of a curvature that counts as unchanged.
         const SAME: f64 = 1e-4;
         let mut renewals = 0;
         loop {
@@ -351,7 +351,7 @@ impl Searches {
 /// First words of the error for a fit without a starting point.
 const NO_START: &str = "no start was found at which every row has an answer";
 
-/// The error that lists the rows without an answer at `at`.
+/// The error that lists the rows that cannot be computed at `at`.
 fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {
     match problem.each(at) {
         Ok(each) => {

@@ -1,4 +1,4 @@
-//! Cross-validation: errors of shots that a fit has not seen.
+//! Cross-validation: prediction errors of shots that were not used in the fit.
 
 use super::calibration::Remainder;
 use super::estimate::{FitPlan, calibrate, flown};
@@ -13,7 +13,7 @@ use crate::units::counted;
 pub struct HeldOut {
     /// Number of folds; 0 for a setup flown without a fit.
     pub folds: usize,
-    /// Status of the fit for each fold. An interrupted fit has no residuals.
+    /// Status of the fit of each fold. An interrupted fit gives no residuals.
     pub ended: Vec<Status>,
     /// Residuals of the held-out rows.
     pub remainders: Vec<Remainder>,
@@ -41,8 +41,8 @@ impl HeldOut {
         self.count(Status::Interrupted) > 0
     }
 
-    /// Residuals of shots flown with a setup that was not fitted to them. An interruption counts as
-    /// one interrupted fit without residuals.
+    /// Residuals of shots flown with the setup itself, without a fit. An interruption counts as one
+    /// interrupted fit without residuals.
     ///
     /// # Errors
     /// [`Error::NoFit`] with the rows that have no answer.

@@ -11,8 +11,8 @@ pub struct Instrument {
     pub outcome: Outcome,
     /// Its standard uncertainty with unit: `0.3 deg`.
     pub sigma: &'static str,
-    /// Source; "assumed" with the reasoning where no source was found. Lengths and speeds are in
-    /// braces.
+    /// Source, or "assumed" with the reasoning if no source was found. Braces enclose lengths and
+    /// speeds, which are printed in the user's units.
     source: &'static str,
 }
 

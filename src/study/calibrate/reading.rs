@@ -25,9 +25,10 @@ pub(super) struct Reading {
     /// Collects remarks on the columns.
     pub remarks: Vec<Message>,
     pub is_launched: bool,
-    /// Export of a launch monitor.
+    /// True for an export of a launch monitor.
     pub is_export: bool,
-    /// Use of the club columns; `Read` for deliveries, which ignore the flight.
+    /// Use of the club columns. `Read` for deliveries, which are computed from the launch without a
+    /// flight.
     pub club: ClubColumns,
 }
 
@@ -40,7 +41,7 @@ pub(super) struct Row {
     pub contradiction: Option<String>,
     /// Messages on implausible measured values.
     pub implausible: Vec<String>,
-    /// Reason for using the air of the setup.
+    /// Reason why the air of the setup is used.
     pub no_air: Option<String>,
     /// Messages on club columns without a usable value. The prior distribution replaces them.
     pub not_stated: Vec<String>,
@@ -145,7 +146,7 @@ impl RowError {
     }
 }
 
-/// Error in a column.
+/// Error of a column (`None`: of the row), with its reason.
 impl<T: Into<String>> From<(Option<String>, T)> for RowError {
     fn from((column, why): (Option<String>, T)) -> Self {
         Self {
@@ -157,7 +158,7 @@ impl<T: Into<String>> From<(Option<String>, T)> for RowError {
 }
 
 impl Reading {
-    /// Columns of a section and their use.
+    /// Reads the columns of a section from their heads.
     ///
     /// # Errors
     /// [`Error::Table`] for a repeated column, a wrong unit, a sigma without its measurement, and
@@ -198,7 +199,7 @@ impl Reading {
         remarks.extend(
             written.remark("columns that a sweep writes beside what is measured are not read"),
         );
-        // a delivery treats the launch as measured; otherwise the launch is the input of the flight
+        // for a delivery the launch is a measurement; otherwise it is the input of the flight
         let is_launched = head.is_launched() && club == ClubColumns::Ignored;
         let inputs = head
             .columns
@@ -279,7 +280,7 @@ impl Reading {
         }
     }
 
-    /// Values of a message, column by column.
+    /// Values of a message, in the order of the columns.
     pub fn numbers(&self, shot: &Stated, further: &[&'static Parameter]) -> Vec<Option<f64>> {
         let of = |column: &Column| match column.content {
             Content::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
@@ -334,8 +335,8 @@ impl Reading {
         }
     }
 
-    /// True for outcomes that the fit compares: for launches all but the launch conditions, for
-    /// deliveries only the launch.
+    /// True for outcomes that the fit compares: for launches all outcomes except the launch
+    /// conditions, for deliveries only the launch conditions.
     fn is_used(&self, outcome: Outcome) -> bool {
         match self.club {
             ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
@@ -450,7 +451,7 @@ impl Reading {
         Ok(())
     }
 
-    /// Adds the launch that a row states to its inputs.
+    /// Adds the launch conditions of a row to its inputs.
     fn add_launch(
         &self,
         row: &mut Row,
@@ -468,12 +469,12 @@ impl Reading {
         Ok(())
     }
 
-    /// True for a club column of a delivery, where rows may lack a value.
+    /// True for a club column of a delivery; rows may lack a value in such a column.
     fn is_of_the_club(&self, column: &Column) -> bool {
         self.club == ClubColumns::Read && column.is_of_the_strike()
     }
 
-    /// True for a club with zeros only, which was not measured.
+    /// True if all club values are zero: the club was not measured.
     fn is_still(&self, record: Values<'_>) -> bool {
         let of_club =
             self.columns
@@ -490,10 +491,10 @@ impl Reading {
             && stated.iter().all(|(_, value)| *value == 0.0)
     }
 
-    /// The value that a row states of the club.
+    /// Value of a club column in a row.
     ///
     /// # Errors
-    /// Reason for the missing value.
+    /// The reason why the value is missing.
     fn usable(
         &self,
         column: &Column,
@@ -519,13 +520,13 @@ impl Reading {
             .any(|column| column.content == Content::Outcome(outcome))
     }
 
-    /// True with all columns of a launch.
+    /// True if the table has all columns of a launch.
     fn has_whole_launch(&self) -> bool {
         let has_spin = self.has(Outcome::Spin) || self.has(Outcome::Backspin);
         self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin
     }
 
-    /// The heads of a whole launch and of the club columns, if the table has both.
+    /// Heads of a complete launch and of the club columns, if the table has both.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
         let heads = |is: &dyn Fn(&Column) -> bool| {
             let heads = self
@@ -574,7 +575,7 @@ impl Reading {
         if !self.is_export {
             return None;
         }
-        // a delivery needs a complete launch if the table has columns for one
+        // if the table has all columns of a launch, a delivery needs a complete launch
         let is_whole = self.club == ClubColumns::Read && self.has_whole_launch();
         self.launch(*stated)
             .err()

@@ -11,7 +11,7 @@ use crate::study::cancellable::{each_until, stopped};
 use crate::units::significant;
 use std::sync::atomic::AtomicBool;
 
-/// Completes "stopped before …".
+/// Text that completes "stopped before …".
 const FLOWN: &str = "all shots were flown";
 
 /// Residuals above this overflow when squared.
@@ -32,7 +32,7 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     }
 }
 
-/// Reason without the prefix of calibration errors, for values that a search tried.
+/// Reason of an error at values that a search tried, without the prefix of calibration errors.
 fn reason(error: Error) -> String {
     match error {
         Error::Calibration { reason } => reason,
@@ -190,7 +190,7 @@ impl ShotResiduals<'_> {
         })
     }
 
-    /// Computes the curvatures at `x` and checks every row there; true if all rows have an answer.
+    /// Computes the curvatures at `x` and checks every row; true if all rows can be computed.
     pub fn begin(&mut self, x: &[f64]) -> bool {
         let Ok(curvatures) = self.curvatures_at(x) else {
             return false;
