@@ -13,34 +13,35 @@ use serde::Serialize;
 pub struct ChartReport<'a> {
     #[serde(skip)]
     chart: &'a Chart,
-    /// The parameter it runs along.
+    /// The parameter along which the chart runs.
     pub parameter: &'static str,
     /// The outcome that is optimized.
     pub objective: &'static str,
     /// `maximize` or `minimize`.
     pub sense: &'static str,
-    /// Its points, in order.
+    /// The points of the chart, in order.
     pub points: Vec<ChartPointReport>,
-    /// Why it begins after the range does; `null` where it does not.
+    /// The reason why the chart begins inside the range; `null` if it covers the start of the
+    /// range.
     pub begun: Option<String>,
-    /// Why it ends before the range does; `null` where it does not.
+    /// The reason why the chart ends inside the range; `null` if it covers the end of the range.
     pub ended: Option<String>,
 }
 
 /// An optimum of a chart.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChartPointReport {
-    /// The parameter's value.
+    /// The value of the chart's parameter.
     pub at: f64,
-    /// The outcome's best value there.
+    /// The optimal value of the objective.
     pub value: Number,
     /// The varied parameters at the optimum.
     pub optimum: ByName<Number>,
-    /// The ball as it leaves there: speed, launch angle and backspin.
+    /// The launch of the optimal drive: ball speed, launch angle and backspin.
     pub launch: ByName<Number>,
     /// The active bounds and constraints.
     pub active: Vec<String>,
-    /// The bound of each parameter at one, `lower` or `upper`.
+    /// The active bound of each parameter that is at a bound, `lower` or `upper`.
     pub bounds: ByName<&'static str>,
     /// The change of the active bounds and constraints here.
     pub event: Option<String>,
@@ -60,7 +61,7 @@ impl<'a> ChartReport<'a> {
         }
     }
 
-    /// The chart as CSV, SI and radians; the head names the unit of each column, `swing.speed [m/s]`.
+    /// The chart as CSV, in SI and radians. The heads name the units: `swing.speed [m/s]`.
     ///
     /// # Errors
     /// [`Error::Output`].
@@ -135,7 +136,7 @@ impl ChartPointReport {
 impl Report for ChartReport<'_> {
     const COMMAND: &'static str = "chart";
 
-    /// The status is `done`, `interrupted`, `partial` where the optimum is missing for a part of the
+    /// The status is `done`, `interrupted`, `partial` if the optimum is missing for a part of the
     /// range, or `no-answer`.
     fn ending(&self) -> Ending {
         let reasons: Vec<&str> = self
@@ -156,7 +157,7 @@ impl Report for ChartReport<'_> {
         }
     }
 
-    /// A row for each optimum, and why the chart does not cover its range.
+    /// A row for each optimum, then the reasons why the chart does not cover its range.
     fn document(&self, system: System) -> Document {
         let chart = self.chart;
         let mut document = Document::default();
@@ -180,7 +181,7 @@ fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
     LAUNCH.map(|of| of.value(point.best.drive.as_ref()?))
 }
 
-/// The parameters and the outcome that the columns of a chart hold, in order.
+/// The parameters and outcomes in the columns of a chart, in order.
 fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
     let Some(first) = chart.points.first() else {
         return vec![];
@@ -224,7 +225,7 @@ fn row(chart: &Chart, point: &ChartPoint, system: System) -> Vec<String> {
     cells
 }
 
-/// The bounds and constraints that are active at a point, as `words` writes them.
+/// The active bounds and constraints of a point, formatted by `words`.
 fn listed(point: &ChartPoint, separator: &str, words: impl Fn(&Active) -> String) -> String {
     point
         .active

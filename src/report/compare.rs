@@ -25,7 +25,7 @@ pub struct ComparisonReport<'a> {
     pub a: ComparedDrive,
     /// The second drive.
     pub b: ComparedDrive,
-    /// The outcomes requested, in their order.
+    /// The differences of the requested outcomes, in the order of the request.
     pub outcomes: Vec<DifferenceReport>,
 }
 
@@ -36,7 +36,7 @@ pub struct ComparedDrive {
     pub setup: ByName<Setting>,
     /// The launch.
     pub launch: LaunchReport,
-    /// The outcomes of the flight; `null` where the ball does not land.
+    /// The outcomes of the flight; `null` if the ball does not land.
     pub flight: Option<ByName<Number>>,
 }
 
@@ -45,16 +45,17 @@ pub struct ComparedDrive {
 pub struct DifferenceReport {
     /// The outcome.
     pub of: &'static str,
-    /// Its value in each drive; `null` where there is no comparison.
+    /// The value of the outcome in each drive; `null` if the drives cannot be compared.
     pub values: Option<[Number; 2]>,
-    /// The value of b less that of a.
+    /// The value of b minus the value of a.
     pub difference: Number,
-    /// The difference by the parameters that differ.
+    /// The shares of the parameters that differ.
     pub by_parameter: Option<SharesReport>,
-    /// The difference by launch conditions and the other inputs of the flight; `null` for an
-    /// outcome of the launch, and where the launches are given, so that these are the parameters.
+    /// The shares of the launch conditions and the other inputs of the flight. `null` for an
+    /// outcome of the launch, and if the setups state the launches: then these inputs are the
+    /// parameters.
     pub by_launch: Option<SharesReport>,
-    /// Why there is no comparison; `null` where there is one.
+    /// The reason why the drives cannot be compared; `null` if they can.
     pub message: Option<String>,
 }
 
@@ -63,9 +64,9 @@ pub struct DifferenceReport {
 pub struct SharesReport {
     /// The share of each cause.
     pub shares: Vec<ShareReport>,
-    /// The difference less the sum of the shares.
+    /// The difference minus the sum of the shares.
     pub remainder: Number,
-    /// The error estimate of the integrals that the shares are.
+    /// The error estimate of the integrals that give the shares.
     pub integration_error: Number,
 }
 
@@ -74,11 +75,11 @@ pub struct SharesReport {
 pub struct ShareReport {
     /// The parameter or choice that differs.
     pub cause: &'static str,
-    /// Its value in each drive.
+    /// The value of the cause in each drive.
     pub values: [CauseValue; 2],
-    /// Its part of the difference.
+    /// The share of the cause in the difference.
     pub share: Number,
-    /// It changes at once, since there are no values between.
+    /// True if the cause changes in one step, because it has no intermediate values.
     pub at_once: bool,
 }
 
@@ -90,7 +91,7 @@ pub enum CauseValue {
     Number(Number),
     /// The name of a choice.
     Choice(&'static str),
-    /// The numbers given for a quantity that may be stated in several ways.
+    /// The stated numbers of a quantity that may be stated in several ways.
     Numbers(ByName<Number>),
 }
 
@@ -309,7 +310,7 @@ fn add_shares(
         ));
     }
     let remainder = shown::change(of, split.remainder, system);
-    // without a sign it reads as 0
+    // a remainder without a sign is displayed as 0
     if remainder.starts_with(['+', '-']) && !is_rounding(split.remainder) {
         let why = if split.remainder.abs() <= split.error {
             let error = shown::spread(of, split.error, system);

@@ -10,15 +10,15 @@ use crate::study::Sense;
 use crate::study::design::{ConstraintState, Design, Enforcement, Improvement};
 use crate::units::{System, signed};
 
-/// Limits are met to less than this part of the step of their price.
+/// Values below this fraction of the limit's step are displayed as 0.
 const ROUNDING: f64 = 1e-6;
 
-/// A design: its limits, and what it changes.
+/// A design with its limits and its changes.
 #[derive(Clone, Copy, Debug)]
 pub struct Designed<'a> {
     /// The search with its rules and limits.
     pub design: &'a Design,
-    /// The setup before.
+    /// The setup before the search.
     pub setup: &'a Setup<f64>,
     /// The best design.
     pub best: &'a Optimum,
@@ -65,7 +65,7 @@ impl Designed<'_> {
         }
     }
 
-    /// The design as text, below that of the search.
+    /// The design as text, which follows the text of the search.
     pub fn text(&self, system: System) -> String {
         let solution = &self.best.solution;
         let change = |text: String, amount: f64| signed(amount, text);
@@ -145,12 +145,12 @@ impl Designed<'_> {
         text + "\n" + &lines.map(paragraph).collect::<String>()
     }
 
-    /// The value of a parameter as set up: what it means to be unset, where that is 0.
+    /// The value of a parameter in the setup; for an unset parameter, its equivalent number if any.
     fn own(&self, parameter: &Parameter) -> Option<f64> {
         self.setup.value(parameter).or(parameter.unset)
     }
 
-    /// The cells of a rule or limit: its value, and its margin or its price.
+    /// The cells of a rule or limit: its value, and its margin or multiplier.
     fn row(&self, state: &ConstraintState, system: System) -> Vec<String> {
         let ConstraintState {
             constraint,

@@ -13,7 +13,7 @@ use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity, System};
 use serde::Serialize;
 
-/// Uncertainty of a total at best, m: grounds differ by as much (docs/limitations.md).
+/// Uncertainty of a total at best, m: differences between grounds cause it (docs/limitations.md).
 const RUN_WITHIN: f64 = 10.0 * 0.9144;
 
 /// A drive: setup, launch, head after impact and flight.
@@ -27,13 +27,14 @@ pub struct DriveReport<'a> {
     pub setup: ByName<Setting>,
     /// The launch.
     pub launch: LaunchReport,
-    /// The head after impact; `null` where the launch is given and there is no club.
+    /// The head after impact; `null` if the launch is stated and there is no club.
     pub club_after: Option<ClubReport>,
-    /// The ball still slid on the face as it left; `null` where there is no club.
+    /// True if the ball was still sliding on the face at separation; `null` without a club.
     pub slipped: Option<bool>,
-    /// The outcomes of the flight; `null` where the ball does not land.
+    /// The outcomes of the flight; `null` if the ball does not land.
     pub flight: Option<ByName<Number>>,
-    /// Each quantity that a law may be fitted to; `null` without air or a flight.
+    /// The fitted and flown range of each quantity in the law's fit; `null` without air or a
+    /// flight.
     pub law_range: Option<ByName<Option<LawRange>>>,
 }
 
@@ -58,14 +59,14 @@ pub struct ClubReport {
     pub angular_velocity: Components,
 }
 
-/// The range of a quantity that a law was fitted to, beside the flight's.
+/// The fitted range of a quantity of the law, and its range in the flight.
 #[derive(Clone, Debug, Serialize)]
 pub struct LawRange {
     /// The range of the fit.
     pub fitted: Range,
-    /// The range of the flight.
+    /// The range in the flight.
     pub flown: Range,
-    /// The share of the flight's time outside of the fit.
+    /// The fraction of the flight time outside of the fitted range.
     pub share_outside: Number,
 }
 
@@ -92,8 +93,8 @@ impl<'a> DriveReport<'a> {
 impl Report for DriveReport<'_> {
     const COMMAND: &'static str = "simulate";
 
-    /// The status is `landed`, `no-flight` or `aloft`, the message the reason why the ball does not
-    /// land.
+    /// The status is `landed`, `no-flight` or `aloft`; the message is the reason why the ball does
+    /// not land.
     fn ending(&self) -> Ending {
         match &self.drive.flight {
             Flight::Landed(_) => Ending {
@@ -107,8 +108,8 @@ impl Report for DriveReport<'_> {
         }
     }
 
-    /// The numbers of a launch monitor, and the flight; each in the units of `system`, then in
-    /// those of the other.
+    /// The numbers of a launch monitor, then the flight. Each value is in the units of `system`,
+    /// then in those of the other system.
     fn document(&self, system: System) -> Document {
         let Self {
             setup_in_si, drive, ..
@@ -132,8 +133,8 @@ impl Report for DriveReport<'_> {
     }
 }
 
-/// Each quantity that a law may be fitted to, with the ranges of fit and flight; `None` without air
-/// or a flight.
+/// The fitted and flown range of each quantity that a law may be fitted to; `None` without air or a
+/// flight.
 pub(super) fn law_range(
     setup: &Setup<f64>,
     drive: &Drive<f64>,
@@ -164,7 +165,7 @@ pub(super) fn launch(drive: &Drive<f64>) -> LaunchReport {
     }
 }
 
-/// The outcomes of the flight; `None` where the ball does not land.
+/// The outcomes of the flight; `None` if the ball does not land.
 pub(super) fn flight(drive: &Drive<f64>) -> Option<ByName<Number>> {
     matches!(drive.flight, Flight::Landed(_)).then(|| of_part(drive, OutcomeGroup::Flight))
 }
@@ -175,7 +176,7 @@ fn of_part(drive: &Drive<f64>, part: OutcomeGroup) -> ByName<Number> {
         .collect()
 }
 
-/// The outcomes of a part of a drive: name, value, and the value in the other system.
+/// A group of outcomes of a drive: name, value, and the value in the other system.
 fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System) -> Table {
     let texts: Vec<_> = Outcome::in_group(part)
         .map(|outcome| {
@@ -217,7 +218,7 @@ fn bodies(drive: &Drive<f64>, system: System) -> Vec<Line> {
     lines
 }
 
-/// The air that the weather of a setup gives; `None` where the air is given by itself.
+/// The air that follows from the weather of a setup; `None` if the setup states the density.
 fn air(setup: &Setup<f64>) -> Option<Message> {
     let density = AirState::of(&setup.air).density;
     setup.air.has_weather().then(|| {
@@ -230,7 +231,7 @@ fn air(setup: &Setup<f64>) -> Option<Message> {
     })
 }
 
-/// The parts of a run, and its uncertainty.
+/// Bounces and roll of a ball, with the uncertainty of their length.
 fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
     let parts = match rest {
         Some(rest) if rest.downrange.is_nan() => {
@@ -253,7 +254,7 @@ pub fn known_within() -> Message {
 fn components(velocity: Vector<f64>, system: System) -> String {
     let unit = system.unit("m/s");
     let size = Quantity::SPEED.size_of(unit).unwrap_or(1.0);
-    // two decimals, as the paper prints them; the sum turns -0 into 0
+    // two decimals, as in the paper; the sum turns -0 into 0
     let [up, right, downrange] = velocity
         .to_array()
         .map(|component| (component / size * 100.0).round() / 100.0 + 0.0);

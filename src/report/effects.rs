@@ -11,7 +11,7 @@ use crate::study::{Bar, Effect, Effects, Optimum, Sensitivity};
 use crate::units::{System, significant};
 use serde::Serialize;
 
-/// The sensitivity of an optimum's value to each parameter, or the error.
+/// The sensitivities of an optimum's value, each with its parameter, or the errors.
 pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
 
 /// The effects of all parameters on outcomes, SI and radians.
@@ -23,7 +23,7 @@ pub struct EffectsReport<'a> {
     totals: Option<(Outcome, &'a Totals)>,
     /// Each outcome, in the order requested.
     pub outcomes: Vec<OutcomeEffects>,
-    /// The optimum whose drive it is; `null` for the drive as set up.
+    /// The optimum, if the effects are those of its drive; `null` for the drive as set up.
     pub at_optimum: Option<OptimumReport>,
 }
 
@@ -32,17 +32,17 @@ pub struct EffectsReport<'a> {
 pub struct OutcomeEffects {
     /// The outcome.
     pub of: &'static str,
-    /// Its value.
+    /// The value of the outcome.
     pub value: Number,
     /// Its standard uncertainty to first order.
     pub standard_uncertainty: Number,
-    /// The sum of the second-order terms, which drives flown include.
+    /// The sum of the second-order terms. The differences of flown drives include them.
     pub linearity: Number,
-    /// The parameters, by the size of their effect.
+    /// The effects of the parameters, the largest first.
     pub effects: Vec<EffectReport>,
 }
 
-/// The effect of a parameter on an outcome; `null` for an uncertainty that it does not have.
+/// The effect of a parameter on an outcome; `null` if the parameter has no uncertainty.
 #[derive(Clone, Debug, Serialize)]
 pub struct EffectReport {
     /// The parameter p.
@@ -59,15 +59,15 @@ pub struct EffectReport {
     pub effect: Number,
     /// ½ σ² ∂²f/∂p².
     pub second_order: Number,
-    /// The change of f in drives flown at p − σ and p + σ.
+    /// The change of f in drives computed at p − σ and p + σ.
     pub flown: Option<[Number; 2]>,
-    /// d f*/dp of the optimum.
+    /// df*/dp of the optimum.
     pub derivative_of_optimum: Number,
 }
 
 impl<'a> EffectsReport<'a> {
-    /// The report of these effects: of a drive as set up, or of an optimum with the outcome that it
-    /// optimizes and the sensitivities of its value.
+    /// The report of these effects: those of the drive as set up, or those of the optimum `best`.
+    /// `totals` are the optimized outcome and the sensitivities of its optimal value.
     pub fn new(
         found: &'a [Effects],
         best: Option<&Optimum>,
@@ -115,7 +115,7 @@ impl OutcomeEffects {
 impl Report for EffectsReport<'_> {
     const COMMAND: &'static str = "sensitivity";
 
-    /// Each outcome with the effects of uncertainties, then all slopes.
+    /// Each outcome with the effects of uncertainties, then all derivatives.
     fn document(&self, system: System) -> Document {
         let at = if self.at_optimum.is_some() {
             At::Optimum
@@ -147,7 +147,7 @@ fn totals_of(of: Outcome, totals: Option<(Outcome, &Totals)>) -> Option<&Totals>
     (optimized == of).then_some(totals)
 }
 
-/// d f*/dp of a parameter at the optimum.
+/// df*/dp of a parameter at the optimum.
 fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
     let (_, sensitivity) = totals?.iter().find(|(other, _)| *other == parameter)?;
     sensitivity
@@ -156,7 +156,7 @@ fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
         .map(|sensitivity| sensitivity.value)
 }
 
-/// The effects of uncertainties on an outcome, and what the first order neglects.
+/// The effects of uncertainties on an outcome, with the size of the second-order terms.
 fn uncertainties(effects: &Effects, bars: &[Bar], system: System) -> Table {
     let of = effects.of;
     let head = [
@@ -229,8 +229,8 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
     Table::new(head, effects.effects.iter().map(row)).right(1..columns)
 }
 
-/// An outcome does not depend on a parameter with an uncertainty, neither by its derivatives nor in
-/// the drives flown.
+/// True if an outcome does not depend on a parameter with an uncertainty, by its derivatives and by
+/// the flown drives.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
     let Some(Bar {
         sigma,

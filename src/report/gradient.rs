@@ -25,21 +25,21 @@ pub struct GradientReport<'a> {
 pub struct OutcomeReport {
     /// The outcome.
     pub of: &'static str,
-    /// Its value; `null` where the drive has none.
+    /// The value of the outcome; `null` if the drive does not have it.
     pub value: Number,
-    /// Its derivative by each parameter.
+    /// The derivative by each parameter.
     pub gradient: Option<ByName<Number>>,
-    /// Its second derivatives; `null` where none were requested.
+    /// The second derivatives; `null` if they were not requested.
     pub hessian: Option<Matrix>,
-    /// Why the drive has no such outcome; `null` where it has.
+    /// The reason why the drive does not have the outcome; `null` if it has.
     pub message: Option<String>,
 }
 
 impl<'a> GradientReport<'a> {
-    /// The report of these outcomes: the derivatives of each, or why there are none.
+    /// The report of these outcomes: the derivatives of each, or the reason why there are none.
     ///
     /// # Panics
-    /// Where an outcome has not as many derivatives as there are parameters.
+    /// If the number of derivatives differs from the number of parameters.
     pub fn new(found: &'a [(Outcome, Result<Taylor>)], wrt: &'a [&'static Parameter]) -> Self {
         let outcomes = found
             .iter()
@@ -60,8 +60,8 @@ impl Report for GradientReport<'_> {
         Ending::of_each(self.found.iter().map(|(_, taylor)| taylor.as_ref().err()))
     }
 
-    /// Each outcome with its gradient, and its Hessian if there is one; derivatives also in SI, to
-    /// twelve digits.
+    /// Each outcome with its gradient, and its Hessian if requested. Derivatives are also in SI
+    /// with twelve digits.
     fn document(&self, system: System) -> Document {
         let mut document = Document::default();
         for (of, taylor) in self.found {

@@ -1,4 +1,4 @@
-//! Values of the JSON of a report: numbers with infinities, vectors, values by name.
+//! Values in the JSON of a report: numbers with infinities, vectors, and values by name.
 
 use crate::atmosphere::in_effect;
 use crate::number::Vector;
@@ -6,8 +6,8 @@ use crate::parameters::{GOLFER, LAW, METHOD, SPEED_OF, Setup, TABLE};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
-/// A number or `null`. JSON has no infinity: a flat face's radius is `"inf"`, as setup files write
-/// it, and a range without a lower end begins at `"-inf"`.
+/// A number or `null`. JSON has no infinity: the radius of a flat face is `"inf"`, as in setup
+/// files, and a range without a lower end has the low value `"-inf"`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Number(pub Option<f64>);
 
@@ -63,12 +63,12 @@ impl From<[f64; 2]> for Range {
     }
 }
 
-/// Values by name, in order: an object of JSON.
+/// Values by name, in order: a JSON object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByName<V>(pub Vec<(Cow<'static, str>, V)>);
 
 impl<V> ByName<V> {
-    /// The value of this name.
+    /// The value with this name.
     pub fn get(&self, name: &str) -> Option<&V> {
         let entry = self.0.iter().find(|(other, _)| *other == name);
         entry.map(|(_, value)| value)
@@ -92,12 +92,12 @@ impl<V: Serialize> Serialize for ByName<V> {
     }
 }
 
-/// A matrix of parameters.
+/// A matrix whose rows and columns are parameters.
 #[derive(Clone, Debug, Serialize)]
 pub struct Matrix {
-    /// The parameters of its rows and columns.
+    /// The parameters of the rows and columns.
     pub names: Vec<&'static str>,
-    /// Its rows.
+    /// The rows.
     pub values: Vec<Vec<Number>>,
 }
 
@@ -128,8 +128,8 @@ pub enum Setting {
     Choice(String),
 }
 
-/// Every parameter of a setup by its dotted name, as the drive has it, with the choices: hand,
-/// point of the club speed, law, method.
+/// Every parameter of a setup by its dotted name, with its value in the drive, and the choices:
+/// hand, point of the club speed, law, method.
 pub(super) fn settings(setup: &Setup<f64>) -> ByName<Setting> {
     let setup = &in_effect(setup);
     let choice = |name: &str| Setting::Choice(name.to_owned());
@@ -154,7 +154,7 @@ pub(super) fn settings(setup: &Setup<f64>) -> ByName<Setting> {
     all.into_iter().collect()
 }
 
-/// The key of a range that a law was fitted to: `spin_ratio`, `spin`, `reynolds`, `speed`.
+/// The key of a quantity in the law's fit: `spin_ratio`, `spin`, `reynolds`, `speed`.
 pub(super) fn range_key(name: &'static str) -> &'static str {
     match name {
         "spin ratio" => "spin_ratio",

@@ -6,10 +6,10 @@ use crate::parameters::Law;
 use crate::units::{Message, System};
 use serde::Serialize;
 
-/// The laws of drag and lift: their authors, formulas, and the ranges they were fitted to.
+/// The laws of drag and lift: their authors, formulas and fitted ranges.
 #[derive(Clone, Debug, Serialize)]
 pub struct LawsReport {
-    /// Each law with its published coefficients, then the user's own.
+    /// Each law with its published coefficients, then the user's table, if one is given.
     pub laws: Vec<LawReport>,
 }
 
@@ -20,23 +20,23 @@ pub struct LawReport {
     fitted_in_si: Fitted,
     /// The name by which a setup chooses it.
     pub name: &'static str,
-    /// It is the law of a setup that chooses none.
+    /// True for the law of a setup that states none.
     pub is_default: bool,
-    /// Who published it.
+    /// The authors.
     pub authors: &'static str,
     /// The year of publication.
     pub year: Option<u16>,
-    /// The ball that was measured.
+    /// The ball of the measurements.
     pub ball: Option<&'static str>,
     /// The publication.
     pub source: &'static str,
     /// The formulas of C_D and C_L.
     pub formula: &'static str,
-    /// The ranges it was fitted to.
+    /// The fitted ranges.
     pub fitted: FittedReport,
 }
 
-/// The data that a law was fitted to; `null` where a range is not known.
+/// The data of a law's fit; `null` for an unknown range.
 #[derive(Clone, Debug, Serialize)]
 pub struct FittedReport {
     /// The measurements.
@@ -52,7 +52,7 @@ pub struct FittedReport {
 }
 
 impl LawsReport {
-    /// The report of all laws and a user's own.
+    /// The report of all laws and of the user's table.
     pub fn new(own: Option<Law<f64>>) -> Self {
         let known = Law::NAMES.iter().filter_map(|name| Law::named(name));
         let laws = known.chain(own).map(LawReport::new).collect();
@@ -95,7 +95,7 @@ impl LawReport {
         }
     }
 
-    /// Authors and year; below them formula, range, ball and source.
+    /// Authors and year; below them formula, fitted range, ball and source.
     fn lines(&self, system: System) -> [Line; 5] {
         let year = self.year.map_or(String::new(), |year| format!(" {year}"));
         let default = if self.is_default { " (default)" } else { "" };

@@ -1,11 +1,11 @@
-//! Bounds and constraints at an optimum in words: the active ones, with their prices.
+//! Bounds and constraints at an optimum in words: the active ones, with their multipliers.
 
 use super::shown;
 use crate::optimize::{ConstraintValue, Status};
 use crate::study::{Constraint, Sense};
 use crate::units::{Quantity, System, signed, significant};
 
-/// The objective at the end of a search. A multiplier is a price at an optimum only.
+/// The objective at the end of a search. Multipliers have a meaning only at an optimum.
 #[derive(Clone, Copy)]
 pub(super) struct Objective {
     pub of: (Quantity, &'static str),
@@ -19,16 +19,17 @@ pub(super) struct Objective {
 #[derive(Clone, Copy)]
 pub(super) struct Limit<'a> {
     pub constraint: &'a Constraint,
-    /// Value and multiplier, of a search that minimizes.
+    /// Value and multiplier of the minimized problem.
     pub at: &'a ConstraintValue,
-    /// The gradient of the limited goal by the parameters varied.
+    /// The gradient of the limited goal by the varied parameters.
     pub slopes: &'a [f64],
-    /// The gain for each unit by which the limit is relaxed; of an equation, raised.
+    /// The gain for each unit by which the limit is relaxed; for an equation, by which it is
+    /// raised.
     pub gain: f64,
 }
 
 impl<'a> Limit<'a> {
-    /// A constraint whose multiplier is its price.
+    /// A constraint with its multiplier as the gain.
     pub fn new(constraint: &'a Constraint, at: &'a ConstraintValue, slopes: &'a [f64]) -> Self {
         let gain = if constraint.is_equation() {
             at.multiplier
@@ -45,9 +46,10 @@ impl<'a> Limit<'a> {
 }
 
 impl Objective {
-    /// The gain for each unit, with its sign: "+2.11 yd for each degree".
+    /// The gain for each unit, with its sign: "+2.11 yd for each degree". Golfers read it as the
+    /// price of the limit.
     pub fn price(self, amount: f64, by: (Quantity, &'static str), system: System) -> String {
-        // a smaller value is a gain where the smallest is looked for
+        // for a minimized objective, a decrease is a gain
         let amount = if self.sense == Sense::Maximize {
             amount
         } else {
@@ -58,8 +60,8 @@ impl Objective {
         signed(amount, shown::price(self.of, amount, by, system))
     }
 
-    /// "active: +0.52 yd for each degree that the limit is relaxed"; names the active one of two
-    /// limits.
+    /// "active: +0.52 yd for each degree that the limit is relaxed". If there are two limits, the
+    /// text names the active one.
     pub fn limit(self, limit: Limit<'_>, system: System) -> String {
         let Limit {
             constraint: Constraint {
@@ -76,7 +78,7 @@ impl Objective {
                 "" => significant(at.value - low, 2),
                 unit => by.0.read_off_difference(at.value - low, unit),
             };
-            // an equation is active whatever its price
+            // an equation is active even if its multiplier is 0
             let price = match slopes.iter().any(|slope| *slope != 0.0) {
                 true => format!(", {} that the value is raised", price(gain)),
                 false => ", and nothing that is varied moves it".into(),
@@ -104,8 +106,8 @@ impl Objective {
     }
 }
 
-/// "at its upper bound: +2.11 yd for each degree that it is raised". The multipliers of a
-/// parameter's lower and upper bound choose the active one; `shown` writes its price.
+/// "at its upper bound: +2.11 yd for each degree that it is raised". The signs of the multipliers
+/// determine which bound of a parameter is active; `shown` formats the gain.
 pub(super) fn bound(
     [lower, upper]: [f64; 2],
     prices: [f64; 2],
@@ -123,7 +125,7 @@ pub(super) fn bound(
     }
 }
 
-/// The head of the column of values at the end of a search: `converged` at an optimum.
+/// The head of the column of values at the end of a search; `converged` is the head for an optimum.
 pub(super) fn ended_at(status: Status, converged: &'static str) -> &'static str {
     match status {
         Status::Converged => converged,

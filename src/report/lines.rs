@@ -1,6 +1,6 @@
-//! Texts broken into lines that fit a terminal.
+//! Wraps texts into lines for a terminal.
 
-/// The width of a terminal that every table, paragraph and remark fits.
+/// Maximum width of tables, paragraphs and remarks, columns of a terminal.
 pub(super) const WIDTH: usize = 100;
 
 /// Spaces before a line of a list.
@@ -11,18 +11,18 @@ pub(super) fn paragraph(text: &str) -> String {
     indented(text, 0, 0)
 }
 
-/// A line of a list, its lines indented alike.
+/// An item of a list, with a hanging indent.
 pub(super) fn item(text: &str) -> String {
     indented(text, INDENT, INDENT)
 }
 
-/// Details of the line above.
+/// Details below the line above.
 pub(super) fn note(text: &str) -> String {
     indented(text, 3 * INDENT, 3 * INDENT)
 }
 
-/// Reasons for omissions, each once with all names: "gravity, air.density: the reason". They are in
-/// the order of their first name.
+/// Reasons for omissions, each once with all its names: "gravity, air.density: the reason". They
+/// are sorted by their first name in the input.
 pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
     let mut all: Vec<(String, String)> = vec![];
     for (name, reason) in reasons {
@@ -36,8 +36,8 @@ pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Ve
         .collect()
 }
 
-/// A remark or warning for standard error: what does not fit its line is continued on indented
-/// lines. No line break at the end.
+/// A remark or warning for standard error, wrapped with a hanging indent. It does not end with a
+/// line break.
 pub fn remark(text: &str) -> String {
     let lines: Vec<_> = text
         .lines()
@@ -60,8 +60,8 @@ fn is_wide(line: &str) -> bool {
     line.chars().count() > WIDTH
 }
 
-/// The words of a text in lines, the first indented by `first`, the others by `by`. A word stays
-/// whole, even where it is too wide: it may be a file.
+/// Wraps a text; the first line is indented by `first`, the others by `by`. A word that is too wide
+/// stays whole, because it may be a file name.
 fn indented(text: &str, first: usize, by: usize) -> String {
     let mut lines = String::new();
     for paragraph in text.lines() {

@@ -21,99 +21,99 @@ use std::collections::BTreeMap;
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct OptimumReport {
-    /// The objective: an outcome, over swings a sum of measures.
+    /// The objective: an outcome, or for swings a sum of statistics.
     pub objective: String,
     /// The direction: `maximize` or `minimize`.
     pub sense: &'static str,
-    /// Its value; `null` if no drive flies.
+    /// The value of the objective; `null` if no drive flies.
     pub value: Number,
-    /// The parameters varied, at the optimum.
+    /// The varied parameters at the optimum.
     pub optimum: Option<ByName<Number>>,
-    /// The parameters varied, at the start, if no point of the search has a value; left out
-    /// otherwise.
+    /// The varied parameters at the start, if no point of the search has a value; otherwise
+    /// omitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start: Option<ByName<Number>>,
     /// The gradient of the objective at the optimum.
     pub gradient: Option<ByName<Number>>,
-    /// The multiplier of each bound, ≥ 0: what a unit beyond it would bring.
+    /// The multiplier of each bound, ≥ 0: the gain per unit by which the bound is relaxed.
     pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
     /// The constraints.
     pub constraints: Vec<ConstraintReport>,
-    /// The KKT residual, relative.
+    /// The relative KKT residual.
     pub kkt_residual: Number,
     /// Iterations of the optimizer.
     pub iterations: u64,
-    /// Evaluations of the functions with derivatives.
+    /// Evaluations of objective and constraints with derivatives.
     pub evaluations: u64,
-    /// The solver's work on the quadratic programs of the steps.
+    /// The work on the quadratic programs of the steps.
     pub steps: Effort,
-    /// The local optima of a search from several starts, best first; `null` after a search from
-    /// one.
+    /// The local optima of a search from several starts, best first; `null` for a single
+    /// start.
     pub optima: Option<Vec<LocalReport>>,
-    /// The sample of the ranges that the optimum was compared with; `null` without one.
+    /// The sample of the ranges for comparison with the optimum; `null` without one.
     pub sample: Option<Sample>,
-    /// Every parameter at the optimum; `null`, as launch and flight, if no drive flies.
+    /// Every parameter at the optimum. Like launch and flight, it is `null` if no drive flies.
     pub setup: Option<ByName<Setting>>,
-    /// The launch of the best drive; `null` over swings.
+    /// The launch of the optimal drive; `null` for swings.
     pub launch: Option<LaunchReport>,
-    /// Its flight; `null` over swings.
+    /// The flight of the optimal drive; `null` for swings.
     pub flight: Option<ByName<Number>>,
-    /// The range that the law was fitted to, and the part of the best drive's flight outside of it.
+    /// The fitted range of the law, and the fraction of the optimal drive's flight outside of it.
     pub law_range: Option<ByName<Option<LawRange>>>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
-    /// The setup that the search begins from: preset or file, with the settings of the request;
-    /// left out if the request is not known.
+    /// The setup before the search: preset or file, with the settings of the request. Omitted if
+    /// the request is not known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
-    /// Parameters that the request states, so that the default search holds them; left out if
-    /// there is none.
+    /// Parameters that the request states, so that the default search does not vary them; omitted
+    /// if there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub held: Vec<&'static str>,
-    /// Results over swings; left out for one drive.
+    /// Results over swings; omitted for a single drive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub swings: Option<StudiesReport>,
-    /// The limits of a design; left out for other searches.
+    /// The limits of a design; omitted for other searches.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub design: Option<DesignReport>,
 }
 
-/// The limits of a design, and what it changes.
+/// The limits of a design, and its changes.
 #[derive(Clone, Debug, Serialize)]
 pub struct DesignReport {
     /// The rules: `golf` or `none`.
     pub rules: &'static str,
     /// The assumptions, in sentences.
     pub notes: Vec<String>,
-    /// The parameters varied, as set up.
+    /// The values of the varied parameters before the search.
     pub as_set_up: ByName<Number>,
-    /// The goals, as set up and with the best design.
+    /// The goals before the search and with the best design.
     pub parts: Vec<GoalReport>,
     /// The rules and limits.
     pub held: Vec<LimitReport>,
 }
 
-/// A goal, as set up and with the best design.
+/// A goal before the search and with the best design.
 #[derive(Clone, Debug, Serialize)]
 pub struct GoalReport {
     /// The goal.
     pub goal: String,
-    /// Its value as set up.
+    /// The value of the goal before the search.
     pub as_set_up: Number,
-    /// Its value with the best design.
+    /// The value of the goal with the best design.
     pub best: Number,
 }
 
 /// A rule or limit of a design.
 #[derive(Clone, Debug, Serialize)]
 pub struct LimitReport {
-    /// Its name.
+    /// The name of the rule or limit.
     pub name: String,
     /// The limited expression.
     pub expression: String,
-    /// The source of the rule; `null` for a limit that was given.
+    /// The source of the rule; `null` for a limit of the user.
     pub source: Option<&'static str>,
-    /// The kind: `bound`, `limit`, `value` or `unknown`.
+    /// The kind of enforcement: `bound`, `limit`, `value` or `unknown`.
     pub by: &'static str,
     /// The lower limit; `null` without one.
     pub low: Number,
@@ -136,8 +136,8 @@ pub struct ConstraintReport {
     pub value: f64,
     /// The distance of the value from the limits, SI; 0 within them.
     pub violation: f64,
-    /// The gain of the objective for each unit that the limit is relaxed, ≥ 0; for an equation, that
-    /// it is raised.
+    /// The gain of the objective for each unit by which the limit is relaxed, ≥ 0; for an equation,
+    /// by which it is raised.
     pub multiplier: f64,
 }
 
@@ -158,21 +158,21 @@ impl ConstraintReport {
     }
 }
 
-/// A local optimum of a search from several starts.
+/// A local optimum from a search with several starts.
 #[derive(Clone, Debug, Serialize)]
 pub struct LocalReport {
     /// The status of the searches that ended here.
     pub status: &'static str,
     /// The objective; `null` if no drive flies.
     pub value: Number,
-    /// The parameters varied.
+    /// The varied parameters.
     pub optimum: ByName<Number>,
-    /// The number of starts that led here.
+    /// The number of starts that reached this optimum.
     pub starts: usize,
 }
 
 impl LocalReport {
-    /// The ends of the searches that were not interrupted.
+    /// The local optima. Interrupted searches are omitted.
     fn all(optima: &Optima) -> Vec<Self> {
         let vary = &optima.best.search.vary;
         let one = |local: &LocalOptimum| {
@@ -213,7 +213,7 @@ impl OptimumReport {
         }
     }
 
-    /// The report of the best optimum, with all of them if there were several starts.
+    /// The report of the best optimum. For several starts it contains all local optima.
     pub(super) fn of_many(optima: &Optima) -> Self {
         Self {
             optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
@@ -269,10 +269,10 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
         .collect()
 }
 
-/// The optimum as text: the parameters varied with the prices of their bounds, the constraints, and
-/// the drive or the goals over the swings; the ends of all searches if there were several starts.
+/// The optimum as text: the varied parameters with the gains of their bounds, the constraints, the
+/// drive or the goals over the swings, and for several starts the results of all searches.
 pub fn optimize_text(optima: &Optima, over: OverSwings<'_>, system: System) -> String {
-    // the text of a single search says itself that it was interrupted, or improved from a sample
+    // for a single search, its text states an interruption or an improvement from a sample
     let sample = optima.best.sample;
     let from_sample = usize::from(sample.is_some_and(|sample| sample.improved));
     let several = optima.starts > 1 + from_sample;
@@ -288,8 +288,8 @@ pub fn optimize_text(optima: &Optima, over: OverSwings<'_>, system: System) -> S
     stopped + &optimum_text(&optima.best, over, system) + &listed
 }
 
-/// The head of an answer: the setup that it begins from, and the parameters that are held at the
-/// stated value.
+/// The first lines of an answer: the setup before the search, and the parameters fixed at a stated
+/// value.
 pub fn title_text(
     title: &str,
     held: &[&'static Parameter],
@@ -326,7 +326,7 @@ pub fn optimum_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> 
             let drive = drive_text(optimum, value, drive, system);
             format!("{gain}\n{place}{limits}\n{drive}\n{sample}{ending}")
         }
-        // the status of a search without an optimum is the answer
+        // without an optimum the status is the answer
         Some(drive) => {
             let sample = sample_text(optimum);
             let drive = drive_text(optimum, value, drive, system);
@@ -356,8 +356,8 @@ fn ending_text(optimum: &Optimum, system: System) -> String {
     ))
 }
 
-/// "carry 286.0 yd → 300.4 yd: +14.4 yd", with the total beside it; advice if they disagree about
-/// the better drive.
+/// "carry 286.0 yd → 300.4 yd: +14.4 yd" with the change of the total. If carry and total disagree
+/// about the better drive, it adds advice.
 fn gain_text(optimum: &Optimum, drive: &Drive<f64>, system: System) -> String {
     let objective = optimum.search.of.outcome().unwrap_or(Outcome::Carry);
     let start = optimum.start_drive.as_ref();
@@ -400,7 +400,7 @@ fn gain_text(optimum: &Optimum, drive: &Drive<f64>, system: System) -> String {
         }
 }
 
-/// The parameters varied as a table; over swings beside the best design for the mean swing.
+/// The varied parameters as a table; for swings, with the best design for the mean swing.
 fn place_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let is_one_drive = search.scenarios.is_one_drive();
@@ -438,7 +438,7 @@ fn place_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String
     }
 }
 
-/// The best drive: the objective, carry and run, launch and flight.
+/// The optimal drive: the objective, carry and run, launch and flight.
 fn drive_text(optimum: &Optimum, value: f64, drive: &Drive<f64>, system: System) -> String {
     const LAUNCH: [Outcome; 4] = [
         Outcome::BallSpeed,
@@ -476,7 +476,7 @@ fn drive_text(optimum: &Optimum, value: f64, drive: &Drive<f64>, system: System)
             &shown::goal(&optimum.search.of, value, system),
         ),
     };
-    // an objective about the run is shown with the rest of the run
+    // an objective of the roll-out is shown with the other outcomes of the roll-out
     let run = [Outcome::Total, Outcome::Run]
         .into_iter()
         .filter(|other| of.is_some_and(|of| of.needs_run() && *other != of))
@@ -490,8 +490,8 @@ fn drive_text(optimum: &Optimum, value: f64, drive: &Drive<f64>, system: System)
     )
 }
 
-/// The comparison of the optimum with the sample of the ranges; empty without one, and if the
-/// message contains it.
+/// The comparison of the optimum with the sample of the ranges. Empty without a sample, and if the
+/// message of the search already contains the comparison.
 fn sample_text(optimum: &Optimum) -> String {
     let is_told = optimum.solution.status == Status::Infeasible;
     let Some(Sample {
@@ -524,8 +524,8 @@ fn sample_text(optimum: &Optimum) -> String {
     paragraph(&format!("{found}{is_better}{met}"))
 }
 
-/// The constraints with their prices, as a table; empty without any. Over swings their values are in
-/// the table of the goals.
+/// The constraints with their gains, as a table; empty without constraints. For swings, the table
+/// of the goals has their values.
 fn constraints_text(optimum: &Optimum, system: System) -> String {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
     let all = optimum.constraints();
@@ -538,7 +538,7 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
             vec![constraint.expression.clone(), price]
         }
     });
-    // over swings a row without a price says nothing
+    // for swings, a row without a gain has no content
     let rows: Vec<_> = rows
         .filter(|row| is_one_drive || !row[1].is_empty())
         .collect();
@@ -594,7 +594,7 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
     if vary.low == vary.high {
         "fixed".into()
     } else if optimum.solution.status != Status::Converged {
-        // a multiplier is a price at an optimum only
+        // multipliers have a meaning only at an optimum
         String::new()
     } else if is_corner && upper + lower > 0.0 {
         let (bound, side) = if lower > 0.0 {
@@ -613,7 +613,7 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
     }
 }
 
-/// The ends of the searches as a table, best first, and the number of interrupted ones.
+/// The results of the searches as a table, best first, and the number of interrupted searches.
 pub fn optima_text(optima: &Optima, system: System) -> String {
     let search = &optima.best.search;
     let all = optima.starts;
@@ -654,10 +654,10 @@ pub fn optima_text(optima: &Optima, system: System) -> String {
     listed + &stopped
 }
 
-/// The setup at the best optimum as a setup file in TOML, to the last digit.
+/// The setup at the best optimum as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// As [`setup_toml`].
+/// Those of [`setup_toml`].
 pub fn optimum_toml(optima: &Optima, swings: Option<&Swings>, preset: &Preset) -> Result<String> {
     best_toml(&optima.best, swings, optima.interrupted(), preset)
 }
@@ -719,7 +719,7 @@ pub(super) fn best_toml(
     setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }
 
-/// An iteration as a line of progress.
+/// The progress line of an iteration.
 pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) -> String {
     let number = |quantity: Quantity, unit: &'static str, value: f64| {
         let unit = system.unit(unit);

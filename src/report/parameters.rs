@@ -27,46 +27,46 @@ pub struct ParametersReport<'a> {
 pub struct ParameterReport {
     #[serde(skip)]
     row: &'static Parameter,
-    /// Its dotted name.
+    /// The dotted name.
     pub parameter: &'static str,
-    /// Its symbol in docs/model.md.
+    /// The symbol in docs/model.md.
     pub symbol: &'static str,
-    /// Its SI unit.
+    /// The SI unit.
     pub unit: &'static str,
-    /// The unit in which texts show it.
+    /// The unit in texts.
     pub shown_in: &'static str,
-    /// Its value in the setup; `null` where it is unset.
+    /// The value in the setup; `null` if it is unset.
     pub value: Number,
-    /// Its default.
+    /// The default value.
     pub default: Number,
     /// The source of the default.
     pub source: &'static str,
-    /// The values it may have.
+    /// The allowed values.
     pub range: ParameterRange,
-    /// `required`, `optional` (it may be unset), or `setting` (of the numerics).
+    /// `required`, `optional` (it may be unset), or `setting` (of the numerical method).
     pub kind: &'static str,
-    /// The law whose coefficient it is.
+    /// The law, if the parameter is a coefficient of it.
     pub law: Option<&'static str>,
-    /// Its meaning.
+    /// The meaning.
     pub doc: &'static str,
 }
 
-/// The values that a parameter may have.
+/// The range of a parameter.
 #[derive(Clone, Debug, Serialize)]
 pub struct ParameterRange {
     /// Lower end, SI.
     pub low: Number,
-    /// The lower end is allowed.
+    /// True if the lower end is allowed.
     pub low_included: bool,
     /// Upper end, SI.
     pub high: Number,
-    /// The upper end is allowed.
+    /// True if the upper end is allowed.
     pub high_included: bool,
 }
 
 impl<'a> ParametersReport<'a> {
-    /// The report of a setup: its parameters as the drive has them, then those of the laws that it
-    /// does not fly.
+    /// The report of a setup: its parameters with their values in the drive, then the parameters of
+    /// the other laws.
     pub fn new(setup: &'a Setup<f64>) -> Self {
         let effective = &in_effect(setup);
         let own = effective
@@ -117,8 +117,8 @@ impl ParameterReport {
 impl Report for ParametersReport<'_> {
     const COMMAND: &'static str = "parameters";
 
-    /// The numbers of a parameter in a row, and below it symbol and meaning; then the choices, and
-    /// the coefficients of the other laws.
+    /// A row with the numbers of each parameter, and below it symbol and meaning; then the choices,
+    /// and the coefficients of the other laws.
     fn document(&self, system: System) -> Document {
         let (own, others): (Vec<_>, Vec<_>) = self
             .parameters
@@ -153,7 +153,7 @@ impl Report for ParametersReport<'_> {
     }
 }
 
-/// The choices of a setup that are no numbers, each with its alternatives.
+/// The choices of a setup that are not numbers, each with the alternatives.
 fn choices(setup: &Setup<f64>) -> [String; 4] {
     let methods = Method::ALL
         .iter()

@@ -20,29 +20,29 @@ pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
         _ if found.knee == Some(place) => Some("knee".into()),
         _ if found.points.len() == 1 => Some(format!("{first}, {second}")),
         0 => Some(first),
-        // the last point of an interrupted front is not its end
+        // the last point of an interrupted front is not an end of the front
         _ if place + 1 == found.points.len() && !found.interrupted => Some(second),
         _ => None,
     }
 }
 
-/// The front of two goals, SI and radians.
+/// The Pareto front of two goals, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct ParetoReport<'a> {
     #[serde(skip)]
     found: &'a Pareto,
     /// The two goals.
     pub goals: Vec<ParetoGoalReport>,
-    /// The points, from the best of the first goal to that of the second.
+    /// The points, from the optimum of the first goal to that of the second.
     pub points: Vec<ParetoPointReport>,
-    /// The place of the knee in `points`; `null` without one.
+    /// The index of the knee in `points`; `null` without one.
     pub knee: Option<usize>,
-    /// The distance of the knee from the straight line between the ends, as a part of their
-    /// distance, with both goals scaled from one end to the other.
+    /// The distance of the knee from the chord between the ends, relative to the length of the
+    /// chord. Both goals are scaled from one end to the other.
     pub bend: Number,
-    /// The goals as set up; `null` if a swing does not fly.
+    /// The goals before the search; `null` if a swing does not fly.
     pub as_set_up: Option<[Number; 2]>,
-    /// Number of points left out, since others are better in both goals.
+    /// Number of omitted points that other points dominate.
     pub dominated: usize,
     /// The swings; `null` for one drive.
     pub swings: Option<ScenariosReport>,
@@ -57,7 +57,7 @@ pub struct ParetoGoalReport {
     pub expression: String,
     /// `maximize` or `minimize`.
     pub sense: &'static str,
-    /// Its SI unit.
+    /// The SI unit.
     pub unit: &'static str,
 }
 
@@ -66,15 +66,15 @@ pub struct ParetoGoalReport {
 pub struct ParetoPointReport {
     /// The values of the goals.
     pub values: [Number; 2],
-    /// The parameters varied.
+    /// The varied parameters.
     pub design: ByName<Number>,
-    /// The change of the first goal for each unit of the second, along the front.
+    /// The derivative of the first goal by the second along the front.
     pub slope: Number,
     /// The role: an end, or the knee.
     pub role: Option<String>,
     /// The active bounds and constraints.
     pub active: Vec<String>,
-    /// The bound of each parameter at one, `lower` or `upper`.
+    /// The active bound of each parameter that is at a bound, `lower` or `upper`.
     pub bounds: ByName<&'static str>,
     /// The change of the active bounds and constraints here.
     pub event: Option<String>,
@@ -189,7 +189,7 @@ fn front(found: &Pareto, system: System) -> Table {
     Table::new(head, rows).right(0..remarks)
 }
 
-/// The notes of a front: swings, slope, knee, goals as set up, omissions.
+/// The notes of a front: swings, slope, knee, goals before the search, omissions.
 fn notes(found: &Pareto, system: System) -> Vec<String> {
     let [first, second] = found.search.goals.each_ref().map(|(goal, _)| goal);
     let mut notes = vec![];
@@ -241,7 +241,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     notes
 }
 
-/// The front as CSV, SI and radians; the head names the unit of each column.
+/// The front as CSV, in SI and radians. The heads name the units.
 ///
 /// # Errors
 /// [`Error::Output`].
@@ -292,10 +292,10 @@ pub fn pareto_csv(found: &Pareto) -> Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The setup of one point of a front as a setup file in TOML, to the last digit.
+/// The setup of one point of a front as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// As [`setup_toml`](super::setup_toml).
+/// Those of [`setup_toml`](super::setup_toml).
 pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<String> {
     let search = &found.search;
     let Some(point) = found.points.get(place) else {

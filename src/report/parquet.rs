@@ -1,4 +1,4 @@
-//! Tables of typed columns as Parquet, a row group at a time.
+//! Tables of typed columns as Parquet, written one row group at a time.
 
 use crate::error::{Error, Result};
 use parquet::basic::{Encoding, LogicalType, Repetition, Type as Physical};
@@ -15,25 +15,26 @@ use parquet::schema::types::{ColumnPath, Type, TypePtr};
 use std::sync::Arc;
 
 const MAGIC: &[u8] = b"PAR1";
-/// The length of the metadata and the magic number end a file.
+/// Bytes after the metadata at the end of a file: the length of the metadata and the magic number.
 const TAIL: usize = 8;
-/// Most bytes of the distinct values of a column that are kept once instead of in every row.
+/// Maximum size of a column's dictionary, bytes; a column with more distinct values is stored
+/// plain.
 const MOST_DISTINCT: usize = 64 << 10;
 
 /// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// A number in every row; few distinct ones are kept once.
+    /// A number in every row, dictionary-encoded if few values are distinct.
     Number,
-    /// A number or none.
+    /// A number or null.
     SomeNumber,
     /// A text in every row.
     Text,
-    /// A text or none.
+    /// A text or null.
     SomeText,
 }
 
-/// The values of a column in the rows of a group.
+/// The values of a column in a row group.
 pub(super) enum Cells {
     Numbers(Vec<f64>),
     SomeNumbers(Vec<Option<f64>>),
@@ -41,31 +42,30 @@ pub(super) enum Cells {
     SomeTexts(Vec<Option<ByteArray>>),
 }
 
-/// A table. Row groups are made one at a time, each as a file of its own in memory. What a file of
-/// many needs is its [`head`](Self::head), the groups' bytes one after the other, and a
-/// [`foot`](Self::foot) made of the groups' metadata: so a file can be gone on with after any of
-/// its groups.
+/// A table. Each row group is created as a separate file in memory. A file with many row groups
+/// consists of the [`head`](Self::head), the bytes of the groups, and a [`foot`](Self::foot) made
+/// from their metadata. An interrupted file can therefore continue after any of its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
     properties: WriterPropertiesPtr,
     notes: Vec<KeyValue>,
 }
 
-/// A row group by itself.
+/// A row group before it has a place in a file.
 #[derive(Clone, Debug)]
 pub struct ParquetGroup {
-    /// Its columns.
+    /// The bytes of the columns.
     pub bytes: Vec<u8>,
-    /// The footer that the column would have as a file of its own.
+    /// The footer of a file with this row group only.
     pub metadata: Vec<u8>,
 }
 
-/// A row group in its place in a file.
+/// A row group with its place in a file.
 #[derive(Clone, Debug)]
 pub struct PlacedGroup(RowGroupMetaData);
 
-/// Nothing of ours is what Parquet cannot hold: only what a journal kept of a row group can be
-/// wrong.
+/// All data of this program are valid for Parquet. The only possible source of an error is a
+/// damaged row group in a journal.
 fn failed(_: ParquetError) -> Error {
     let reason = "its record of a row group of the Parquet file is damaged; start the sweep again \
                   with `overwrite`";
@@ -73,12 +73,12 @@ fn failed(_: ParquetError) -> Error {
 }
 
 impl ParquetTable {
-    /// A table of these columns; `question` is kept in the file under the key `longdrive`.
+    /// A table of these columns. The file stores `question` under the key `longdrive`.
     ///
     /// # Errors
-    /// [`Error::Output`] for columns that Parquet cannot have.
+    /// [`Error::Output`] for columns that Parquet does not allow.
     pub fn new(name: &str, columns: &[(String, Kind)], question: &str) -> Result<Self> {
-        // without page indexes nothing in a file's foot depends on where it stands
+        // page indexes would make the footer depend on the position in the file
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
             .set_statistics_enabled(EnabledStatistics::Chunk)
@@ -125,10 +125,10 @@ impl ParquetTable {
         MAGIC.to_vec()
     }
 
-    /// The row group of these columns, by their numbers.
+    /// The row group of these columns; `cells` gives the values of a column by its index.
     ///
     /// # Errors
-    /// [`Error::Output`] where Parquet cannot hold it.
+    /// [`Error::Output`] for values that Parquet does not allow.
     pub fn group(&self, cells: impl FnMut(usize) -> Cells) -> Result<ParquetGroup> {
         let mut file = self.write(Some(cells)).map_err(failed)?;
         let metadata = metadata_of(&file);
@@ -139,7 +139,7 @@ impl ParquetTable {
         })
     }
 
-    /// A file of one row group, or of none.
+    /// A file with one row group, or with none.
     fn write(&self, cells: Option<impl FnMut(usize) -> Cells>) -> Result<Vec<u8>, ParquetError> {
         let mut file =
             SerializedFileWriter::new(Vec::new(), self.schema.clone(), self.properties.clone())?;
@@ -177,11 +177,11 @@ impl ParquetTable {
         file.into_inner()
     }
 
-    /// A row group, given by its metadata, in its place: after `at` bytes of the file, as group
+    /// Gives the row group with this metadata its place: offset `at` in the file, bytes, and group
     /// number `ordinal`.
     ///
     /// # Errors
-    /// [`Error::Output`] for metadata of something else.
+    /// [`Error::Output`] for other metadata.
     pub fn place(&self, metadata: &[u8], at: u64, ordinal: usize) -> Result<PlacedGroup> {
         let place = || {
             let alone = ParquetMetaDataReader::decode_metadata(metadata)?;
@@ -207,10 +207,10 @@ impl ParquetTable {
         place().map(PlacedGroup).map_err(failed)
     }
 
-    /// The last bytes of a file of these row groups, with further notes, by their keys.
+    /// The last bytes of a file with these row groups, and with further notes by key.
     ///
     /// # Errors
-    /// [`Error::Output`] where Parquet cannot hold them.
+    /// [`Error::Output`] for values that Parquet does not allow.
     pub fn foot(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
         let foot = || {
             let none: Option<fn(usize) -> Cells> = None;
@@ -238,13 +238,13 @@ impl ParquetTable {
     }
 }
 
-/// The values that are there, and for each row whether one is.
+/// The values that are present, and the definition level of each row (1 if it has a value).
 fn present<T>(cells: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
     let levels = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
     (cells.into_iter().flatten().collect(), levels)
 }
 
-/// The metadata at the end of a file. Four of the last eight bytes state their length.
+/// The metadata at the end of a file. The first four of the last eight bytes state their length.
 fn metadata_of(file: &[u8]) -> Vec<u8> {
     let end = file.len() - TAIL;
     let length = file[end..end + 4]

@@ -35,19 +35,19 @@ impl SourcedValue {
     }
 }
 
-/// The choices of a setup that are no numbers.
+/// The choices of a setup that are not numbers.
 struct Choices {
     golfer: SourcedValue,
     speed_of: SourcedValue,
     method: SourcedValue,
     law: SourcedValue,
-    /// The table of a user's own law.
+    /// The user's table of drag and lift.
     table: Option<SourcedValue>,
 }
 
 impl Choices {
-    /// Inserts the choices beside the numbers that they belong to: the golfer first, the point of
-    /// the club speed behind it, the method before the step, the law before its coefficients.
+    /// Inserts the choices next to the numbers that they concern: the golfer first, then the point
+    /// of the club speed, the method before the step, the law before its coefficients.
     fn insert_into(self, rows: &mut Vec<SourcedValue>) {
         let place = |rows: &[SourcedValue], is: &dyn Fn(&str) -> bool| {
             let place = rows.iter().position(|row| is(row.name));
@@ -63,8 +63,8 @@ impl Choices {
     }
 }
 
-/// The values of a preset with their sources: the preset's own, or those of the table of parameters
-/// for values that it does not change.
+/// The values of a preset with their sources. For values that the preset does not change, the
+/// source is that of the parameter's default.
 pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> {
     let entry = |name: &str| preset.entries.iter().find(|entry| entry.name == name);
     let mut rows: Vec<_> = setup
@@ -101,8 +101,9 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
     rows
 }
 
-/// The values of a setup with their sources, in the units of a system, or without one as they are
-/// typed. A number that differs from the preset's is the user's own.
+/// The values of a setup with their sources. They are in the units of `system`; without a system,
+/// in the spelling of input. A value that differs from that of the preset has the source "as
+/// given".
 pub(super) fn sources(
     setup: &Setup<f64>,
     preset: &Preset,
@@ -134,7 +135,7 @@ pub(super) fn sources(
     };
     let number = |row: &'static Parameter| {
         let value = setup.value(row);
-        // a coefficient of another law than the preset's has its own source
+        // a coefficient of a law that the preset does not use has its own default and source
         let source = match base.parameter(row.name) {
             Ok(known) => source(row.name, base.value(known) == value),
             Err(_) if value == row.default_value() => row.source.into(),
@@ -148,7 +149,7 @@ pub(super) fn sources(
     let mut rows: Vec<_> = setup
         .parameters()
         .into_iter()
-        // a parameter that follows from others is not given
+        // a parameter that other parameters determine has no value of its own
         .filter(|row| setup.why_replaced(row).is_none())
         .map(number)
         .collect();
@@ -164,19 +165,19 @@ pub(super) fn sources(
     Ok(rows)
 }
 
-/// A number, or a choice such as the law, that differs from the preset's, as a person reads it.
+/// A number or choice that differs from that of the preset, formatted for display.
 pub struct Change {
-    /// The parameter, where it is one.
+    /// The parameter; `None` for a choice.
     pub parameter: Option<&'static Parameter>,
-    /// Its name in words.
+    /// The name in words.
     pub name: String,
-    /// In the preset.
+    /// The value in the preset.
     pub from: String,
-    /// In the setup.
+    /// The value in the setup.
     pub to: String,
 }
 
-/// The differences between a setup and the preset that it started from, in the units of a system.
+/// The differences between a setup and its preset, in the units of a system.
 ///
 /// ```
 /// use longdrive::parameters::Preset;
@@ -188,7 +189,7 @@ pub struct Change {
 /// ```
 ///
 /// # Errors
-/// None that a test does not rule out: presets are read as any setup is.
+/// Does not occur: a test reads all presets.
 pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<Change>> {
     let base = Setup::preset(preset.name)?;
     let used = setup
@@ -196,7 +197,7 @@ pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Ve
         .into_iter()
         .filter(|row| setup.why_replaced(row).is_none());
     let numbers = used.filter_map(|row| {
-        // a coefficient of another law than the preset's is compared with its own default
+        // compare a coefficient of another law with its own default
         let from = base
             .parameter(row.name)
             .map_or_else(|_| row.default_value(), |known| base.value(known));
@@ -204,7 +205,7 @@ pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Ve
         (from != to).then(|| {
             let short = [from, to]
                 .map(|value| value.map_or(UNSET.into(), |value| shown::told(row, value, system)));
-            // all digits where the first four are the same
+            // show all digits if the first four are equal
             let [from, to] = if short[0] == short[1] {
                 [from, to].map(|value| shown::set(row, value, system))
             } else {
@@ -262,9 +263,9 @@ pub struct PresetsReport {
 /// A preset with every number and its source.
 #[derive(Clone, Debug, Serialize)]
 pub struct PresetReport {
-    /// The name by which a setup starts from it.
+    /// The name by which a setup refers to the preset.
     pub name: &'static str,
-    /// A description in a line.
+    /// A one-line description.
     pub about: &'static str,
     /// Every parameter by its dotted name, SI and radians.
     pub setup: ByName<Setting>,
@@ -273,10 +274,10 @@ pub struct PresetReport {
 }
 
 impl PresetsReport {
-    /// The report of all presets, or of the one with this name.
+    /// The report of all presets, or of the preset with this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
+    /// [`Error::Unknown`](crate::Error::Unknown) for an unknown name.
     pub fn new(name: Option<&str>) -> Result<Self> {
         if let Some(name) = name {
             Setup::preset(name)?;
@@ -306,7 +307,7 @@ impl PresetReport {
 impl Report for PresetsReport {
     const COMMAND: &'static str = "presets";
 
-    /// The presets, a line each.
+    /// The presets, one per line.
     fn document(&self, _: System) -> Document {
         let rows = self
             .presets

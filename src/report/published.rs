@@ -1,5 +1,5 @@
-//! Numbers of a published study: computed ones in the units asked for, printed ones in the paper's
-//! own units too.
+//! Numbers of a published study. Computed numbers are in the requested units; printed numbers are
+//! also in the units of the paper.
 
 use super::json::Number;
 use super::shown::ratio;
@@ -29,7 +29,7 @@ pub struct LoftCarry {
     pub carry: f64,
 }
 
-/// The units that a study is shown in.
+/// The units in which a study is displayed.
 #[derive(Clone, Copy)]
 pub(super) struct Published {
     /// The units of the paper.
@@ -67,12 +67,12 @@ impl Published {
         two_decimals(quantity, self.system.unit(unit), value)
     }
 
-    /// A computed number less the printed one, with its sign.
+    /// A computed number minus the printed one, with its sign.
     pub fn difference(self, quantity: Quantity, unit: &'static str, difference: f64) -> String {
         signed(difference, self.computed(quantity, unit, difference))
     }
 
-    /// A slope of a length by an angle: "1.052 m per deg".
+    /// A derivative of a length by an angle: "1.052 m per deg".
     pub fn per_degree(self, slope: f64) -> String {
         ratio(
             (Quantity::LENGTH, "m"),
@@ -83,7 +83,7 @@ impl Published {
         )
     }
 
-    /// A slope of a length by an angle in radians, with its sign: "-65.4 m/rad".
+    /// A derivative of a length by an angle in radians, with its sign: "-65.4 m/rad".
     pub fn per_radian(self, slope: f64) -> String {
         signed(
             slope,
@@ -95,13 +95,13 @@ impl Published {
         )
     }
 
-    /// A length that the paper prints.
+    /// A length from the paper.
     pub fn printed_length(self, length: f64) -> String {
         self.printed(Quantity::LENGTH, "m", length)
     }
 
-    /// A number that the paper prints, as it prints it; in the units asked for beside, where they
-    /// are others: "248.48 m (271.74 yd)".
+    /// A number from the paper in its units, followed by the requested units if they differ:
+    /// "248.48 m (271.74 yd)".
     pub fn printed(self, quantity: Quantity, unit: &'static str, value: f64) -> String {
         let [printed, asked] = [self.paper, self.system]
             .map(|system| two_decimals(quantity, system.unit(unit), value));
@@ -113,7 +113,7 @@ impl Published {
     }
 }
 
-/// A number with two decimals, as the papers print them; zero has no sign.
+/// A number with two decimals, as in the papers; zero has no sign.
 fn two_decimals(quantity: Quantity, unit: &str, value: f64) -> String {
     let number = value / quantity.size_of(unit).unwrap_or(f64::NAN);
     format!("{} {unit}", fixed(number, 2)).trim_end().to_owned()
@@ -129,7 +129,7 @@ mod tests {
             paper: System::Metric,
             system,
         });
-        // the report's longest distance; a yard is 0.9144 m
+        // the longest distance of the report; a yard is 0.9144 m
         assert_eq!(alone.printed_length(248.48), "248.48 m");
         assert_eq!(beside.printed_length(248.48), "248.48 m (271.74 yd)");
         assert_eq!(

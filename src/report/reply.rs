@@ -3,30 +3,30 @@ use crate::error::Error;
 use crate::units::{Message, System};
 use serde::Serialize;
 
-/// An answer as one JSON object: what every command says first, then what it found. docs/json.md
-/// describes both.
+/// An answer as one JSON object: the members of every answer first, then the result of the command.
+/// docs/json.md describes both.
 #[derive(Clone, Debug, Serialize)]
 pub struct Reply<T> {
-    /// The command that was asked; `null` where none was recognised.
+    /// The command; `null` if none was recognised.
     pub command: Option<&'static str>,
-    /// How it ended, in a word: `done` where the command has none of its own.
+    /// The status in a word; `done` if the command has no status words of its own.
     pub status: &'static str,
     /// The status in a sentence; `null` if there is nothing to add.
     pub message: Option<String>,
-    /// Warnings about the question.
+    /// Warnings about the request.
     pub warnings: Vec<Message>,
     /// The result.
     #[serde(flatten)]
     pub body: T,
 }
 
-/// The result of a command. Serialized, it is the body of the JSON, in SI and radians; its document
-/// is for readers.
+/// The result of a command. Serialized, it is the body of the JSON, in SI and radians. Its document
+/// is the answer for people.
 pub trait Report: Serialize {
-    /// The command.
+    /// The name of the command.
     const COMMAND: &'static str;
 
-    /// How the command ended; by default it found everything.
+    /// The status of the command; by default everything was found.
     fn ending(&self) -> Ending {
         Ending::DONE
     }
@@ -47,12 +47,12 @@ impl<T: Report> Report for &T {
     }
 }
 
-/// How a command ended.
+/// The status of a command.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ending {
-    /// The status in a word: `done`, `partial`, `no-answer`, or a word of the command's own.
+    /// The status in a word: `done`, `partial`, `no-answer`, or a word of this command.
     pub status: &'static str,
-    /// Why, in a sentence, if the status does not say it.
+    /// The reason in a sentence, if the status word is not sufficient.
     pub message: Option<String>,
 }
 
@@ -63,13 +63,13 @@ impl Ending {
         message: None,
     };
 
-    /// The end of a question about several outcomes, each of which has an error or was found.
+    /// The status for several outcomes, each of which was found or has an error.
     pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
         let errors: Vec<Option<&Error>> = errors.collect();
         let all = errors.len();
         let mut errors: Vec<&Error> = errors.into_iter().flatten().collect();
         let status = match (share(all - errors.len(), all), errors.first()) {
-            // the status of the errors, if all of them have the same
+            // the status of the errors, if it is equal for all
             ("no-answer", Some(first))
                 if errors.iter().all(|error| error.status() == first.status()) =>
             {
@@ -86,7 +86,7 @@ impl Ending {
     }
 }
 
-/// The body of a reply that found nothing.
+/// The empty body of a reply without a result.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Empty {}
 
@@ -105,7 +105,7 @@ impl<T: Report> Reply<T> {
 }
 
 impl<T> Reply<T> {
-    /// All that was asked for.
+    /// The reply with a complete result.
     pub fn done(command: &'static str, warnings: Vec<Message>, body: T) -> Self {
         Self {
             command: Some(command),
@@ -116,7 +116,7 @@ impl<T> Reply<T> {
         }
     }
 
-    /// Sets the status, and a sentence that explains it.
+    /// Sets the status and the sentence that explains it.
     #[must_use]
     pub fn ended(self, status: &'static str, message: Option<String>) -> Self {
         Self {
@@ -128,12 +128,12 @@ impl<T> Reply<T> {
 }
 
 impl Reply<Empty> {
-    /// The reply to a question that has no answer, or to bad input.
+    /// The reply to a request without an answer, or to bad input.
     pub fn none(command: Option<&'static str>, error: &Error) -> Self {
         Self::refused(command, error.status(), error.to_string())
     }
 
-    /// The reply where there is only a message.
+    /// The reply that has only a message.
     pub fn refused(command: Option<&'static str>, status: &'static str, message: String) -> Self {
         Self {
             command,
@@ -145,7 +145,7 @@ impl Reply<Empty> {
     }
 }
 
-/// `done`, `partial` or `no-answer`, by the share of requests answered.
+/// `done`, `partial` or `no-answer`, by the number of requests with an answer.
 pub(super) fn share(found: usize, asked: usize) -> &'static str {
     match found {
         _ if found == asked => "done",

@@ -14,10 +14,10 @@ use crate::units::{System, counted};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Least multiplier of the loss of a model that decides the design.
+/// Minimum multiplier of a model whose loss determines the design.
 const IDLE: f64 = 1e-6;
 
-/// A design for several models, SI and radians.
+/// A robust design for several models, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct RobustReport<'a> {
     #[serde(skip)]
@@ -28,7 +28,7 @@ pub struct RobustReport<'a> {
     pub objective: String,
     /// `maximize` or `minimize`.
     pub sense: &'static str,
-    /// The parameters varied, with the robust design.
+    /// The varied parameters of the robust design.
     pub optimum: ByName<Number>,
     /// The multipliers of the bounds.
     pub multipliers: BTreeMap<&'static str, Multipliers>,
@@ -36,7 +36,7 @@ pub struct RobustReport<'a> {
     pub greatest_loss: Number,
     /// The allowed loss; `null` without one.
     pub within: Number,
-    /// No model loses more than the allowed loss.
+    /// True if no model loses more than the allowed loss.
     pub holds_for_all: Option<bool>,
     /// The models.
     pub models: Vec<ModelReport>,
@@ -48,26 +48,26 @@ pub struct RobustReport<'a> {
     pub file: Option<String>,
 }
 
-/// A model with its best design, and with the robust one.
+/// A model with its own best design, and with the robust design.
 #[derive(Clone, Debug, Serialize)]
 pub struct ModelReport {
     /// The model.
     pub model: String,
-    /// Why it is one of the models; `null` for a model that was given.
+    /// The reason to include the model; `null` for a model of the user.
     pub reason: Option<&'static str>,
-    /// The objective with its best design.
+    /// The objective with the model's best design.
     pub value: Number,
-    /// Its best design.
+    /// The model's best design.
     pub optimum: ByName<Number>,
-    /// Its loss with the robust design.
+    /// The model's loss with the robust design.
     pub loss: Number,
-    /// The multiplier of its loss.
+    /// The multiplier of the model's loss.
     pub share: Number,
-    /// Its losses with the best designs of all models.
+    /// The model's losses with the best designs of all models.
     pub losses: Vec<Number>,
-    /// Its loss as set up.
+    /// The model's loss with the setup before the search.
     pub loss_as_set_up: Number,
-    /// Its constraints with the robust design.
+    /// The model's constraints with the robust design.
     pub constraints: Vec<ConstraintReport>,
 }
 
@@ -119,7 +119,7 @@ impl ModelReport {
     }
 }
 
-/// Numbers of the varied parameters, by name.
+/// Values of the varied parameters, by name.
 fn by_parameter(found: &Robust, numbers: &[f64]) -> ByName<Number> {
     let names = found.search.vary.iter().map(|vary| vary.parameter.name);
     names.zip(numbers.iter().copied()).collect()
@@ -135,8 +135,8 @@ impl Report for RobustReport<'_> {
         }
     }
 
-    /// The robust design, with the loss of each model with it and with the best designs of the other
-    /// models.
+    /// The robust design, and the loss of each model with the robust design and with the best
+    /// designs of the other models.
     fn document(&self, system: System) -> Document {
         let found = self.found;
         let mut document = Document::default();
@@ -156,7 +156,7 @@ impl Report for RobustReport<'_> {
     }
 }
 
-/// The constraints of a model with the robust design; multipliers are of the greatest loss.
+/// The constraints of a model with the robust design. The multipliers refer to the greatest loss.
 fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
     let of_model = found.limits().filter(|(k, ..)| *k == model);
     let report = |(_, j, at, _): (usize, usize, ConstraintValue, &[f64])| {
@@ -169,7 +169,7 @@ fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
     of_model.map(report).collect()
 }
 
-/// The verdict: one design is within the allowed loss for all models, or none.
+/// The verdict: the loss of every model is within the allowed loss, or not.
 fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
     let show = |value: f64| shown::goal_difference(goal, value, system);
@@ -226,7 +226,7 @@ fn models(found: &Robust, system: System) -> Vec<Line> {
     lines
 }
 
-/// The heads of the columns of each model's best design.
+/// The column heads for the best designs of the models.
 fn heads_of_bests(found: &Robust) -> impl Iterator<Item = String> {
     (1..=found.models.len()).map(|k| format!("best for {k}"))
 }
@@ -268,8 +268,8 @@ fn losses(found: &Robust, system: System) -> Table {
         ))
 }
 
-/// Adds the robust design to a document, with the prices of its bounds and constraints, of the
-/// greatest loss.
+/// Adds the robust design to a document, with the multipliers of its bounds and constraints, which
+/// refer to the greatest loss.
 fn add_design(document: &mut Document, found: &Robust, system: System) {
     let (search, solution) = (&found.search, &found.solution);
     let goal = &search.of;
@@ -347,15 +347,15 @@ fn add_design(document: &mut Document, found: &Robust, system: System) {
     }
 }
 
-/// The price of an inactive bound or constraint that is active at a single model's optimum.
+/// The multiplier of an inactive bound or constraint that is active at a single model's optimum.
 fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
     Some(price).filter(|price| multipliers == [0.0; 2] && !price.starts_with("0 "))
 }
 
-/// The setup with the robust design as a setup file in TOML, to the last digit.
+/// The setup with the robust design as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// As [`setup_toml`](super::setup_toml).
+/// Those of [`setup_toml`](super::setup_toml).
 pub fn robust_toml(found: &Robust, within: Option<f64>, preset: &Preset) -> Result<String> {
     let search = &found.search;
     let mut about = vec![format!(

@@ -18,9 +18,9 @@ use serde::Serialize;
 pub struct Analysis<'a> {
     /// The optimum.
     pub best: &'a Optimum,
-    /// Its sensitivities, or their errors.
+    /// The sensitivities of the optimum, or their errors.
     pub sensitivities: &'a [(&'static Parameter, Result<Sensitivity>)],
-    /// How flat it is.
+    /// The flatness of the objective around the optimum.
     pub flatness: &'a Flatness,
     /// The effects of stated changes.
     pub changes: &'a [Changed],
@@ -32,17 +32,17 @@ pub struct SensitivityReport {
     /// The optimum.
     #[serde(flatten)]
     pub optimum: OptimumReport,
-    /// Its analysis; every entry `null` where the search did not converge.
+    /// The analysis of the optimum; every entry is `null` if the search did not converge.
     #[serde(flatten)]
     pub analysis: AnalysisReport,
 }
 
-/// The analysis of an optimum, SI and radians; every entry `null` where there is no optimum.
+/// The analysis of an optimum, SI and radians; every entry is `null` without an optimum.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct AnalysisReport {
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
-    /// By varied parameter: the range in which it alone loses no more than the loss stated.
+    /// For each varied parameter, its range when it alone varies and costs at most the stated loss.
     pub window: Option<ByName<WindowReport>>,
     /// The loss, SI.
     pub window_loss: Number,
@@ -50,24 +50,24 @@ pub struct AnalysisReport {
     pub directions: Option<Vec<DirectionReport>>,
     /// The ellipses of pairs of free parameters.
     pub ellipses: Option<Vec<FlatEllipseReport>>,
-    /// The effects of stated changes, predicted and searched anew.
+    /// The effects of stated changes: predicted, and from a new search.
     pub changes: Option<Vec<StatedChangeReport>>,
 }
 
 /// The derivatives of an optimum by a parameter p, or `null` with a `message`.
 #[derive(Clone, Debug, Serialize)]
 pub struct SensitivityOf {
-    /// d f*/dp.
+    /// df*/dp.
     pub value: Number,
-    /// d x*/dp by varied parameter.
+    /// dx*/dp of each varied parameter.
     pub optimum: Option<ByName<Number>>,
-    /// d² f*/dp².
+    /// d²f*/dp².
     pub curvature: Number,
-    /// Why the derivatives do not exist.
+    /// The reason why the derivatives do not exist.
     pub message: Option<String>,
 }
 
-/// The range in which a parameter alone loses no more than the loss stated.
+/// The range of a parameter that alone varies and costs at most the stated loss.
 #[derive(Clone, Debug, Serialize)]
 pub struct WindowReport {
     /// Lower end.
@@ -80,25 +80,25 @@ pub struct WindowReport {
     pub high_limit: String,
 }
 
-/// A direction of the free parameters.
+/// A direction in the space of the free parameters.
 #[derive(Clone, Debug, Serialize)]
 pub struct DirectionReport {
-    /// The direction, by parameter.
+    /// The components of the direction, by parameter.
     pub along: ByName<Number>,
-    /// The multiple of it that loses the loss stated, by the quadratic model.
+    /// The multiple of the direction that costs the stated loss in the quadratic model.
     pub reach: Number,
-    /// The losses of drives flown there, to both sides.
+    /// The losses of drives computed at this multiple, in both directions.
     pub losses: [Option<f64>; 2],
 }
 
-/// The ellipse in which two parameters lose no more than the loss stated.
+/// The ellipse of two parameters on which the quadratic model costs the stated loss.
 #[derive(Clone, Debug, Serialize)]
 pub struct FlatEllipseReport {
     /// The parameters.
     pub parameters: [&'static str; 2],
-    /// The half-axes by their components, the longer first.
+    /// The half-axes as components of the parameters, the longer one first.
     pub half_axes: [[f64; 2]; 2],
-    /// The smallest and the largest loss of drives flown on it.
+    /// The smallest and the largest loss of drives computed on the ellipse.
     pub losses: Option<(f64, f64)>,
 }
 
@@ -107,35 +107,35 @@ pub struct FlatEllipseReport {
 pub struct StatedChangeReport {
     /// The parameter.
     pub parameter: &'static str,
-    /// Its change.
+    /// The change of the parameter.
     pub change: f64,
     /// The optimum by derivatives.
     pub predicted: PredictedOptimum,
     /// The optimum of a new search.
     pub resolved: ResolvedOptimum,
-    /// The first change of the active bounds and constraints that is predicted.
+    /// The first predicted change of the active bounds and constraints.
     pub event: Option<EventReport>,
     /// The differences of the active bounds and constraints after the change.
     pub differences: Vec<Message>,
 }
 
-/// An optimum predicted by derivatives.
+/// An optimum predicted from derivatives.
 #[derive(Clone, Debug, Serialize)]
 pub struct PredictedOptimum {
-    /// Its value, to second order.
+    /// The value of the objective to second order.
     pub value: f64,
-    /// Its value, to first order.
+    /// The value of the objective to first order.
     pub first_order: f64,
     /// The varied parameters at the optimum.
     pub optimum: ByName<Number>,
 }
 
-/// The end of a new search after a change.
+/// The result of a new search after a change.
 #[derive(Clone, Debug, Serialize)]
 pub struct ResolvedOptimum {
     /// The status of the search.
     pub status: &'static str,
-    /// The value.
+    /// The value of the objective.
     pub value: Number,
     /// The varied parameters at the optimum.
     pub optimum: Option<ByName<Number>>,
@@ -146,7 +146,7 @@ pub struct ResolvedOptimum {
 /// A change of the active bounds and constraints.
 #[derive(Clone, Debug, Serialize)]
 pub struct EventReport {
-    /// The part of the change after which it happens.
+    /// The fraction of the change at which the event occurs.
     pub after: f64,
     /// The event.
     pub message: Message,
@@ -166,7 +166,7 @@ impl SensitivityReport {
         };
         let reply = Reply::done("optimum-sensitivity", warnings, body);
         match share(found, all.len()) {
-            // a parameter that has none says so itself
+            // a parameter without sensitivities has its own message
             "done" | "partial" => reply.ended(
                 analysis.best.status(),
                 Some(analysis.best.message().to_string()),
@@ -178,7 +178,7 @@ impl SensitivityReport {
         }
     }
 
-    /// The answer without an optimum, or without its sensitivity: `why`.
+    /// The answer without an optimum, or without its sensitivities; `why` is the reason.
     pub fn none(optima: &Optima, why: Option<&Error>, warnings: Vec<Message>) -> Reply<Self> {
         let Reply {
             status,
@@ -293,7 +293,7 @@ impl StatedChangeReport {
     }
 }
 
-/// Numbers of the varied parameters, by name.
+/// Values of the varied parameters, by name.
 fn by_parameter(best: &Optimum, numbers: &[f64]) -> ByName<Number> {
     let vary = best.search.vary.iter();
     let names = vary.map(|vary| vary.parameter.name);
@@ -313,7 +313,7 @@ impl Analysis<'_> {
     }
 }
 
-/// The reason for the end of a window.
+/// The reason for an end of a window.
 fn limit_name(best: &Optimum, limit: Limit) -> String {
     match limit {
         Limit::Loss => "loss".into(),
@@ -358,12 +358,12 @@ fn add_sensitivities(
     document.list(left_out.into_iter().map(Line::item));
 }
 
-/// The varied parameters that the search may change.
+/// The varied parameters whose range has a positive width.
 fn free(best: &Optimum) -> impl Iterator<Item = &Vary> {
     best.search.vary.iter().filter(|vary| vary.low < vary.high)
 }
 
-/// The cells of a sensitivity, per unit of the parameter.
+/// The cells of a sensitivity, per unit of its parameter.
 fn sensitivity_row(
     best: &Optimum,
     parameter: &Parameter,
@@ -417,7 +417,7 @@ fn add_flatness(document: &mut Document, best: &Optimum, flatness: &Flatness, sy
     document.add(table);
 }
 
-/// The cells of a window, with the reason for each end that is not the loss.
+/// The cells of a window, with the reason for each end that is not due to the loss.
 fn window_row(best: &Optimum, vary: &Vary, window: &Window, system: System) -> Vec<String> {
     let end = |value: f64, limit: Limit| {
         let value = shown::parameter(vary.parameter, value, system);
@@ -437,7 +437,7 @@ fn window_row(best: &Optimum, vary: &Vary, window: &Window, system: System) -> V
     ]
 }
 
-/// A step of a parameter, with its sign: "+1.20 deg".
+/// A change of a parameter, with its sign: "+1.20 deg".
 fn step(parameter: &Parameter, amount: f64, system: System) -> String {
     let sign = if amount < 0.0 { "-" } else { "+" };
     format!(
@@ -522,7 +522,7 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
             .collect::<Vec<_>>()
     };
     let delta = shown::stated(parameter, changed.change.delta, system);
-    // an amount without a sign is a change too: the new value makes that clear
+    // show the new value too: an amount without a sign could be read as a value
     let to = best
         .setup
         .value(parameter)

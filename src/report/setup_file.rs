@@ -1,16 +1,15 @@
-//! Setups as files that a person can read, and that read back as the same setup to the last bit.
+//! Setups as readable files in TOML, which are parsed to the same setup to the last bit.
 
 use super::presets::{SourcedValue, sourced, sources};
 use crate::error::Result;
 use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET};
 use crate::units::significant;
 
-/// Digits that tell any number from its neighbours.
+/// Significant digits that distinguish all double-precision numbers.
 const MOST_DIGITS: usize = 17;
 
-/// A setup as a setup file in TOML: the preset that it started from, then every parameter with its
-/// source. `about` are the lines at its head, and a remark takes the place of its parameter's
-/// source.
+/// A setup as a setup file in TOML: its preset, then every parameter with its source. `about` are
+/// the first lines of the file. A remark in `remarks` replaces the source of its parameter.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::setup_toml};
@@ -22,7 +21,7 @@ const MOST_DIGITS: usize = 17;
 /// ```
 ///
 /// # Errors
-/// None that a test does not rule out: presets are read as any setup is.
+/// Does not occur: a test reads all presets.
 pub fn setup_toml(
     setup: &Setup<f64>,
     preset: &Preset,
@@ -44,7 +43,7 @@ pub fn setup_toml(
 /// ```
 ///
 /// # Errors
-/// As [`setup_toml`].
+/// Those of [`setup_toml`].
 pub fn setup_toml_without_step(setup: &Setup<f64>, preset: &Preset) -> Result<String> {
     Ok(without_step(&setup_toml(setup, preset, &[], &[])?))
 }
@@ -58,7 +57,7 @@ pub(crate) fn without_step(toml: &str) -> String {
     toml.split_inclusive('\n').filter(is_kept).collect()
 }
 
-/// A setup file of this program with the lines of method and step of another.
+/// A setup file of this program with the method and step lines of another setup file.
 #[cfg(feature = "cli")]
 pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     let taken = |line| {
@@ -69,14 +68,14 @@ pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     toml.split_inclusive('\n').map(taken).collect()
 }
 
-/// Every parameter and choice with its value and its remark.
+/// Every parameter and choice, with its value and its source or remark.
 fn rows(
     setup: &Setup<f64>,
     preset: &Preset,
     remarks: &[(&'static Parameter, String)],
 ) -> Result<Vec<SourcedValue>> {
     let row = |row: SourcedValue| {
-        // a relative path would start at the folder of the setup file, which may be any
+        // use an absolute path: a relative one would refer to the folder of the setup file
         if row.name == TABLE {
             let file = std::path::absolute(&row.value);
             let value = file.map_or(row.value, |path| path.display().to_string());
@@ -101,7 +100,7 @@ fn rows(
 /// A preset as a setup file in TOML, each number with its source.
 ///
 /// # Errors
-/// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
+/// [`Error::Unknown`](crate::Error::Unknown) for an unknown name.
 pub fn preset_toml(name: &str) -> Result<String> {
     let setup = Setup::preset(name)?;
     let Some(preset) = Preset::named(name) else {
@@ -114,8 +113,8 @@ pub fn preset_toml(name: &str) -> Result<String> {
     ))
 }
 
-/// The shortest text in the unit that people read which reads back as this value; in SI where
-/// rounding leaves none.
+/// The shortest text in the parameter's display unit that is parsed to exactly this value; in SI if
+/// rounding prevents it.
 fn exact(parameter: &Parameter, value: Option<f64>) -> String {
     let Some(value) = value else {
         return UNSET.into();
@@ -139,9 +138,9 @@ fn exact(parameter: &Parameter, value: Option<f64>) -> String {
     })
 }
 
-/// A setup file with these lines at its head, its preset, and the values, table by table.
+/// A setup file: these first lines, the preset, then the values by TOML table.
 fn toml(preset: &Preset, about: &[String], rows: &[SourcedValue]) -> String {
-    // the name of a file may contain control characters
+    // control characters may occur in file names
     let remark = |text: &str| text.replace(char::is_control, " ");
     let mut text: String = about
         .iter()
@@ -149,7 +148,7 @@ fn toml(preset: &Preset, about: &[String], rows: &[SourcedValue]) -> String {
         .collect();
     text += &format!("preset = \"{}\"\n", preset.name);
     let table_of = |name: &'static str| name.split_once('.').map_or("", |(table, _)| table);
-    // keys without a table must precede the first table, and each table has one head
+    // keys without a table must precede the first table; each table has one header
     let mut tables = vec![""];
     for row in rows {
         if !tables.contains(&table_of(row.name)) {
@@ -169,7 +168,7 @@ fn toml(preset: &Preset, about: &[String], rows: &[SourcedValue]) -> String {
     text
 }
 
-/// A text as TOML quotes it, with control characters escaped.
+/// A quoted TOML string, with control characters escaped.
 fn quoted(text: &str) -> String {
     let escaped = |c: char| match c {
         '"' | '\\' => format!("\\{c}"),
@@ -201,7 +200,7 @@ mod tests {
                 let mut setup = Setup::preset(preset.name).unwrap();
                 setup.set_law(law).unwrap();
                 for (i, parameter) in setup.variables().into_iter().enumerate() {
-                    // irrational, and within every range
+                    // an irrational value within every range
                     let value = setup.value(parameter).unwrap()
                         * (1.0 + 1e-3 * ((i + 50 * k) as f64).sin());
                     setup.set_value(parameter, Some(value)).unwrap();
