@@ -28,7 +28,7 @@ pub struct Chart {
     pub begun: Option<Message>,
     /// Reason if the chart ends before the high end of the range.
     pub ended: Option<Message>,
-    /// The chart was interrupted.
+    /// True if the chart was interrupted.
     pub interrupted: bool,
 }
 
@@ -106,7 +106,7 @@ impl Chart {
             ["optimum", "optima"],
             CheckScope::Flight,
         );
-        // in order, without the empty ones
+        // in the order of the warnings, without conditions that never hold
         let reaches = [law, face, flat]
             .into_iter()
             .filter(|reach| !reach.parts.is_empty());
@@ -118,11 +118,11 @@ impl Chart {
     }
 }
 
-/// Parts of a range in which a condition holds, from points in ascending order.
+/// Intervals of a range in which a condition holds, from points in ascending order.
 #[derive(Clone, Default)]
 struct Reach {
     parts: Vec<[f64; 2]>,
-    /// The condition held at the last point.
+    /// True if the condition held at the last point.
     goes_on: bool,
 }
 
@@ -353,8 +353,9 @@ impl Follower<'_> {
         }
     }
 
-    /// The first optimum: at the low end of the range, or else at the first of a few trial values,
-    /// then located by bisection; with the reason why there is none before.
+    /// Computes the first optimum: at the low end of the range, or at the first of a few trial
+    /// values that has an optimum; bisection then locates where the optima begin. Also returns the
+    /// reason why there is no optimum before.
     fn first(&self) -> Result<(ChartPoint, Option<Message>)> {
         let Vary {
             parameter,
@@ -406,7 +407,8 @@ impl Follower<'_> {
         first
     }
 
-    /// The optimum at another value, with its distance from the prediction in units of the ranges.
+    /// Computes the optimum at the parameter value `to`. Also returns its distance from the
+    /// prediction, in units of the ranges.
     fn next(&self, here: &ChartPoint, to: f64) -> Result<(ChartPoint, f64)> {
         let rates = match sensitivity(&here.best, self.along.parameter) {
             Ok(sensitivity) => sensitivity.optimum,

@@ -43,8 +43,8 @@ pub struct Bar {
     /// ½ σ² ∂²f/∂p², the shift of the mean of f; `None` without a second derivative, or on
     /// overflow.
     pub second_order: Option<f64>,
-    /// Change of f for drives at p − σ and p + σ; `None` if the value is not allowed or nothing
-    /// flies.
+    /// Change of f for drives at p − σ and p + σ; `None` if the parameter value is not allowed or
+    /// the ball does not fly.
     pub flown: [Option<f64>; 2],
 }
 

@@ -27,9 +27,9 @@ const RELATION: &str = "write NAME: AMOUNT + AMOUNT*PARAMETER <= LIMIT, for exam
                         cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3\"";
 
 impl Goal {
-    /// Reads a weighted sum of measures. A weight is a number, or an amount if the measure is a
-    /// share or strokes: `mean(carry) + 30yd*within(lateral, 15yd)`. `strokes` is the table that
-    /// `strokes(HOLE)` needs.
+    /// Parses a weighted sum of measures. A weight is a number; for a share or for strokes it may
+    /// be an amount with a unit: `mean(carry) + 30yd*within(lateral, 15yd)`. `strokes` is the table
+    /// that `strokes(HOLE)` needs.
     ///
     /// ```
     /// use longdrive::study::{Goal, swings::Measure};
@@ -93,8 +93,9 @@ impl Constraint {
         expression.contains(':')
     }
 
-    /// Reads a relation of a design, linear in parameters: a name, and a sum of amounts and of
-    /// amounts times parameters between limits. All terms must be of one kind.
+    /// Parses a relation between parameters of a design: a name, a colon, and a linear expression
+    /// between limits. Each term is an amount, or an amount times a parameter. All terms must have
+    /// the same kind of quantity.
     ///
     /// ```
     /// use longdrive::{Setup, study::Constraint};
@@ -106,8 +107,8 @@ impl Constraint {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression: for a relation without a name, with
-    /// the name of an outcome, or without a parameter, and for what cannot be read.
+    /// [`Error::Constraint`], which points into the expression, for a relation without a name, with
+    /// the name of an outcome, or without a parameter, and for text that cannot be parsed.
     pub fn read_relation(setup: &Setup<f64>, expression: &str) -> Result<Self> {
         let whole = Piece::whole(expression);
         let colon = expression.find(':');
@@ -128,7 +129,8 @@ impl Constraint {
     }
 }
 
-/// A relation with the name of an outcome looks like a limit of the outcome.
+/// Error message for a relation with the name of an outcome, which looks like a limit of the
+/// outcome.
 fn name_of_outcome(of: Outcome) -> String {
     let limit = if of.group() == OutcomeGroup::Head {
         of.name().to_owned()
@@ -148,7 +150,7 @@ struct Piece<'a> {
     /// The whole expression.
     whole: &'a str,
     text: &'a str,
-    /// Its place in the whole, in characters from 0.
+    /// Column of the piece in the whole expression, in characters from 0.
     column: usize,
 }
 
@@ -161,7 +163,7 @@ impl<'a> Piece<'a> {
         }
     }
 
-    /// A part of it, trimmed.
+    /// The part of the piece within a byte range, trimmed.
     fn slice(self, range: Range<usize>) -> Self {
         let part = &self.text[range.clone()];
         let lead = part.len() - part.trim_start().len();
@@ -172,7 +174,7 @@ impl<'a> Piece<'a> {
         }
     }
 
-    /// An error that points at its beginning.
+    /// An error that points at the beginning of the piece.
     fn error(self, reason: impl Into<String>) -> Error {
         Error::Constraint {
             expression: self.whole.into(),
@@ -200,7 +202,7 @@ enum Scope<'a> {
 struct Term {
     weight: f64,
     measure: Measure,
-    /// The kind of their product; `None` for one without a name.
+    /// Kind of quantity of weight times measure; `None` for a kind without a name.
     quantity: Option<Quantity>,
     unit: &'static str,
 }
@@ -213,7 +215,7 @@ struct Limit {
 }
 
 impl Limit {
-    /// No limit on a side: −∞ or ∞.
+    /// No limit on one side; `value` is −∞ or ∞.
     fn none(value: f64) -> Self {
         Self { value, unit: None }
     }
@@ -266,7 +268,7 @@ fn read(expression: &str, text: Piece<'_>, scope: &Scope<'_>) -> Result<Constrai
         let reason = "the range is reversed: its lower limit is above its upper limit";
         return Err(pieces[0].error(reason));
     }
-    // the user thinks of a relation in the unit of its limit
+    // show a relation in the unit of its limit
     if matches!(scope, Scope::Relation { .. }) {
         goal.unit = low.unit.or(high.unit).unwrap_or(goal.unit);
     }
@@ -286,7 +288,7 @@ fn is_at_most(sign: &str) -> Option<bool> {
     }
 }
 
-/// The texts between the signs of comparison, and the signs.
+/// Splits a constraint at its comparison signs, and returns the texts and the signs.
 fn split(text: Piece<'_>) -> Result<Vec<Piece<'_>>> {
     let mut pieces = vec![];
     let mut from = 0;
@@ -355,7 +357,7 @@ impl Scope<'_> {
         }
     }
 
-    /// True if a text is a goal and no limit.
+    /// True if a text is a goal, false if it is a limit.
     fn is_goal(&self, text: &str) -> bool {
         match self {
             Self::Drive => Outcome::named(text).is_ok(),
@@ -391,7 +393,7 @@ impl Scope<'_> {
         })
     }
 
-    /// The terms of a sum, all of one kind.
+    /// Parses the terms of a sum, which must have the same kind of quantity.
     fn sum(&self, piece: Piece<'_>) -> Result<Vec<Term>> {
         let mut terms: Vec<Term> = vec![];
         for (sign, piece) in summands(piece) {
@@ -535,7 +537,8 @@ fn swings_term(piece: Piece<'_>, strokes: Option<&Strokes>) -> Result<Term> {
     }
 }
 
-/// A term times a weight: a number or, of a share or strokes, an amount.
+/// Multiplies a term by a weight. The weight is a number, or an amount if the term is a share or
+/// strokes.
 fn weighted(piece: Piece<'_>, weight: &str, term: Term) -> Result<Term> {
     if let Ok(weight) = weight.parse::<f64>()
         && weight.is_finite()
@@ -562,7 +565,7 @@ fn weighted(piece: Piece<'_>, weight: &str, term: Term) -> Result<Term> {
     )))
 }
 
-/// An outcome of the head, which is equal for all swings and needs no measure.
+/// Parses an outcome of the head. It is equal for all swings and needs no measure.
 fn head_outcome(piece: Piece<'_>, name: &str) -> Result<Outcome> {
     match Outcome::named(name) {
         Ok(of) if of.group() == OutcomeGroup::Head => Ok(of),
@@ -586,7 +589,7 @@ struct Call<'a> {
 }
 
 impl<'a> Call<'a> {
-    /// The call that a text is; `None` without parentheses.
+    /// Parses a call; `None` if the text has no parentheses.
     fn read(piece: Piece<'a>, text: &'a str) -> Result<Option<Self>> {
         let Some((name, rest)) = text.split_once('(') else {
             return Ok(None);
@@ -675,7 +678,7 @@ impl<'a> Call<'a> {
         Err(self.piece.error(format!("'{text}' must be above 0")))
     }
 
-    /// A measure that does not exist, or a weight without its sign: `0.5 std(…)`.
+    /// Error for an unknown measure, or for a weight without the multiplication sign: `0.5 std(…)`.
     fn unknown(&self) -> Error {
         let weighted = self
             .name

@@ -13,8 +13,8 @@ pub struct Face {
     pub golfer: Golfer,
     /// Half-width (towards the toe) and half-height of the face, m.
     pub half: [f64; 2],
-    /// Impact points are relative to the face centre, because the centre of mass is not behind it;
-    /// otherwise to the sweet spot.
+    /// True if impact points are relative to the face centre, because the centre of mass is not
+    /// behind the face centre. False if they are relative to the sweet spot.
     pub is_from_centre: bool,
     /// Point where the face normal passes through the centre of mass, m: towards the toe, up;
     /// `None` if there is none.
@@ -132,7 +132,8 @@ impl Face {
         (0..=120).map(point).collect()
     }
 
-    /// The longest carry lies at the edge of the face: a neighbouring node is off the face.
+    /// True if the longest carry lies at the edge of the face, where a neighbouring node is off the
+    /// face.
     pub fn is_longest_at_edge(&self) -> bool {
         let ([x, y], _) = self.longest;
         let [wide, tall] = [0, 1].map(|axis| 2.0 * self.half[axis] / (NODES[axis] - 1) as f64);
@@ -141,7 +142,7 @@ impl Face {
             .any(|at| !self.holds(at))
     }
 
-    /// The setup strikes the sweet spot, within 1 µm.
+    /// True if the setup strikes the sweet spot, within 1 µm.
     pub fn is_struck_sweetly(&self) -> bool {
         self.sweet_spot
             .is_some_and(|spot| (0..2).all(|axis| (spot[axis] - self.strike[axis]).abs() < 1e-6))

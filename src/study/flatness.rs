@@ -17,9 +17,9 @@ use nalgebra::DMatrix;
 pub struct Flatness {
     /// The allowed loss of the outcome, SI.
     pub loss: f64,
-    /// The window of each parameter varied, with the others fixed at the optimum.
+    /// Window of each varied parameter, with all other parameters fixed at the optimum.
     pub windows: Vec<Window>,
-    /// The directions of the free parameters, by curvature, the flattest first.
+    /// Directions of the free parameters in ascending order of curvature.
     pub directions: Vec<Direction>,
     /// The ellipse of the allowed loss for each pair of free parameters, by the quadratic model of
     /// the outcome. None if a constraint is active: there the outcome has a slope, and a contour of
@@ -59,10 +59,11 @@ pub enum Limit {
 pub struct Direction {
     /// Its component by each varied parameter, SI, of length 1 in units of the ranges.
     pub along: Vec<f64>,
-    /// The number of these lengths to the allowed loss, to second order.
+    /// Distance along the direction at which the loss reaches the allowed loss to second order, in
+    /// multiples of `along`.
     pub reach: f64,
-    /// The loss of the drives there, in both directions; `None` out of the ranges, and for a drive
-    /// that does not fly.
+    /// Losses of the drives at this distance in both directions; `None` outside of the ranges, and
+    /// for a drive that does not fly.
     pub losses: [Option<f64>; 2],
 }
 
@@ -74,8 +75,8 @@ pub struct Ellipse {
     /// The two half-axes as components along the two parameters, SI; the longer one, in units of
     /// the ranges, first.
     pub half_axes: [[f64; 2]; 2],
-    /// Least and greatest loss of the drives on it within ranges and constraints; `None` if no
-    /// point of it is within them.
+    /// Smallest and largest loss of the drives on the ellipse that meet the ranges and constraints;
+    /// `None` if there are none.
     pub losses: Option<(f64, f64)>,
 }
 
@@ -114,7 +115,7 @@ pub fn usual_loss(best: &Optimum) -> f64 {
     }
 }
 
-/// Drives on an ellipse.
+/// Number of drives computed on an ellipse.
 const AROUND: usize = 24;
 
 /// The flatness of an optimum for a stated loss of the outcome, SI.
@@ -225,7 +226,8 @@ impl Top<'_> {
             }
             part = (part * 1.25).min(1.0);
         };
-        // bisection for an end that is no root of a function
+        // bisection: the end at a constraint, or where the ball no longer flies, is not a root of a
+        // smooth function
         while limit != Limit::Loss && outside - inside > 1e-12 {
             let middle = 0.5 * (inside + outside);
             match is_within(middle) {
@@ -240,7 +242,7 @@ impl Top<'_> {
         Ok((from + part * width, Limit::Loss))
     }
 
-    /// The fraction of the way to a bound at which the loss is the allowed one.
+    /// Fraction of the distance to a bound at which the loss equals the allowed loss.
     fn crossing(&self, i: usize, from: f64, width: f64, inside: f64, outside: f64) -> Result<f64> {
         let search = BrentRoot::new(inside, outside, 1e-13);
         let found = Executor::new(
@@ -363,7 +365,7 @@ impl Top<'_> {
     }
 }
 
-/// The loss less the allowed one, as a function of the fraction of the way to a bound.
+/// Loss minus allowed loss, as a function of the fraction of the distance to a bound.
 struct Excess<'a> {
     top: &'a Top<'a>,
     i: usize,

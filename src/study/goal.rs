@@ -6,7 +6,8 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::units::Quantity;
 
-/// A weighted sum of measures: `mean(carry) - 0.5*std(lateral)`; an outcome, of one drive.
+/// A weighted sum of measures, such as `mean(carry) - 0.5*std(lateral)`, or an outcome of one
+/// drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
     /// The text it was read from, or the name of the outcome.
@@ -19,7 +20,8 @@ pub struct Goal {
     pub unit: &'static str,
 }
 
-/// A goal between limits: `std(lateral) <= 12 yd`; of one drive `descent_angle >= 38 deg`.
+/// A goal between limits: `std(lateral) <= 12 yd` over swings, or `descent_angle >= 38 deg` for one
+/// drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constraint {
     /// The text it was read from.
@@ -49,7 +51,7 @@ impl Goal {
         }
     }
 
-    /// The outcomes that its measures need.
+    /// Outcomes that the measures of the goal need.
     pub fn outcomes(&self) -> Vec<Outcome> {
         self.terms
             .iter()
@@ -57,7 +59,7 @@ impl Goal {
             .collect()
     }
 
-    /// The tables of strokes of its measures, each with the length of the hole, m.
+    /// Tables of strokes that the measures need, each with the length of the hole, m.
     pub fn strokes(&self) -> impl Iterator<Item = (&Strokes, f64)> {
         self.terms.iter().filter_map(|(_, measure)| match measure {
             Measure::Strokes(strokes, hole) => Some((strokes, *hole)),
@@ -65,7 +67,7 @@ impl Goal {
         })
     }
 
-    /// True if a measure has an edge (a kink or jump), which the search smooths.
+    /// True if a measure has a kink or jump, which the search smooths.
     pub(super) fn has_edge(&self) -> bool {
         self.terms.iter().any(|(_, measure)| measure.has_edge())
     }
@@ -102,8 +104,8 @@ impl Constraint {
         (self.low - rounding..=self.high + rounding).contains(&value)
     }
 
-    /// Refuses limits that are not numbers or reversed, which a constraint that was not read from
-    /// text can have.
+    /// Refuses reversed limits, and limits that are not numbers. Constraints parsed from text never
+    /// have such limits.
     ///
     /// # Errors
     /// [`Error::SearchRange`].

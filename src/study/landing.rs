@@ -20,9 +20,9 @@ pub struct Landing {
     /// Landing ellipses for each of [`SHARES`], from exact derivatives; empty if nothing varies, or
     /// the scatter is too large.
     pub ellipses: Vec<LandingEllipse>,
-    /// Ellipses are omitted because the drive's derivatives do not describe so large a scatter: the
-    /// standard deviation of the speed exceeds a third of it, or an ellipse is longer than the
-    /// carry.
+    /// True if the ellipses are omitted because the scatter is too large for the derivatives of the
+    /// drive: the standard deviation of the speed exceeds a third of the speed, or an ellipse is
+    /// longer than the carry.
     pub is_too_wide: bool,
 }
 

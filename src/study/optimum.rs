@@ -27,25 +27,27 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Optimum {
     /// The search.
     pub search: Search,
-    /// The end of the local search. Its objective is the goal times
-    /// [`Sense::sign`](super::Sense::sign), over swings with smoothed edges.
+    /// Result of the local search. Its objective is the goal times
+    /// [`Sense::sign`](super::Sense::sign). For a search over swings, kinks and jumps of the goal
+    /// are smoothed.
     pub solution: Solution,
-    /// The goals there by their definitions, SI: the objective, then the limited goals; `None` if a
-    /// drive does not fly.
+    /// Exact goals at the optimum, without smoothing, SI: the objective, then the limited goals.
+    /// `None` if a drive does not fly.
     pub goals: Option<Vec<f64>>,
     /// The setup at the optimum.
     pub setup: Setup<f64>,
-    /// The drive there, of a search over one drive; `None` if no drive of the search flies.
+    /// The drive at the optimum, for a search over one drive; `None` if no drive of the search
+    /// flies.
     pub drive: Option<Drive<f64>>,
-    /// The setup that the search begins from.
+    /// The setup at the start of the search.
     pub start: Setup<f64>,
-    /// The drive of that setup, of a search over one drive; `None` without an impact.
+    /// The drive of the start, for a search over one drive; `None` without an impact.
     pub start_drive: Option<Drive<f64>>,
-    /// The sample of the ranges that the optimum of one drive was compared with; `None` after a
-    /// local search, and after an interrupted one.
+    /// Comparison of the optimum of one drive with a sample of the ranges; `None` after a local
+    /// search, and after an interrupted search.
     pub sample: Option<Sample>,
     /// The goals over the swings with the setup's own design; `None` if a swing does not fly, and
-    /// for one drive.
+    /// for a search over one drive.
     pub as_set_up: Option<Vec<f64>>,
     /// The share of the swings whose ball ends where the table of strokes is extrapolated; `None`
     /// without a table, and after an interrupted search.
@@ -65,8 +67,8 @@ impl Optimum {
         slopes.map(|slope| sign * slope).collect()
     }
 
-    /// The constraints at the optimum: value and violation by the definition of the goal,
-    /// multiplier of the search.
+    /// The constraints at the optimum. Value and violation follow the exact definition of the goal;
+    /// the multiplier is that of the search.
     pub fn constraints(&self) -> Vec<(&Constraint, ConstraintValue)> {
         let all = self
             .search
@@ -91,14 +93,14 @@ impl Optimum {
     }
 }
 
-/// An end that one search or several came to.
+/// A local optimum at which one or more searches ended.
 #[derive(Clone, Debug)]
 pub struct LocalOptimum {
-    /// The end.
+    /// Result of the search.
     pub solution: Solution,
-    /// The objective there by its definition, SI; `None` if a drive does not fly.
+    /// Exact objective at the optimum, SI; `None` if a drive does not fly.
     pub value: Option<f64>,
-    /// The numbers of the starts that led to it.
+    /// Numbers of the starts whose searches ended at the optimum.
     pub starts: Vec<usize>,
 }
 
@@ -107,7 +109,7 @@ pub struct LocalOptimum {
 pub struct Optima {
     /// The best optimum.
     pub best: Optimum,
-    /// All ends, the best first.
+    /// All local optima, best first.
     pub locals: Vec<LocalOptimum>,
     /// The number of starts, including the point of the [`Sample`] that led to the best optimum, if
     /// any.
@@ -115,7 +117,7 @@ pub struct Optima {
 }
 
 impl Optima {
-    /// The ends of the searches that were not interrupted, best first.
+    /// Local optima of the searches that were not interrupted, best first.
     pub fn ended(&self) -> impl Iterator<Item = &LocalOptimum> {
         self.locals
             .iter()
@@ -128,7 +130,7 @@ impl Optima {
         self.starts - ended.sum::<usize>()
     }
 
-    /// The progress of the searches, if any was interrupted.
+    /// Message on the progress of the searches, if any was interrupted.
     pub fn interrupted(&self) -> Option<String> {
         stopped_of(self.stopped(), self.starts, || {
             self.best.message().to_string()
@@ -136,7 +138,7 @@ impl Optima {
     }
 }
 
-/// The progress of searches of which some were interrupted; `only` describes a single one.
+/// Message on the progress of searches, some of them interrupted. `only` describes a single search.
 pub(super) fn stopped_of(
     stopped: usize,
     all: usize,
@@ -151,13 +153,13 @@ pub(super) fn stopped_of(
     })
 }
 
-/// Finds the parameters that make the objective largest or smallest, by a local search from the
-/// setup's own values, moved into the ranges; a parameter without a value begins in the middle of
+/// Finds the parameters that maximize or minimize the objective. A local search starts from the
+/// setup's own values, moved into the ranges. A parameter without a value starts in the middle of
 /// its range.
 ///
-/// Over one drive further searches begin at points of a [`Sample`] of the ranges that are better
-/// than its end. Over swings the scenarios are the same for every design, so that the objective is
-/// a smooth function of it, with exact gradients and Hessians.
+/// For one drive, further searches start at points of a [`Sample`] of the ranges that are better
+/// than the local optimum. For swings, the scenarios are equal for every design, so that the
+/// objective is a smooth function of the design, with exact gradients and Hessians.
 ///
 /// ```
 /// use longdrive::{Setup, optimize::Observer, study::{Search, Vary, optimum}};
@@ -195,9 +197,9 @@ pub(super) fn stopped_of(
 ///
 /// # Errors
 /// [`Error::Nothing`] without parameters to vary, or if every range is a single value;
-/// [`Error::SearchRange`] for a parameter that is varied twice; [`Error::Unreadable`] for one that
-/// the swings have values of; what [`Setup::validate`] refuses; [`Error::NotConverged`] if it is
-/// stopped before the search begins.
+/// [`Error::SearchRange`] for a parameter that is varied twice; [`Error::Unreadable`] for a
+/// parameter that both the search and the swings vary; the errors of [`Setup::validate`];
+/// [`Error::NotConverged`] if the search is interrupted before it begins.
 pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
     let interrupt = observer.interrupt.clone();
     let study = Study::new(setup, search, interrupt)?;
@@ -211,10 +213,10 @@ pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result
     study.found(best, sample)
 }
 
-/// The local optimum that a search from the setup's own values ends at.
+/// Finds the local optimum of a search from the setup's own values.
 ///
 /// # Errors
-/// As [`optimum`].
+/// The errors of [`optimum`].
 pub(super) fn local_optimum(
     setup: &Setup<f64>,
     search: Search,
@@ -225,11 +227,12 @@ pub(super) fn local_optimum(
     study.found(end, None)
 }
 
-/// Searches from the setup's own values and from starts spread evenly over the ranges, side by
-/// side; then, over one drive as [`optimum`], from points of a [`Sample`] that are better.
+/// Searches in parallel from the setup's own values and from starts spread evenly over the ranges.
+/// For one drive, further searches start at better points of a [`Sample`], as in [`optimum`].
 ///
 /// # Errors
-/// As [`optimum`]; [`Error::Nothing`] for no start; more starts than can be spread.
+/// The errors of [`optimum`]; [`Error::Nothing`] without starts; an error for more starts than the
+/// sequence of starting points has.
 pub fn optima(
     setup: &Setup<f64>,
     search: &Search,
@@ -269,11 +272,11 @@ pub fn optima(
     study.all(locals, starts, sample)
 }
 
-/// [`optima`] without a sample of the ranges, with goals that are evaluated without derivatives: to
-/// compare them with those of other designs to the last bit.
+/// Like [`optima`], without a sample of the ranges. The goals are evaluated without derivatives, so
+/// that they can be compared bit by bit with the goals of other designs.
 ///
 /// # Errors
-/// As [`optima`].
+/// The errors of [`optima`].
 pub(super) fn local_optima(
     setup: &Setup<f64>,
     search: &Search,
@@ -288,7 +291,7 @@ pub(super) fn local_optima(
     study.all(locals, count, None)
 }
 
-/// The ends of searches from several starts.
+/// Runs searches from several starts and returns their results.
 fn searched(
     setup: &Setup<f64>,
     search: &Search,
@@ -344,8 +347,8 @@ impl Study {
         minimize_observed(&self.problem, domain, start, &self.search.options, observer)
     }
 
-    /// The end compared with a sample of the ranges, and improved from its points; `None` over
-    /// swings, and once interrupted.
+    /// Compares the end of a search with a sample of the ranges, and improves it by searches from
+    /// points of the sample. `None` for swings, and once interrupted.
     fn improved(
         &self,
         end: &Solution,
@@ -401,7 +404,7 @@ impl Study {
         })
     }
 
-    /// The goals at the end of a search by their definitions, also after an interrupt.
+    /// Exact goals at the end of a search, also after an interrupt.
     fn goals(&self, solution: &Solution) -> Option<Vec<f64>> {
         let value = solution.value?;
         if self.search.is_of_outcomes() && !self.is_evaluated_again {
@@ -453,7 +456,7 @@ impl Study {
 /// is true.
 ///
 /// # Errors
-/// As [`optimum`].
+/// The errors of [`optimum`].
 pub fn goals_of(
     setup: &Setup<f64>,
     goals: &[Goal],

@@ -24,8 +24,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// The goals of a search as functions of the parameters varied.
 ///
-/// The optimizer sees smooth goals with exact gradients. Their Hessians contain second derivatives
-/// of a part of the drives. Answers use the definitions of the goals ([`values`](Self::values)).
+/// The optimizer sees smooth goals with exact gradients. Their Hessians use the second derivatives
+/// of a subset of the drives. Reported values follow the exact definitions of the goals
+/// ([`values`](Self::values)).
 pub(super) struct SearchProblem {
     /// The setup as given.
     set_up: Setup<f64>,
@@ -41,18 +42,18 @@ pub(super) struct SearchProblem {
     sense: Sense,
     /// An evaluator for each scenario.
     drives: Vec<Evaluator>,
-    /// The scenarios whose drives have second derivatives, in order.
+    /// Subset of the scenarios whose drives have second derivatives, in order.
     part: Vec<usize>,
-    /// The number of scenarios that each of the part represents.
+    /// Number of scenarios that each scenario of the subset represents.
     represents: Vec<f64>,
-    /// The last second derivatives of the part.
+    /// The last computed second derivatives of the subset.
     seconds: Mutex<Option<Arc<Seconds>>>,
-    /// Once it is true, no more drives of swings are hit, and what needs them fails.
+    /// Interrupt flag: once true, no more drives are computed, and evaluations that need them fail.
     stop: Arc<AtomicBool>,
     pub domain: Domain,
 }
 
-/// Second derivatives of the part's drives.
+/// Second derivatives of the drives of the subset.
 struct Seconds {
     at: Vec<f64>,
     /// A Hessian for each drive and outcome.
@@ -63,9 +64,9 @@ impl SearchProblem {
     /// The problem of a search over swings or one drive.
     ///
     /// # Errors
-    /// [`Error::Nothing`] and [`Error::SearchRange`] for ranges and limits without sense;
-    /// [`Error::Unreadable`] for a parameter that is both varied and distributed; what
-    /// [`Setup::validate`] refuses; [`Error::NotConverged`] once `stop` is true.
+    /// [`Error::Nothing`] and [`Error::SearchRange`] for invalid ranges and limits;
+    /// [`Error::Unreadable`] for a parameter that is both varied and distributed; the errors of
+    /// [`Setup::validate`]; [`Error::NotConverged`] once `stop` is true.
     pub fn new(setup: &Setup<f64>, search: &Search, stop: &Arc<AtomicBool>) -> Result<Self> {
         search.check()?;
         let problem = Self::of_goals(setup, search, stop)?;
@@ -79,7 +80,7 @@ impl SearchProblem {
     /// The problem of a search over one drive, whose goals are outcomes.
     ///
     /// # Errors
-    /// As [`new`](Self::new); [`Error::Unreadable`] for a search over swings.
+    /// The errors of [`new`](Self::new); [`Error::Unreadable`] for a search over swings.
     pub fn of_drive(setup: &Setup<f64>, search: &Search) -> Result<Self> {
         search.refuse_swings()?;
         Self::new(setup, search, &Arc::default())
@@ -88,7 +89,7 @@ impl SearchProblem {
     /// The goals, also if no parameter is varied.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn of_goals(setup: &Setup<f64>, search: &Search, stop: &Arc<AtomicBool>) -> Result<Self> {
         let domain = search.domain()?;
         let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
@@ -103,8 +104,8 @@ impl SearchProblem {
             }
         }
         let begun = Vary::initialised(setup, &search.vary)?;
-        // second derivatives of a goal with an edge come from the few drives at the edge: no part
-        // of the drives represents them
+        // second derivatives of a goal with a kink or jump come from the few drives near it: no
+        // subset of the drives represents them
         let (part, represents) = if goals.iter().any(Goal::has_edge) {
             let count = scenarios.points.len();
             ((0..count).collect(), vec![1.0; count])
@@ -115,7 +116,7 @@ impl SearchProblem {
             let setup = moved(&begun, &scenarios.parameters, point)?;
             Evaluator::new(&setup, &of, &vary, Order::Second)
         };
-        // of several mistakes always the first is reported
+        // report the error of the first scenario, independently of the threads
         let drives = each_until(&scenarios.points, stop, evaluator)
             .ok_or_else(|| stopped("all swings were set up"))?
             .into_iter()
@@ -143,8 +144,8 @@ impl SearchProblem {
         self.sense.sign()
     }
 
-    /// The start of the search: the setup's own values of the parameters varied, and the middle of
-    /// the range of one that has no value.
+    /// Start of the search: the setup's own values of the varied parameters. A parameter without a
+    /// value starts in the middle of its range.
     pub fn start(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| self.setup.value(parameter);
         self.vary.iter().filter_map(own).collect()
@@ -155,17 +156,17 @@ impl SearchProblem {
         &self.set_up
     }
 
-    /// The setup with the parameters varied at `x`, and its own swing.
+    /// The setup with the varied parameters at `x`, and with its own swing.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         moved(&self.setup, &self.vary, x)
     }
 
-    /// The outcomes of the goals without derivatives, of a search over one drive.
+    /// Evaluator of the goals' outcomes without derivatives, for a search over one drive.
     pub fn evaluator(&self) -> Result<Evaluator> {
         Evaluator::new(&self.setup, &self.of, &self.vary, Order::Value)
     }
 
-    /// The outcomes of the goals at many points, of a search over one drive.
+    /// Batch of the goals' outcomes, for a search over one drive.
     pub fn batch(&self) -> Result<Batch> {
         Batch::new(&self.setup, &self.vary, &self.of, &[])
     }
@@ -179,15 +180,15 @@ impl SearchProblem {
         self.exact(x, &columns, &[1.0])
     }
 
-    /// The functions at `x` with derivatives by the parameters varied and by one more, of a search
-    /// over one drive.
+    /// The functions at `x` with derivatives by the varied parameters and by one more parameter,
+    /// for a search over one drive.
     pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
         let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
         let goals = derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?;
         Ok(self.as_functions(goals))
     }
 
-    /// The goals as functions to minimize and to limit.
+    /// Converts the goals to the objective, which is minimized, and the constraint functions.
     fn as_functions(&self, mut goals: Vec<Taylor>) -> Evaluation {
         let constraints = goals.split_off(1);
         let objective = goals.pop().unwrap_or_default();
@@ -222,9 +223,10 @@ impl SearchProblem {
             .collect()
     }
 
-    /// The second derivatives of the part's drives near `x`, each times the number of scenarios
-    /// that the drive represents: at the nearest point of a grid over the ranges, so that near an
-    /// optimum they are computed once. They do not depend on the points evaluated before.
+    /// Second derivatives of the drives of the subset near `x`, each times the number of scenarios
+    /// that the drive represents. They are computed at the nearest point of a grid over the ranges,
+    /// so that they are computed only once near an optimum. They do not depend on the points
+    /// evaluated before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<Seconds>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
         let cached = |seconds: &Option<Arc<Seconds>>| {
@@ -273,7 +275,7 @@ impl SearchProblem {
         }
     }
 
-    /// A term of a goal that depends on the parameters alone; `None` if it depends on drives.
+    /// A term of a goal that depends on the parameters only; `None` if it depends on drives.
     fn of_the_design(&self, measure: &Measure, x: &[f64], order: Order) -> Option<Taylor> {
         let (value, place) = match measure {
             Measure::One => (1.0, None),
@@ -304,7 +306,7 @@ impl SearchProblem {
         })
     }
 
-    /// The goals at `x` from the outcomes of the scenarios, with smoothed edges.
+    /// Goals at `x` from the outcomes of the scenarios, with smoothed kinks and jumps.
     fn measured(
         &self,
         x: &[f64],
@@ -334,7 +336,7 @@ impl SearchProblem {
         self.goals.iter().map(goal).collect()
     }
 
-    /// The goals at `x` by their definitions, from a column of values for each outcome.
+    /// Exact goals at `x`, without smoothing, from a column of values for each outcome.
     fn exact(&self, x: &[f64], columns: &[Vec<f64>], weights: &[f64]) -> Vec<f64> {
         let term = |(weight, measure): &(f64, Measure)| {
             let value = self
@@ -358,9 +360,9 @@ impl SearchProblem {
         places.map(|place| &columns[place][..]).collect()
     }
 
-    /// The goals at `x` by their definitions: the objective, then the limited goals. Goals with an
-    /// edge are evaluated over the swings of [`sequences`](Scenarios::sequences) if all of these
-    /// fly, other goals over the scenarios.
+    /// Exact goals at `x`: the objective, then the limited goals. Goals with a kink or jump are
+    /// evaluated over the swings of [`sequences`](Scenarios::sequences) if all of these fly, other
+    /// goals over the scenarios.
     ///
     /// # Errors
     /// [`Error::NoFlight`] for a scenario that does not fly; [`Error::NotConverged`] once stopped.
@@ -368,26 +370,27 @@ impl SearchProblem {
         self.values_until(x, &self.stop)
     }
 
-    /// [`values`](Self::values) until this flag is true.
+    /// Like [`values`](Self::values); ends with an error once `stop` is true.
     ///
     /// # Errors
-    /// As [`values`](Self::values).
+    /// The errors of [`values`](Self::values).
     pub fn values_until(&self, x: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
         self.reported(&self.moved(x)?, x, stop)
     }
 
-    /// The goals with the design as set up, in which a parameter without a value has none.
+    /// Goals with the setup's own design. A varied parameter without a value in the setup has no
+    /// value.
     ///
     /// # Errors
-    /// As [`values`](Self::values).
+    /// The errors of [`values`](Self::values).
     pub fn as_set_up(&self) -> Result<Vec<f64>> {
         self.reported(&self.set_up, &self.own(), &self.stop)
     }
 
-    /// The goals at `x` by their definitions over the scenarios with other weights.
+    /// Exact goals at `x`, over the scenarios with other weights.
     ///
     /// # Errors
-    /// As [`values`](Self::values).
+    /// The errors of [`values`](Self::values).
     pub fn weighted_values(&self, x: &[f64], weights: &[f64]) -> Result<Vec<f64>> {
         Ok(self.exact(
             x,
@@ -396,10 +399,10 @@ impl SearchProblem {
         ))
     }
 
-    /// The goals with the design as set up over the scenarios with other weights.
+    /// Goals with the setup's own design, over the scenarios with other weights.
     ///
     /// # Errors
-    /// As [`values`](Self::values).
+    /// The errors of [`values`](Self::values).
     pub fn weighted_as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
         Ok(self.exact(
             &self.own(),
@@ -408,10 +411,10 @@ impl SearchProblem {
         ))
     }
 
-    /// The goals at `x` over each of the [`sequences`](Scenarios::sequences).
+    /// Goals at `x`, over each of the [`sequences`](Scenarios::sequences).
     ///
     /// # Errors
-    /// As [`values`](Self::values).
+    /// The errors of [`values`](Self::values).
     pub fn replications(&self, x: &[f64]) -> Result<Vec<Vec<f64>>> {
         let setup = self.moved(x)?;
         let one = |sequence: Result<Scenarios>| {
@@ -425,7 +428,7 @@ impl SearchProblem {
         self.scenarios.sequences().into_iter().map(one).collect()
     }
 
-    /// The values that the setup as given has of the parameters varied.
+    /// Values of the varied parameters in the setup as given.
     fn own(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| {
             self.set_up
@@ -436,7 +439,7 @@ impl SearchProblem {
         self.vary.iter().map(own).collect()
     }
 
-    /// The goals by their definitions, as answers report them.
+    /// Exact goals, as they are reported.
     fn reported(&self, setup: &Setup<f64>, design: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
         let flown = columns(setup, &self.of, &self.scenarios, stop)?;
         let mut values = self.exact(design, &flown, &self.scenarios.weights);
@@ -466,8 +469,8 @@ impl SearchProblem {
         Ok(values)
     }
 
-    /// The goals at `x` with smoothed edges, over the scenarios with these weights, with derivatives
-    /// to an order: the objective, then the limited goals.
+    /// Goals at `x` with smoothed kinks and jumps, over the scenarios with these weights, with
+    /// derivatives to an order: the objective, then the limited goals.
     ///
     /// # Errors
     /// [`Error::NoFlight`] for a swing that does not fly; [`Error::NotConverged`] once `stop` is
@@ -490,11 +493,11 @@ impl SearchProblem {
         Ok(self.measured(x, &flown, weights, order))
     }
 
-    /// The share of the scenarios in which the ball ends at a distance outside of a table of
-    /// strokes; `None` without such a table.
+    /// Share of the scenarios in which the ball ends at a distance outside of a table of strokes;
+    /// `None` if no goal uses such a table.
     ///
     /// # Errors
-    /// As [`values`](Self::values).
+    /// The errors of [`values`](Self::values).
     pub fn beyond_strokes(&self, x: &[f64]) -> Result<Option<f64>> {
         let tables: Vec<_> = self.goals.iter().flat_map(Goal::strokes).collect();
         if tables.is_empty() {
@@ -526,8 +529,8 @@ impl SearchProblem {
         }
     }
 
-    /// The goals with exact values and gradients. In the Hessians the products of gradients are
-    /// exact too; the second derivatives of drives are those of the part.
+    /// Goals with exact values and gradients. The Hessians contain all products of gradients, but
+    /// second derivatives only of the drives of the subset.
     fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;
@@ -551,7 +554,8 @@ impl SearchProblem {
     }
 }
 
-/// Refuses a parameter that is varied or in a relation, and that the swings have values of.
+/// Refuses a parameter that the swings vary, if it is also varied by the search or part of a
+/// relation.
 fn refuse_distributed(search: &Search) -> Result<()> {
     let distributed = &search.scenarios.parameters;
     let refuse = |parameter: &Parameter, reason: &str| {

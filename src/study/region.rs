@@ -21,18 +21,20 @@ pub struct Region {
     /// of a constraint divided by the range of its goal over the map, whichever is larger; `None`
     /// if the drive does not fly.
     pub misses: Vec<Option<f64>>,
-    /// The signed violation of an equation at each node: the region is a part of its zero line.
+    /// Signed violation of an equality constraint at each node. The region lies on the line on
+    /// which it is 0.
     pub equation: Option<Vec<Option<f64>>>,
 }
 
-/// Nodes in each direction: to find the region, and to draw it.
+/// Number of nodes in each direction, for the grids that locate the region and for the grid that
+/// shows it.
 const COARSE: usize = 41;
 const FINE: usize = 97;
 
-/// Largest number of grids, each over the part of the last one that contains the region.
+/// Maximum number of grids. Each grid covers the part of the previous one that contains the region.
 const LOOKS: usize = 8;
 
-/// Part of the width of a grid that a resolved region fills.
+/// The region is resolved if it fills at least this fraction of the grid's width.
 const FILLED: f64 = 0.55;
 
 /// Rounding of an equation, relative to the objective.
@@ -41,12 +43,12 @@ const ROUNDING: f64 = 1e-12;
 impl Region {
     /// The region around an optimum over two of the parameters that its search varied.
     ///
-    /// `None` if the optimum has no value, if two equations fix both parameters, and if no node of
-    /// the finest grid is in the region.
+    /// `None` if the optimum has no value, if two equality constraints fix both parameters, or if
+    /// no node of the finest grid lies in the region.
     ///
     /// # Errors
-    /// As [`Batch::new`](crate::batch::Batch::new); [`Error::Unreadable`](crate::Error::Unreadable)
-    /// for a search over swings.
+    /// The errors of [`Batch::new`](crate::batch::Batch::new);
+    /// [`Error::Unreadable`](crate::Error::Unreadable) for a search over swings.
     pub fn around(best: &Optimum, across: Vary, up: Vary, loss: f64) -> Result<Option<Self>> {
         best.search.refuse_swings()?;
         let place = |of: &Vary| {
@@ -138,7 +140,7 @@ impl Region {
         }
     }
 
-    /// The smallest ranges with the region, the optimum, and a margin of one node.
+    /// Smallest ranges that contain the region, the optimum, and a margin of one node.
     fn extent(&self, top: [f64; 2]) -> (Vary, Vary) {
         let rows = self.misses.len() / self.columns;
         let step = |vary: &Vary, count: usize| (vary.high - vary.low) / (count - 1) as f64;
@@ -172,8 +174,8 @@ impl Region {
     }
 }
 
-/// The excess of a constraint at each node, divided by the range of its goal: at most 0 where it
-/// is met. Of an equation, the signed violation.
+/// Excess of a constraint at each node, divided by the range of its goal: at most 0 if the
+/// constraint is met. For an equality constraint, the signed violation.
 fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
     let known = || values.iter().flatten().copied();
     let range = known().fold(f64::NEG_INFINITY, f64::max) - known().fold(f64::INFINITY, f64::min);

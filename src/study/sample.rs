@@ -1,5 +1,5 @@
-//! A sample of the ranges of a search over one drive, without derivatives: a check of the end of
-//! the search.
+//! Checks the optimum of one drive: compares it with a sample of the ranges, computed without
+//! derivatives.
 
 use super::problem::SearchProblem;
 use crate::error::Result;
@@ -23,25 +23,26 @@ pub struct Sample {
 /// A sample, with the better end of a search from one of its points.
 pub(super) struct Resampled {
     pub sample: Sample,
-    /// `None` if no search from a point of the sample ended better.
+    /// The better solution; `None` if no search from a point of the sample ended better.
     pub solution: Option<Solution>,
 }
 
-/// Points of a sample.
+/// Number of points of a sample.
 const POINTS: usize = 128;
 
-/// Points of a batch, before the next check of the interrupt.
+/// Number of points of a batch, between two checks of the interrupt flag.
 const AT_ONCE: usize = 16;
 
 /// Largest number of searches from points of a sample.
 const SEARCHES: usize = 3;
 
-/// A feasible region with fewer than one in so many points may be disconnected.
+/// If fewer than one in this many points is feasible, the feasible region may be disconnected.
 const ONE_IN: usize = 8;
 
-/// Compares the end of a search with a sample of the ranges. `search` starts from a point that is
-/// better than the best end; also from the best of few feasible points, since their region may be
-/// disconnected. `None` if `interrupt` became true before all points were evaluated.
+/// Compares the end of a search with a sample of the ranges. `search` starts from points that are
+/// better than the best solution so far. If few points are feasible, it also starts from the best
+/// of them, because the feasible region may be disconnected. `None` if `interrupt` became true
+/// before all points were evaluated.
 pub(super) fn resample(
     problem: &SearchProblem,
     end: &Solution,
@@ -131,12 +132,12 @@ struct Merit {
     objective: f64,
 }
 
-/// The scales of a [`Merit`].
+/// Scales for the comparison of [`Merit`]s.
 struct Scale<'a> {
     problem: &'a SearchProblem,
     /// The range of each limited goal over the sample.
     constraints: Vec<f64>,
-    /// Rounding of the objective.
+    /// Rounding error of the objective.
     rounding: f64,
 }
 
@@ -173,7 +174,7 @@ impl<'a> Scale<'a> {
     }
 
     fn of_solution(&self, solution: &Solution) -> Merit {
-        /// Rounding of an active constraint.
+        /// Rounding error of an active constraint.
         const MET: f64 = 1e-8;
         let Some(objective) = solution.value else {
             return Merit {

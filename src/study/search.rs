@@ -1,5 +1,5 @@
-//! A search: an objective as large or as small as possible, the parameters varied, constraints, and
-//! the drives it is over.
+//! Definition of a search: objective, direction, varied parameters, constraints, and the drives to
+//! evaluate.
 
 use super::goal::{Constraint, Goal};
 use super::swings::Scenarios;
@@ -61,14 +61,14 @@ pub struct Search {
     pub vary: Vec<Vary>,
     /// The constraints.
     pub subject_to: Vec<Constraint>,
-    /// The drives: [one](Scenarios::one_drive), or those of a golfer's swings.
+    /// Drives to evaluate: [one drive](Scenarios::one_drive), or the drives of a golfer's swings.
     pub scenarios: Scenarios,
     /// Settings of the optimizer.
     pub options: Options,
 }
 
 impl Search {
-    /// The largest value of an outcome of one drive, with no parameter varied yet.
+    /// Search for the largest value of an outcome of one drive; no parameter is varied yet.
     pub fn largest(of: Outcome) -> Self {
         Self {
             of: of.into(),
@@ -80,11 +80,11 @@ impl Search {
         }
     }
 
-    /// The longest carry over loft 4–20° and attack angle −5…+5°.
+    /// Search for the longest carry over loft 4–20° and attack angle −5…+5°.
     ///
     /// # Errors
-    /// [`Error::NotVariable`] if the setup gives the launch of the ball: then there is no club to
-    /// vary.
+    /// [`Error::NotVariable`] if the setup gives the launch of the ball, so that there is no club
+    /// to vary.
     pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
         let vary = vary
@@ -103,15 +103,15 @@ impl Search {
         std::iter::once(&self.of).chain(limited)
     }
 
-    /// The outcomes that the goals need, in their order.
+    /// Outcomes that the goals need, in the order of the goals.
     pub fn outcomes(&self) -> Vec<Outcome> {
         self.goals().flat_map(Goal::outcomes).collect()
     }
 
-    /// The outcome sought: the objective over one drive, the first outcome of the objective over
-    /// swings.
+    /// Main outcome of the search: the objective for one drive, or the first outcome of the
+    /// objective for swings.
     pub fn outcome(&self) -> Outcome {
-        // an objective that was read contains an outcome
+        // an objective parsed from text contains an outcome
         self.of
             .outcomes()
             .first()
@@ -143,7 +143,7 @@ impl Search {
     /// The ranges of the parameters and the limits of the constraints.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a range or limits that are reversed or no numbers.
+    /// [`Error::SearchRange`] for ranges or limits that are reversed or not numbers.
     pub(super) fn domain(&self) -> Result<Domain> {
         self.vary.iter().try_for_each(Vary::check)?;
         self.subject_to.iter().try_for_each(Constraint::check)?;

@@ -1,4 +1,4 @@
-//! The end of a search in words: status, message, active bounds and constraints.
+//! Texts on the result of a search: status, message, active bounds and constraints.
 
 use super::goal::Constraint;
 use super::optimum::{LocalOptimum, Optimum};
@@ -50,7 +50,7 @@ pub(super) fn active(
     bounds.chain(limits).collect()
 }
 
-/// The status of the end of a search in a word.
+/// Name of the status of a search.
 pub(super) fn status_of(solution: &Solution) -> &'static str {
     match solution.status {
         Status::Undefined => "no-flight",
@@ -58,7 +58,7 @@ pub(super) fn status_of(solution: &Solution) -> &'static str {
     }
 }
 
-/// The constraints that the nearest design violates, with its goals.
+/// Text on the constraints that the nearest design violates, with its goals.
 pub(super) fn violated(
     constraints: &[Constraint],
     found: &Solution,
@@ -88,19 +88,19 @@ pub(super) fn violated(
 }
 
 impl LocalOptimum {
-    /// The status in a word; `no-flight` where the optimizer says undefined.
+    /// Name of the status; `no-flight` if the optimizer reports `undefined`.
     pub fn status(&self) -> &'static str {
         status_of(&self.solution)
     }
 }
 
 impl Optimum {
-    /// The status in a word; `no-flight` where the optimizer says undefined.
+    /// Name of the status; `no-flight` if the optimizer reports `undefined`.
     pub fn status(&self) -> &'static str {
         status_of(&self.solution)
     }
 
-    /// The end of the search in a sentence, in terms of the drive or the design.
+    /// Result of the search in a sentence, in terms of the drive or the design.
     pub fn message(&self) -> Message {
         if !self.search.scenarios.is_one_drive() {
             return self.message_over_swings().into();
@@ -147,7 +147,7 @@ impl Optimum {
         }
     }
 
-    /// The slopes on both sides of a corner of the objective.
+    /// Text on the slopes on both sides of a kink of the objective.
     fn corner(&self, kink: &Kink) -> Message {
         let goal = &self.search.of;
         let parameter = self.search.vary[kink.variable].parameter;
@@ -176,7 +176,7 @@ impl Optimum {
             ))
     }
 
-    /// The constraints that the nearest drive violates.
+    /// Text on the constraints that the nearest drive violates.
     fn violated_by_drive(&self) -> Message {
         let all = self.search.subject_to.iter();
         let missed: Vec<_> = all
@@ -204,7 +204,7 @@ impl Optimum {
         .message(Message::joined(missed, " and "))
     }
 
-    /// No drive of the search flies, with the reason at the start.
+    /// Message for a search in which no drive flies, with the reason at the start.
     fn no_flight(&self) -> Message {
         let trials = self.search.options.start_trials as usize;
         let trials = trials + self.sample.map_or(0, |sample| sample.points);
@@ -215,8 +215,8 @@ impl Optimum {
         .message(self.undefined_at_start())
     }
 
-    /// The reason why the drive at the start does not fly. The optimizer keeps its text only; the
-    /// drive computed again gives it with units.
+    /// Reason why the drive at the start does not fly. The optimizer only stores the text of the
+    /// reason; a new computation of the drive gives the reason with units.
     fn undefined_at_start(&self) -> Message {
         let start = self.solution.undefined_at_start.as_deref();
         let text = start.unwrap_or_default();
@@ -228,7 +228,7 @@ impl Optimum {
             .unwrap_or_else(|| text.into())
     }
 
-    /// The message about parameters that the outcome of one drive does not depend on, if any.
+    /// Message about parameters that do not affect the outcome of one drive, if any.
     fn idle_parameters(&self) -> Option<Message> {
         let of = &self.search.of.expression;
         let idle = self.idle();
@@ -275,9 +275,10 @@ impl Optimum {
         }
     }
 
-    /// True if the objective does not depend on a parameter varied: over its range it changes, to
-    /// second order, by rounding; over swings by less than 1 mm, or 1e-6 of what is no length.
-    /// The optimum of such an objective is at a bound, or at a random place.
+    /// True if a varied parameter does not affect the objective: over the parameter's range the
+    /// objective changes, to second order, by rounding only. Over swings the limit is 1 mm, or 1e-6
+    /// for an objective that is not a length. The optimum of such an objective is at a bound, or at
+    /// a random place.
     pub fn is_idle(&self, i: usize) -> bool {
         const ROUNDING: f64 = 1e-12;
         let size = self.value().unwrap_or_default().abs();
@@ -318,7 +319,7 @@ impl Optimum {
         slopes.chain(bends).all(|change| change.abs() < ROUNDING)
     }
 
-    /// The start of the search if the setup's own values do not fly.
+    /// Message on the starting point, if the setup's own values do not fly.
     pub fn moved_start(&self) -> Option<String> {
         let why = self.solution.undefined_at_start.as_ref();
         let why = why.filter(|_| !self.solution.initial_point.is_empty())?;

@@ -14,9 +14,9 @@ pub struct Estimate {
     pub value: f64,
     /// Standard error; `None` if the data do not determine the value, or the value lies on a bound.
     pub standard_error: Option<f64>,
-    /// The value lies on a bound of its range.
+    /// True if the value lies on a bound of its range.
     pub is_at_bound: bool,
-    /// The data determine the value. If not, other values fit equally well.
+    /// True if the data determine the value. Otherwise other values fit equally well.
     pub is_determined: bool,
 }
 

@@ -266,7 +266,7 @@ fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) ->
 struct Searches {
     /// Fits in ascending order of the sum of squares.
     fits: Vec<Fit>,
-    /// The curvatures no longer change.
+    /// True if the curvatures no longer change.
     is_settled: bool,
     /// Number of times the curvatures were renewed.
     renewals: usize,

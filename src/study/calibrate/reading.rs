@@ -132,7 +132,7 @@ pub(super) struct RowError {
     /// Head of the faulty column.
     pub column: Option<String>,
     pub why: String,
-    /// A required value is missing; the other values are valid.
+    /// True if only a required value is missing and all other values are valid.
     pub is_incomplete: bool,
 }
 

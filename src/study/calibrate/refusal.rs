@@ -7,9 +7,9 @@ struct Group {
     rows: Vec<usize>,
     /// The reason of the first row.
     reason: String,
-    /// All rows have exactly the same reason.
+    /// True if all rows have exactly the same reason.
     is_same: bool,
-    /// The reason lies in the setup, so removing rows does not help.
+    /// True if the reason lies in the setup, so that the removal of rows does not help.
     is_of_the_setup: bool,
 }
 

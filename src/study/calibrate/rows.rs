@@ -18,7 +18,7 @@ type RowsByMessage = BTreeMap<String, Vec<String>>;
 /// Rows read so far.
 pub(super) struct Rows {
     file: String,
-    /// The number of the last row.
+    /// Number of the last row read.
     row: usize,
     shots: Vec<Shot>,
     no_shots: NonShotRows,
@@ -67,7 +67,7 @@ impl Rows {
         }
     }
 
-    /// Begins a section with another head.
+    /// Begins a section of the table with new column heads.
     pub fn begin(&mut self, line: u64, reading: &Reading) {
         let located = |remark: &Message| {
             Message::from(format!("from line {line} on: ")).message(remark.clone())
@@ -106,7 +106,7 @@ impl Rows {
         self.add(reading, reading.shot(self.row, Values::Cells(&row)))
     }
 
-    /// Adds a message.
+    /// Adds the shot of a message.
     pub fn take_shot(&mut self, reading: &Reading, shot: &Stated, further: &[&'static Parameter]) {
         self.row += 1;
         if let Some(refusal) = shot.refusal() {

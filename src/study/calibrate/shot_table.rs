@@ -8,11 +8,12 @@ use crate::units::Message;
 
 /// Measured shots, one per row.
 ///
-/// A head is the name of a parameter (input), an outcome (measured), `sigma OUTCOME` (its standard
-/// uncertainty), `stationary` (parameters in which the row's carry is maximal, separated by
-/// spaces), `sigma stationary` or `note`, with its unit in brackets. Heads, units, separators and
-/// sides of launch monitors' exports are read too; their carry is the distance to the landing
-/// point, [`Outcome::CarryDistance`](crate::Outcome::CarryDistance).
+/// A column head is the name of a parameter (input), an outcome (measured), `sigma OUTCOME` (its
+/// standard uncertainty), `stationary` (parameters in which the row's carry is maximal, separated
+/// by spaces), `sigma stationary` or `note`, with its unit in brackets. The heads, units,
+/// separators and left and right marks of launch monitors' exports are also read. The carry of an
+/// export is the distance to the landing point,
+/// [`Outcome::CarryDistance`](crate::Outcome::CarryDistance).
 ///
 /// Rows with `ball_speed`, `launch_angle` and `spin` or `backspin`, but no parameter of swing,
 /// club, strike or impact, are launch conditions: the ball flies from them without an impact.
@@ -22,7 +23,7 @@ pub struct ShotTable {
     pub file: String,
     /// The shots.
     pub shots: Vec<Shot>,
-    /// Rows are launch conditions.
+    /// True if the rows are launch conditions.
     pub is_launched: bool,
     /// Notes, such as outcomes without a sigma column.
     pub remarks: Vec<Message>,
@@ -85,8 +86,8 @@ impl ShotTable {
 pub struct Shot {
     /// Row of the table, from 1.
     pub row: usize,
-    /// Parameters given in this row, SI: of the launch if the row has one and no club. The setup
-    /// gives all others.
+    /// Parameters that this row gives, SI. They include the launch conditions if the row states a
+    /// launch and no club values. The setup gives all other parameters.
     pub inputs: Vec<(&'static Parameter, f64)>,
     /// The measured outcomes.
     pub measured: Vec<Measurement>,
@@ -121,8 +122,8 @@ impl Shot {
     }
 }
 
-/// The ranges of the shots' inputs and of the fitted parameters. A parameter fitted without a range
-/// of its own enters with the setup's value.
+/// The ranges of the shots' inputs and of the fitted parameters. A parameter that is fitted without
+/// a range has the setup's value.
 pub fn ranges(table: &ShotTable, fit: &[Vary]) -> Vec<Vary> {
     let mut ranges: Vec<Vary> = vec![];
     let mut widen = |parameter, value: f64| match ranges

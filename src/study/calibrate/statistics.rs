@@ -26,7 +26,7 @@ pub enum Uncertainties {
 /// Range information of a fitted parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitted {
-    /// The value lies inside its range; otherwise on a bound.
+    /// True if the value lies inside its range, false if it lies on a bound.
     pub is_free: bool,
     /// Width of its range, SI. A larger standard error means that the data do not determine the
     /// parameter.
@@ -36,8 +36,8 @@ pub struct Fitted {
 /// Statistics of the fitted parameters, SI, in their order.
 #[derive(Clone, Debug)]
 pub struct Statistics {
-    /// Covariance; `None` if a parameter is undetermined or lies on a bound, and everywhere without
-    /// a scale.
+    /// Covariance. An entry is `None` if one of its parameters is undetermined or lies on a bound;
+    /// all entries are `None` without a scale.
     pub covariance: Vec<Vec<Option<f64>>>,
     /// Directions that the data do not determine.
     pub undetermined: Vec<Undetermined>,
@@ -48,12 +48,12 @@ pub struct Statistics {
     /// Probability of a χ² at least this large if the standard uncertainties are right; `None` if
     /// the table does not state them, or without degrees of freedom.
     pub probability: Option<f64>,
-    /// All residuals are rounding.
+    /// True if all residuals are rounding errors.
     pub is_exact: bool,
     /// Factor applied to standard errors: √(χ²/ν) if not every uncertainty is stated and ν > 0,
     /// otherwise 1. `None` if uncertainties are unknown and ν = 0.
     pub scale: Option<f64>,
-    /// Whether the scale is √(χ²/ν).
+    /// True if the scale is √(χ²/ν).
     pub is_scaled: bool,
     /// Half-width of a 95 % interval in standard errors.
     pub reach: f64,
@@ -132,9 +132,9 @@ impl Columns {
             .collect()
     }
 
-    /// Direction `k` if the data do not determine it: its singular value is 0; or one standard
-    /// error along it exceeds a parameter's range; or it is the largest component of a standard
-    /// error that does.
+    /// Returns direction `k` if the data do not determine it. This is so if its singular value is
+    /// 0, if one standard error along it exceeds a parameter's range, or if it is the largest
+    /// component of a standard error that exceeds this range.
     fn undetermined(
         &self,
         k: usize,
@@ -223,8 +223,8 @@ impl Statistics {
             Uncertainties::Weights => None,
             _ => Some(1.0),
         };
-        // a bound holds a parameter only if the gradient presses it there; a parameter without
-        // influence may have drifted to its bound
+        // a bound is active only if the gradient pushes the parameter against it; a parameter
+        // without influence may have drifted to the bound
         let slope = |i: usize| -> f64 {
             (0..m)
                 .map(|row| weights[row] * rows.residuals[row] * rows.jacobian[row][i])

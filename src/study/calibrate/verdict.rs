@@ -108,9 +108,9 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
 /// so its residual exceeds 1000 standard uncertainties. Huber's loss limits the gradient of each
 /// row.
 fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
-    /// Largest share of the other rows.
+    /// Largest fraction of the squared gradient that all other rows may have.
     const PART: f64 = 1e-6;
-    /// Share that rounding hides, whatever the loss.
+    /// Fraction below which rounding hides the other rows, for any loss.
     const ROUNDING: f64 = 1e-15;
     let most = remainders
         .iter()

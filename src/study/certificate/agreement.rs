@@ -37,7 +37,7 @@ impl Agreement {
         }
     }
 
-    /// Reports agreement; false for NaN.
+    /// True if the difference is within the tolerance; false for NaN.
     pub fn holds(&self) -> bool {
         self.difference <= self.tolerance
     }

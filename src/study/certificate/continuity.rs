@@ -19,7 +19,7 @@ const NEIGHBOURS: usize = 8;
 /// δ). The outcome's own change over this distance is subtracted.
 const SPACING: f64 = 1e-12;
 
-/// Tolerance of a jump in scatters of either side.
+/// Factor from the scatter of the samples to the tolerance of a jump.
 const BAR: f64 = 4.0;
 
 /// Relative tolerances of jumps of value, gradient and Hessian, for rounding that a few samples may
@@ -36,17 +36,18 @@ pub struct Continuity {
     pub parameter: &'static Parameter,
     /// Value just before the change, SI.
     pub at: f64,
-    /// Number of steps before and after.
+    /// Number of steps before and after the change.
     pub steps: [usize; 2],
     /// Jumps of value, gradient and Hessian by scaled parameters, relative to the largest entry or
     /// the magnitude of the value's terms.
     pub jumps: [f64; 3],
-    /// Tolerances: the promised ones, or larger ones from the scatter by rounding.
+    /// Tolerances of the jumps of value, gradient and Hessian: 1e-13, 1e-12 and 1e-10, or more if
+    /// rounding makes the samples scatter more.
     pub bars: [f64; 3],
 }
 
 impl Continuity {
-    /// No jump exceeds its tolerance.
+    /// True if no jump exceeds its tolerance.
     pub fn passed(&self) -> bool {
         self.jumps
             .iter()

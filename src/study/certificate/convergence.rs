@@ -38,8 +38,9 @@ const ROUNDING_FACTOR: f64 = 10.0;
 /// Relative errors of value and gradient below these are rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
-/// Allowed deficit of the error slope before a lower-order term is looked for. The next term of the
-/// error still matters at these steps; a mistake in a method costs a whole order.
+/// Allowed difference between the expected order and the slope of the errors, beyond which a
+/// lower-order term is fitted. The next term of the error still matters at these steps; a mistake
+/// in a method costs a whole order.
 const ALLOWED_DEFICIT: f64 = 0.75;
 
 /// Numbers of steps per flight, in levels that double.
@@ -74,15 +75,15 @@ pub struct Convergence {
     pub expected: [u32; 2],
     /// Number of continuous derivatives of the law, where its joins limit an expected order.
     pub limited_by_law: Option<u32>,
-    /// The order is lower than expected. A low slope alone does not count: it also occurs where the
-    /// first two error terms cancel.
+    /// True if the order is lower than expected. A low slope of the errors is not sufficient,
+    /// because it also occurs where the first two error terms cancel.
     pub falls_short: [bool; 2],
-    /// Sensitivity of the test: these errors would fail if the expected order were one higher.
+    /// Sensitivity of the test: true if these errors would fail an expected order higher by one.
     pub would_show: [bool; 2],
 }
 
 impl Convergence {
-    /// Both orders are as expected.
+    /// True if both orders are as expected.
     pub fn passed(&self) -> bool {
         self.falls_short == [false; 2]
     }

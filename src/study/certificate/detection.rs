@@ -46,7 +46,7 @@ pub struct DetectionTest {
 }
 
 impl DetectionTest {
-    /// Both methods detected the error in every row.
+    /// True if both methods detected the error in every row.
     pub fn is_caught(&self) -> bool {
         self.caught == self.rows && self.caught_by_num_dual == self.rows
     }

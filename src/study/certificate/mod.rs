@@ -31,7 +31,7 @@ use crate::units::Message;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Maximum number of failures named per part.
+/// Maximum number of failures named per check.
 const NAMED: usize = 3;
 
 /// An outcome without derivatives, with the reason.
@@ -62,19 +62,19 @@ pub struct Certificate {
     pub step: Vec<StepError>,
     /// Checks that were not run.
     pub not_examined: Vec<NotExamined>,
-    /// Detection tests: injected errors.
+    /// Detection tests with injected errors.
     pub planted: [DetectionTest; 3],
-    /// Outcomes of which the drive has no derivatives, with the reason.
+    /// Outcomes that have no derivatives at this drive, with the reason.
     pub missing: Vec<Missing>,
     /// Non-differentiable points that the drive lies on.
     pub corners: Vec<String>,
-    /// For an interrupted certificate: number of finished parameters, and of all.
+    /// Numbers of finished and of all parameters, if the certificate was interrupted.
     pub stopped: Option<[usize; 2]>,
 }
 
 impl Certificate {
-    /// The certificate is complete and not empty, nothing failed, and every injected error was
-    /// detected.
+    /// True if the certificate is complete and not empty, no check failed, and every injected error
+    /// was detected.
     pub fn passed(&self) -> bool {
         !self.rows.is_empty() && self.stopped.is_none() && self.failures().is_empty()
     }
@@ -143,14 +143,14 @@ impl Certificate {
         parts.into_iter().flatten().collect()
     }
 
-    /// Every injected error was detected in every row.
+    /// True if every injected error was detected in every row.
     pub fn caught(&self) -> bool {
         self.planted.iter().all(DetectionTest::is_caught)
     }
 }
 
-/// Certifies the derivatives of outcomes by parameters. `progress` receives the number of finished
-/// and of all parameters; once it returns false, the work stops between two drives and the results
+/// Certifies the derivatives of outcomes by parameters. `progress` receives the numbers of finished
+/// and of all parameters. Once it returns false, the work stops between two drives, and the results
 /// so far are returned.
 ///
 /// # Errors
@@ -192,7 +192,7 @@ pub fn certify(
         .copied()
         .filter(|of| of.group() == OutcomeGroup::Flight)
         .collect();
-    // at a corner nothing is smooth; the row of each parameter reports it
+    // at a corner no outcome is smooth; the row of each parameter reports the corner
     let is_smooth = !flown.is_empty() && !has_corner;
     let done = done.into_inner();
     let goes_on = || is_smooth && !is_stopped(done);

@@ -4,10 +4,10 @@
 //!   e(h) = d h^(p−1) + a h^p + b h^(p+1) + …        d must be 0
 //! ```
 //!
-//! The slope of log |e| is not sufficient: if a and b h have opposite signs, e passes through 0 at
-//! some step and decreases more slowly than h^p below it; and for an outcome read within one step
-//! (the apex) a varies with its position in the step. So the lower-order term d is fitted to the
-//! signed errors, and must be negligible.
+//! The slope of log |e| is not sufficient. If a and b h have opposite signs, e passes through 0 at
+//! some step and decreases more slowly than h^p below it. For an outcome that is interpolated
+//! within one step (the apex), a varies with the position of the outcome in the step. Therefore the
+//! lower-order term d is fitted to the signed errors, and must be negligible.
 
 use crate::derivative::check::line_slope;
 use nalgebra::{DMatrix, DVector};
@@ -50,7 +50,7 @@ impl Errors {
 pub(super) struct Measured {
     /// Slope of the errors at the finest levels above rounding.
     pub order: f64,
-    /// The slope is too low, and a lower-order term explains it.
+    /// True if the slope is too low and a lower-order term explains it.
     pub falls_short: bool,
 }
 

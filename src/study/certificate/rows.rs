@@ -40,13 +40,13 @@ impl Row {
         }
     }
 
-    /// num-dual shows the derivative to be wrong. At a corner both methods may return either
-    /// one-sided slope.
+    /// True if num-dual shows that the derivative is wrong. At a corner both methods may return
+    /// either one-sided slope.
     pub fn num_dual_fails(&self) -> bool {
         self.first.verdict != Verdict::Corner && !self.num_dual.holds()
     }
 
-    /// Differences of gradients show the second derivative to be wrong.
+    /// True if differences of gradients show that the second derivative is wrong.
     pub fn second_fails(&self) -> bool {
         self.second.as_ref().is_some_and(Check::failed)
     }
@@ -64,7 +64,8 @@ impl Row {
 
 /// Required accuracy of differences of outcomes. Extrapolation does not cancel all errors if third
 /// derivatives jump where stages cross joins of the law, or if the last steps end at different
-/// heights in a logarithmic wind. Differences are then trusted to a tenth of the detectable error.
+/// heights in a logarithmic wind. In these cases the required accuracy is a tenth of the detectable
+/// error.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     let is_rough = setup.wind.roughness.is_some() || setup.law.continuous_derivatives().is_some();
     if is_rough {
@@ -172,8 +173,8 @@ pub(super) fn rows(
     ))
 }
 
-/// Judges with the usual few steps first. If any judgement fails, repeats with all steps, because
-/// the outcome may turn within the smallest of the few.
+/// Compares with few steps first. If a comparison fails, it is repeated with all steps, because the
+/// outcome may have an extremum within the smallest of the few steps.
 pub(super) fn in_few_steps<T>(
     sample: impl Fn(Vec<i32>) -> Vec<Ladder>,
     judge: impl Fn((usize, Ladder)) -> T,

@@ -30,10 +30,10 @@ pub struct Comparison {
     pub setups: [Setup<f64>; 2],
     /// The drives.
     pub drives: [Drive<f64>; 2],
-    /// The integration settings of one setup were changed to match the other.
+    /// True if the integration settings of one setup were changed to match the other.
     pub is_refined: bool,
     path: Path,
-    /// Path between the launches; `None` if the first path is that already.
+    /// Path between the launches; `None` if `path` already connects the launches.
     launches: Option<Path>,
 }
 
@@ -75,7 +75,8 @@ impl Difference {
 }
 
 impl Comparison {
-    /// Compares two drives. Both use the higher-order method and the shorter step of the two.
+    /// Compares two drives. Both drives use the method of higher order and the shorter step of the
+    /// two setups.
     ///
     /// ```
     /// use longdrive::{Outcome, Setup, study::Comparison};
@@ -103,7 +104,7 @@ impl Comparison {
         let are_alike = setups[0].launch.spin.is_some() == setups[1].launch.spin.is_some();
         let (path, launches) = match (are_given, are_alike) {
             (true, true) => (Path::new(setups), None),
-            // equal launches with the spin in two forms
+            // the launches are equal, but their spins have different parameters
             (true, false) => (Path::new(as_launched(launches)), None),
             (false, _) => (Path::new(setups), Some(Path::new(as_launched(launches)))),
         };
@@ -126,7 +127,8 @@ impl Comparison {
     /// to the difference. Discrete changes happen at the middle.
     ///
     /// # Errors
-    /// [`OfDrive`](crate::Error::OfDrive) if an end or a drive between has no such outcome.
+    /// [`OfDrive`](crate::Error::OfDrive) if one of the two drives, or a drive between them, does
+    /// not have the outcome.
     pub fn of(&self, of: Outcome) -> Result<Difference> {
         self.difference(of, &mut self.splits(&[of]))
     }
@@ -152,8 +154,8 @@ impl Comparison {
             .collect()
     }
 
-    /// Shares by parameter and, if that path differs, by launch condition, for the outcomes that
-    /// both drives have.
+    /// Splits by parameter and, if the path between the launches differs, by launch condition, for
+    /// the outcomes that both drives have.
     fn splits(&self, of: &[Outcome]) -> (Split<'_>, Option<Split<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();
@@ -232,8 +234,9 @@ fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
     setups
 }
 
-/// The balls by their launch conditions. Spin and spin axis if the axis turns by less than a right
-/// angle; otherwise backspin and sidespin, which stay linear there and for zero spin.
+/// Setups that give the launches of two drives: by spin and spin axis if the axis turns by less
+/// than a right angle; otherwise by backspin and sidespin, which vary linearly even through zero
+/// spin.
 fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
     let [from, to] = drives.map(|(_, drive)| drive.launch.spin_axis());
     let has_axis = (from - to).abs() < FRAC_PI_2;

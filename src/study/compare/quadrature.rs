@@ -12,11 +12,12 @@ const RULE: [(f64, f64); 4] = [
 /// Relative error that counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Bisections that reach rounding for a smooth function, or one with a single kink.
+/// Number of bisections after which a smooth function, or one with a single kink, is integrated to
+/// rounding.
 const USUAL: usize = 100;
 
-/// Relative tolerance for functions with hundreds of kinks: a piecewise C² law gives its
-/// derivatives one wherever a stage of a time step reaches the end of a piece.
+/// Relative tolerance for functions with hundreds of kinks. The derivatives of a piecewise C² law
+/// have a kink wherever a stage of a time step reaches the end of a piece.
 const ENOUGH: f64 = 1e-8;
 
 /// Maximum number of bisections.
@@ -34,9 +35,9 @@ pub(super) struct Integrals {
 /// An interval of the adaptive quadrature.
 struct Part {
     range: [f64; 2],
-    /// Rule over the whole interval.
+    /// Integrals by the rule over the whole interval.
     whole: Vec<f64>,
-    /// Rule over each half; `None` before bisection.
+    /// Integrals by the rule over each half; `None` before bisection.
     halves: Option<[Vec<f64>; 2]>,
     /// Difference of `whole` and `halves`; before bisection, half the error of the parent interval.
     error: f64,

@@ -14,7 +14,8 @@ type Slopes = Option<Vec<Vec<f64>>>;
 pub(super) struct Split<'a> {
     path: &'a Path,
     of: Vec<Outcome>,
-    /// With the discrete parameters of drive a, and of drive b.
+    /// Drives along the path with the discrete parameters of drive a, and those with the discrete
+    /// parameters of drive b.
     sides: [Side; 2],
 }
 
@@ -116,7 +117,7 @@ impl<'a> Split<'a> {
         let place = self.of.iter().position(|one| *one == of);
         match (here, place) {
             (Some(all), Some(place)) => Ok(all[place].clone()),
-            // another outcome does not exist here
+            // another outcome does not exist at this point: evaluate this one separately
             _ => Ok(flown(&evaluator(&[of])?)?.swap_remove(0)),
         }
     }

@@ -34,8 +34,8 @@ pub struct Recovered {
     pub mean: f64,
     /// Standard deviation over the swings.
     pub deviation: f64,
-    /// Fraction of the prior variance that a single shot removes at the mean swing; the rest comes
-    /// from the prior.
+    /// Fraction of the prior variance that a single shot removes at the mean swing. The remaining
+    /// variance is that of the prior.
     pub variance_removed: f64,
     /// Standard uncertainty of the mean.
     pub mean_error: f64,
@@ -140,7 +140,7 @@ impl Population {
     }
 }
 
-/// Directions of parameter space, by what the shots say of them.
+/// Directions of parameter space, divided into identified and unidentified ones.
 struct Directions {
     /// Orthonormal basis of the identified directions, in columns.
     identified: DMatrix<f64>,

@@ -74,7 +74,7 @@ impl Delivered {
         worst.filter(|worst| worst.residual().abs() > EXPLAINED_WITHIN)
     }
 
-    /// The search converged and explains the launch.
+    /// True if the search converged and explains the launch.
     pub fn is_found(&self) -> bool {
         self.status == Status::Converged && self.unexplained().is_none()
     }

@@ -34,7 +34,7 @@ pub struct Spread {
     pub parameter: &'static Parameter,
     /// Mean of the most probable values.
     pub mean: f64,
-    /// Their standard deviation; `None` for a single shot.
+    /// Standard deviation of the most probable values; `None` for a single shot.
     pub deviation: Option<f64>,
 }
 

@@ -7,7 +7,7 @@ use crate::units::Quantity;
 /// Tolerance of a constraint, as a fraction of its `step`.
 const MET: f64 = 1e-6;
 
-/// A rule, a condition or a user's limit that constrains a design.
+/// A constraint on a design: a rule of golf, a physical condition or a user's limit.
 #[derive(Clone, Debug)]
 pub struct DesignConstraint {
     /// Name: `moment of inertia`.
@@ -24,7 +24,7 @@ pub struct DesignConstraint {
     pub quantity: Quantity,
     /// Display unit.
     pub unit: &'static str,
-    /// Change of the limit for which the price is stated, SI.
+    /// Change of the limit for which the multiplier is stated, SI.
     pub step: f64,
 }
 

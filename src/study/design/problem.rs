@@ -36,7 +36,7 @@ pub struct Design {
     pub search: Search,
     /// All constraints: rules, conditions, and the user's limits.
     pub constraints: Vec<DesignConstraint>,
-    /// The Rules of Golf apply.
+    /// True if the Rules of Golf apply.
     pub is_under_rules: bool,
     /// Notes on changed bounds and assumptions.
     pub notes: Vec<String>,
@@ -430,7 +430,8 @@ fn checked(rule: &Rule, value: f64, found: &str, advice: &str) -> Result<f64> {
     })
 }
 
-/// Reports whether a parameter changes the head's mass distribution, or turns weights on it.
+/// Reports whether a parameter changes the mass distribution of the head, or the orientation of its
+/// weights.
 fn changes_the_head(setup: &Setup<f64>, row: &Parameter) -> bool {
     let has_weights = setup.club.weights().iter().any(Option::is_some);
     let moves_weights = ["club.mass", "club.cg_", "club.weight_", "club.loft"];
@@ -438,7 +439,8 @@ fn changes_the_head(setup: &Setup<f64>, row: &Parameter) -> bool {
         || has_weights && moves_weights.iter().any(|part| row.name.starts_with(part))
 }
 
-/// Rejects strikes off any face, or off the varied faces.
+/// Rejects strikes outside the face of any conforming head, and strikes outside the largest face
+/// that the search can choose.
 fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Result<()> {
     let of = |name: &str, point: &[f64]| -> Result<f64> {
         let parameter = setup.parameter(name)?;

@@ -11,13 +11,13 @@ pub struct Rule {
     pub name: &'static str,
     /// The limited quantity.
     pub of: Limited,
-    /// The limit is a maximum; otherwise a minimum.
+    /// True for a maximum, false for a minimum.
     pub is_greatest: bool,
     /// The limit, with unit.
     pub limit: &'static str,
     /// Tolerance of the test, if any.
     pub tolerance: Option<&'static str>,
-    /// Change of the limit for which the price is stated.
+    /// Change of the limit for which the multiplier is stated.
     pub step: &'static str,
     /// Source.
     pub source: &'static str,

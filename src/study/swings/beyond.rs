@@ -1,5 +1,5 @@
-//! Warnings about the drives of a design: a law outside of the range it was fitted to, strikes
-//! beside the face, balls that land flat.
+//! Warnings about the drives of a design: outside the ranges that the law was fitted to, strikes
+//! outside the face, flat landings.
 
 use super::flown::moved;
 use super::pareto::Pareto;
@@ -12,7 +12,7 @@ use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// The shares of the swings that exceed a validity limit of the model with the design of a setup.
+/// Share of the swings that exceed each validity limit of the model, with the design of a setup.
 /// Swings that do not land are not counted. `None` once `stop` is true.
 pub fn beyond_share(
     setup: &Setup<f64>,
@@ -36,8 +36,8 @@ pub fn beyond_share(
     Some(share)
 }
 
-/// Warnings about a setup and its drives: of one drive [`Drive::warnings_about`], over swings with
-/// the share of the swings.
+/// Warnings about a setup and its drives: those of [`Drive::warnings_about`] for one drive, or
+/// warnings with the share of the swings.
 fn warnings(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -59,8 +59,9 @@ fn warnings(
 }
 
 impl Optimum {
-    /// Warnings about the setup at the optimum and about its drives; without an optimum about the
-    /// setup only. Once `stop` is true, one says that the swings were not checked.
+    /// Warnings about the setup at the optimum and about its drives. Without an optimum, the
+    /// warnings are about the setup only. Once `stop` is true, a warning says that the swings were
+    /// not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
         match (&self.drive, self.solution.value) {
@@ -72,8 +73,8 @@ impl Optimum {
 }
 
 impl Robust {
-    /// Warnings about the setup with the design, and about its drives with each model; of many
-    /// swings until `stop` is true.
+    /// Warnings about the setup with the design, and about its drives with each model. Once `stop`
+    /// is true, no more swings are checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
         let mut all: Vec<Message> = vec![];
@@ -103,7 +104,7 @@ impl Robust {
 
 impl Pareto {
     /// Warnings about the drives at the points of the front, with the number of points. Once `stop`
-    /// is true, one that says that the drives were not checked.
+    /// is true, a warning says that the drives were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let Some(first) = self.points.first() else {
             return vec![];

@@ -1,4 +1,4 @@
-//! The chain rule for a function of a function of several variables.
+//! Chain rule for g(f), with f a function of several variables.
 
 use crate::number::Taylor;
 

@@ -8,7 +8,7 @@ use crate::table::open_table;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
-/// More recorded swings than this no search can wait for.
+/// Maximum number of recorded swings: a search over more swings would take too long.
 const MOST_ROWS: u64 = 100_000;
 
 impl Swings {
@@ -141,7 +141,7 @@ fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
     Swings::distributed(inputs, &correlations)
 }
 
-/// The distributions of a table whose keys, put together by dots, are parameters.
+/// Distributions from a TOML table whose dotted keys are parameters.
 fn distributions(
     setup: &Setup<f64>,
     table: &DeTable<'_>,

@@ -9,10 +9,10 @@ use crate::parameters::{Parameter, Setup};
 use crate::study::cancellable::{each_until, stopped};
 use std::sync::atomic::AtomicBool;
 
-/// Swings of a batch, which a thread flies.
+/// Number of swings in a batch, the unit of work of one thread.
 const BLOCK: usize = 512;
 
-/// The outcomes of a setup with each swing: a column of values for each outcome.
+/// Outcomes of a setup for each swing: a column of values for each outcome.
 ///
 /// # Errors
 /// [`Error::NoFlight`], which names the first swing that does not fly; [`Error::NotConverged`] once
@@ -79,7 +79,7 @@ pub(in crate::study) fn moved(
     Ok(moved)
 }
 
-/// The reason why a scenario does not fly, with its values, which one drive does not have.
+/// Error for a scenario that does not fly, with the parameter values of the scenario if it has any.
 pub(in crate::study) fn no_flight(scenarios: &Scenarios, point: &[f64], error: &Error) -> String {
     if scenarios.is_one_drive() {
         return error.to_string();

@@ -8,9 +8,9 @@ use crate::study::{Goal, Search, Sense};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// A goal over swings as a function of some parameters of the design, with derivatives up to the
-/// second order: an objective for any optimizer. Measures with an edge (`lowest`, `highest`,
-/// `within`) are smoothed. The setup chooses the method of integration.
+/// A goal over swings as a function of some design parameters, with derivatives up to second order.
+/// It can be the objective of any optimizer. Measures with a kink or jump (`lowest`, `highest`,
+/// `within`) are smoothed. The setup determines the integration method.
 ///
 /// ```
 /// use longdrive::Setup;
@@ -37,8 +37,8 @@ pub struct GoalFunction {
 
 impl GoalFunction {
     /// # Errors
-    /// [`Error::Nothing`] without a parameter; [`Error::Unreadable`] for one that the swings have
-    /// values of; what [`Setup::validate`] refuses.
+    /// [`Error::Nothing`] without a parameter; [`Error::Unreadable`] for a parameter that the
+    /// swings vary; the errors of [`Setup::validate`].
     pub fn new(
         setup: &Setup<f64>,
         goal: &Goal,
@@ -76,26 +76,26 @@ impl GoalFunction {
         &self.wrt
     }
 
-    /// The goal with these values of the parameters, SI, with derivatives to an order.
+    /// The goal at these values of the parameters, SI, with derivatives up to an order.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a value that no drive can have; [`Error::NoFlight`] where a swing
-    /// does not fly, with the first that does not.
+    /// [`Error::OutOfRange`] for a value outside the allowed range; [`Error::NoFlight`] if a swing
+    /// does not fly, with the first such swing.
     ///
     /// # Panics
-    /// Where there are not as many values as parameters.
+    /// If the numbers of values and parameters differ.
     pub fn at(&self, x: &[f64], order: Order) -> Result<Taylor> {
         self.at_until(x, order, &AtomicBool::new(false))
     }
 
-    /// [`at`](Self::at) until `stop` is true.
+    /// Like [`at`](Self::at); interrupted once `stop` is true.
     ///
     /// # Errors
-    /// As [`at`](Self::at); [`Error::NotConverged`], with the status `interrupted`, where it is
-    /// stopped.
+    /// The errors of [`at`](Self::at); [`Error::NotConverged`], with the status `interrupted`,
+    /// after an interrupt.
     ///
     /// # Panics
-    /// As [`at`](Self::at).
+    /// If the numbers of values and parameters differ.
     pub fn at_until(&self, x: &[f64], order: Order, stop: &AtomicBool) -> Result<Taylor> {
         assert_eq!(x.len(), self.wrt.len(), "a value for each parameter");
         for (parameter, value) in self.wrt.iter().zip(x) {

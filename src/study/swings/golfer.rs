@@ -2,17 +2,17 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::study::uncertainty::Uncertain;
 
-/// How the swings of a golfer vary.
+/// Variation of a golfer's swings.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Swings {
-    /// By distributions of parameters.
+    /// Swings described by distributions of parameters.
     Distributed {
-        /// The parameters that vary.
+        /// The parameters that vary, with their distributions.
         inputs: Vec<Uncertain>,
-        /// The lower triangular factor L of the correlations of their normal scores, L Lᵀ.
+        /// Lower triangular factor L of the correlation matrix L Lᵀ of the normal scores.
         factor: Vec<Vec<f64>>,
     },
-    /// Recorded swings, all with the same probability.
+    /// Recorded swings with equal probability.
     Recorded {
         /// The parameters that were recorded.
         parameters: Vec<&'static Parameter>,
@@ -21,13 +21,13 @@ pub enum Swings {
     },
 }
 
-/// The correlation of two parameters: of their normal scores, which for normal distributions are
-/// the parameters themselves.
+/// Correlation of the normal scores of two parameters. For normal distributions it is the
+/// correlation of the parameters themselves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
-    /// The two.
+    /// The two parameters.
     pub between: [&'static Parameter; 2],
-    /// −1 to 1.
+    /// Correlation coefficient, from −1 to 1.
     pub coefficient: f64,
 }
 
@@ -35,7 +35,7 @@ impl Correlation {
     /// Reads `NAME,NAME=COEFFICIENT`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a text that is no correlation; as [`Setup::variable`].
+    /// [`Error::Unreadable`] for text that is not a correlation; the errors of [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source: String| Error::Unreadable {
             name: format!("the correlation {}", text.trim()),
@@ -57,8 +57,8 @@ impl Correlation {
     }
 
     /// # Errors
-    /// [`Error::Unreadable`] for a coefficient that is not between −1 and 1, or of a parameter with
-    /// itself.
+    /// [`Error::Unreadable`] for a coefficient outside −1 to 1, and for a correlation of a
+    /// parameter with itself.
     pub fn new(between: [&'static Parameter; 2], coefficient: f64) -> Result<Self> {
         let [one, other] = between.map(|parameter| parameter.name);
         let refuse = |source: String| Error::Unreadable {
@@ -81,12 +81,12 @@ impl Correlation {
 }
 
 impl Swings {
-    /// Swings by distributions with some correlations, of which those that are not given are 0.
+    /// Swings described by distributions and correlations. A correlation that is not given is 0.
     ///
     /// # Errors
     /// [`Error::Nothing`] without a distribution; [`Error::Unreadable`] for a parameter given
-    /// twice, a correlation of one that has no distribution, or correlations that contradict each
-    /// other (their matrix is not positive semi-definite).
+    /// twice, for a correlation of a parameter without a distribution, and for a correlation matrix
+    /// that is not positive semidefinite.
     pub fn distributed(inputs: Vec<Uncertain>, correlations: &[Correlation]) -> Result<Self> {
         if inputs.is_empty() {
             return Err(Error::Nothing {
@@ -156,11 +156,11 @@ impl Swings {
         Ok(Self::Distributed { inputs, factor })
     }
 
-    /// Swings as they were recorded.
+    /// Recorded swings.
     ///
     /// # Errors
-    /// [`Error::Nothing`] without a swing or a parameter; [`Error::Unreadable`] for a value that no
-    /// drive can have.
+    /// [`Error::Nothing`] without a swing or a parameter; [`Error::Unreadable`] for a value outside
+    /// the allowed range.
     pub fn recorded(parameters: Vec<&'static Parameter>, rows: Vec<Vec<f64>>) -> Result<Self> {
         if parameters.is_empty() || rows.is_empty() {
             return Err(Error::Nothing {
@@ -200,7 +200,7 @@ impl Swings {
         }
     }
 
-    /// The mean of each.
+    /// Mean of each parameter that varies.
     pub fn means(&self) -> Vec<f64> {
         match self {
             Self::Distributed { inputs, .. } => inputs
@@ -216,10 +216,10 @@ impl Swings {
     }
 }
 
-/// The lower triangular L with A = L Lᵀ of a positive semi-definite A with a diagonal of ones; else
-/// the row that fails.
+/// Cholesky factor: the lower triangular L with A = L Lᵀ, for a positive semidefinite A with unit
+/// diagonal. If A is not positive semidefinite, the index of the row that fails.
 fn factored(a: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, usize> {
-    /// Correlations are given with some digits: what is missing to 0 by less is rounding.
+    /// Correlations are given with few digits: a negative pivot closer to 0 than this is rounding.
     const ROUNDING: f64 = 1e-12;
     let n = a.len();
     let mut l = vec![vec![0.0; n]; n];
@@ -259,14 +259,14 @@ mod tests {
                 assert!((product - a[i][j]).abs() < 1e-15);
             }
         }
-        // three that are each the opposite of the other two
+        // three numbers cannot all be opposite to one another
         let opposite = [
             vec![1.0, -0.9, -0.9],
             vec![-0.9, 1.0, -0.9],
             vec![-0.9, -0.9, 1.0],
         ];
         assert_eq!(factored(&opposite), Err(2));
-        // two that are one
+        // two fully correlated numbers
         assert!(factored(&[vec![1.0, 1.0], vec![1.0, 1.0]]).is_ok());
     }
 }

@@ -11,32 +11,33 @@ use crate::units::Quantity;
 pub enum Measure {
     /// The mean of an outcome.
     Mean(Outcome),
-    /// Its standard deviation.
+    /// Standard deviation of an outcome.
     Deviation(Outcome),
-    /// The root of the mean of its square.
+    /// Root mean square of an outcome.
     RootMeanSquare(Outcome),
-    /// The mean of its lowest share: the conditional value at risk, smoothed (after Chen & Harker
-    /// 1993; Kanzow 1996; Smale 1987).
+    /// Mean of the lowest share of an outcome: the conditional value at risk, smoothed (after Chen
+    /// & Harker 1993; Kanzow 1996; Smale 1987).
     Lowest(Outcome, f64),
-    /// The mean of its highest share.
+    /// Mean of the highest share of an outcome.
     Highest(Outcome, f64),
-    /// The share of drives within this distance of 0. The search smooths the edges over one unit.
+    /// Share of drives whose outcome is within this distance of 0. The search smooths the jump at
+    /// either limit over one unit.
     Within(Outcome, f64),
-    /// Expected strokes to hole out from where the ball ends, on a hole of a length, m.
+    /// Expected strokes to hole out from the ball's final position, on a hole of this length, m.
     Strokes(Strokes, f64),
-    /// A parameter of the design: no drive changes it.
+    /// A parameter of the design, which is equal for all drives.
     Parameter(&'static Parameter),
-    /// 1: a term that nothing changes.
+    /// The constant 1.
     One,
 }
 
-/// Least standard deviation, in units of the outcome: it keeps the root smooth.
+/// Smallest standard deviation, in units of the outcome. It keeps the square root smooth.
 const LEAST_DEVIATION: f64 = 1e-9;
-/// Width of the smoothed edge of a lowest or highest share, in units of the outcome.
+/// Smoothing width of a lowest or highest share, in units of the outcome.
 const SMOOTHING: f64 = 0.1;
 
 impl Measure {
-    /// The outcomes that it needs.
+    /// Outcomes that the measure needs.
     pub fn outcomes(&self) -> Vec<Outcome> {
         match self {
             Self::Mean(of)
@@ -50,7 +51,7 @@ impl Measure {
         }
     }
 
-    /// The kind of quantity.
+    /// Kind of quantity of the measure.
     pub fn quantity(&self) -> Quantity {
         match self {
             Self::Within(..) | Self::Strokes(..) | Self::One => Quantity::NUMBER,
@@ -59,7 +60,7 @@ impl Measure {
         }
     }
 
-    /// The unit in which texts show it.
+    /// Display unit of the measure.
     pub fn unit(&self) -> &'static str {
         match self {
             Self::Within(..) | Self::Strokes(..) | Self::One => "",
@@ -68,7 +69,7 @@ impl Measure {
         }
     }
 
-    /// True if it has an edge, at which a drive changes it with a kink or a jump.
+    /// True if the measure has a kink or jump as a function of a drive's outcome.
     pub(in crate::study) fn has_edge(&self) -> bool {
         matches!(
             self,
@@ -76,8 +77,8 @@ impl Measure {
         )
     }
 
-    /// The measure by its definition, from a column of values for each of its outcomes. Parameters
-    /// of the design have no outcomes: 0.
+    /// Exact measure, without smoothing, from a column of values for each of its outcomes. The
+    /// result is 0 for a parameter of the design, which has no outcomes.
     pub(in crate::study) fn exact(&self, columns: &[&[f64]], weights: &[f64]) -> f64 {
         let each = || columns[0].iter().copied().zip(weights.iter().copied());
         let mean = |f: &dyn Fn(f64) -> f64| each().map(|(x, weight)| weight * f(x)).sum::<f64>();
@@ -104,9 +105,9 @@ impl Measure {
         }
     }
 
-    /// The measure with its edges smoothed, from the gradients of its outcomes in each scenario, or
-    /// from values alone; to second order also from those Hessians that the outcomes have.
-    /// Parameters of the design have no outcomes: 0.
+    /// Measure with smoothed kinks and jumps, from the values or gradients of its outcomes in each
+    /// scenario. To second order it uses those Hessians that the outcomes have. The result is 0 for
+    /// a parameter of the design, which has no outcomes.
     pub(in crate::study) fn smoothed(
         &self,
         drives: &[Vec<&Taylor>],
@@ -184,9 +185,9 @@ impl Measure {
     }
 }
 
-/// Σ hₖ(fₖ) from hₖ, hₖ′ and hₖ″ at each drive: Σ hₖ′ (∇fₖ − c), and to second order Σ hₖ″ (∇fₖ −
-/// c)(∇fₖ − c)ᵀ + Σ hₖ′ ∇²fₖ over the drives that have Hessians. The centre c is 0 where it is
-/// empty.
+/// Σ hₖ(fₖ) from hₖ, hₖ′ and hₖ″ at each drive. The gradient is Σ hₖ′ (∇fₖ − c). The Hessian is Σ
+/// hₖ″ (∇fₖ − c)(∇fₖ − c)ᵀ + Σ hₖ′ ∇²fₖ, with the last sum over the drives that have Hessians. An
+/// empty centre c means 0.
 fn summed<'a>(
     terms: impl Iterator<Item = (&'a Taylor, [f64; 3])>,
     centre: &[f64],
@@ -216,7 +217,8 @@ fn summed<'a>(
     all.unwrap_or_default()
 }
 
-/// The mean of the lowest share. The drive at its edge counts by the part in the share.
+/// Mean of the lowest share. The last drive counts with the fraction of its weight that lies in the
+/// share.
 fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
     let mut sorted: Vec<_> = drives.collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -249,8 +251,8 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
 /// max over t of t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2 with uₖ = ±fₖ: for ε → 0 the
 /// mean of the lowest share α of uₖ.
 ///
-/// At the maximum the slope by t is 0, so that gradients are those at a fixed t; the Hessian has
-/// the way that t moves.
+/// At the maximum the derivative by t is 0, so that gradients are those at fixed t. The Hessian
+/// includes the change of t.
 fn lowest(
     drives: &[(&Taylor, f64)],
     sign: f64,
@@ -273,7 +275,7 @@ fn lowest(
             .sum::<f64>()
             - share
     };
-    // it rises with t from −α to 1 − α: halved to the last bit
+    // the function rises with t from −α to 1 − α: bisect to the last bit
     let ends = |start: f64, pick: fn(f64, f64) -> f64| {
         drives.iter().map(|(f, _)| sign * f.value).fold(start, pick)
     };
@@ -318,7 +320,7 @@ fn lowest(
         .map(|(f, weight)| weight / share * plus(t - sign * f.value)[2])
         .collect();
     let bend: f64 = bends.iter().sum();
-    // ∂²/∂t∂x but for its sign
+    // −∂²/∂t∂x
     let mixed = |i: usize| {
         bends
             .iter()
@@ -393,8 +395,8 @@ mod tests {
         measure.smoothed(&drives, &weights, Order::Second)
     }
 
-    /// Gradients and Hessians of every measure of one outcome beside central differences of its
-    /// values and gradients.
+    /// Compares gradients and Hessians of every measure of one outcome with central differences of
+    /// its values and gradients.
     #[test]
     fn differences_certify_the_derivatives_of_every_measure() {
         let of = Outcome::Lateral;
@@ -436,7 +438,8 @@ mod tests {
         }
     }
 
-    /// Each measure of ten numbers of equal weight beside its definition, exact and smoothed.
+    /// Compares each measure of ten numbers of equal weight, exact and smoothed, with its
+    /// definition.
     #[test]
     fn exact_measures_of_ten_numbers() {
         let values: Vec<f64> = taylors([0.7, -0.4])
@@ -471,7 +474,7 @@ mod tests {
             (Measure::Mean(of), mean, 1e-13),
             (Measure::Deviation(of), about(mean), 1e-12),
             (Measure::RootMeanSquare(of), about(0.0), 1e-12),
-            // the smoothing takes off what φ has at the edge of the share
+            // smoothing lowers the value by φ at the edge of the share
             (Measure::Lowest(of, 0.2), low, 0.1),
             (Measure::Highest(of, 1.0 / 3.0), high, 0.1),
             (Measure::Within(of, 9.0), inside, 0.1),

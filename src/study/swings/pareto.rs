@@ -19,7 +19,7 @@ pub struct ParetoSearch {
     pub vary: Vec<Vary>,
     /// The constraints.
     pub subject_to: Vec<Constraint>,
-    /// The number of points, spread evenly along the front, with its ends.
+    /// Number of points, spread evenly along the front and including its ends.
     pub points: usize,
     /// Settings of the optimizer.
     pub options: Options,
@@ -34,18 +34,18 @@ pub struct Pareto {
     pub scenarios: Scenarios,
     /// The compromises, in order.
     pub points: Vec<ParetoPoint>,
-    /// Which of them is the knee (see [`Front::knee`]).
+    /// Index of the knee (see [`Front::knee`]).
     pub knee: Option<usize>,
     /// The largest distance of the front from the straight line between its ends, divided by the
     /// length of the line, with both goals scaled from one end to the other.
     pub bend: f64,
-    /// The goals with the setup's own design, `None` where a swing does not fly.
+    /// Goals with the setup's own design; `None` if a swing does not fly.
     pub as_set_up: Option<[f64; 2]>,
     /// The number of dominated points, which `points` does not contain.
     pub dominated: usize,
     /// The reason why a part of the front is missing, if any.
     pub ended: Option<String>,
-    /// True if it was interrupted.
+    /// True if the computation was interrupted.
     pub interrupted: bool,
 }
 
@@ -56,14 +56,14 @@ pub struct ParetoPoint {
     pub design: Vec<f64>,
     /// The two goals, SI.
     pub goals: [f64; 2],
-    /// The slope d first/d second along the front: the price of the second goal. `None` at a corner
-    /// of the front.
+    /// Slope d first/d second along the front: the change of the first goal per unit of the second.
+    /// `None` at a kink of the front.
     pub slope: Option<f64>,
     /// The active bounds and constraints.
     pub active: Vec<Active>,
-    /// The change of the active set or of the branch here.
+    /// Change of the active set, or jump to another branch, at this point.
     pub event: Option<String>,
-    /// True if no path of designs leads to it from the point before.
+    /// True if the front is disconnected between the previous point and this one.
     pub is_apart: bool,
     /// The setup with this design.
     pub setup: Setup<f64>,
@@ -106,8 +106,8 @@ impl Pareto {
 /// ([`Scenarios::one_drive`]).
 ///
 /// # Errors
-/// [`Error::NotConverged`] where the best of one goal alone is not found; as
-/// [`optimum`](crate::study::optimum).
+/// [`Error::NotConverged`] if the search for the best value of one goal does not converge; the
+/// errors of [`optimum`](crate::study::optimum).
 pub fn pareto(
     setup: &Setup<f64>,
     search: ParetoSearch,
@@ -167,7 +167,7 @@ pub fn pareto(
         ended,
         interrupted,
     } = found.map_err(|error| named(error, &search, &problem))?;
-    // the slope of the functions minimized, as one of the goals
+    // convert the slope of the minimized functions to that of the goals
     let sign = sense.sign() * against.sign();
     let point = |point: FrontPoint| search.point(&problem, point, sign);
     let points = points.into_iter().map(point).collect::<Result<Vec<_>>>()?;
@@ -188,8 +188,8 @@ pub fn pareto(
 }
 
 impl ParetoSearch {
-    /// A point of the front with its goals, also after an interrupt. `sign` turns its slope into
-    /// that of the goals.
+    /// A point of the front with its goals, also after an interrupt. `sign` converts the slope of
+    /// the minimized functions to that of the goals.
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
         let never = AtomicBool::new(false);
         let values = problem.values_until(&point.x, &never)?;
@@ -219,7 +219,7 @@ impl ParetoSearch {
     }
 }
 
-/// The change of the active bounds and constraints in words.
+/// Describes the change of the active bounds and constraints.
 fn changed(active: &[Active], before: &[Active]) -> String {
     let only = |these: &[Active], others: &[Active]| -> Vec<Active> {
         let these = these.iter();

@@ -1,20 +1,20 @@
-//! A part of the scenarios whose drives' second derivatives represent those of all.
+//! Subset of the scenarios whose second derivatives represent those of all scenarios.
 
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
 
-/// The part is one scenario in so many …
+/// The subset contains one scenario in this many.
 const ONE_IN: usize = 16;
-/// … this many at least …
+/// Minimum number of scenarios in the subset.
 const LEAST: usize = 128;
-/// … and so many times the moments that its weights reproduce.
+/// Minimum number of scenarios in the subset per moment that the weights reproduce.
 const PER_MOMENT: usize = 2;
 
-/// The indices of the scenarios in the part, in order, and the number of scenarios that each of
-/// them represents. The part is the whole if it would save less than half.
+/// Indices of the scenarios in the subset, in order, and the number of scenarios that each of them
+/// represents. All scenarios are used if the subset would save less than half.
 ///
-/// The first points of a sequence are spread as evenly as the whole. A part of Gauss's rule is no
-/// quadrature rule.
+/// The first points of a sequence are spread as evenly as the whole sequence. A subset of the nodes
+/// of Gauss's rule is not a quadrature rule.
 pub(in crate::study) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>) {
     let all = scenarios.points.len();
     let count = (all / ONE_IN)
@@ -34,13 +34,13 @@ pub(in crate::study) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>)
     (part, represents)
 }
 
-/// 1, the parameters, and their products by two.
+/// Number of moments: the constant 1, the parameters, and their products of two.
 fn moments(parameters: usize) -> usize {
     1 + parameters + parameters * (parameters + 1) / 2
 }
 
-/// Weights of the part that reproduce the means, variances and covariances of the parameters over
-/// all scenarios, by least squares from equal weights. A mean over the part is then exact for
+/// Weights of the subset that reproduce the means, variances and covariances of the parameters over
+/// all scenarios, by least squares from equal weights. A mean over the subset is then exact for
 /// quadratic functions of the parameters.
 fn part_weights(part: &[usize], scenarios: &Scenarios) -> Vec<f64> {
     /// Relative tolerance of singular values: a parameter may be constant or depend on others.
@@ -85,7 +85,7 @@ fn part_weights(part: &[usize], scenarios: &Scenarios) -> Vec<f64> {
     let missing = wanted - &of_part * &equal;
     let decomposed = of_part.svd(true, true);
     let least = ROUNDING * decomposed.singular_values.max();
-    // equal weights where there is no solution
+    // equal weights if there is no solution
     let change = decomposed
         .solve(&missing, least)
         .unwrap_or_else(|_| DVector::zeros(part.len()));
@@ -118,7 +118,7 @@ mod tests {
         .unwrap()
     }
 
-    /// Means of quadratic functions over the part are those over all scenarios.
+    /// Means of quadratic functions over the subset equal those over all scenarios.
     #[test]
     fn exact_means_of_quadratic_functions_over_a_part() {
         let all = scenarios(500);

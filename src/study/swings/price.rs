@@ -11,7 +11,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The loss of a design that ignores that swings vary, and the accuracy of the goals.
+/// Loss of a design that is optimized for the mean swing only, and the accuracy of the goals.
 #[derive(Clone, Debug)]
 pub struct Price {
     /// The best design for the mean swing, or the reason why it was not found.
@@ -58,15 +58,15 @@ const QUANTILE: f64 = 0.995;
 /// scenario does not fly, the result contains the reason in its place.
 ///
 /// # Errors
-/// As [`optimum`](crate::study::optimum).
+/// The errors of [`optimum`](crate::study::optimum).
 pub fn price(setup: &Setup<f64>, swings: &Swings, best: &Optimum) -> Result<Price> {
     computed(setup, swings, best, &Arc::default())
 }
 
-/// [`price`], or `None` if `stop` became true before the end.
+/// Like [`price`]; `None` if `stop` became true before the end.
 ///
 /// # Errors
-/// As [`price`].
+/// The errors of [`price`].
 pub fn price_until(
     setup: &Setup<f64>,
     swings: &Swings,
@@ -81,7 +81,7 @@ pub fn price_until(
     }
 }
 
-/// [`price`]; incomplete once `stop` is true.
+/// Computes [`price`]; the result is incomplete once `stop` is true.
 fn computed(
     setup: &Setup<f64>,
     swings: &Swings,

@@ -1,18 +1,18 @@
 use crate::study::uncertainty::Distribution;
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// Standard deviations to which a normal distribution is taken: beyond are 6 of 100,000 swings, and
-/// balls that are not hit.
+/// Normal distributions are truncated at this many standard deviations. Only 6 of 100,000 swings
+/// are beyond, and many of these miss the ball.
 pub(super) const REACH: f64 = 4.0;
-/// Nodes that a density is sampled at, on each part on which it is smooth.
+/// Number of samples of a density on each interval on which it is smooth.
 const SAMPLED: usize = 96;
 
 /// Nodes and weights.
 type Nodes = Vec<(f64, f64)>;
 
-/// The nodes and weights of a Gauss rule, from the recurrence of its orthogonal polynomials (Golub
-/// & Welsch 1969): the diagonal of the symmetric tridiagonal matrix, and what is beside it. The
-/// weights add up to 1.
+/// Nodes and weights of a Gauss rule from the recurrence of its orthogonal polynomials (Golub &
+/// Welsch 1969): the diagonal and the off-diagonal of the symmetric tridiagonal matrix. The weights
+/// sum to 1.
 fn gauss(diagonal: &[f64], beside: &[f64]) -> Nodes {
     let n = diagonal.len();
     let mut jacobi = DMatrix::zeros(n, n);
@@ -30,7 +30,7 @@ fn gauss(diagonal: &[f64], beside: &[f64]) -> Nodes {
     rule
 }
 
-/// Legendre's rule: for a number between two ends, all alike.
+/// Gauss–Legendre rule for a uniform distribution between two bounds.
 fn legendre([low, high]: [f64; 2], nodes: usize) -> Nodes {
     let entry = |k: f64| k / (4.0 * k * k - 1.0).sqrt();
     let beside: Vec<f64> = (1..nodes).map(|k| entry(k as f64)).collect();
@@ -40,8 +40,8 @@ fn legendre([low, high]: [f64; 2], nodes: usize) -> Nodes {
         .collect()
 }
 
-/// The rule with so many nodes for a density: its recurrence from many samples of it (Stieltjes;
-/// Gautschi 1982).
+/// Gauss rule of a density with this number of nodes. The recurrence follows from many samples of
+/// the density (Stieltjes; Gautschi 1982).
 fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Nodes {
     let ends = [parts[0][0], parts[parts.len() - 1][1]];
     let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
@@ -90,8 +90,8 @@ fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> No
         .collect()
 }
 
-/// Values of a distributed number with weights that add up to 1: exact for polynomials of degree 2
-/// n − 1.
+/// Gauss rule of a distribution: values with weights that sum to 1, exact for polynomials of degree
+/// 2 n − 1.
 pub(super) fn rule(distribution: &Distribution, nodes: usize) -> Nodes {
     let bell =
         |mean: f64, deviation: f64| move |x: f64| (-0.5 * ((x - mean) / deviation).powi(2)).exp();
@@ -138,12 +138,12 @@ mod tests {
         [mean, about(2), about(3), about(4)]
     }
 
-    /// The rules hold the mean and the next three moments about it, which have closed forms; those
-    /// of the normal distribution between two ends are as good as the library's error function.
+    /// The rules reproduce the mean and the next three central moments, which have closed forms.
+    /// Those of the truncated normal distribution are as accurate as the library's error function.
     #[test]
     fn moments_of_each_rule_by_closed_forms() {
         let all = [
-            // to 4 standard deviations: what is beyond takes off a thousandth of the variance
+            // truncation at 4 standard deviations lowers the variance by a thousandth
             (
                 Distribution::Normal {
                     mean: 2.0,
@@ -202,7 +202,8 @@ mod tests {
         }
     }
 
-    /// The last of these beside Simpson's rule with 200,000 parts, summed without rounding.
+    /// Compares a truncated normal distribution with Simpson's rule with 200,000 intervals, summed
+    /// without rounding.
     #[test]
     fn independent_moments_of_a_normal_distribution_between_two_ends() {
         let found = moments(&Distribution::Truncated {

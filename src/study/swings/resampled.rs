@@ -19,7 +19,7 @@ pub struct Resampled {
     pub goal: Interval,
     /// The number of resamples whose search converged.
     pub rounds: usize,
-    /// The best design compared with the setup's own.
+    /// Significance of the gain of the best design over the setup's own design.
     pub significance: Option<Significance>,
 }
 
@@ -28,7 +28,7 @@ pub struct Resampled {
 pub struct Significance {
     /// The gain of the objective: its 95 % interval.
     pub better: Interval,
-    /// The number of swings like these for a significant gain: at a confidence of 95 % with a power
+    /// Number of similar swings needed for a significant gain, at a confidence of 95 % and a power
     /// of 80 %.
     pub swings: Option<u64>,
 }
@@ -40,7 +40,7 @@ const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 /// if all swings are equal, and if `stop` became true before the end.
 ///
 /// # Errors
-/// As [`optimum`](crate::study::optimum).
+/// The errors of [`optimum`](crate::study::optimum).
 pub fn resampled(
     setup: &Setup<f64>,
     best: &Optimum,
@@ -110,7 +110,7 @@ fn resample(n: usize, seed: u64, stream: u64) -> Vec<f64> {
 /// The optimum of a resample.
 struct Round {
     x: Vec<f64>,
-    /// The objective there over the resample; `None` if a swing does not fly.
+    /// Objective at this optimum over the resample; `None` if a swing does not fly.
     value: Option<f64>,
     /// The gain of the best design over the setup's own, over the resample.
     gain: Option<f64>,

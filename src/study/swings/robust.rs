@@ -14,15 +14,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// One of several models of impact and flight: the setup with some changes.
 #[derive(Clone, Debug)]
 pub struct Model {
-    /// The text of the changes.
+    /// Text of the changes.
     pub name: String,
-    /// The setup with it.
+    /// Setup with the changes.
     pub setup: Setup<f64>,
-    /// The evidence for it; empty for a model given by the user.
+    /// Evidence for the model; empty for a model given by the user.
     pub reason: &'static str,
 }
 
-/// The usual models: known uncertainties of impact and flight as changes of a setup
+/// Default models: known uncertainties of impact and flight as changes of a setup
 /// (docs/sources.md).
 const USUAL: [([(&str, &str); 1], &str); 4] = [
     ([(LAW, "launch-monitor")], "what a launch monitor predicts"),
@@ -53,7 +53,7 @@ impl Model {
     /// Reads changes: `NAME=VALUE,NAME=VALUE`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`]; as [`Setup::set_all`]; what [`Setup::validate`] refuses.
+    /// [`Error::Unreadable`]; the errors of [`Setup::set_all`] and [`Setup::validate`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let pair = |part: &'_ str| {
             part.split_once('=')
@@ -96,10 +96,10 @@ impl Model {
         })
     }
 
-    /// The setup, and the usual models that differ from it.
+    /// The setup, and the default models that differ from it.
     ///
     /// # Errors
-    /// None that a test does not rule out.
+    /// Errors of the built-in changes, which a test excludes.
     pub fn usual(setup: &Setup<f64>) -> Result<Vec<Self>> {
         let mut all = vec![Self::as_set_up(setup)];
         for (changes, reason) in USUAL {
@@ -123,7 +123,7 @@ impl Model {
     }
 }
 
-/// The design with the smallest greatest loss over several models.
+/// Minimax design: its greatest loss over several models is smallest.
 #[derive(Clone, Debug)]
 pub struct Robust {
     /// The search.
@@ -133,8 +133,8 @@ pub struct Robust {
     /// The loss of each model (row) with the best design of each (column), against its own best
     /// design; `None` if a constraint is violated or a swing does not fly.
     pub matrix: Vec<Vec<Option<f64>>>,
-    /// The end of the search for the smallest greatest loss. Its variables are those of the design
-    /// and the greatest loss t.
+    /// Result of the search for the minimax design. Its variables are the design parameters and the
+    /// greatest loss t.
     pub solution: Solution,
     /// The design.
     pub design: Vec<f64>,
@@ -152,14 +152,14 @@ pub struct Robust {
     pub as_set_up: Vec<Option<f64>>,
     /// The number of searches for the smallest greatest loss.
     pub searches: usize,
-    /// The number of interrupted ones.
+    /// Number of interrupted searches.
     pub stopped: usize,
 }
 
 impl Robust {
-    /// The constraints of each model at the end of the search: the number of the model, that of the
-    /// constraint, its value by the goal's definition, its multiplier of the search, and its gradient
-    /// by the design and the greatest loss.
+    /// Constraints of each model at the end of the search: number of the model, number of the
+    /// constraint, its exact value, its multiplier, and its gradient by the design parameters and
+    /// the greatest loss.
     pub fn limits(&self) -> impl Iterator<Item = (usize, usize, ConstraintValue, &[f64])> {
         // each model's first constraint is its loss
         let each = 1 + self.search.subject_to.len();
@@ -203,8 +203,8 @@ impl Robust {
         ]
     }
 
-    /// The decrease of the greatest loss for each unit by which a limit of a model, numbered as in
-    /// [`limits`](Self::limits), is relaxed; of an equation, raised.
+    /// Decrease of the greatest loss per unit by which a limit of a model is relaxed (for an
+    /// equality constraint, raised). The limit is numbered as in [`limits`](Self::limits).
     pub fn limit_price(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
         let is_equation = self.search.subject_to[limit].low == self.search.subject_to[limit].high;
         let of_best = self.models[model]
@@ -215,7 +215,7 @@ impl Robust {
             .map_or(0.0, |best| best.multiplier);
         match at.multiplier {
             own if is_equation => own - self.shares[model] * of_best,
-            // the other one of two limits is active at the model's own best design
+            // at the model's own best design the opposite limit is active
             own if own * of_best < 0.0 => own.abs(),
             own => own.abs() - self.shares[model] * of_best.abs(),
         }
@@ -234,14 +234,14 @@ impl Robust {
         self.solution.status == Status::Converged && self.stopped == 0
     }
 
-    /// The progress of the searches, if any was interrupted.
+    /// Message on the progress of the searches, if any was interrupted.
     pub fn interrupted(&self) -> Option<String> {
         stopped_of(self.stopped, self.searches, || {
             self.solution.message.clone()
         })
     }
 
-    /// The status in a word.
+    /// Name of the status.
     pub fn status(&self) -> &'static str {
         if self.stopped > 0 {
             Status::Interrupted.name()
@@ -258,8 +258,8 @@ impl Robust {
 /// their mean.
 ///
 /// # Errors
-/// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] where the best design
-/// of a model is not found, or the search for all of them is stopped before it has begun; as
+/// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] if the best design of a
+/// model is not found, or if the minimax search is interrupted before it begins; the errors of
 /// [`optima`](crate::study::optima).
 pub fn robust(
     models: Vec<Model>,
@@ -378,7 +378,7 @@ fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
 /// The losses of the models as functions of the design: fₖ(x) − f*ₖ, minimized.
 struct Losses<'a> {
     search: &'a Search,
-    /// A problem for each model.
+    /// Problem of each model.
     problems: Vec<SearchProblem>,
     /// f*ₖ of each model.
     least: Vec<f64>,
@@ -474,7 +474,7 @@ impl<'a> Losses<'a> {
 /// The functions of (x, t): t, and for each model its loss less t and its limited goals.
 struct GreatestLoss<'a> {
     problems: &'a [SearchProblem],
-    /// The least value of each model by its own search, with smoothed edges.
+    /// Optimal value f*ₖ of each model from its own search, with smoothed kinks and jumps.
     least: Vec<f64>,
 }
 
@@ -496,7 +496,7 @@ impl GreatestLoss<'_> {
 impl Problem for GreatestLoss<'_> {
     fn evaluate(&self, xt: &[f64]) -> std::result::Result<Evaluation, String> {
         let n = xt.len() - 1;
-        // a function of x, as one of (x, t)
+        // converts a function of x to a function of (x, t)
         let lifted = |mut f: Taylor| {
             f.gradient.push(0.0);
             f.hessian.iter_mut().for_each(|row| row.push(0.0));

@@ -7,16 +7,16 @@ use crate::study::uncertainty::{Distribution, Uncertain};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// The rule by which scenarios are chosen.
+/// Rule that generates scenarios.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// Gauss's rule with this number of nodes for each parameter: for few parameters.
+    /// Gauss's rule with this number of nodes for each parameter, for up to three parameters.
     Quadrature(usize),
     /// A scrambled Sobol' sequence.
     Sequence {
         /// The number of points.
         count: usize,
-        /// The seed of the scrambling. Points depend on it to the last bit.
+        /// Seed of the scrambling. Equal seeds give equal points, bit by bit.
         seed: u32,
     },
     /// The recorded swings.
@@ -24,7 +24,7 @@ pub enum Rule {
 }
 
 /// Swings that represent all swings of a golfer. They do not depend on the design, so that an
-/// expectation is a smooth function of it.
+/// expectation is a smooth function of the design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenarios {
     /// The parameters with a value in each scenario.
@@ -33,9 +33,10 @@ pub struct Scenarios {
     pub points: Vec<Vec<f64>>,
     /// The weight of each scenario; they sum to 1.
     pub weights: Vec<f64>,
-    /// The rule by which they were chosen.
+    /// Rule that generated the scenarios.
     pub rule: Rule,
-    /// The ends of each parameter's distribution, SI, or infinite; `None` for recorded swings.
+    /// Bounds of each parameter's distribution, SI; they may be infinite. `None` for recorded
+    /// swings.
     pub ends: Vec<Option<[f64; 2]>>,
     /// The distributions of the points; `None` for recorded swings and one drive.
     distributed: Option<Swings>,
@@ -43,24 +44,24 @@ pub struct Scenarios {
 
 /// Largest number of parameters integrated by Gauss's rules.
 const MOST_INTEGRATED: usize = 3;
-/// Nodes for each parameter, of one, two and three.
+/// Number of nodes per parameter, for one, two and three parameters.
 const NODES: [usize; MOST_INTEGRATED] = [32, 16, 8];
-/// Scenarios for more parameters.
+/// Number of scenarios for more parameters.
 const SCENARIOS: usize = 512;
 /// Largest number of scenarios in a search.
 const MOST_SCENARIOS: usize = 100_000;
-/// Independent sequences for the error of a goal.
+/// Number of independent sequences that estimate the error of a goal.
 const SEQUENCES: u32 = 8;
-/// Least number of points of each of them.
+/// Minimum number of points of each of these sequences.
 const POINTS: usize = 2048;
 
 impl Rule {
-    /// The default rule for some swings, by their number of parameters; a sequence of `count`
-    /// scenarios if it is given.
+    /// Default rule for some swings, by their number of parameters. If `count` is given: a sequence
+    /// of this number of scenarios.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a number of
-    /// recorded swings.
+    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a given count
+    /// of recorded swings.
     pub fn of(swings: &Swings, count: Option<usize>, seed: u32) -> Result<Self> {
         let refuse = |count: usize, reason: String| {
             Err(Error::Unreadable {
@@ -99,11 +100,10 @@ impl Rule {
         }
     }
 
-    /// Refuses a seed that would have no effect on which swings are taken.
+    /// Refuses a seed that has no effect on the scenarios.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a seed of what is integrated by Gauss's rules, and of recorded
-    /// swings.
+    /// [`Error::Unreadable`] for a seed with Gauss's rule or with recorded swings.
     pub fn refuse_idle_seed(self, seed: Option<u32>) -> Result<()> {
         let why = match (self, seed) {
             (Self::Sequence { .. }, _) | (_, None) => return Ok(()),
@@ -152,8 +152,8 @@ impl Scenarios {
     /// The scenarios of some swings.
     ///
     /// # Errors
-    /// As [`Uncertain::check`]; [`Error::Unreadable`] for a value that no drive can have: give its
-    /// distribution ends, with `truncated`.
+    /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for a value outside the allowed
+    /// range. A `truncated` distribution with bounds avoids such values.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;
@@ -203,8 +203,9 @@ impl Scenarios {
         })
     }
 
-    /// Independent scramblings of Sobol's sequence over the same distributions, which no search has
-    /// used, each with at least as many points as there are scenarios; none without distributions.
+    /// Independent scramblings of Sobol's sequence over the same distributions, for estimates that
+    /// no search has used. Each has at least as many points as there are scenarios. Empty without
+    /// distributions.
     pub(in crate::study) fn sequences(&self) -> Vec<Result<Self>> {
         let Some(swings) = &self.distributed else {
             return vec![];
@@ -213,7 +214,7 @@ impl Scenarios {
             Rule::Sequence { count, seed } => (count.max(POINTS), seed),
             _ => (POINTS, 0),
         };
-        // far from the usual seeds of users
+        // far from the seeds that users usually choose
         let seed = |round: u32| seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1));
         (0..SEQUENCES)
             .map(|round| {
@@ -228,8 +229,8 @@ impl Scenarios {
             .collect()
     }
 
-    /// The scenarios, then all combinations of the ends of the distributions of these parameters,
-    /// with the other parameters of each scenario.
+    /// The scenarios, then all combinations of the bounds of these parameters' distributions, with
+    /// the other parameters of each scenario.
     pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let ends = |k: &usize| Some((*k, self.ends.get(*k).copied().flatten()?));
         let (bounded, endless): (Vec<_>, Vec<_>) = of
@@ -306,7 +307,8 @@ fn sequence_point(inputs: &[Uncertain], factor: &[Vec<f64>], k: u64, seed: u32) 
         .collect()
 }
 
-/// The product of Gauss's rules of the distributions; of the normal scores for correlated ones.
+/// Product of the Gauss rules of the distributions; for correlated parameters, of their normal
+/// scores.
 fn quadrature_points(
     inputs: &[Uncertain],
     factor: &[Vec<f64>],
@@ -350,7 +352,7 @@ fn quadrature_points(
     points.into_iter().map(placed).unzip()
 }
 
-/// The value of a distributed number whose normal score this is.
+/// Value of a distributed number at this normal score.
 fn at_score(input: &Uncertain, score: f64) -> f64 {
     match input.distribution {
         Distribution::Normal { mean, deviation } => mean + deviation * score,

@@ -5,8 +5,8 @@ use crate::number::Taylor;
 use crate::units::Quantity;
 use std::path::Path;
 
-/// Expected strokes to hole out over the distance to the hole: a natural cubic spline through a
-/// table, which is C², and goes on straight beyond its ends.
+/// Expected strokes to hole out as a function of the distance to the hole: a natural cubic spline
+/// through a table. It is C², and linear beyond the ends of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strokes {
     /// Distances, m, rising.
@@ -14,17 +14,17 @@ pub struct Strokes {
     strokes: Vec<f64>,
     /// Second derivatives at the distances.
     bend: Vec<f64>,
-    /// The outcomes of the end of the ball: downrange and to the right.
+    /// Outcomes that give the ball's final position: downrange and to the right.
     outcomes: [Outcome; 2],
 }
 
 impl Strokes {
-    /// A table of distances (m, rising) with the strokes from each. The ball ends where it lands,
-    /// or where it comes to rest if `runs`.
+    /// A table of distances (m, ascending) with the expected strokes from each distance. The ball's
+    /// final position is its position at rest if `runs`, otherwise the landing point.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for fewer than two rows, distances that do not rise, or numbers below
-    /// 0.
+    /// [`Error::Unreadable`] for fewer than two rows, distances that are not ascending, or negative
+    /// numbers.
     pub fn new(rows: &[(f64, f64)], runs: bool) -> Result<Self> {
         let refuse = |source: String| Error::Unreadable {
             name: "the table of strokes".into(),
@@ -66,7 +66,7 @@ impl Strokes {
     /// Reads a CSV file with the columns `distance` (with its unit: `distance [yd]`) and `strokes`.
     ///
     /// # Errors
-    /// [`Error::Table`] for a file that cannot be read or has not these columns; as
+    /// [`Error::Table`] for a file that cannot be read or lacks one of these columns; the errors of
     /// [`Strokes::new`].
     pub fn open(path: &Path, runs: bool) -> Result<Self> {
         let file = path.display().to_string();
@@ -126,17 +126,17 @@ impl Strokes {
         Self::new(&rows, runs)
     }
 
-    /// True if the table contains this distance.
+    /// True if the distance is within the range of the table.
     pub(in crate::study) fn reaches(&self, distance: f64) -> bool {
         self.distance[0] <= distance && distance <= self.distance[self.distance.len() - 1]
     }
 
-    /// The outcomes of the end of the ball: downrange and to the right.
+    /// Outcomes that give the ball's final position: downrange and to the right.
     pub(in crate::study) fn outcomes(&self) -> &[Outcome; 2] {
         &self.outcomes
     }
 
-    /// The strokes from a distance.
+    /// Expected strokes from a distance.
     pub(super) fn value(&self, distance: f64) -> f64 {
         self.at(distance)[0]
     }
@@ -148,7 +148,7 @@ impl Strokes {
         let (low, high) = (self.distance[i], self.distance[i + 1]);
         let width = high - low;
         let slope = (self.strokes[i + 1] - self.strokes[i]) / width;
-        // straight beyond the ends, where the bend is 0
+        // linear beyond the ends, where the second derivative is 0
         let inside = x.clamp(low, high);
         let (a, b) = ((high - inside) / width, (inside - low) / width);
         let (p, q) = (self.bend[i], self.bend[i + 1]);
@@ -160,13 +160,13 @@ impl Strokes {
         [value + first * (x - inside), first, second]
     }
 
-    /// The strokes from where a drive ends, on a hole straight ahead at a distance.
+    /// Expected strokes from the final position of a drive, on a straight hole of length `hole`.
     pub(super) fn from(&self, downrange: &Taylor, right: &Taylor, hole: f64) -> Taylor {
-        /// m: keeps the distance smooth in the hole.
+        /// Smallest distance, m: it keeps the distance differentiable at the hole.
         const LEAST: f64 = 0.1;
         let (x, y) = (hole - downrange.value, right.value);
         let left = (x * x + y * y + LEAST * LEAST).sqrt();
-        // by downrange and right
+        // derivatives of the distance by downrange and right
         let (by_x, by_y) = (-x / left, y / left);
         let [xx, xy, yy] = [
             (1.0 - by_x * by_x) / left,
@@ -222,7 +222,7 @@ mod tests {
     use crate::number::Taylor;
 
     fn table() -> Strokes {
-        // made up, with the shape of published tables
+        // invented numbers, with the shape of published tables
         Strokes::new(
             &[
                 (0.0, 1.0),

@@ -130,14 +130,15 @@ pub struct Slopes {
 pub struct SampledEllipse {
     /// The ellipse.
     pub ellipse: LandingEllipse,
-    /// From the gradients at the means; otherwise from the sample.
+    /// True if the ellipse comes from the gradients at the means, false if it comes from the
+    /// sample.
     pub by_gradient: bool,
     /// Share of the sampled landings inside.
     pub holds: f64,
 }
 
 impl OutcomeUncertainty {
-    /// The outcome varies by more than rounding.
+    /// True if the outcome varies by more than rounding.
     pub fn varies(&self) -> bool {
         self.sampled
             .as_ref()

@@ -59,7 +59,7 @@ pub struct Statistics {
     pub quantiles: [f64; 3],
     /// Indices of each variable, in order; `None` if the output does not vary.
     pub indices: Vec<Option<Indices>>,
-    /// Rows without a value at some point, which the indices omit.
+    /// Number of rows without a value at some point. The indices omit these rows.
     pub left_out: usize,
 }
 
@@ -274,7 +274,7 @@ impl Design {
         (0..inputs).map(both).collect()
     }
 
-    /// An independent random stream for each resample, whatever its thread.
+    /// Random stream of a resample, independent of the thread.
     fn random(&self, stream: u64) -> Xoshiro256PlusPlus {
         Xoshiro256PlusPlus::seed_from_u64(
             self.seed ^ (stream + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),

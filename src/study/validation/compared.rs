@@ -11,7 +11,7 @@ pub enum Compared {
     Descent,
     /// Lateral distance of the landing point from the initial direction, + right.
     Curve,
-    /// Carry minus that of the first drive of the set.
+    /// Carry minus the carry of the first drive of the set.
     Gain,
     /// Launch angle at the optimum.
     LaunchAngle,

@@ -26,7 +26,7 @@ impl Computation {
         }
     }
 
-    /// Differences are relative to the first case.
+    /// True if differences are relative to the first case.
     pub(super) fn has_base(self) -> bool {
         matches!(self, Self::Altitude | Self::AltitudeAlone)
     }
@@ -43,11 +43,11 @@ pub struct Set {
     pub about: &'static str,
     /// Air of the published drives.
     pub air: &'static str,
-    /// Limits of the data, and what no law can reproduce.
+    /// Limits of the data, and effects that no law can reproduce.
     pub misses: &'static str,
     /// Method of computation.
     pub computation: Computation,
-    /// Cases are averages of many drives.
+    /// True if the cases are averages of many drives.
     pub is_averaged: bool,
     /// Preset of the club, if all cases share it.
     pub preset: Option<&'static str>,
