@@ -1,5 +1,5 @@
-//! Numbers as people read them: in the units of a system, with the digits of a launch monitor, and
-//! to the right or left.
+//! Numbers formatted for people: in the units of a system, with the digits of a launch monitor, and
+//! with R or L in place of a sign.
 
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
@@ -8,22 +8,22 @@ use crate::units::{
     Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit,
 };
 
-/// The sign of a missing number.
+/// The text for a missing number.
 pub(super) const NONE: &str = "–";
 
 /// A remark about strikes off the centre.
 pub(super) const RIGID: &str =
     "rigid bodies are known to miss the side spin of strikes off the centre by 30 to 50 %";
 
-/// Parameters that launch monitors call something else.
+/// Parameters that have another name on launch monitors.
 const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", "club path")];
 
-/// Groups whose parameters are known without the group's name.
+/// Groups whose name is omitted before their parameters.
 const IMPLIED: [&str; 3] = ["swing", "launch", "aero"];
 
-/// The name of an outcome or parameter in words, as launch monitors say it: "ball speed", "attack
-/// angle", "club speed". A word of the group that the name repeats stands once: "wind reference
-/// height", but "launch angle" for `launch.launch_angle`.
+/// The name of an outcome or parameter in words, as on launch monitors: "ball speed", "attack
+/// angle", "club speed". The name of a group is omitted if it is implied, or if the rest contains
+/// it: "wind reference height", but "launch angle" for `launch.launch_angle`.
 pub(super) fn words(name: &str) -> String {
     if let Some((_, words)) = NAMES.iter().find(|(known, _)| *known == name) {
         return (*words).into();
@@ -37,8 +37,8 @@ pub(super) fn words(name: &str) -> String {
     own.map_or(name, |(_, rest)| rest).replace(['.', '_'], " ")
 }
 
-/// A sentence with the names of parameters in words; what is to be typed (`swing.speed=95mph`)
-/// stays.
+/// A sentence with the names of parameters in words. Command-line input (`swing.speed=95mph`) is
+/// unchanged.
 pub(super) fn spoken(sentence: &str) -> String {
     let setup = Setup::default();
     let speak = |word: &str| {
@@ -53,7 +53,7 @@ pub(super) fn spoken(sentence: &str) -> String {
     sentence.split(' ').map(speak).collect::<Vec<_>>().join(" ")
 }
 
-/// The outcome is positive to the right.
+/// True if positive values of the outcome are to the right.
 fn is_sideways(of: Outcome) -> bool {
     matches!(
         of,
@@ -75,7 +75,7 @@ pub fn outcome(of: Outcome, value: f64, system: System) -> String {
     }
 }
 
-/// The value of a goal: as an outcome, if it is one.
+/// The value of a goal. A goal that is an outcome has the format of the outcome.
 pub fn goal(goal: &Goal, value: f64, system: System) -> String {
     match (goal.outcome(), goal.unit) {
         (Some(of), _) => outcome(of, value, system),
@@ -84,7 +84,7 @@ pub fn goal(goal: &Goal, value: f64, system: System) -> String {
     }
 }
 
-/// A value that is positive to the right: "3.2 yd R", "3.2 yd L", and "0.0 yd" without a side.
+/// A value whose positive side is right: "3.2 yd R", "3.2 yd L", and "0.0 yd" without a side.
 pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     let size = quantity.read_off(value.abs(), unit);
     let is_straight = leading_number(&size)
@@ -97,18 +97,18 @@ pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     }
 }
 
-/// The value of an outcome with one more decimal, to compare two close values.
+/// The value of an outcome with one more decimal, so that two close values can be compared.
 pub(super) fn finely(of: Outcome, value: f64, system: System) -> String {
     of.quantity().read_off_finely(value, system.unit(of.unit()))
 }
 
-/// The value of an outcome, with a dash where the drive has none.
+/// The value of an outcome; a dash if the drive does not have it.
 pub(super) fn outcome_or_dash(of: Outcome, value: Option<f64>, system: System) -> String {
     value.map_or(NONE.into(), |value| outcome(of, value, system))
 }
 
-/// The value of an outcome in the units of the other system, in parentheses; empty where both are
-/// the same.
+/// The value of an outcome in the units of the other system, in parentheses; empty if the units are
+/// equal.
 pub(super) fn in_parentheses(of: Outcome, value: f64, system: System) -> String {
     let other = system.other();
     if system.unit(of.unit()) == other.unit(of.unit()) {
@@ -148,12 +148,12 @@ pub(super) fn change(of: Outcome, value: f64, system: System) -> String {
     signed(value, spread(of, value, system))
 }
 
-/// A value of a parameter that was computed: an optimum, the end of a window.
+/// A computed value of a parameter, such as an optimum or the end of a window.
 pub(super) fn parameter(parameter: &Parameter, value: f64, system: System) -> String {
     computed(parameter, value).in_units(system)
 }
 
-/// A value of a parameter in its declared unit, as setup files write it.
+/// A value of a parameter in its declared unit, as in setup files.
 pub(super) fn as_declared(parameter: &Parameter, value: f64) -> String {
     computed(parameter, value).to_string()
 }
@@ -167,12 +167,12 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
     Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
-/// Largest distance from an end of a range, as a part of it, that counts as the end: a search that
-/// did not converge stops just short of it.
+/// Largest distance from an end of a range, relative to the range, that counts as the end: a search
+/// that did not converge stops near it.
 const AT_THE_END: f64 = 1e-6;
 
-/// A value of a varied parameter. It has more digits if it would read as an end of the range that
-/// it is not.
+/// A value of a varied parameter. It gets more digits if rounding would show it as an end of the
+/// range.
 pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
     let (parameter, ends) = (vary.parameter, ends(vary, system));
     let number = |text: &str| leading_number(text).parse::<f64>().ok();
@@ -191,10 +191,10 @@ pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
         .unwrap_or(plain)
 }
 
-/// The digits that tell any two numbers apart.
+/// Significant digits that distinguish all double-precision numbers.
 const MOST_DIGITS: usize = 17;
 
-/// The ends of the range of a parameter that is varied.
+/// The ends of the range of a varied parameter.
 pub(super) fn ends(vary: &Vary, system: System) -> [String; 2] {
     stated_apart(
         (vary.parameter.quantity, vary.parameter.unit),
@@ -203,12 +203,12 @@ pub(super) fn ends(vary: &Vary, system: System) -> [String; 2] {
     )
 }
 
-/// The range of a parameter that is varied: "4° .. 20°".
+/// The range of a varied parameter: "4° .. 20°".
 pub(super) fn range(vary: &Vary, system: System) -> String {
     ends(vary, system).join(" .. ")
 }
 
-/// Two numbers that were stated, with as many digits as tell them apart.
+/// Two stated numbers, with enough digits to distinguish them.
 fn stated_apart(
     (quantity, unit): (Quantity, &'static str),
     ends: [f64; 2],
@@ -221,26 +221,26 @@ fn stated_apart(
     apart.unwrap_or_else(|| shown(MOST_DIGITS))
 }
 
-/// The digits of a number that was stated.
+/// Maximum number of significant digits of a stated number.
 const STATED: usize = 5;
 
-/// A value of a parameter that was stated: with the digits that it has, and no more.
+/// A stated value of a parameter, without trailing zeros.
 pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, value, system, STATED)
 }
 
-/// A stated value in short, for the question: to four digits, so that "110 mph" is "49.17 m/s" and
-/// not "49.174 m/s".
+/// A stated value with four significant digits, for the summary of a request: "110 mph" is "49.17
+/// m/s" and not "49.174 m/s".
 pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, value, system, 4)
 }
 
-/// How well it is known, to three digits: "0.0563".
+/// A standard uncertainty of a parameter with three significant digits: "0.0563".
 pub(super) fn uncertainty(parameter: &Parameter, deviation: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, deviation, system, 3)
 }
 
-/// A value of a setup with all its digits, or "none".
+/// A value of a setup with up to seven significant digits, or "none".
 pub(super) fn set(parameter: &Parameter, value: Option<f64>, system: System) -> String {
     value.map_or(UNSET.into(), |value| {
         given(parameter.quantity, parameter.unit, value, system, 7)
@@ -276,7 +276,7 @@ pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
 }
 
 /// An active bound or constraint: "attack angle at its upper bound", "apex height ≤ 35 yd". `name`
-/// writes a parameter.
+/// formats a parameter.
 pub(super) fn active(
     active: &Active,
     search: &Search,
@@ -299,18 +299,18 @@ pub(super) fn active(
     }
 }
 
-/// Relative size below which a change is rounding.
+/// Relative size below which a change is a rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// A derivative as texts show it: 0 where it is nothing but the rounding of its computation.
-/// `value` is that of what is differentiated, in SI, and `of` its kind and unit.
+/// A derivative for display: 0 if it is only the rounding error of its computation. `value` is the
+/// differentiated quantity in SI; `of` is its kind and unit.
 ///
-/// A derivative is rounding where a change of each parameter in `by` by its own size (its default,
-/// or one of its unit where that is 0 or does not exist) makes less than 1e-12 of `value` (or of
-/// one of its unit, where that is more). So it depends neither on the units shown nor on a
-/// parameter that happens to be 0. Rounding leaves about 1e-16 for each of the thousand operations
-/// of a flight, so that a true derivative as small as that has no correct digit. JSON and CSV keep
-/// all digits.
+/// The criterion: a change of each parameter in `by` by its typical size changes `value` by less
+/// than 1e-12 of itself, or less than 1e-12 of its unit if that is more. The typical size is the
+/// default value, or one unit if the default is 0 or does not exist. The criterion depends neither
+/// on the displayed units nor on a parameter that happens to be 0. A flight has about a thousand
+/// operations with a relative rounding error of 1e-16 each, so that smaller derivatives have no
+/// correct digit. JSON and CSV keep all digits.
 pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Parameter]) -> f64 {
     let one = |quantity: Quantity, unit: &str| quantity.size_of(unit).unwrap_or(1.0);
     let own = |by: &&Parameter| {
@@ -328,21 +328,21 @@ pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Param
     }
 }
 
-/// A change of an outcome with this value is rounding.
+/// True if a change of an outcome with this value is a rounding error.
 pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
     settled(change, value, (of.quantity(), of.unit()), &[]) == 0.0
 }
 
-/// An outcome with this value, slope and second derivative depends on the parameter: slope or
-/// curvature is more than rounding.
+/// True if an outcome with this value depends on the parameter: its first or second derivative is
+/// more than a rounding error.
 pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curvature: f64) -> bool {
     let outcome = (of.quantity(), of.unit());
     settled(slope, value, outcome, &[by]) != 0.0
         || settled(curvature, value, outcome, &[by, by]) != 0.0
 }
 
-/// A derivative of an outcome of this value by a parameter, in the units of a system: "2.11 yd per
-/// deg".
+/// A derivative of an outcome with this value by a parameter, in the units of a system: "2.11 yd
+/// per deg".
 pub(super) fn slope(
     of: Outcome,
     value: f64,
@@ -361,7 +361,7 @@ pub(super) fn slope(
     )
 }
 
-/// The gain for each unit by which a limit moves: "2.11 yd for each degree".
+/// The gain for each unit by which a limit is relaxed: "2.11 yd for each degree".
 pub(super) fn price(
     of: (Quantity, &'static str),
     amount: f64,
@@ -394,7 +394,7 @@ pub(super) fn ratio(
     .to_owned()
 }
 
-/// The number of a quotient in the units of a system, and the unit of its numerator.
+/// The number of a quotient in the units of a system, with the unit of the numerator.
 pub(super) fn quotient(
     of: (Quantity, &'static str),
     by: (Quantity, &'static str),
@@ -536,8 +536,8 @@ mod tests {
             slope(of, value, setup.parameter(by).unwrap(), d, system, 4)
         };
         for system in System::ALL {
-            // the rounding of a ball speed by a radius, of a spin by an angle that is 0, of a carry
-            // at its maximum, of a lateral distance of 0
+            // rounding errors of d(ball speed)/d(radius), d(spin)/d(angle at 0), d(carry) at its
+            // maximum, and of a lateral distance of 0
             for (of, value, by, d) in [
                 (Outcome::BallSpeed, 70.0, "ball.radius", 6e-16),
                 (Outcome::Backspin, 250.0, "swing.attack_angle", 2.8e-14),
@@ -551,7 +551,7 @@ mod tests {
                 );
             }
         }
-        // a nanometre of carry in a yard of ground height, and a change of inertia by one g cm²
+        // one nanometre of carry per yard of ground height, and per g cm² of inertia
         assert_eq!(
             shown(Outcome::Carry, 250.0, "ground.height", 1e-9, System::Metric),
             "1e-9 m per m"

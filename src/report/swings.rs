@@ -1,5 +1,5 @@
-//! Results over swings beside the optimum: the goals of other designs, and how well the answer is
-//! known.
+//! Results over swings in addition to the optimum: the goals of other designs, and the uncertainty
+//! of the answer.
 
 use super::json::{ByName, Number};
 use super::limits::ended_at;
@@ -13,12 +13,12 @@ use crate::study::uncertainty::Interval;
 use crate::units::{System, counted};
 use serde::Serialize;
 
-/// Results about swings beside the optimum; none for one drive.
+/// Additional results over swings; empty for a single drive.
 #[derive(Clone, Copy, Default)]
 pub struct OverSwings<'a> {
     /// The golfer's swings.
     pub swings: Option<&'a Swings>,
-    /// The loss of a design that ignores that swings vary.
+    /// The loss of a design that ignores the variation of the swings.
     pub price: Option<&'a Price>,
     /// The optima of resamples of recorded swings.
     pub resampled: Option<&'a Resampled>,
@@ -54,23 +54,23 @@ impl ScenariosReport {
     }
 }
 
-/// Results over swings beside the optimum, as JSON.
+/// Additional results over swings, as JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct StudiesReport {
     /// The swings.
     #[serde(flatten)]
     pub scenarios: ScenariosReport,
-    /// The goals with the design as set up; `null` if a swing does not fly.
+    /// The goals with the design before the search; `null` if a swing does not fly.
     pub as_set_up: Option<ByName<Number>>,
     /// The best design for the mean swing; `null` without one.
     pub nominal: Option<NominalReport>,
     /// Sentences about results that could not be computed.
     pub unknown: Vec<String>,
-    /// The error of the quadrature of the objective, SI.
+    /// The quadrature error of the objective, SI.
     pub quadrature_error: Option<f64>,
-    /// The interval of the objective over other swings of the golfer.
+    /// The interval of the objective over other samples of the golfer's swings.
     pub sampling: Option<SamplingReport>,
-    /// The share of the swings whose ball ends where the table of strokes is extrapolated.
+    /// The fraction of the swings whose ball ends where the table of strokes is extrapolated.
     pub beyond_strokes: Option<f64>,
     /// The optima of resamples of recorded swings.
     pub resampled: Option<ResampledReport>,
@@ -79,15 +79,15 @@ pub struct StudiesReport {
 /// The best design for the mean swing.
 #[derive(Clone, Debug, Serialize)]
 pub struct NominalReport {
-    /// The parameters varied.
+    /// The varied parameters.
     pub optimum: ByName<Number>,
-    /// The goals with the mean swing.
+    /// The goals predicted for the mean swing.
     pub promised: ByName<Number>,
-    /// The goals over all swings; `null` if one does not fly.
+    /// The goals over all swings; `null` if a swing does not fly.
     pub kept: Option<ByName<Number>>,
 }
 
-/// An interval of the objective by independent sequences of swings.
+/// An interval of the objective from independent sequences of swings.
 #[derive(Clone, Debug, Serialize)]
 pub struct SamplingReport {
     /// The 99 % interval.
@@ -99,15 +99,15 @@ pub struct SamplingReport {
 /// The optima of resamples of recorded swings.
 #[derive(Clone, Debug, Serialize)]
 pub struct ResampledReport {
-    /// The 95 % interval of each parameter varied.
+    /// The 95 % interval of each varied parameter.
     pub optimum: ByName<IntervalReport>,
     /// The 95 % interval of the objective.
     pub value: IntervalReport,
-    /// The number of resamples that came to an optimum.
+    /// The number of resamples whose search converged.
     pub rounds: usize,
-    /// The 95 % interval of the gain over the design as set up.
+    /// The 95 % interval of the gain over the design before the search.
     pub better_than_set_up: Option<IntervalReport>,
-    /// The number of swings that would tell the two designs apart.
+    /// The number of swings needed to distinguish the two designs.
     pub swings_to_tell: Option<u64>,
 }
 
@@ -133,7 +133,7 @@ impl From<&Interval> for IntervalReport {
 }
 
 impl StudiesReport {
-    /// The report of an optimum; `None` for one drive.
+    /// The additional results of an optimum; `None` for a single drive.
     pub(super) fn new(best: &Optimum, over: OverSwings<'_>) -> Option<Self> {
         let search = &best.search;
         if search.scenarios.is_one_drive() {
@@ -214,10 +214,10 @@ fn unknown(price: Option<&Price>) -> Vec<String> {
     nominal.into_iter().chain(error).collect()
 }
 
-/// Text behind the value of a goal that breaks its limits.
+/// The text after the value of a goal that violates its limits.
 const BROKEN: &str = "(broken)";
 
-/// The goals over the swings as a table, by design.
+/// The goals over the swings as a table with a column for each design.
 pub(super) fn goals_text(best: &Optimum, price: Option<&Price>, system: System) -> String {
     let search = &best.search;
     let nominal = nominal(price);
@@ -259,7 +259,7 @@ pub(super) fn goals_text(best: &Optimum, price: Option<&Price>, system: System) 
     table(&head, &[1, 2, 3, 4], rows)
 }
 
-/// Notes on the designs and on how well the answer is known.
+/// Notes on the designs and on the uncertainty of the answer.
 pub(super) fn notes_text(best: &Optimum, over: OverSwings<'_>, system: System) -> String {
     let mut notes = unknown(over.price);
     let strikes = best.search.scenarios.parameters.iter();
@@ -292,7 +292,7 @@ pub(super) fn notes_text(best: &Optimum, over: OverSwings<'_>, system: System) -
     )
 }
 
-/// Notes on other designs with which a swing does not fly, or that break a limit.
+/// Notes on designs that violate a limit, or with which a swing does not fly.
 fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
     let kept = nominal.map(|nominal| nominal.kept.as_ref());
     let as_set_up = best.as_set_up.as_ref();
@@ -324,7 +324,7 @@ fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
     notes
 }
 
-/// Notes on constraints that hold for the smoothed goal only.
+/// Notes on constraints that the smoothed goal meets, but the exact goal does not.
 fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
     let all = best.constraints();
     let pairs = all.iter().zip(&best.solution.constraints);
@@ -341,7 +341,7 @@ fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
         .collect()
 }
 
-/// The number of swings, the rule they were taken by, and how well the objective is known.
+/// The number of swings, the rule that chose them, and the uncertainty of the objective.
 fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
     let goal = &best.search.of;
     let all = &best.search.scenarios;
@@ -373,7 +373,7 @@ fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
     }
 }
 
-/// The intervals of the best design by resamples of recorded swings.
+/// The intervals of the best design from resamples of recorded swings.
 fn resampled(best: &Optimum, found: &Resampled, system: System) -> Vec<String> {
     let goal = &best.search.of;
     let vary = best.search.vary.iter().zip(&found.design);

@@ -1,15 +1,15 @@
 use super::lines::WIDTH;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 
-/// The least width of a column of words that is worth breaking into lines.
+/// Minimum width of a text column to be wrapped.
 const NARROWEST: usize = 20;
 
-/// Spaces before the first column, and after each.
+/// Number of spaces before the first column, and after each column.
 const MARGIN: usize = 2;
 
-/// A table without lines; the columns named are aligned right. One that is too wide has the words
-/// of its last column broken into lines; where that column is aligned right as numbers are, it is
-/// continued below, with the first column repeated.
+/// A table without rules; the columns `right` are right-aligned. In a table that is too wide, the
+/// last column is wrapped if it contains text. Otherwise the table continues below with the
+/// remaining columns, after a repetition of the first one.
 pub(super) fn table(
     head: &[&str],
     right: &[usize],
@@ -63,7 +63,7 @@ fn width(head: &[&str], rows: &[Vec<String>], column: usize) -> usize {
         .unwrap_or(0)
 }
 
-/// Some columns of a table, the last of them perhaps no wider than `narrowed`.
+/// Some columns of a table; `narrowed` limits the width of the last one.
 fn part(
     head: &[&str],
     right: &[usize],

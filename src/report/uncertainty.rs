@@ -20,7 +20,7 @@ pub struct UncertaintyReport<'a> {
     pub outcomes: Vec<OutcomeUncertaintyReport>,
     /// Ellipses of the landings; empty unless carry and lateral were requested.
     pub ellipses: Vec<EllipseReport>,
-    /// Points of the base sample.
+    /// Number of points of the base sample.
     pub samples: usize,
     /// The seed of the sample.
     pub seed: u64,
@@ -39,9 +39,9 @@ pub struct InputReport {
     pub distribution: &'static str,
     /// The values of the distribution, in the order in which it is given.
     pub values: Vec<f64>,
-    /// Its mean.
+    /// The mean of the distribution.
     pub mean: f64,
-    /// Its standard deviation.
+    /// The standard deviation of the distribution.
     pub standard_uncertainty: f64,
 }
 
@@ -50,13 +50,13 @@ pub struct InputReport {
 pub struct OutcomeUncertaintyReport {
     /// The outcome.
     pub of: &'static str,
-    /// The outcome varies by more than rounding.
+    /// True if the outcome varies by more than rounding errors.
     pub varies: bool,
-    /// By the gradient at the means.
+    /// The moments from the gradient at the means.
     pub delta: Option<MomentsReport>,
-    /// By gradient and Hessian at the means.
+    /// The moments from gradient and Hessian at the means.
     pub second_order: Option<MomentsReport>,
-    /// By the sample; `null` where no drive of it has the outcome.
+    /// The statistics of the sample; `null` if no drive of the sample has the outcome.
     pub monte_carlo: Option<SampledReport>,
     /// The share of each uncertain parameter in the variance.
     pub indices: Vec<IndicesReport>,
@@ -93,11 +93,11 @@ pub struct SampledReport {
     pub standard_uncertainty: EstimateInterval,
     /// The quantiles at 2.5, 50 and 97.5 %.
     pub quantiles: ByName<f64>,
-    /// Number of points left out, since a drive there does not have the outcome.
+    /// Number of omitted points with a drive that does not have the outcome.
     pub rows_left_out: usize,
 }
 
-/// The share of an uncertain parameter in the variance of an outcome.
+/// The contribution of an uncertain parameter to the variance of an outcome.
 #[derive(Clone, Debug, Serialize)]
 pub struct IndicesReport {
     /// The parameter.
@@ -108,7 +108,7 @@ pub struct IndicesReport {
     pub total: Option<EstimateInterval>,
     /// The mean of the squared derivative over the sample.
     pub mean_square_slope: Number,
-    /// The upper bound of the total index that follows from the derivatives.
+    /// The upper bound of the total index, from the derivatives.
     pub bound: Option<EstimateInterval>,
 }
 
@@ -124,15 +124,15 @@ pub struct MeasureFirst {
 /// An ellipse of the landings.
 #[derive(Clone, Debug, Serialize)]
 pub struct EllipseReport {
-    /// The share of the drives that it should contain.
+    /// The nominal fraction of the drives inside the ellipse.
     pub share: f64,
     /// The method: `gradient` or `sample`.
     pub by: &'static str,
     /// The centre.
     pub centre: LandingPoint,
-    /// The half-axes, the longer first: downrange and right, m.
+    /// The half-axes as components downrange and to the right, the longer one first, m.
     pub half_axes: [[f64; 2]; 2],
-    /// The share of the sample's drives inside.
+    /// The fraction of the sample's drives inside the ellipse.
     pub holds: f64,
 }
 
@@ -146,7 +146,7 @@ pub struct LandingPoint {
 }
 
 impl<'a> UncertaintyReport<'a> {
-    /// The report of this uncertainty.
+    /// The report of an uncertainty analysis.
     pub fn new(found: &'a Uncertainty) -> Self {
         let inputs = found.inputs.iter().map(|input| InputReport {
             parameter: input.parameter.name,
@@ -354,7 +354,7 @@ pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
     }
 }
 
-/// Points of a sample below which estimates of shares are noise.
+/// Minimum number of points of a sample for estimates of the variance contributions.
 const ENOUGH: usize = 100;
 
 /// Adds the uncertainty of an outcome to a document.
@@ -387,7 +387,7 @@ fn add_outcome(
     document.add(shares(outcome, sampled, found, system));
 }
 
-/// Why an outcome is the same in every drive.
+/// The reason why an outcome does not vary.
 fn why_constant(outcome: &OutcomeUncertainty, found: &Uncertainty) -> &'static str {
     if depends(outcome, found) {
         "it varies by less than rounding, since the uncertainty is so small"
@@ -432,7 +432,7 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     table
 }
 
-/// The shares of the uncertain parameters in the variance of an outcome.
+/// The contributions of the uncertain parameters to the variance of an outcome.
 fn shares(
     outcome: &OutcomeUncertainty,
     sampled: &Statistics,
@@ -492,8 +492,8 @@ fn shares(
     table
 }
 
-/// The outcome depends on one of the uncertain parameters at their means; also if the derivatives
-/// there are unknown.
+/// True if the outcome depends on an uncertain parameter at the means, or if the derivatives there
+/// are unknown.
 fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
     let Some(at) = &outcome.at_means else {
         return true;
@@ -524,7 +524,7 @@ fn ellipses(found: &Uncertainty, system: System) -> Table {
         let [long, short] = sampled.ellipse.half_axes;
         let lengths =
             [long, short].map(|axis| shown::spread(Carry, axis[0].hypot(axis[1]), system));
-        // an axis has two opposite directions: the one within a quarter turn of downrange
+        // choose the direction of the axis within 90° of downrange
         let turned = (long[0] * long[1].signum()).atan2(long[1].abs());
         vec![
             format!(

@@ -25,7 +25,7 @@ pub struct CalibrationReport<'a> {
     found: &'a Calibration,
     #[serde(skip)]
     held: &'a [(String, HeldOut)],
-    /// The fit, or one for the held-out error, was interrupted.
+    /// True if the fit, or a fit of the cross-validation, was interrupted.
     pub interrupted: bool,
     /// The data.
     pub data: DataReport,
@@ -35,13 +35,13 @@ pub struct CalibrationReport<'a> {
     pub covariance: Matrix,
     /// The correlation of the estimates.
     pub correlation: Matrix,
-    /// Directions that the data do not determine, by parameter.
+    /// Directions in parameter space that the data do not determine.
     pub undetermined: Vec<ByName<Number>>,
     /// χ² of the fit.
     pub chi_square: Number,
-    /// Number of values less that of parameters.
+    /// Number of values minus number of parameters.
     pub degrees_of_freedom: usize,
-    /// The probability of a χ² as large as this.
+    /// The probability of a larger χ².
     pub probability: Number,
     /// √(χ²/degrees of freedom).
     pub uncertainty_scale: Number,
@@ -49,19 +49,19 @@ pub struct CalibrationReport<'a> {
     pub iterations: u64,
     /// Evaluations of the residuals.
     pub evaluations: u64,
-    /// Trial points that the fit refused.
+    /// The trial points that the fit rejected.
     pub refused: RefusedReport,
-    /// The searches.
+    /// The results of the searches from several starts.
     pub starts: StartsReport,
-    /// Each measured value.
+    /// The residual of each measured value.
     pub residuals: Vec<RemainderReport>,
-    /// The errors on data left out of the fit.
+    /// The prediction errors on held-out data.
     pub held_out: Vec<HeldOutReport>,
     /// Every parameter of the fitted setup by its dotted name.
     pub setup: ByName<Setting>,
-    /// The setup file that was written; `null` where none was.
+    /// The setup file that was written; `null` without one.
     pub file: Option<String>,
-    /// The folder of the page that was written; `null` where none was.
+    /// The folder of the written page; `null` without one.
     pub folder: Option<String>,
 }
 
@@ -74,7 +74,7 @@ pub struct DataReport {
     pub shots: usize,
     /// Number of measured values.
     pub values: usize,
-    /// The rows are launch conditions, flown without an impact.
+    /// True if the rows are launch conditions, so that no impact is computed.
     pub launch_conditions: bool,
     /// Remarks about the file.
     pub remarks: Vec<Message>,
@@ -85,22 +85,22 @@ pub struct DataReport {
 pub struct EstimateReport {
     /// The estimate.
     pub value: Number,
-    /// Its standard uncertainty; `null` if the data give none.
+    /// The standard uncertainty; `null` if the data do not determine it.
     pub standard_uncertainty: Number,
-    /// Its 95 % interval.
+    /// The 95 % interval.
     pub interval_95: Option<[f64; 2]>,
-    /// It lies on a bound of its range.
+    /// True if the estimate is at a bound of the range.
     pub at_bound: bool,
-    /// The data determine it.
+    /// True if the data determine the parameter.
     pub determined: bool,
 }
 
-/// Trial points that a fit refused, since the residuals are not defined there.
+/// Trial points that a fit rejected, because the residuals are undefined there.
 #[derive(Clone, Debug, Serialize)]
 pub struct RefusedReport {
-    /// Their number.
+    /// Number of these points.
     pub count: u64,
-    /// The reason for the last.
+    /// The reason for the last of them.
     pub last: Option<String>,
 }
 
@@ -109,9 +109,9 @@ pub struct RefusedReport {
 pub struct StartsReport {
     /// Number of starts.
     pub made: usize,
-    /// Number of those that ended at the smallest sum.
+    /// Number of starts that reached the smallest sum of squares.
     pub same: usize,
-    /// Number of the others by status.
+    /// Number of the other starts, by status.
     pub elsewhere: ByName<usize>,
 }
 
@@ -122,22 +122,23 @@ pub struct RemainderReport {
     pub row: usize,
     /// The outcome.
     pub of: &'static str,
-    /// The parameter in which the row is an optimum of the outcome; `null` for a measured value.
+    /// The parameter in which the row states an optimum of the outcome; `null` for a measured
+    /// value.
     pub parameter: Option<&'static str>,
     /// The measured value.
     pub measured: Number,
-    /// Computed less measured.
+    /// The computed minus the measured value.
     pub difference: Number,
-    /// The difference in standard uncertainties.
+    /// The difference in units of the standard uncertainty.
     pub residual: Number,
 }
 
-/// The errors on data left out of a fit.
+/// The prediction errors on held-out data.
 #[derive(Clone, Debug, Serialize)]
 pub struct HeldOutReport {
-    /// The law, and the parameters that were fitted.
+    /// The law, and the fitted parameters.
     pub fit: String,
-    /// Number of folds; 0 where nothing was fitted.
+    /// Number of folds; 0 without a fit.
     pub folds: usize,
     /// Number of fits by status.
     pub fits: ByName<usize>,
@@ -148,7 +149,8 @@ pub struct HeldOutReport {
 }
 
 impl<'a> CalibrationReport<'a> {
-    /// The report of a fit to these shots, with held-out errors, each with a description of the fit.
+    /// The report of a fit to these shots; `held_out` are the prediction errors with the names of
+    /// their fits.
     pub fn new(
         table: &'a ShotTable,
         found: &'a Calibration,
@@ -213,12 +215,12 @@ impl<'a> CalibrationReport<'a> {
         }
     }
 
-    /// The fit, or one for the held-out error, was interrupted.
+    /// True if the fit, or a fit of the cross-validation, was interrupted.
     pub fn is_interrupted(&self) -> bool {
         self.interrupted
     }
 
-    /// The status of the fit; interrupted where a fit for the held-out error was.
+    /// The status of the fit; `interrupted` if a fit of the cross-validation was.
     pub fn status(&self) -> Status {
         if self.is_interrupted() {
             Status::Interrupted
@@ -250,16 +252,16 @@ impl<'a> CalibrationReport<'a> {
         }
     }
 
-    /// The fit has converged, and nothing was interrupted.
+    /// True if the fit converged and nothing was interrupted.
     pub fn is_found(&self) -> bool {
         self.found.fit.status == Status::Converged && !self.is_interrupted()
     }
 
-    /// The fitted setup as a setup file in TOML, to the last digit, the fitted parameters with their
-    /// standard errors. `data` is the file of the shots.
+    /// The fitted setup as a setup file in TOML, with full precision. The fitted parameters have
+    /// their standard errors as remarks. `data` is the file of the shots.
     ///
     /// # Errors
-    /// As [`setup_toml`].
+    /// Those of [`setup_toml`].
     pub fn toml(&self, preset: &Preset, data: &str) -> Result<String> {
         let found = self.found;
         let about = [
@@ -289,7 +291,7 @@ impl<'a> CalibrationReport<'a> {
     }
 }
 
-/// The fit, or one for the held-out error, was interrupted.
+/// True if the fit, or a fit of the cross-validation, was interrupted.
 fn is_interrupted(found: &Calibration, held_out: &[(String, HeldOut)]) -> bool {
     found.fit.status == Status::Interrupted
         || held_out.iter().any(|(_, held)| held.is_interrupted())
@@ -353,8 +355,7 @@ impl HeldOutReport {
 impl Report for CalibrationReport<'_> {
     const COMMAND: &'static str = "calibrate";
 
-    /// The status and the message are the fit's, unless a fit for the held-out error was
-    /// interrupted.
+    /// The status and message of the fit, unless a fit of the cross-validation was interrupted.
     fn ending(&self) -> Ending {
         Ending {
             status: self.status().name(),
@@ -362,8 +363,8 @@ impl Report for CalibrationReport<'_> {
         }
     }
 
-    /// The end of the fit, the estimates with their uncertainties, the residuals and the held-out
-    /// errors.
+    /// The status of the fit, the estimates with their uncertainties, the residuals, and the
+    /// prediction errors on held-out data.
     fn document(&self, system: System) -> Document {
         let Self {
             table, found, held, ..

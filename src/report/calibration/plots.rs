@@ -3,16 +3,16 @@ use crate::report::figures::capital;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
-/// A measured value beside the computed one.
+/// A measured value with the computed value.
 struct Point {
     computed: f64,
     measured: f64,
-    /// The standard uncertainty of what was measured.
+    /// The standard uncertainty of the measured value.
     sigma: f64,
 }
 
-/// Measured over computed values, and residuals: two plots for each outcome that was measured more
-/// than once.
+/// Two plots for each outcome with more than one measurement: measured against computed values, and
+/// residuals.
 pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
     for remainder in found
@@ -53,7 +53,7 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
     remainders.filter_map(point).collect()
 }
 
-/// Measured over computed, with the line on which they are equal.
+/// Measured against computed values, with the line of equality.
 fn agreement(of: Outcome, points: &[Point]) -> Figure {
     let measure = Measure::outcome(of);
     let labelled = |which: &str| {

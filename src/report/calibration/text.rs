@@ -15,7 +15,7 @@ pub(super) fn title(table: &ShotTable) -> String {
     format!("Calibration to {file}")
 }
 
-/// Adds the data to a document.
+/// Adds a description of the data to a document.
 pub(super) fn data(document: &mut Document, table: &ShotTable, system: System) {
     let kind = if table.is_launched {
         "launch conditions, flown without an impact"
@@ -32,7 +32,7 @@ pub(super) fn data(document: &mut Document, table: &ShotTable, system: System) {
     }
 }
 
-/// Adds the ends of the searches to a document, if there are several.
+/// Adds the results of the searches to a document, if there are several.
 pub(super) fn starts(document: &mut Document, found: &Calibration) {
     let (made, same) = (found.starts, found.at_minimum);
     if made <= 1 {
@@ -72,7 +72,7 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
     }
 }
 
-/// Adds the refused trial points to a document.
+/// Adds the rejected trial points to a document.
 pub(super) fn refusals(document: &mut Document, found: &Calibration) {
     if let (1.., Some(why)) = (found.fit.refused, &found.fit.why_refused) {
         let refused = counted(found.fit.refused, "trial point");
@@ -125,7 +125,7 @@ pub(super) fn residuals(document: &mut Document, found: &Calibration, system: Sy
     document.table(&head, rows);
 }
 
-/// Adds the held-out errors to a document, if there are any.
+/// Adds the prediction errors on held-out data to a document, if there are any.
 pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], system: System) {
     if held_out.is_empty() {
         return;
@@ -138,7 +138,7 @@ pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], 
     document.table(&head, rows);
 }
 
-/// The number of a value in a unit, to the second digit of its standard error.
+/// A value in a unit, rounded to the second significant digit of its standard error.
 pub(super) fn to_its_error(
     quantity: Quantity,
     unit: &str,
@@ -152,7 +152,7 @@ pub(super) fn to_its_error(
         .map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
         Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
-        // a number far from 1: the same digits, with a power of ten
+        // a number far from 1 gets the same digits and a power of ten
         Some(decimals) if value != 0.0 => {
             let digits = number.abs().log10().floor() + decimals + 1.0;
             significant(number, digits.clamp(4.0, 17.0) as usize)
@@ -161,7 +161,8 @@ pub(super) fn to_its_error(
     }
 }
 
-/// The cells of an estimate, with its 95 % interval, to the second digit of its standard error.
+/// The cells of an estimate with its 95 % interval, rounded to the second significant digit of the
+/// standard error.
 fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
     let Estimate {
         parameter,
@@ -189,7 +190,7 @@ fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
     vec![parameter.name.into(), show(*value), error, interval]
 }
 
-/// χ², and how the standard errors follow from it.
+/// χ², and the way in which the standard errors depend on it.
 fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;
@@ -232,7 +233,7 @@ fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
     format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
 }
 
-/// A direction in the parameters' own units, one of them changed by 1 of its unit.
+/// A direction in the units of the parameters, scaled so that one component is 1.
 fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
     let parameter = |at: usize| found.estimates[at].parameter;
     let size = |at: usize| {
@@ -346,7 +347,7 @@ fn short(difference: f64, quantity: Quantity, unit: &str) -> String {
     signed(difference, quantity.read_off_difference(difference, unit))
 }
 
-/// Root mean square of the held-out differences of an outcome.
+/// The root mean square of the held-out differences of an outcome.
 pub(super) struct OutcomeError {
     pub name: String,
     pub rms: f64,
@@ -354,9 +355,9 @@ pub(super) struct OutcomeError {
     quantity: Quantity,
 }
 
-/// The root mean square of each outcome, or of each parameter in which a row is an optimum.
+/// The root mean square for each outcome, or for each parameter in which a row states an optimum.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
-    // until the end `rms` is the sum of squares
+    // before the loop ends, `rms` is the sum of squares
     let mut all: Vec<(OutcomeError, usize)> = vec![];
     for remainder in &held.remainders {
         let of = remainder.outcome;

@@ -19,30 +19,30 @@ pub struct CertificateReport<'a> {
     certificate: &'a Certificate,
     #[serde(skip)]
     loops: &'a [LoopRow],
-    /// Nothing failed, and every planted error was caught.
+    /// True if nothing failed, and every injected error was detected.
     pub passed: bool,
-    /// Each outcome by each parameter, the worst first.
+    /// The derivative of each outcome by each parameter, the largest error first.
     pub rows: Vec<CertificateRow>,
-    /// The detection of planted errors.
+    /// The detection of injected errors.
     pub negative_control: NegativeControl,
     /// Derivatives at the landing, compared with differences at a fixed time.
     pub landing: Vec<LandingCheck>,
-    /// The outcomes where the number of steps changes.
+    /// The outcomes at parameter values where the number of steps changes.
     pub continuity: Vec<ContinuityCheck>,
     /// The convergence of the outcomes with the time step.
     pub convergence: Vec<ConvergenceCheck>,
-    /// The error of the time step in the outcomes and their derivatives: measured, and not judged.
+    /// The error of the time step in outcomes and derivatives. It has no verdict.
     pub step_errors: Vec<StepErrorReport>,
-    /// Checks that were not made, with the reason.
+    /// Omitted checks, with the reasons.
     pub not_examined: Vec<UnmadeCheck>,
-    /// Differences of the MAE 494 report's while-loop, by each parameter that carry was certified
-    /// by.
+    /// The finite differences of the MAE 494 report's while-loop, for each parameter by which carry
+    /// is certified.
     pub while_loop: Vec<LoopCheck>,
-    /// Outcomes without derivatives at this drive, with the reason.
+    /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: Vec<MissingOutcome>,
 }
 
-/// A derivative compared with differences.
+/// A derivative compared with finite differences.
 #[derive(Clone, Debug, Serialize)]
 pub struct CertificateRow {
     /// The outcome.
@@ -55,24 +55,24 @@ pub struct CertificateRow {
     pub exact: Number,
     /// The best numerical derivative.
     pub best_difference: Number,
-    /// The difference of the two.
+    /// The difference between the two.
     pub error: Number,
-    /// The largest difference allowed.
+    /// The largest allowed difference.
     pub tolerance: Number,
-    /// The derivative over `num_dual::Dual64`.
+    /// The derivative from `num_dual::Dual64`.
     pub num_dual: AgreementReport,
-    /// The slopes below and above a corner; `null` for a side that is out of the parameter's range.
+    /// The one-sided derivatives at a corner; `null` on a side outside of the parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
-    /// The step at which a plain central difference comes nearest.
+    /// The step at which the plain central difference has the smallest error.
     pub best_step: Number,
-    /// Its error.
+    /// The error of the central difference at that step.
     pub best_step_error: Number,
-    /// The slopes of the remainders of Taylor's polynomials of degree 0, 1, 2; `null` where the
-    /// remainder is little but rounding.
+    /// The slopes of the Taylor remainders of degree 0, 1 and 2 over the step; `null` if the
+    /// remainder is dominated by rounding.
     pub taylor_slopes: [Number; 3],
     /// The second derivative by the parameter.
     pub second: Option<CheckReport>,
-    /// The V-curve: steps of plain central differences, and their errors.
+    /// The V-curve: the error of plain central differences over the step.
     pub curve: Curve,
 }
 
@@ -85,59 +85,59 @@ pub struct CheckReport {
     pub exact: Number,
     /// The best numerical derivative.
     pub best_difference: Number,
-    /// The difference of the two.
+    /// The difference between the two.
     pub error: Number,
-    /// The largest difference allowed.
+    /// The largest allowed difference.
     pub tolerance: Number,
-    /// The slopes below and above a corner.
+    /// The one-sided derivatives at a corner.
     pub sides: Option<[Option<f64>; 2]>,
 }
 
-/// A derivative compared with the one over `num_dual::Dual64`.
+/// A derivative compared with the one from `num_dual::Dual64`.
 #[derive(Clone, Debug, Serialize)]
 pub struct AgreementReport {
     /// `pass` or `fail`.
     pub verdict: &'static str,
-    /// The derivative over `num_dual::Dual64`.
+    /// The derivative from `num_dual::Dual64`.
     pub derivative: Number,
-    /// Its difference from the exact derivative.
+    /// The difference from the exact derivative.
     pub difference: Number,
-    /// The largest difference allowed.
+    /// The largest allowed difference.
     pub tolerance: Number,
 }
 
-/// The errors of central differences by their steps.
+/// The errors of central differences over the step.
 #[derive(Clone, Debug, Serialize)]
 pub struct Curve {
     /// The steps.
     pub steps: Vec<f64>,
-    /// The error at each.
+    /// The error at each step.
     pub errors: Vec<f64>,
 }
 
-/// The detection of planted errors.
+/// The detection of injected errors.
 #[derive(Clone, Debug, Serialize)]
 pub struct NegativeControl {
-    /// All of them were caught.
+    /// True if every injected error was detected.
     pub caught: bool,
-    /// Each error.
+    /// The injected errors.
     pub planted: Vec<PlantedError>,
 }
 
-/// An error planted in the derivatives.
+/// An error injected into the derivatives.
 #[derive(Clone, Debug, Serialize)]
 pub struct PlantedError {
-    /// Its name.
+    /// The name of the error.
     pub error: &'static str,
-    /// Number of rows that it changes.
+    /// Number of rows that the error changes.
     pub rows: usize,
-    /// Number of rows in which differences detect it.
+    /// Number of rows in which finite differences detect it.
     pub caught: usize,
     /// Number of rows in which num-dual detects it.
     pub caught_by_num_dual: usize,
 }
 
-/// A derivative at the landing compared with differences at a fixed time.
+/// A derivative at the landing compared with finite differences at a fixed time.
 #[derive(Clone, Debug, Serialize)]
 pub struct LandingCheck {
     /// The comparison.
@@ -147,24 +147,24 @@ pub struct LandingCheck {
     pub of: &'static str,
     /// The parameter.
     pub parameter: &'static str,
-    /// The part of the derivative that the time of landing contributes.
+    /// The contribution of the landing time to the derivative.
     pub landing_term: Number,
 }
 
-/// An outcome where the number of steps changes.
+/// An outcome at a parameter value where the number of steps changes.
 #[derive(Clone, Debug, Serialize)]
 pub struct ContinuityCheck {
     /// The outcome.
     pub of: &'static str,
     /// The parameter.
     pub parameter: &'static str,
-    /// The value of the parameter at the change.
+    /// The value of the parameter where the number changes.
     pub at: f64,
-    /// The number of steps below and above.
+    /// The number of steps below and above that value.
     pub steps: [usize; 2],
     /// The jumps of value, gradient and Hessian.
     pub jumps: [f64; 3],
-    /// The largest jumps allowed.
+    /// The largest allowed jumps.
     pub tolerances: [f64; 3],
     /// `pass` or `fail`.
     pub verdict: &'static str,
@@ -177,13 +177,13 @@ pub struct ConvergenceCheck {
     pub of: &'static str,
     /// The steps, s.
     pub steps: Vec<f64>,
-    /// The relative error of the value at each.
+    /// The relative error of the value at each step.
     pub value_errors: Vec<f64>,
-    /// The relative error of the gradient at each.
+    /// The relative error of the gradient at each step.
     pub gradient_errors: Vec<f64>,
-    /// The orders measured, of value and gradient; `null` where the errors are rounding.
+    /// The measured orders for value and gradient; `null` if the errors are dominated by rounding.
     pub orders: [Option<f64>; 2],
-    /// The orders expected.
+    /// The expected orders.
     pub expected: [u32; 2],
     /// The number of continuous derivatives of the law, if they limit the order.
     pub limited_by_law: Option<u32>,
@@ -196,7 +196,7 @@ pub struct ConvergenceCheck {
 pub struct StepErrorReport {
     /// The outcome.
     pub of: &'static str,
-    /// The steps compared, s.
+    /// The compared steps, s.
     pub steps: [f64; 2],
     /// The relative error of the value.
     pub value_error: Number,
@@ -204,11 +204,11 @@ pub struct StepErrorReport {
     pub parameter: Option<&'static str>,
     /// The relative error of that derivative.
     pub derivative_error: Number,
-    /// That error relative to the outcome, per size of the parameter.
+    /// The error of the derivative relative to the outcome, for a change by the parameter's size.
     pub derivative_error_of_outcome: Number,
 }
 
-/// A check that was not made.
+/// An omitted check.
 #[derive(Clone, Debug, Serialize)]
 pub struct UnmadeCheck {
     /// The check.
@@ -217,7 +217,7 @@ pub struct UnmadeCheck {
     pub message: &'static str,
 }
 
-/// A difference of the while-loop's carry.
+/// A finite difference of the while-loop's carry.
 #[derive(Clone, Debug, Serialize)]
 pub struct LoopCheck {
     /// The comparison with the exact derivative.
@@ -225,11 +225,11 @@ pub struct LoopCheck {
     pub check: CheckReport,
     /// The parameter.
     pub parameter: &'static str,
-    /// The difference at a step of 1e-8.
+    /// The finite difference with a step of 1e-8.
     pub difference: Number,
-    /// Its sign is not that of the derivative.
+    /// True if the sign differs from that of the derivative.
     pub sign_is_wrong: bool,
-    /// The errors of all steps.
+    /// The errors over the step.
     pub curve: Curve,
 }
 
@@ -312,8 +312,8 @@ impl Report for CertificateReport<'_> {
         }
     }
 
-    /// A verdict for each derivative, the worst first, then the other checks, and the while-loop for
-    /// comparison.
+    /// The verdict on each derivative, the largest error first, then the other checks, and the
+    /// while-loop for comparison.
     fn document(&self, system: System) -> Document {
         let mut document = Document::default();
         document.add(rows_table(&self.certificate.rows));

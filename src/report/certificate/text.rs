@@ -10,7 +10,7 @@ use crate::study::certificate::{
 };
 use crate::units::{System, counted, counted_of, fixed, significant};
 
-/// The lines below the derivatives: corners, failures, then each of the other checks.
+/// The lines below the table of derivatives: corners, failures, then each of the other checks.
 pub(super) fn lines(certificate: &Certificate, loops: &[LoopRow], system: System) -> Vec<String> {
     let rows = &certificate.rows;
     let corners = rows.iter().filter(|row| row.verdict() == Verdict::Corner);
@@ -50,7 +50,7 @@ pub(super) fn lines(certificate: &Certificate, loops: &[LoopRow], system: System
     lines
 }
 
-/// The verdict on the certificate.
+/// The verdict of the certificate.
 pub(super) fn ending(certificate: &Certificate) -> String {
     let rows = &certificate.rows;
     let count = |verdict| rows.iter().filter(|row| row.verdict() == verdict).count();
@@ -68,7 +68,7 @@ pub(super) fn ending(certificate: &Certificate) -> String {
     }
 }
 
-/// The jumps of an outcome where the number of steps changes.
+/// The jumps of an outcome at a parameter value where the number of steps changes.
 fn continuity(found: &Continuity, system: System) -> String {
     let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
     let unit = system.unit(found.parameter.unit);
@@ -86,7 +86,7 @@ fn continuity(found: &Continuity, system: System) -> String {
     )
 }
 
-/// The detection of a planted error.
+/// The detection of an injected error.
 fn planted(planted: &DetectionTest) -> String {
     let name = planted.error.name();
     if planted.rows == 0 {
@@ -107,7 +107,7 @@ fn planted(planted: &DetectionTest) -> String {
     )
 }
 
-/// The slopes to the sides of a corner.
+/// The one-sided derivatives at a corner.
 fn corner(row: &Row) -> String {
     let sides = row
         .first
@@ -133,7 +133,8 @@ fn corner(row: &Row) -> String {
     format!("{of} has a corner in {parameter}: {slopes}")
 }
 
-/// A second derivative that fails where the first passes. The table shows only the first.
+/// A second derivative that fails although the first derivative passes. The table shows only the
+/// first derivative.
 fn failure_of_second(row: &Row) -> Option<String> {
     let second = row
         .second
@@ -150,7 +151,7 @@ fn failure_of_second(row: &Row) -> Option<String> {
     ))
 }
 
-/// A first derivative that differs from num-dual's.
+/// A first derivative that differs from that of num-dual.
 fn disagreement(row: &Row) -> Option<String> {
     let found = &row.num_dual;
     if found.holds() {
@@ -168,7 +169,7 @@ fn disagreement(row: &Row) -> Option<String> {
     ))
 }
 
-/// The agreement of the first derivatives over the jets with those over num-dual, and the largest
+/// The agreement of the first derivatives from jets with those from num-dual: the largest
 /// difference relative to its tolerance.
 fn agreement(rows: &[Row]) -> Option<String> {
     let part = |row: &&Row| row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE);
@@ -234,7 +235,7 @@ pub(super) fn rows_table(rows: &[Row]) -> Table {
     Table::new(head, rows).right(3..=6)
 }
 
-/// The exact derivative of a row as texts show it.
+/// The exact derivative of a row for display.
 pub(in crate::report) fn settled(row: &Row) -> f64 {
     shown::settled(
         row.first.exact,
@@ -244,7 +245,7 @@ pub(in crate::report) fn settled(row: &Row) -> f64 {
     )
 }
 
-/// The agreement of derivatives at the landing with differences at a fixed time.
+/// The agreement of derivatives at the landing with finite differences at a fixed time.
 fn landing(certificate: &Certificate) -> Option<String> {
     let landing = &certificate.landing;
     let worst = landing
@@ -342,7 +343,7 @@ fn convergence(found: &Convergence) -> String {
     )
 }
 
-/// The error of the time step: the outcome and the derivative with the largest.
+/// The error of the time step: the outcome and the derivative with the largest error.
 fn step_error(errors: &[StepError]) -> Option<String> {
     let value = errors.iter().max_by(|a, b| a.value.total_cmp(&b.value))?;
     let mut text = format!(

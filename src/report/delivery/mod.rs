@@ -33,14 +33,15 @@ pub struct DeliveryReport<'a> {
     pub rows: Vec<DeliveryRow>,
     /// Mean and standard deviation of each parameter over the shots.
     pub spread: Vec<SpreadReport>,
-    /// The swings behind the shots, without the errors of the launch monitor.
+    /// The population of swings behind the shots, without the measurement errors of the launch
+    /// monitor.
     pub population: Option<PopulationReport>,
 }
 
 /// The origin of the launches.
 #[derive(Clone, Copy, Debug)]
 pub struct DeliveryOptions {
-    /// They are rows of a table; otherwise there is one launch.
+    /// True for launches from a table, false for a single launch.
     pub is_table: bool,
     /// Number of rows that an interruption left out.
     pub left_out: usize,
@@ -49,9 +50,9 @@ pub struct DeliveryOptions {
 /// The delivery of a shot.
 #[derive(Clone, Debug, Serialize)]
 pub struct DeliveryRow {
-    /// The row of the table.
+    /// The row in the table.
     pub row: usize,
-    /// The end of the fit: `converged`, `unexplained`, or another status.
+    /// The status of the fit: `converged`, `unexplained`, or another status.
     pub status: &'static str,
     /// The status in a sentence.
     pub message: String,
@@ -69,18 +70,18 @@ pub struct DeliveryRow {
 pub struct KnownReport {
     /// The parameter.
     pub parameter: &'static str,
-    /// Its most probable value.
+    /// The most probable value.
     pub value: f64,
-    /// Its standard uncertainty after the shot; `null` at a bound.
+    /// The posterior standard uncertainty; `null` at a bound.
     pub standard_uncertainty: Option<f64>,
-    /// The part of the variance before that the shot removes.
+    /// The fraction of the prior variance that the shot removes.
     #[serde(rename = "told")]
     pub identified: Option<f64>,
-    /// The value before the shot.
+    /// The prior value.
     pub before: f64,
-    /// The standard uncertainty before the shot.
+    /// The prior standard uncertainty.
     pub standard_uncertainty_before: f64,
-    /// The source of that uncertainty; `null` where it was given.
+    /// The source of the prior uncertainty; `null` if the user stated it.
     pub source: Option<&'static str>,
     /// The range of the search.
     pub range: SearchRange,
@@ -102,18 +103,18 @@ pub struct ExplainedReport {
     pub of: &'static str,
     /// The measured value.
     pub measured: f64,
-    /// Its standard uncertainty.
+    /// The standard uncertainty of the measured value.
     pub standard_uncertainty: f64,
     /// The value of the most probable delivery.
     pub computed: f64,
-    /// The difference of the two, in standard uncertainties.
+    /// The difference between the two, in units of the standard uncertainty.
     pub residual: f64,
 }
 
 /// A change of the delivery that the launch does not determine.
 #[derive(Clone, Debug, Serialize)]
 pub struct UnidentifiedReport {
-    /// The part of the variance before that the shot removes.
+    /// The fraction of the prior variance that the shot removes.
     #[serde(rename = "told")]
     pub identified: f64,
     /// The change of each parameter.
@@ -131,14 +132,14 @@ pub struct SpreadReport {
     pub deviation: Option<f64>,
 }
 
-/// The swings behind the shots of a table.
+/// The population of swings behind the shots of a table.
 #[derive(Clone, Debug, Serialize)]
 pub struct PopulationReport {
     /// Number of shots.
     pub shots: usize,
-    /// The part of the assumed deviation by which unidentified changes are spread.
+    /// The factor on the assumed deviation for the spread of unidentified changes.
     pub kept: f64,
-    /// The launches, measured and computed from the distribution.
+    /// The launch outcomes, measured and computed from the distribution.
     pub launches: Vec<LaunchMoments>,
     /// The distribution of each parameter.
     pub spread: Vec<RecoveredReport>,
@@ -151,9 +152,9 @@ pub struct PopulationReport {
 pub struct LaunchMoments {
     /// The outcome.
     pub of: &'static str,
-    /// Mean and deviation of the measured launches.
+    /// Mean and standard deviation of the measured launches.
     pub measured: MeanAndDeviation,
-    /// Mean and deviation of launches from the distribution.
+    /// Mean and standard deviation of launches from the distribution.
     pub recovered: MeanAndDeviation,
 }
 
@@ -175,7 +176,7 @@ pub struct RecoveredReport {
     pub mean: f64,
     /// The standard deviation.
     pub deviation: f64,
-    /// The part of the variance before that a shot removes.
+    /// The fraction of the prior variance that a shot removes.
     #[serde(rename = "told")]
     pub identified: f64,
     /// The standard uncertainty of the mean.
@@ -185,7 +186,7 @@ pub struct RecoveredReport {
 }
 
 impl<'a> DeliveryReport<'a> {
-    /// The report of these deliveries and of the swings behind them.
+    /// The report of these deliveries and of their population.
     pub fn new(
         deliveries: &'a [Delivery],
         recovered: Option<&'a Population>,
@@ -231,7 +232,7 @@ impl Report for DeliveryReport<'_> {
         }
     }
 
-    /// The delivery of a single shot, or those of a table with their mean and spread.
+    /// The delivery of a single shot, or the deliveries of a table with their means and deviations.
     fn document(&self, system: System) -> Document {
         match self.deliveries {
             [Delivery { found: Ok(one), .. }, ..] if !self.options.is_table => of_one(one, system),
@@ -349,8 +350,8 @@ impl From<[f64; 2]> for MeanAndDeviation {
     }
 }
 
-/// Warnings about parameters at an end of their search range: there the range determines the value,
-/// and not the launch.
+/// Warnings about parameters at a bound of their search range: the bound determines their value,
+/// not the launch.
 pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
     let found: Vec<_> = all
         .iter()
@@ -397,10 +398,10 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
     .collect()
 }
 
-/// A setup file with the most probable delivery of a shot, or the mean of several.
+/// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.
 ///
 /// # Errors
-/// As [`setup_toml`].
+/// Those of [`setup_toml`].
 pub fn delivery_toml(
     setup: &Setup<f64>,
     all: &[Delivery],

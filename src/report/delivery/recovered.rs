@@ -1,4 +1,4 @@
-//! The swings behind measured shots as files of swings: a table of them, or their distribution.
+//! The swings behind measured shots as files of swings: a table, or a distribution.
 
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
@@ -6,11 +6,11 @@ use crate::report::shown;
 use crate::study::delivery::{Delivery, Population, PredictedOutcome, Recovered};
 use crate::units::{Message, System, counted, significant};
 
-/// A shot that removes less than this part of a parameter's variance does not identify it.
+/// Minimum fraction of the prior variance that a shot removes from an identified parameter.
 const HALF: f64 = 0.5;
 
-/// The most probable swing behind each shot whose delivery was found, as CSV in SI: a column for
-/// each parameter, a row for each shot.
+/// The most probable swing behind each shot with a delivery, as CSV in SI: a column for each
+/// parameter, a row for each shot.
 ///
 /// # Errors
 /// [`Error::Output`].
@@ -44,8 +44,8 @@ pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The distribution of the swings behind shots as a file of swings in TOML. Remarks say how much of
-/// each parameter the shots identify.
+/// The distribution of the swings behind shots as a file of swings in TOML. Remarks state the
+/// identified fraction of each parameter's variance.
 pub fn recovered_toml(population: &Population, from: &str, system: System) -> String {
     let shots = population.shots;
     let mut text = format!(
@@ -96,8 +96,8 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// Warnings about a distribution: a spread smaller than the assumed one, and launches that it does
-/// not reproduce.
+/// Warnings about a distribution whose spread is smaller than the assumed one, or that does not
+/// reproduce the measured launches.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
     if population.prior_factor < 1.0 {

@@ -78,7 +78,7 @@ pub(super) fn amount(parameter: &Parameter, value: f64, system: System) -> Strin
         .read_off_difference(value, system.unit(parameter.unit))
 }
 
-/// A change that the launch does not determine, with the part of its variance that it removes.
+/// A change that the launch does not determine, with the removed fraction of its variance.
 fn unidentified(untold: &Unidentified, system: System) -> String {
     let one = |(parameter, change): &(&'static Parameter, f64)| {
         let sign = if *change < 0.0 { "-" } else { "+" };
@@ -96,7 +96,7 @@ fn unidentified(untold: &Unidentified, system: System) -> String {
     )
 }
 
-/// The deliveries of the shots of a table, their mean and spread, and the swings behind them.
+/// The deliveries of the shots of a table, their mean and spread, and their population.
 pub(super) fn of_table(
     all: &[Delivery],
     population: Option<&Population>,
@@ -166,7 +166,7 @@ fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
     Table::new(head, rows).right(1..columns)
 }
 
-/// Each row whose delivery was not found, with the reason.
+/// Each row without a delivery, with the reason.
 fn failures(all: &[Delivery], system: System) -> Vec<Line> {
     let why = |delivery: &Delivery| match &delivery.found {
         Ok(delivered) => verdict(delivered).1,
@@ -179,7 +179,7 @@ fn failures(all: &[Delivery], system: System) -> Vec<Line> {
     all.iter().filter_map(line).collect()
 }
 
-/// The swings behind the shots, without the errors of the launch monitor.
+/// The population of swings behind the shots, without the measurement errors of the launch monitor.
 fn swings(population: &Population, system: System) -> Table {
     let rows = population.spreads.iter().map(|spread| {
         let Recovered {
@@ -211,7 +211,7 @@ fn swings(population: &Population, system: System) -> Table {
     Table::new(head, rows).right(1..=5)
 }
 
-/// The part of a parameter's variance before that a shot removes: the median of all shots.
+/// The fraction of a parameter's prior variance that a shot removes: the median of all shots.
 fn median_identified(all: &[Delivery], parameter: &Parameter) -> String {
     let known = all
         .iter()
@@ -226,7 +226,7 @@ fn median_identified(all: &[Delivery], parameter: &Parameter) -> String {
         .map_or(shown::NONE.into(), |told| format!("{:.0} %", 100.0 * told))
 }
 
-/// The status of the search for a delivery, and a sentence if it found none.
+/// The status of the search for a delivery, with a sentence if it failed.
 pub(super) fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
     if delivered.status != Status::Converged {
         return (delivered.status.name(), Some(delivered.message.clone()));

@@ -4,13 +4,13 @@ use crate::report::frame::{Frame, Pair, both, picture_files, pictures, scrolled}
 use crate::units::System;
 use maud::{Markup, html};
 
-/// A document as one page of HTML, complete in itself, and the pictures and data of its figures as
-/// files beside it: their names and texts, `index.html` first. `documents` are the same one in each
-/// of [`System::ALL`]; the reader chooses between them, and the page opens with `system`, in which
-/// the data are named.
+/// A document as a self-contained HTML page, with the pictures and data of its figures as separate
+/// files. Returns their names and contents, `index.html` first. `documents` is the document in each
+/// system of [`System::ALL`]; the reader can switch between them. The page opens with `system`,
+/// which also determines the names of the data.
 ///
 /// # Errors
-/// As [`figure_svg`](crate::report::plot::figure_svg) and
+/// Those of [`figure_svg`](crate::report::plot::figure_svg) and
 /// [`figure_csv`](crate::report::plot::figure_csv).
 pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<(String, String)>> {
     let [metric, us] = documents;
@@ -25,7 +25,7 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<(
         about: String::new(),
     };
     let blocks: Vec<_> = metric.blocks.iter().zip(&us.blocks).collect();
-    // figures that follow each other stand side by side
+    // put consecutive figures side by side
     let of_a_kind = |a: &(&Block, &Block), b: &(&Block, &Block)| a.0.is_figure() && b.0.is_figure();
     let all = blocks
         .chunk_by(of_a_kind)
@@ -48,16 +48,16 @@ fn words(metric: &str, us: &str) -> Markup {
     both(|system| if system == System::Us { us } else { metric }.to_owned())
 }
 
-/// The parts of a page, one after the other: a table is called after what stands before it.
+/// Converts the blocks of a page in order. The text before a table is the label of the table.
 struct Parts<'a> {
-    /// The figures that are not on the page yet.
+    /// The figures that are not converted yet.
     pairs: &'a [Pair],
     labels: Vec<String>,
     about: String,
 }
 
 impl Parts<'_> {
-    /// A block in both systems, or some figures.
+    /// A block in both systems of units, or some figures.
     fn part(&mut self, blocks: &[(&Block, &Block)]) -> Result<Markup> {
         Ok(match blocks {
             [(Block::Heading(metric), Block::Heading(us)), ..] => {
@@ -65,7 +65,7 @@ impl Parts<'_> {
                 html! { h2 { (words(metric, us)) } }
             }
             [(Block::Paragraph(metric), Block::Paragraph(us)), ..] => {
-                // a line above a table is its name
+                // a short line above a table is its label
                 if us.ends_with([':', '.']) && us.chars().count() < 80 {
                     self.about = us.trim_end_matches([':', '.']).into();
                 }
@@ -94,7 +94,7 @@ impl Parts<'_> {
         })
     }
 
-    /// The name of a table, that no other one has.
+    /// A unique label of a table.
     fn label(&mut self) -> String {
         let count = self
             .labels

@@ -3,8 +3,8 @@ use crate::report::frame::svg_name;
 use crate::units::System;
 
 impl Document {
-    /// The document as Markdown (CommonMark with the tables of GitHub); the figures are files
-    /// beside it, `NAME-us.svg` or `NAME-metric.svg`.
+    /// The document as Markdown (CommonMark with GitHub's tables). The figures are separate files
+    /// `NAME-us.svg` or `NAME-metric.svg`.
     pub fn markdown(&self, system: System) -> String {
         let blocks = self.blocks.iter().map(|block| match block {
             Block::Heading(text) => format!("## {}\n", escaped(text)),
@@ -61,7 +61,7 @@ fn table(found: &Table) -> String {
     caption + &line(&found.head) + &rule + &rows.collect::<String>() + &notes
 }
 
-/// A text whose signs mean nothing to Markdown.
+/// A text with Markdown's special characters escaped.
 fn escaped(text: &str) -> String {
     let special = ['\\', '|', '*', '_', '`', '<', '>', '#', '[', ']', '&'];
     text.chars()

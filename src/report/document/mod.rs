@@ -1,4 +1,4 @@
-//! The document of a report, written once: plain text for a terminal, Markdown, or a page of HTML.
+//! The document of a report, and its conversion to plain text, Markdown and HTML.
 
 mod html;
 mod markdown;
@@ -36,7 +36,7 @@ pub struct Line {
 /// The indent of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Level {
-    /// At the margin.
+    /// No indent.
     Flush,
     /// An item of a list.
     Item,
@@ -45,7 +45,7 @@ enum Level {
 }
 
 impl Line {
-    /// A line at the margin.
+    /// A line without indent.
     pub fn flush(text: impl Into<String>) -> Self {
         Self::new(Level::Flush, text)
     }
@@ -71,18 +71,18 @@ impl Line {
 pub(super) struct Table {
     head: Vec<String>,
     rows: Vec<Vec<String>>,
-    /// Columns aligned right.
+    /// Right-aligned columns.
     is_right: Vec<bool>,
-    /// A line directly above the table; none where it is empty.
+    /// A line directly above the table; omitted if it is empty.
     caption: String,
-    /// Details below each row; none where it is empty.
+    /// Details below each row; an empty text is omitted.
     row_notes: Vec<String>,
     /// Lines directly below the table.
     remarks: Vec<Line>,
 }
 
 impl Table {
-    /// A table whose columns of numbers are aligned right, and their heads.
+    /// A table with these heads. Columns of numbers are right-aligned.
     pub fn new<H: Into<String>>(
         head: impl IntoIterator<Item = H>,
         rows: impl IntoIterator<Item = Vec<String>>,
@@ -105,7 +105,7 @@ impl Table {
         }
     }
 
-    /// Aligns these columns right, and no others.
+    /// Right-aligns exactly these columns.
     #[must_use]
     pub fn right(mut self, columns: impl IntoIterator<Item = usize>) -> Self {
         self.is_right.fill(false);
@@ -140,7 +140,7 @@ impl Table {
         self.remarks.push(line);
     }
 
-    /// All lines of the table that are no cells, without the caption.
+    /// The notes and remarks of the table, without the caption.
     fn notes(&self) -> impl Iterator<Item = &str> {
         let remarks = self.remarks.iter().map(|line| line.text.as_str());
         self.row_notes.iter().map(String::as_str).chain(remarks)
@@ -172,7 +172,7 @@ impl Document {
         self.blocks.push(Block::Paragraph(text.into()));
     }
 
-    /// Adds lines directly below each other; nothing where there are none.
+    /// Adds consecutive lines; nothing if there are none.
     pub fn list(&mut self, lines: impl IntoIterator<Item = Line>) {
         let lines: Vec<Line> = lines.into_iter().collect();
         if !lines.is_empty() {
@@ -180,7 +180,7 @@ impl Document {
         }
     }
 
-    /// Adds a table whose columns of numbers are aligned right.
+    /// Adds a table. Columns of numbers are right-aligned.
     pub(super) fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
         self.add(Table::new(head.iter().copied(), rows));
     }
@@ -190,7 +190,7 @@ impl Document {
         self.blocks.push(Block::Table(table));
     }
 
-    /// Adds a figure; a terminal leaves it out.
+    /// Adds a figure. Plain text omits it.
     pub(super) fn figure(&mut self, figure: Figure) {
         self.blocks.push(Block::Figure(Box::new(figure)));
     }

@@ -23,7 +23,7 @@ impl Document {
             .join("\n")
     }
 
-    /// Tells whether the section of this heading has figures only: plain text shows none of it.
+    /// True if the section of this heading has only figures, which plain text omits.
     fn is_of_figures(&self, heading: usize) -> bool {
         let mut section = self.blocks[heading + 1..]
             .iter()

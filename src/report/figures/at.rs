@@ -1,6 +1,6 @@
 use std::fmt;
 
-/// Which drive of a question a picture is about.
+/// The drive that a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum At {
     /// The drive as set up.
@@ -9,7 +9,7 @@ pub enum At {
     Optimum,
 }
 
-/// The words of titles: "as set up", "at the optimum".
+/// The text in titles: "as set up", "at the optimum".
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

@@ -4,18 +4,19 @@ use crate::report::shown;
 use crate::study::{Chart, ChartPoint, Optimum, Vary};
 use crate::units::System;
 
-/// The optimum along a parameter, as small plots with one horizontal axis.
+/// The optimum along a parameter, as small plots with a common horizontal axis.
 #[derive(Clone, Debug)]
 pub struct ChartFigures {
-    /// A plot of the optimum's value, and one of each parameter varied that moves.
+    /// A plot of the optimal value, and one of each varied parameter that changes.
     pub drawn: Vec<Figure>,
-    /// The parameters that a bound holds in every optimum, each with a sentence in place of a plot.
+    /// The parameters that are at the same bound in every optimum, each with a sentence instead of
+    /// a plot.
     pub held: Vec<(Vary, String)>,
 }
 
-/// The optimum along a parameter: its value, and each parameter varied with the bounds of its
-/// range, marked where `own`, the optimum of the drive as set up, lies. Words are in the units of
-/// `system`.
+/// The optimum along a parameter: plots of its value, and of each varied parameter with the bounds
+/// of its range. `own` is the optimum of the drive as set up; the plots mark it. Texts are in the
+/// units of `system`.
 pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> ChartFigures {
     let mut found = ChartFigures {
         drawn: vec![],
@@ -132,9 +133,9 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     found
 }
 
-/// The bound that a varied parameter lies on in every optimum, if it does.
+/// The bound at which a varied parameter is in every optimum, if there is one.
 fn held(chart: &Chart, i: usize, vary: &Vary) -> Option<&'static str> {
-    // a bound is met to rounding
+    // tolerance for rounding errors
     let lies = |end: f64| {
         let rounding = 1e-12 * (vary.high - vary.low);
         chart
@@ -148,7 +149,7 @@ fn held(chart: &Chart, i: usize, vary: &Vary) -> Option<&'static str> {
         .map(|(name, _)| name)
 }
 
-/// Marks where a bound or constraint begins or ends to hold, and says what in the note.
+/// Marks the points where a bound or constraint becomes active or inactive; the note explains them.
 fn marked(
     mut figure: Figure,
     chart: &Chart,

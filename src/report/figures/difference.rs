@@ -3,12 +3,12 @@ use crate::report::shown::{self, words};
 use crate::study::{Difference, Share, Shares};
 use crate::units::{System, counted};
 
-/// Most bars of each split: the largest; the others are counted in the note.
+/// Maximum number of bars of each split. The note counts the smaller ones.
 const MOST: usize = 12;
 
-/// The difference of an outcome between two drives as bars, a share each, the largest on top: of
-/// the parameters that differ, and below them of the launch conditions and what else the flight
-/// depends on. The note is in the units of `system`.
+/// The difference of an outcome between two drives as bars, one for each share, the largest on top.
+/// The upper bars are the parameters that differ; the lower bars are the launch conditions and the
+/// other inputs of the flight. The note is in the units of `system`.
 pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let of = difference.of;
     let measure = Measure::outcome(of);

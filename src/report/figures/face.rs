@@ -7,13 +7,13 @@ use crate::report::shown;
 use crate::study::Face;
 use crate::units::{Quantity, System, significant};
 
-/// Rings of carry lost against the longest strike, in the unit of length shown.
+/// Contour levels of the carry lost relative to the longest strike, in the displayed unit.
 const RINGS: [f64; 3] = [1.0, 5.0, 10.0];
 
-/// The longest arrow, m on the face.
+/// Length of the longest arrow, m on the face.
 const LONGEST_ARROW: f64 = 0.013;
 
-/// The coordinates of a place on the face as seen from the front: the toe of a right-handed club is
+/// The coordinates of a point on the face, seen from the front: the toe of a right-handed club is
 /// on the left.
 pub(super) fn seen(face: &Face, [toe, high]: [f64; 2]) -> [f64; 2] {
     match face.golfer {
@@ -44,7 +44,7 @@ pub(super) fn above(face: &Face) -> Axis {
     ))
 }
 
-/// From where strikes are measured.
+/// The name of the origin for strikes.
 fn origin(face: &Face) -> &'static str {
     if face.is_from_centre {
         "the centre of the face"
@@ -53,7 +53,7 @@ fn origin(face: &Face) -> &'static str {
     }
 }
 
-/// The origin of tilts and slopes.
+/// The name of the origin for tilts and slopes.
 pub(super) fn reference(face: &Face) -> &'static str {
     if face.sweet_spot.is_some() {
         "the sweet spot"
@@ -62,7 +62,7 @@ pub(super) fn reference(face: &Face) -> &'static str {
     }
 }
 
-/// The sweet spot, and the strike where that is another one.
+/// Marks of the sweet spot, and of the strike if it is elsewhere.
 pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
     let mark = |name: &str, hue, at| Layer::Mark {
         name: name.into(),
@@ -74,8 +74,8 @@ pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
         .chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
 }
 
-/// Arrows of the spin axis' tilt relative to a strike on the sweet spot, scaled by the largest
-/// tilt. Seen from the front, right of the target line is on the left.
+/// Arrows for the spin axis tilt relative to a strike on the sweet spot, scaled by the largest
+/// tilt. In the view from the front, right of the target line is on the left.
 pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
     let arrow = |(at, tilt): &([f64; 2], f64)| {
         let [x, y] = seen(face, *at);
@@ -88,13 +88,12 @@ pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
     }
 }
 
-/// The face of a club from the front, at true scale: where the ball is struck, the sweet spot, the
-/// strike of the longest carry, rings of carry lost against it, and the side to which the axis of
-/// the spin tilts.
+/// The face of a club from the front, at true scale: the strike, the sweet spot, the strike of the
+/// longest carry, contours of the carry lost relative to it, and the tilt of the spin axis.
 pub fn face_figure(face: &Face, system: System) -> Figure {
     let seen = |at: [f64; 2]| seen(face, at);
     let [wide, tall] = face.half;
-    // room for the names above and below the face
+    // margin for the labels above and below the face
     let ranges = [
         with_margin([-wide, wide], 0.04, 0.04),
         with_margin([-tall, tall], 0.3, 0.3),
@@ -125,7 +124,7 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     let size = Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
     for ring in RINGS {
         let points = carries.line_at(most - ring * size);
-        // what lies beside the face is no ring on it
+        // a contour point outside of the face is not drawn
         let points: Vec<_> = points
             .into_iter()
             .map(|at| {

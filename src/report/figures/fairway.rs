@@ -8,15 +8,15 @@ use crate::study::Landing;
 use crate::study::uncertainty::LandingEllipse;
 use crate::units::{Quantity, System, significant, with_unit};
 
-/// The shape of the picture, height over width.
+/// Limits of the picture's aspect ratio, height over width.
 const SHAPE: [f64; 2] = [0.8, 1.25];
 
-/// Points around an ellipse.
+/// Number of points of an ellipse.
 const AROUND: u32 = 120;
 
-/// The landings of drives from above at true scale, target at the top: each with the ellipses that
-/// contain half and 95 % of the landings if the golfer's inputs vary, and the place where the ball
-/// comes to rest.
+/// The landings of drives from above at true scale, with the target at the top. Each landing has
+/// the ellipses of 50 % and 95 % of the landings for the variation of the golfer's inputs, and the
+/// point where the ball comes to rest.
 pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     let layers: Vec<Layer> = landings
         .iter()
@@ -61,7 +61,7 @@ fn empty(layers: &[Layer]) -> Figure {
         })
     };
     let widest = points().map(|[x, _]| x.abs()).fold(0.0, f64::max);
-    // a single point has room around it too
+    // a single point gets a margin too
     let around = |[low, high]: [f64; 2]| {
         if high - low > 1.0 {
             [low, high]
@@ -81,8 +81,8 @@ fn empty(layers: &[Layer]) -> Figure {
     to_scale(figure, [x, y], SHAPE, [Grows::Evenly; 2])
 }
 
-/// The ellipses, the run and the marks of a drive. The legend names a drive once, at its largest
-/// ellipse, or at its landing.
+/// The ellipses, the roll-out and the marks of a drive. The legend names each drive once, at its
+/// largest ellipse, or else at its landing.
 fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
     let (hue, is_dashed) = style(&landing.name, i);
     let carry = shown::outcome(Outcome::Carry, landing.at[1], system);
@@ -109,7 +109,7 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
         });
     }
     if let Some(rest) = landing.rest {
-        // the legend names the first run
+        // only the first roll-out has a name in the legend
         layers.push(Layer::Line {
             name: if i == 0 {
                 "run".into()
@@ -144,7 +144,7 @@ fn outline(ellipse: &LandingEllipse) -> Vec<[f64; 2]> {
     (0..=AROUND).map(point).collect()
 }
 
-/// The landing of a drive in words.
+/// A description of a drive's landing.
 fn note_of(landing: &Landing, system: System) -> String {
     let [lateral, carry] = landing.at;
     let total = landing.rest.map_or(String::new(), |rest| {
@@ -192,7 +192,7 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
     ))
 }
 
-/// Why a drive has no ellipses, though much of it varies.
+/// The reason why a drive has no ellipses although its inputs vary.
 fn too_wide(landing: &Landing) -> String {
     format!(
         "{}: no ellipses are drawn: the standard deviation of the speed is more than a third of \

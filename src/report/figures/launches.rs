@@ -6,8 +6,8 @@ use crate::report::shown;
 use crate::study::Launches;
 use crate::units::System;
 
-/// The carry over launch angle and backspin at a ball speed, as fitters read it, with the launches
-/// of the drives and the best launch for each spin.
+/// A map of carry over launch angle and backspin at a constant ball speed, as in club fitting, with
+/// the launches of the drives and the best launch for each spin.
 pub fn launches_figure(map: &Launches, system: System) -> Figure {
     let of = |parameter: &Parameter, label: &str| Measure {
         label: label.into(),

@@ -14,7 +14,7 @@ pub enum Over {
     Reynolds(f64),
 }
 
-/// The coefficient that is drawn.
+/// The coefficient to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coefficient {
     /// C_D.
@@ -23,18 +23,17 @@ pub enum Coefficient {
     Lift,
 }
 
-/// Ranges of spin ratio and Reynolds number, about twice those of a drive from launch to landing.
+/// Ranges of spin ratio and Reynolds number, about twice those of a drive.
 const SPIN_RATIOS: [f64; 2] = [0.0, 0.4];
 const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 
-/// Steps of a curve.
+/// Number of segments of a curve.
 const STEPS: usize = 240;
 
-/// Measured points are drawn if their Reynolds number or spin ratio is within this part of the
-/// constant one.
+/// Maximum relative distance of a measured point from the constant Reynolds number or spin ratio.
 const NEAR: f64 = 0.1;
 
-/// A measured point. A quantity that the source averages over is missing.
+/// A measured point. A quantity over which the source averages is missing.
 struct Measured {
     spin_ratio: Option<f64>,
     reynolds: Option<f64>,
@@ -42,9 +41,9 @@ struct Measured {
     values: [Option<f64>; 2],
 }
 
-/// Laws of drag and lift as curves: solid within the range that each was fitted to, dashed beyond it
-/// and where the range is not known, with measured points. Speeds and spins are those of the ball
-/// and the air of a setup.
+/// Laws of drag and lift as curves with measured points. Curves are solid in the fitted range, and
+/// dashed outside of it or if it is unknown. Speeds and spins are for the ball and the air of a
+/// setup.
 pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coefficient) -> Figure {
     let plot = LawPlot::new(setup, over, of);
     let mut figure = plot.empty();
@@ -52,7 +51,7 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
     let mut has_points = false;
     for (i, law) in laws.iter().enumerate() {
         let curve = Curve::new(&plot, law);
-        // the place differs from curve to curve, so that the words do not overlap
+        // each curve has its label at another position, so that the labels do not overlap
         let at = curve.at(2 * i + 1, 2 * laws.len());
         marks.extend(at.map(|at| Layer::Mark {
             name: law.name().into(),
@@ -67,7 +66,7 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
             figure.layers.push(Layer::dots(name, i, points));
         }
     }
-    // curves that share a colour are named on the curve too
+    // more curves than colours: label the curves too
     if laws.len() > Hue::SERIES {
         figure.layers.extend(marks);
     }
@@ -95,7 +94,7 @@ impl Over {
         }
     }
 
-    /// The constant variable with its value.
+    /// The constant variable with its value, as text.
     fn constant(self) -> String {
         match self {
             Self::SpinRatio(reynolds) => {
@@ -112,7 +111,7 @@ struct LawPlot {
     of: Coefficient,
     /// Radius of the ball, m.
     radius: f64,
-    /// Reynolds number per speed, s/m.
+    /// Reynolds number divided by speed, s/m.
     per_speed: f64,
     /// Range of the horizontal axis.
     range: [f64; 2],
@@ -155,7 +154,7 @@ impl LawPlot {
         )
     }
 
-    /// The stream at a place of the horizontal axis.
+    /// The stream at a value of the horizontal axis.
     fn stream(&self, at: f64) -> Stream<f64> {
         let (spin_ratio, reynolds) = match self.over {
             Over::SpinRatio(reynolds) => (at, reynolds),
@@ -166,7 +165,7 @@ impl LawPlot {
         Stream::new(spin, speed, self.radius, self.per_speed)
     }
 
-    /// Measured points near the constant variable that the law was made from.
+    /// Measured points behind the law whose other variable is near the constant.
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
@@ -187,9 +186,9 @@ impl LawPlot {
 
 /// A coefficient of a law.
 struct Curve {
-    /// Within the range that the law was fitted to.
+    /// Points within the fitted range of the law.
     within: Vec<[f64; 2]>,
-    /// Beyond it, or where it is not known.
+    /// Points outside of the fitted range, or all points if it is unknown.
     beyond: Vec<[f64; 2]>,
 }
 
@@ -219,7 +218,8 @@ impl Curve {
         }
     }
 
-    /// The point after `part` of `parts` of the curve: within the fitted range if there is one.
+    /// The point at the fraction `part`/`parts` of the curve, within the fitted range if there is
+    /// one.
     fn at(&self, part: usize, parts: usize) -> Option<[f64; 2]> {
         let points = if self.within.is_empty() {
             &self.beyond
@@ -230,7 +230,7 @@ impl Curve {
         drawn.get(drawn.len() * part / parts).map(|at| **at)
     }
 
-    /// The solid and the dashed line, as far as there are any.
+    /// The solid and the dashed line, as far as they have points.
     fn layers(self, plot: &LawPlot, law: &Law<f64>, i: usize) -> Vec<Layer> {
         let fitted = law.fitted();
         let [first, last] = plot.range.map(|at| plot.stream(at));
@@ -240,7 +240,7 @@ impl Curve {
             [first.reynolds(), last.reynolds()],
             [first.speed, last.speed],
         ];
-        // a law without a solid line has its own name
+        // a law without a solid line has its plain name in the legend
         let suffix = if self.within.is_empty() {
             String::new()
         } else {
@@ -259,12 +259,12 @@ impl Curve {
     }
 }
 
-/// The parts of a curve within the law's range or beyond it, with a break between two parts. The
-/// two kinds meet at the ends of the range.
+/// The segments of a curve within the law's range, or outside of it, separated by NaN. Segments of
+/// the two kinds meet at the ends of the range.
 fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> = vec![];
     for (k, (at, is_in)) in curve.iter().enumerate() {
-        // a part beyond goes on to the first point within
+        // a segment outside extends to the first point within
         let is_next_to = |k: Option<usize>| {
             k.and_then(|k| curve.get(k))
                 .is_some_and(|(_, is_in)| !is_in)
@@ -283,7 +283,7 @@ fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     points
 }
 
-/// The published points that a law was made from.
+/// The published points behind a law.
 fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec<Measured> {
     let of_speed = |speed: f64, spin: f64, values: [f64; 2]| Measured {
         spin_ratio: Some(spin * radius / speed),
@@ -302,8 +302,8 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        // lift over the spin ratio, as a mean of balls, and drag over the Reynolds number, of one
-        // of them, whatever the other
+        // lift over the spin ratio is a mean of several balls; drag over the Reynolds number is of
+        // one ball, for any spin ratio
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
             .map(|[reynolds, spin_ratio, drag, lift]| Measured {
                 spin_ratio,
@@ -327,7 +327,7 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 } else {
                     has(AxisVariable::Speed).then_some(per_speed * speed)
                 };
-                // a spin alone is a spin ratio at a known speed only
+                // a spin determines a spin ratio only if the speed is known
                 let at_speed = reynolds.map(|reynolds| reynolds / per_speed);
                 let by_spin = at_speed
                     .filter(|_| has(AxisVariable::Spin))
@@ -356,7 +356,7 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
     }
 }
 
-/// The rows of a table of numbers below its head, cells beyond the fourth left out.
+/// The rows of a table of numbers without its head. Cells after the fourth are ignored.
 fn rows(table: &str) -> impl Iterator<Item = [f64; 4]> + '_ {
     cells(table).filter_map(|[a, b, c, d]| Some([a?, b?, c?, d?]))
 }

@@ -5,7 +5,7 @@ use crate::report::shown;
 use crate::study::{Constraint, Map, Optimum, Region, Slope, Vary};
 use crate::units::System;
 
-/// The longest arrow, as a part of the map's width.
+/// Length of the longest arrow, relative to the map's width.
 const LONGEST_ARROW: f64 = 0.1;
 
 /// Additions to a map of an outcome.
@@ -17,12 +17,13 @@ pub struct OnMap<'a> {
     pub limits: &'a [(Constraint, Map)],
     /// The optimum, if one was found.
     pub best: Option<&'a Optimum>,
-    /// The region that is nearly as good and meets every bound and constraint.
+    /// The region that loses little and satisfies every bound and constraint.
     pub region: Option<&'a Region>,
 }
 
-/// A map with its gradients, the constraints as lines with what they forbid hatched, the drive as
-/// set up and the optimum with what is nearly as good. Words are in the units of `system`.
+/// A map with its gradients, the constraints as lines with their forbidden side hatched, the drive
+/// as set up, and the optimum with the region that loses little. Texts are in the units of
+/// `system`.
 pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     let Map {
         of,
@@ -116,8 +117,8 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// The constant parameters of a map: the speed, and varied parameters that are no axes, at the
-/// optimum.
+/// The constant parameters of a map: the speed, and the varied parameters that are not axes, with
+/// their optimal values.
 fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: System) -> String {
     let is_axis = |name: &str| axes.iter().any(|vary| vary.parameter.name == name);
     let speed = if setup.launch.is_given() {
@@ -163,7 +164,7 @@ fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: Sy
     )
 }
 
-/// The line of a constraint, and what lies beyond it.
+/// The line of a constraint, and its hatched forbidden side.
 fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System) -> Vec<Layer> {
     let words = shown::constraint(constraint, system);
     let mut layers = vec![];
@@ -181,7 +182,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
             layers.push(hatched(field.above(constraint.high)));
         }
         layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
-        // the line has the name
+        // the legend names the line, not the region
     }
     let mut ends: Vec<f64> = [constraint.low, constraint.high]
         .into_iter()
@@ -196,7 +197,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
     layers
 }
 
-/// The region of drives that lose little; of an equation, the part of its line.
+/// The region of drives that lose little. With an equation, it is a part of the equation's line.
 fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
     let of = |values: &[Option<f64>]| {
         field_of(
@@ -208,7 +209,7 @@ fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
         )
     };
     let Some(equation) = &region.equation else {
-        // where nothing flies, nothing is near the optimum
+        // drives that do not fly are outside of the region
         let beyond = region
             .misses
             .iter()
@@ -240,7 +241,7 @@ fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
     }]
 }
 
-/// A map as a field to draw.
+/// A map as a field of a plot.
 fn field(map: &Map) -> Field {
     field_of(
         Measure::outcome(map.of),
@@ -251,9 +252,9 @@ fn field(map: &Map) -> Field {
     )
 }
 
-/// Gradients in units of the ranges, as the map shows them: steepest ascent on the page. Lengths go
-/// as the root of the slope: in proportion to it, those near the top would be too short to show
-/// their direction.
+/// Gradients in units of the ranges: the arrows show the steepest ascent on the page. Their length
+/// grows with the square root of the slope: proportional arrows would be too short near the maximum
+/// to show their direction.
 fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
     let width = [across, up].map(|vary| vary.high - vary.low);
     let scaled = |gradient: [f64; 2]| [gradient[0] * width[0], gradient[1] * width[1]];
@@ -279,7 +280,7 @@ fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
     }
 }
 
-/// A word that begins a line.
+/// A text with a capital first letter.
 pub(in crate::report) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| {

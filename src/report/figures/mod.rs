@@ -1,4 +1,4 @@
-//! What studies find, as plots.
+//! Plots of the results of studies.
 
 mod at;
 mod chart;

@@ -6,11 +6,11 @@ use crate::study::Goal;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
-/// Length of the tangent at the knee, as a part of the front's width.
+/// Length of the tangent at the knee, relative to the width of the front.
 const REACH: f64 = 0.2;
 
-/// The best compromises between two goals: the first goal over the second, with the ends, the knee
-/// and the slope there, and the design as set up. Words are in the units of `system`.
+/// The Pareto front of two goals: the first goal over the second, with the ends, the knee, the
+/// slope at the knee, and the design before the search. Texts are in the units of `system`.
 pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     let [first, second] = found.search.goals.each_ref().map(|(goal, _)| goal);
     let measure =
@@ -46,7 +46,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
             points: line,
         });
     }
-    // the line breaks where no designs lead from one point to the next
+    // the line is interrupted where no designs connect two points
     let gap = |point: &ParetoPoint| point.is_apart.then_some([f64::NAN; 2]);
     let line = found
         .points

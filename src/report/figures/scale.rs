@@ -1,8 +1,8 @@
-//! Pictures in which a length is as long upwards as across.
+//! Pictures at true scale: one metre has the same length on both axes.
 
 use crate::report::plot::{Axis, Figure};
 
-/// How a range grows to the shape of a picture.
+/// The direction in which a range grows to fit the aspect ratio of a picture.
 #[derive(Clone, Copy)]
 pub(super) enum Grows {
     /// To both sides.
@@ -11,21 +11,21 @@ pub(super) enum Grows {
     Up,
 }
 
-/// The extent of some points along an axis.
+/// The range of some coordinates along an axis.
 pub(super) fn extent(points: impl Iterator<Item = f64>) -> [f64; 2] {
     points.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
         [low.min(at), high.max(at)]
     })
 }
 
-/// A range that is larger by parts of its own size.
+/// A range with margins, as fractions of its size.
 pub(super) fn with_margin([low, high]: [f64; 2], below: f64, above: f64) -> [f64; 2] {
     let size = high - low;
     [low - below * size, high + above * size]
 }
 
-/// A figure whose axes end at these ranges, of which one grows until the picture is no flatter and
-/// no taller than stated, height over width.
+/// A figure at true scale with these ranges. One of them grows until the aspect ratio, height over
+/// width, is within these limits.
 pub(super) fn to_scale(
     figure: Figure,
     [mut x, mut y]: [[f64; 2]; 2],

@@ -7,12 +7,12 @@ use crate::report::shown;
 use crate::study::Face;
 use crate::units::{Quantity, System};
 
-/// Every so many of the nodes of a face are drawn: values change little from one to the next.
+/// Only every n-th node of a face is drawn, because values change little between adjacent nodes.
 const THINNED: usize = 5;
 
-/// Outcomes of strikes all over the face: carry, lateral, ball speed and spin axis, from the front
-/// at true scale. The views of all designs have the same levels and colours; each has its name.
-/// `None` without a design.
+/// Outcomes over the strike on the face: carry, lateral, ball speed and spin axis, seen from the
+/// front at true scale. Each design has its own views, with common levels and colours. `None`
+/// without a design.
 pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figure> {
     let largest = designs
         .iter()
@@ -80,7 +80,7 @@ fn view(face: &Face, of: Outcome, field: Field) -> Figure {
     figure
 }
 
-/// The values over the face, seen from the front.
+/// The values of an outcome over the face, seen from the front.
 fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
     let whole = field(&face.plane, of, Measure::outcome(outcome));
     let is_turned = seen(face, [1.0, 0.0])[0] < 0.0;

@@ -1,11 +1,11 @@
-//! What the pictures of drives share: a drive has the same colour and dashes in all of them, and
-//! grids become fields.
+//! Common style of the plots of drives (a drive has the same colour and dashes in all of them), and
+//! conversion of grids to fields.
 
 use crate::report::plot::{Field, Hue, Measure};
 use crate::study::{Plane, Vary};
 
-/// The colour of a drive, and whether its lines are dashed: by what it is, and where its name does
-/// not say, by its place.
+/// The colour of a drive, and true if its lines are dashed. Names other than "as set up" and
+/// "optimum" have a style by their index.
 pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     match name {
         "as set up" => (Hue::SET_UP, false),
@@ -14,13 +14,13 @@ pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     }
 }
 
-/// An outcome of a grid as a field to draw.
+/// An outcome over a grid as a field of a plot.
 pub(super) fn field(plane: &Plane, of: usize, measure: Measure) -> Field {
     let values = plane.values.get(of).map_or(&[][..], Vec::as_slice);
     field_of(measure, plane.across, plane.up, plane.columns, values)
 }
 
-/// Values at the nodes of a grid as a field to draw.
+/// Values at the nodes of a grid as a field of a plot.
 pub(super) fn field_of(
     measure: Measure,
     across: Vary,

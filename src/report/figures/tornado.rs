@@ -5,29 +5,28 @@ use crate::report::shown::{self, is_rounding, spread};
 use crate::study::{Effect, Effects, Sigma};
 use crate::units::{System, counted};
 
-/// Bars below this part of the longest are too small to see beside it, and folded into one row.
+/// Bars shorter than this fraction of the longest are combined in one row.
 const SMALL: f64 = 0.02;
 
-/// Most rows; smaller effects are folded into the last.
+/// Maximum number of rows. Smaller effects are combined in the last row.
 const MOST: usize = 15;
 
-/// Which uncertainties a tornado is of.
+/// The uncertainties in a tornado plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Causes {
-    /// Parameters that the golfer controls: delivery, strike and club, or the launch where it is
-    /// given.
+    /// Parameters that the golfer controls: delivery, strike and club, or a stated launch.
     Control,
-    /// Uncertain inputs of the model: its coefficients, the ball, the air, the wind and the ground.
+    /// Uncertain inputs of the model: coefficients, ball, air, wind and ground.
     Model,
     /// Both.
     All,
 }
 
 impl Causes {
-    /// The causes of a report, a picture each: the scale of one would hide the other.
+    /// The causes in a report, each in its own plot, because their scales differ.
     pub const APART: [Self; 2] = [Self::Control, Self::Model];
 
-    /// A parameter is one of these causes.
+    /// True if a parameter is one of these causes.
     pub fn has(self, parameter: &Parameter) -> bool {
         let group = parameter.name.split('.').next().unwrap_or_default();
         let is_controlled = ["swing", "club", "strike", "launch"].contains(&group);
@@ -55,13 +54,13 @@ impl Causes {
     }
 }
 
-/// An effect of an uncertainty, to both sides.
+/// The effect of an uncertainty, at both ends of its bar.
 struct Ends {
     sigma: Sigma,
     first_order: f64,
     lower: f64,
     higher: f64,
-    /// Both ends were flown; a straight bar replaces one that could not be.
+    /// True if both ends are computed drives; otherwise a missing end is the first-order effect.
     is_flown: bool,
 }
 
@@ -83,9 +82,9 @@ impl Ends {
     }
 }
 
-/// The effects of standard uncertainties on an outcome, as bars, the largest on top: flown at p − σ
-/// and p + σ, one parameter at a time. The uncertainties and the note are in the units of `system`.
-/// `None` where none of these causes has an uncertainty with an effect.
+/// The effects of standard uncertainties on an outcome, as bars, the largest on top. Each bar is
+/// from drives computed at p − σ and p + σ, one parameter at a time. The uncertainties and the note
+/// are in the units of `system`. `None` if none of these causes has an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
     let mut ranked: Vec<Ends> = effects
@@ -100,7 +99,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
         .map(Ends::size)
         .filter(|longest| *longest > 0.0)?;
     let measure = Measure::outcome(effects.of);
-    // what is shown as 0 has no length
+    // bars that are too short to see
     let seen = ranked
         .iter()
         .take_while(|ends| ends.size() > SMALL * longest)

@@ -8,39 +8,40 @@ use crate::report::shown;
 use crate::study::NamedDrive;
 use crate::units::{Quantity, System, significant};
 
-/// From where a trajectory is seen.
+/// The view of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
     /// Downrange and up.
     Side,
-    /// Downrange to the right of the picture, as one sees it who looks down with the target to the
-    /// right: what is right of the target line is below it.
+    /// Downrange and right, seen from above with the target to the right of the picture: right of
+    /// the target line is at the bottom.
     Top,
 }
 
-/// A path within this distance of the target line is straight as seen from above, m: a tenth of a
-/// yard.
+/// Maximum distance from the target line of a path that is straight in the view from above, m: a
+/// tenth of a yard.
 const STRAIGHT: f64 = 0.09144;
 
-/// Uncertainty of a total at best, m: ten yards.
+/// Lower limit of the uncertainty of a total, m: ten yards.
 const TOTAL_WITHIN: f64 = 9.144;
 
-/// Least width of the view from above to each side, m.
+/// Minimum width of the view from above to each side, m.
 const CORRIDOR: f64 = 10.0;
 
-/// The shape of the view to scale, and of the stretched one, height over width.
+/// Limits of the aspect ratio at true scale, and the aspect ratio of the stretched view, height
+/// over width.
 const SHAPE: [f64; 2] = [0.3, 0.9];
 const STRETCHED: f64 = 0.42;
 
-/// Least ratio of the stretched height to the one at true scale for which a stretched view is drawn
-/// too.
+/// Minimum ratio of the stretched height to the height at true scale. Below it there is no
+/// stretched view.
 const CLEARLY: f64 = 1.6;
 
-/// Paths of drives, from the side or from above: at true scale, and below it stretched if heights
-/// (or distances to the side) are small. Marks show apex and carry in the units of `system`.
+/// Paths of drives from the side or from above at true scale. If heights (or lateral distances) are
+/// small, a stretched view follows. Marks show apex and carry in the units of `system`.
 ///
 /// # Errors
-/// [`Error::Plot`] where nothing flies, and for a view from above of drives that are straight.
+/// [`Error::Plot`] if nothing flies, and for a view from above if all drives are straight.
 pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Result<Figure> {
     let paths: Vec<Vec<[f64; 2]>> = flown.iter().map(|one| path(one, view)).collect();
     let runs: Vec<Vec<[f64; 2]>> = flown.iter().map(|one| run(one, view)).collect();
@@ -92,7 +93,7 @@ impl View {
         }
     }
 
-    /// The coordinates of a position, to the right and up.
+    /// The horizontal and vertical coordinate of a position.
     fn seen(self, at: Vector<f64>) -> [f64; 2] {
         match self {
             Self::Side => [at.z, at.x],
@@ -125,7 +126,7 @@ fn path(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
     points.map(|point| view.seen(point.position)).collect()
 }
 
-/// Bounces and run, from the landing on; empty without a run.
+/// The path of bounces and roll after the landing; empty without a roll-out.
 fn run(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
     let Some(landing) = one.path.points.last() else {
         return vec![];
@@ -149,7 +150,7 @@ fn empty(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
             Axis::left_right(length("right of the target line")),
         ),
     };
-    // room for the words at the apex and the landing
+    // margin for the labels at the apex and the landing
     let (y, grows) = match view {
         View::Side => (with_margin(y, 0.0, 0.3), Grows::Up),
         View::Top => (with_margin(y, 0.1, 0.1), Grows::Evenly),
@@ -172,7 +173,7 @@ fn path_lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>]) -> Vec<Layer> {
     flown.iter().zip(paths).enumerate().map(line).collect()
 }
 
-/// A line for the run of each drive that has one.
+/// A line for the roll-out of each drive that has one.
 fn run_lines(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
     let line = |(i, (one, points)): (usize, (&NamedDrive, &Vec<[f64; 2]>))| {
         let (hue, is_dashed) = style(&one.name, i);
@@ -194,7 +195,7 @@ fn run_lines(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
         .collect()
 }
 
-/// Adds the ground to a view from the side: it is at the end of the lowest path.
+/// Adds the ground to a view from the side, at the height of the lowest landing.
 fn add_ground(figure: &mut Figure, paths: &[Vec<[f64; 2]>], [left, right]: [f64; 2]) {
     let ground = extent(paths.iter().filter_map(|path| Some(path.last()?[1])))[0];
     let below = ground - 0.03 * (right - left);
@@ -231,8 +232,8 @@ fn add_target_line(figure: &mut Figure, [left, right]: [f64; 2]) {
     });
 }
 
-/// The sentence about the totals; empty without a run. They have no marks, whose words would overlap
-/// those of the carry.
+/// The sentence about the totals; empty without a roll-out. Totals have no marks, because their
+/// labels would overlap those of the carry.
 fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) -> String {
     let total = |(one, run): (&NamedDrive, &Vec<[f64; 2]>)| {
         if run.is_empty() {
@@ -257,7 +258,7 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
     )
 }
 
-/// The marks of a drive, with their values.
+/// The marks of a drive with their values.
 fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer> {
     let (hue, _) = style(&flown.name, i);
     let value = |of: Outcome| of.value(&flown.drive);
@@ -304,8 +305,8 @@ fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer>
     marks
 }
 
-/// The paths with the smaller coordinate stretched; `None` if the stretch would be too small to
-/// help.
+/// The paths with the smaller coordinate stretched; `None` if the stretch factor would be too
+/// small.
 fn stretched(figure: &Figure, lines: &[Layer], y: [f64; 2], view: View) -> Option<Figure> {
     let [left, right] = figure.x.reach?;
     let [low, high] = y;
@@ -326,7 +327,7 @@ fn stretched(figure: &Figure, lines: &[Layer], y: [f64; 2], view: View) -> Optio
         figure.y.clone().exactly(low, high),
     );
     panel.aspect = STRETCHED;
-    // the legend of the view above tells them apart
+    // the legend of the view above has the names
     let unnamed = |layer: &Layer| match layer.clone() {
         Layer::Line {
             hue,

@@ -6,10 +6,10 @@ use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 use crate::units::counted;
 
-/// V-curves of plain central differences of values beside exact derivatives: truncation to the
-/// right, rounding to the left. Steps are parts of the parameter's size; errors, of the derivative,
-/// or of outcome over size where that is 0. Beside them the differences of a while-loop that
-/// overshoots the ground, by the parameters of these rows.
+/// V-curves: the error of plain central differences relative to exact derivatives, over the step.
+/// Truncation dominates on the right, rounding on the left. Steps are relative to the parameter's
+/// size. Errors are relative to the derivative, or to outcome/size if the derivative is 0. For
+/// comparison, the plot has the differences of a while-loop that overshoots the ground.
 pub fn vcurve_figure<'a>(
     rows: impl IntoIterator<Item = &'a Row>,
     loops: &[LoopRow],
