@@ -9,18 +9,20 @@ use std::fmt;
 pub enum Status {
     /// The ball landed; all outcomes exist.
     Landed,
-    /// The ball left the face but did not fly: launched downwards, or below the ground all the way.
-    /// Only outcomes of the launch exist.
+    /// The ball left the face but did not fly: it was launched downwards, or its path is below the
+    /// height of the ground. Only outcomes of the launch exist.
     NoFlight,
     /// The ball is still in the air at `flight.time_limit`. Only outcomes of the launch exist.
     Aloft,
     /// `flight.step` is too long: drag and lift change the airspeed too much within a step, numbers
-    /// overflow, or the defect exceeds its limit even in the shortest step. No outcomes.
+    /// overflow, or the defect of the integration exceeds its limit even with the shortest step. No
+    /// outcomes exist.
     Diverged,
-    /// The club does not strike the ball: off the face, moving away, or jammed. No outcomes.
+    /// The club does not strike the ball: the strike is off the face, or the face moves away from
+    /// the ball, or the bodies jam. No outcomes exist.
     NoStrike,
     /// A value is outside its parameter's range, or the inertia tensor is impossible for a rigid
-    /// body. No outcomes.
+    /// body. No outcomes exist.
     OutOfRange,
 }
 
@@ -54,7 +56,8 @@ impl fmt::Display for Status {
     }
 }
 
-/// Number of drives by status, and number of landed drives beyond each validity limit of the model.
+/// Number of drives by status, and number of landed drives that exceed each validity limit of the
+/// model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StatusCounts {
     statuses: [u64; Status::ALL.len()],
@@ -88,7 +91,7 @@ impl StatusCounts {
         }
     }
 
-    /// Number of landed drives beyond each validity limit.
+    /// Number of landed drives that exceed each validity limit.
     pub fn beyond(&self) -> ExceededCount {
         self.beyond
     }
@@ -119,8 +122,8 @@ impl StatusCounts {
     }
 }
 
-/// Results of consecutive points. Missing values are `None`, never NaN. Rows and columns outside
-/// the block panic.
+/// Results of consecutive points. Missing values are `None`, never NaN. Access to rows and columns
+/// outside the block panics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     pub(super) first_row: u64,
@@ -130,7 +133,7 @@ pub struct Block {
     pub(super) status: Vec<Status>,
     /// Validity limits that each landed drive exceeds.
     pub(super) beyond: Vec<ExceededLimits>,
-    /// Defect of the integration of each landed drive, m.
+    /// Defect of the integration of each landed drive, m (docs/model.md, eq. 16a).
     pub(super) defect: Vec<f64>,
     /// A column for each outcome; a number that is not finite marks a missing value.
     pub(super) outcomes: Vec<Vec<f64>>,
@@ -159,7 +162,7 @@ impl Block {
         &self.points[row * self.parameters..][..self.parameters]
     }
 
-    /// How the drive ended.
+    /// Status of the drive.
     pub fn status(&self, row: usize) -> Status {
         self.status[row]
     }
@@ -169,7 +172,7 @@ impl Block {
         self.beyond[row]
     }
 
-    /// Defects of the integration of all landed drives, m.
+    /// Defects of the integration of all landed drives, m (docs/model.md, eq. 16a).
     pub(crate) fn defects(&self) -> impl Iterator<Item = f64> {
         self.status
             .iter()
@@ -195,7 +198,8 @@ impl Block {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
     }
 
-    /// A result column: outcomes first, then derivatives. Empty if there is no such column.
+    /// A result column, by index: outcomes come first, then derivatives. Empty if there is no such
+    /// column.
     pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> + Clone {
         let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
         column

@@ -8,26 +8,26 @@ use crate::parameters::{NO_CLUB, Parameter, Setup, refuse_twice};
 #[derive(Clone, Debug)]
 pub struct Batch {
     pub(super) setup: Setup<f64>,
-    /// Swept parameters: each point has a value of each.
+    /// Swept parameters. Each point has one value for each of them.
     pub(super) parameters: Vec<&'static Parameter>,
     pub(super) of: Vec<Outcome>,
     /// Parameters of differentiation; empty for values only.
     pub(super) wrt: Vec<&'static Parameter>,
-    /// Largest accepted defect, m: drives above it are repeated in shorter steps. Infinite to keep
-    /// the setup's step.
+    /// Largest accepted defect of the integration, m (docs/model.md, eq. 16a). Drives with a larger
+    /// defect are repeated with shorter steps. Infinity keeps the setup's step.
     pub(super) largest_defect: f64,
     /// Instruction level.
     pub(super) level: Level,
 }
 
 impl Batch {
-    /// Batch of outcomes at points of some parameters, with derivatives by `wrt`.
+    /// Creates a batch of outcomes at points of some parameters, with derivatives by `wrt`.
     ///
     /// # Errors
     /// Errors of [`Setup::validate`]; [`Error::Nothing`] without outcomes or swept parameters;
     /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] of [`Setup::variable`],
-    /// also for a coefficient of another law with the same name; [`Error::SearchRange`] and
-    /// [`Error::Together`] for a repeated parameter.
+    /// also for a coefficient that belongs to another law but has the same name;
+    /// [`Error::SearchRange`] and [`Error::Together`] for a repeated parameter.
     pub fn new(
         setup: &Setup<f64>,
         parameters: &[&'static Parameter],
@@ -78,9 +78,10 @@ impl Batch {
         })
     }
 
-    /// Adapts the step of each drive: a drive whose defect (docs/model.md, eq. 16a) exceeds this
-    /// limit, m, is repeated with half the step, and again. A drive above the limit in the shortest
-    /// step has the status `diverged`. The default, infinity, keeps the setup's step.
+    /// Adapts the step of each drive. If the defect of the integration (docs/model.md, eq. 16a)
+    /// exceeds this limit, m, the drive is repeated with half the step until the defect is
+    /// accepted. A drive above the limit even with the shortest step has the status `diverged`. The
+    /// default, infinity, keeps the setup's step.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for NaN and for limits ≤ 0.
@@ -99,7 +100,7 @@ impl Batch {
         })
     }
 
-    /// Sets the instruction level, in place of the widest of this processor.
+    /// Sets the instruction level. The default is the widest level of this processor.
     ///
     /// # Errors
     /// [`Error::Together`] if the processor does not have it.
@@ -123,7 +124,8 @@ impl Batch {
         self.level
     }
 
-    /// Largest accepted defect, m; infinite if the setup's step is kept.
+    /// Largest accepted defect of the integration, m (docs/model.md, eq. 16a); infinite if the
+    /// setup's step is kept.
     pub fn largest_defect(&self) -> f64 {
         self.largest_defect
     }

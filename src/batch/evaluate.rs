@@ -10,7 +10,7 @@ use crate::flight::{Flight, NoFlight};
 use crate::number::MOST_PER_LANE;
 use crate::parameters::{Parameter, Setup};
 
-/// Maximum number of halvings of the step to reach the largest accepted defect.
+/// Maximum number of halvings of the step until the defect of the integration is accepted.
 const MAX_HALVINGS: usize = 12;
 
 impl Batch {
@@ -54,8 +54,9 @@ impl Batch {
     }
 
     /// Computes the drives of a block in lane batches, and returns the rows that need scalar
-    /// evaluation. These are all rows if the inertia tensor is swept (it must be checked in each
-    /// row), or if there are so many parameters of differentiation that one drive fills the lanes.
+    /// evaluation. All rows need it if the inertia tensor is swept, because the tensor must be
+    /// checked in each row, or if there are so many parameters of differentiation that one drive
+    /// fills the lanes.
     fn evaluate_in_lanes(&self, block: &mut Block) -> Vec<usize> {
         if self.wrt.len() > 4 * MOST_PER_LANE
             || self
@@ -66,7 +67,7 @@ impl Batch {
             return (0..block.rows()).collect();
         }
         let mut scalar_rows = vec![];
-        // at least one pass, also without derivatives
+        // one iteration even without derivatives
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
             scalar_rows.extend(self.level.run(LaneBatch {
@@ -90,7 +91,8 @@ impl Batch {
         Ok(setup)
     }
 
-    /// Scalar evaluation of a drive. The step is halved until the defect is accepted.
+    /// Scalar evaluation of a drive. The step is halved until the defect of the integration is
+    /// accepted.
     fn evaluate_scalar(&self, mut setup: Setup<f64>, row: usize, block: &mut Block) {
         let mut halvings = if self.largest_defect.is_finite() {
             MAX_HALVINGS
@@ -132,7 +134,8 @@ impl Batch {
         }
     }
 
-    /// Derivatives of all outcomes at once; if one is undefined, each separately.
+    /// Computes the derivatives of all outcomes together. If one of them is undefined, each is
+    /// computed separately.
     fn differentiate(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
         let gradients = |of: &[Outcome], wrt: &[&'static Parameter]| {
             let evaluator = Evaluator::new(setup, of, wrt, Order::First)

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 
-/// Chunks in flight per thread: enough that no thread waits for the ordering.
+/// Number of chunks in flight per thread, so that no thread waits for the ordering.
 const UNDER_WAY: u64 = 4;
 
-/// Maximum number of threads: starting more takes longer than they save.
+/// Maximum number of threads. Starting more threads takes longer than they save.
 const MOST_THREADS: usize = 256;
 
 /// WebAssembly has threads only if compiled with atomics.

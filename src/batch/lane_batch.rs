@@ -18,7 +18,8 @@ use crate::parameters::{Parameter, Setup};
 pub(super) struct LaneBatch<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,
-    /// Parameters of differentiation, and the index of the first among all.
+    /// Parameters of differentiation in this evaluation, and the index of the first of them among
+    /// all parameters of differentiation.
     pub wrt: &'a [&'static Parameter],
     pub first: usize,
 }
@@ -33,7 +34,7 @@ impl Task for LaneBatch<'_> {
             mut flying,
             mut scalar_rows,
         } = self.partition::<V>();
-        // group flights of similar length: a group takes as long as its longest
+        // group flights of similar length: a group takes as long as its longest flight
         flying.sort_unstable_by(|a, b| {
             a.upward_speed
                 .total_cmp(&b.upward_speed)
@@ -57,7 +58,7 @@ struct FlyingRow {
     row: usize,
 }
 
-/// Rows by the way they are evaluated.
+/// Rows, divided into those computed in lanes and those computed one by one.
 #[derive(Default)]
 struct Partition {
     flying: Vec<FlyingRow>,
@@ -65,7 +66,7 @@ struct Partition {
     scalar_rows: Vec<usize>,
 }
 
-/// The flight of a lane batch, for each number type of the sweep.
+/// Flights of a lane batch, generic over the number type.
 struct LaneFlight<'a, 'b> {
     batch: &'a mut LaneBatch<'b>,
     rows: &'a [FlyingRow],
@@ -82,8 +83,8 @@ impl OverNumbers for LaneFlight<'_, '_> {
 }
 
 impl LaneBatch<'_> {
-    /// Partitions the rows: those that fly, with their upward speed at launch, and those that need
-    /// scalar evaluation. A ball launched into the ground gets its status here.
+    /// Partitions the rows into those that fly, with their upward speed at launch, and those that
+    /// need scalar evaluation. A ball launched into the ground gets its status here.
     #[inline(always)]
     fn partition<V: Lanes<Lane = f64>>(&mut self) -> Partition {
         let batch = self.batch;

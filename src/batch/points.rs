@@ -7,8 +7,8 @@ pub trait Points {
     /// Parameters of each row.
     fn parameters(&self) -> &[&'static Parameter];
 
-    /// Ranges of the values. Impossible values are ignored; a parameter with no other values is
-    /// left out.
+    /// Ranges of the values. Impossible values are ignored; a parameter whose values are all
+    /// impossible is omitted.
     fn ranges(&self) -> Vec<Vary>;
 
     /// Number of rows.
@@ -16,12 +16,11 @@ pub trait Points {
 
     /// Moves to a row, from which [`read`](Self::read) continues.
     ///
-    /// # Errors
-    /// Errors of reading the rows before it.
+    /// Errors of reading the rows before this row.
     fn seek(&mut self, row: u64) -> Result<()>;
 
-    /// Appends up to `most` rows to `values`, SI, with a value for each parameter, and returns
-    /// their number: 0 only at the end. The caller checks the number of values.
+    /// Appends up to `most` rows to `values`, SI, with a value for each parameter. Returns the
+    /// number of rows, which is 0 only at the end. The caller checks the number of values.
     ///
     /// # Errors
     /// [`Error::Table`] for unreadable input.

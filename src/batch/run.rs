@@ -26,10 +26,10 @@ pub struct Run<'a> {
 }
 
 impl Batch {
-    /// Computes the drives of all points. Each block passes through `work` on the thread that
-    /// computed it, and the result to `sink` in the order of the points. Returns the row after the
-    /// last delivered one: the number of points or the requested end, unless the run was
-    /// interrupted; `run.first_row` if there was no row.
+    /// Computes the drives of all points. The thread that computed a block also calls `work` on it.
+    /// `sink` receives the results in the order of the points. Returns the row after the last
+    /// delivered one: the number of points or the requested end, unless the run was interrupted;
+    /// `run.first_row` if there was no row.
     ///
     /// # Errors
     /// [`Error::Together`] for points of other parameters, or in another order, and for a
@@ -123,8 +123,8 @@ impl Batch {
 /// for a given error.
 ///
 /// # Errors
-/// Errors of [`Batch::new`] and [`Batch::run`]. A drive without flight is not an error but has its
-/// [`Status`](super::Status).
+/// Errors of [`Batch::new`] and [`Batch::run`]. A drive without a flight is not an error; its
+/// [`Status`](super::Status) reports it.
 pub fn simulate_batch(
     setup: &Setup<f64>,
     points: &mut dyn Points,

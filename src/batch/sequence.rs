@@ -15,7 +15,8 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// First `rows` points over these ranges; another seed gives other points.
+    /// Sequence of the first `rows` points over these ranges. Different seeds give different
+    /// points.
     ///
     /// # Errors
     /// [`Error::SearchRange`] for a repeated parameter; [`Error::Nothing`] without ranges.

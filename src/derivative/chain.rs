@@ -1,7 +1,7 @@
-//! Chain rule between impact and flight. Club and strike change a flight only through the launch:
-//! if there are more of their parameters than the six components of the launch (velocity and spin),
-//! the flight is differentiated by the components and by its own parameters, and the chain rule
-//! combines both stages.
+//! Chain rule between impact and flight. Club and strike affect a flight only through the launch.
+//! If they have more parameters than the six components of the launch (velocity and spin), the
+//! flight is differentiated by the components and by its own parameters, and the chain rule
+//! combines the derivatives of impact and flight.
 
 use super::Taylor;
 use super::pass::{COMPONENTS, Point, Stage};
@@ -10,7 +10,7 @@ use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 
 /// Outcomes and derivatives at a point, by the chain rule if `split` is given. `progress` receives
-/// the numbers of completed and of all passes.
+/// the numbers of completed and of all passes (evaluations of a drive in all lanes).
 pub(super) fn derivatives(
     point: &Point<'_>,
     split: Option<&Split>,
@@ -63,7 +63,7 @@ pub(super) fn derivatives(
     Ok(taylors)
 }
 
-/// Zero polynomial with this number of variables, to the order of the point.
+/// Zero polynomial with this number of variables, up to the order of the point.
 fn zero(point: &Point<'_>, columns: usize) -> Taylor {
     Taylor::zero(columns, point.first_row.map_or(0, |_| columns))
 }
@@ -89,8 +89,8 @@ fn flight_variables(point: &Point<'_>, split: &Split, launch: &[Taylor]) -> Vec<
         .collect()
 }
 
-/// Chain rule: adds the derivatives by the parameters, from those by the variables of the flight
-/// and the launch's derivatives.
+/// Chain rule: adds the derivatives by the parameters, computed from the derivatives by the
+/// variables of the flight and from the launch's derivatives.
 fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch: &[Taylor]) {
     let parameters = taylor.gradient.len();
     let component = |variable: usize| {

@@ -21,7 +21,8 @@ pub(super) fn pairs(variables: &[usize], first_row: usize) -> Vec<usize> {
 }
 
 impl Directions<'_> {
-    /// Splits the directions into passes. Without variables there is one pass, for the values.
+    /// Splits the directions into passes: evaluations with one direction set per lane. Without
+    /// variables there is one pass, which computes the values.
     pub fn passes(self, level: Level) -> impl ExactSizeIterator<Item = Self> {
         let per_lane = if self.are_pairs { 2 } else { MOST_PER_LANE };
         let most = per_lane * self.level(level).width();
@@ -32,8 +33,8 @@ impl Directions<'_> {
         })
     }
 
-    /// Level for these directions: AVX2, which is faster, if its lanes suffice with the same number
-    /// type.
+    /// Instruction level for these directions. AVX2 is chosen if its lanes suffice with the same
+    /// number type, because it is faster.
     pub fn level(&self, level: Level) -> Level {
         let count = self.variables.len() / if self.are_pairs { 2 } else { 1 };
         let lanes = Level::Avx2.width();
@@ -59,8 +60,8 @@ impl Directions<'_> {
         self.variables.len().div_ceil(per_lane).max(1)
     }
 
-    /// Passes each variable to `put` as a number, seeded in its lanes and directions; a variable of
-    /// several pairs once for each.
+    /// Passes each variable to `put` as a number, seeded in its lanes and directions. A variable of
+    /// several pairs is passed once for each pair.
     #[inline(always)]
     pub fn seeded<J: Lanes>(
         &self,

@@ -37,7 +37,7 @@ pub struct Evaluator {
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
     order: Order,
-    /// First row (and column) of the Hessians that is computed.
+    /// First row (and column) of the Hessians to compute.
     first_row: usize,
     split: Split,
     level: Level,
@@ -134,7 +134,7 @@ impl Evaluator {
     }
 
     /// Outcomes of the setup itself. `progress` receives the numbers of completed and of all
-    /// passes.
+    /// evaluations of the drive.
     pub(crate) fn at_setup(&self, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let values: Vec<f64> = self
             .wrt

@@ -17,7 +17,7 @@ use crate::parameters::{Parameter, Setup};
 /// Value and gradient of an outcome.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The errors of [`evaluate`].
 pub fn gradient(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> Result<Taylor> {
     Ok(evaluate(setup, &[of], wrt, Order::First)?.swap_remove(0))
 }
@@ -37,15 +37,16 @@ pub fn gradient(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> 
 /// ```
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The errors of [`evaluate`].
 pub fn hessian(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> Result<Taylor> {
     Ok(evaluate(setup, &[of], wrt, Order::Second)?.swap_remove(0))
 }
 
-/// Values and gradients of several outcomes of one drive: their Jacobian, a row each.
+/// Values and gradients of several outcomes of one drive. The gradients are the rows of the
+/// Jacobian.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The errors of [`evaluate`].
 pub fn jacobian(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -69,10 +70,11 @@ pub fn evaluate(
     evaluate_with(setup, of, wrt, order, |_, _| ())
 }
 
-/// Like [`evaluate`]; `progress` receives the numbers of completed and of all passes.
+/// Like [`evaluate`]; `progress` receives the numbers of completed and of all evaluations of the
+/// drive.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The errors of [`evaluate`].
 pub fn evaluate_with(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -87,7 +89,7 @@ pub fn evaluate_with(
 /// computed, for the sensitivity of an optimum. The other entries of the Hessians are 0.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// The errors of [`evaluate`].
 pub(crate) fn towards_last(
     setup: &Setup<f64>,
     of: &[Outcome],

@@ -23,7 +23,7 @@ pub(super) struct Point<'a> {
     pub wrt: &'a [&'static Parameter],
     /// Values of the parameters.
     pub x: &'a [f64],
-    /// Number of parameters of differentiation: all, or 0 for values.
+    /// Number of parameters of differentiation: all parameters, or 0 if only values are computed.
     pub columns: usize,
     /// First computed row (and column) of the Hessians; `None` for first order.
     pub first_row: Option<usize>,
@@ -202,7 +202,7 @@ impl OverNumbers for Pass<'_> {
 }
 
 impl Pass<'_> {
-    /// The given launch of a flight stage; empty for other stages.
+    /// The given launch, if only the flight is differentiated; otherwise empty.
     fn given_launch(&self) -> &[Taylor] {
         match self.stage {
             Stage::Flight(launch) => launch,

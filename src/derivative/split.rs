@@ -2,9 +2,9 @@ use super::pass::COMPONENTS;
 use crate::number::{Level, MOST_PER_LANE};
 use crate::parameters::Parameter;
 
-/// Division of the parameters: those that the launch depends on, and those that the flight depends
-/// on besides the launch. The flight is then differentiated by the launch and its own parameters,
-/// and chained with the derivatives of the launch.
+/// Division of the parameters into those that affect the launch and those that affect the flight at
+/// fixed launch. The flight is then differentiated by the launch and by its own parameters, and the
+/// chain rule combines this with the derivatives of the launch.
 #[derive(Clone, Debug)]
 pub(super) struct Split {
     /// Indices of the parameters of the launch: club, strike and ball, or a given launch.
@@ -14,8 +14,8 @@ pub(super) struct Split {
 }
 
 impl Split {
-    /// Divides the parameters. Parameters of the run count only if an outcome belongs to it
-    /// (`runs`).
+    /// Divides the parameters. Parameters of the run are included only if an outcome depends on the
+    /// run (`runs`).
     pub fn of(wrt: &[&'static Parameter], runs: bool) -> Self {
         let indices = |holds: &dyn Fn(&Parameter) -> bool| {
             (0..wrt.len()).filter(|&index| holds(wrt[index])).collect()
@@ -38,7 +38,7 @@ impl Split {
             return most_variables < parameters;
         }
         let most = MOST_PER_LANE * level.width();
-        // cost: passes times directions per lane
+        // cost: number of passes times directions per lane
         let size = |count: usize| {
             if count <= level.width() {
                 1

@@ -63,7 +63,7 @@ impl<T: Number> Drive<T> {
     /// [`new`](Self::new) for any number of steps.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new), except for the step.
+    /// The errors of [`new`](Self::new), except the error for the step.
     pub(crate) fn without_step_check(setup: &Setup<T>) -> Result<Self> {
         let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(None);
         if let Some(launch) = Launch::given(setup) {
@@ -99,12 +99,12 @@ impl<T: Number> Drive<T> {
     }
 }
 
-/// Spins below this, rad/s, are on the corner of |ω| at zero spin: some hundreds of times the
-/// rounding of |ω| there.
+/// Spins below this, rad/s, count as zero spin, where |ω| has a corner. The limit is some hundreds
+/// of times the rounding error of |ω|.
 const SPIN_CORNER: f64 = 1e-3;
 
 impl Drive<f64> {
-    /// True if the ball leaves without spin, at the corner of |ω| itself.
+    /// True if the spin at launch is zero, at the corner of |ω|.
     pub(crate) fn is_without_spin(&self) -> bool {
         self.launch.total_spin() < SPIN_CORNER
     }
@@ -142,7 +142,7 @@ pub(crate) struct LaunchState<T: Numbers> {
     pub launch: Launch<T>,
     /// Speed of the head, m/s, if a club strikes the ball.
     pub club_speed: Option<T>,
-    /// Lanes in which [`strike`] returns this launch, and not an error.
+    /// Lanes in which [`strike`] returns this launch and no error.
     pub is_valid: T::Mask,
 }
 

@@ -26,10 +26,10 @@ pub(crate) struct OutcomeInputs<'a, T, Read> {
     /// Speed of the head before impact, m/s, if there is a club.
     pub club_speed: Option<T>,
     pub landed: Option<&'a Landed<T>>,
-    /// The head, if there is a club and an outcome of the head is requested.
+    /// The head, if there is a club and if an outcome of the head is requested.
     pub head: Option<&'a Head<T>>,
-    /// Converts a number, such as to its value in one lane. Called only for the numbers that an
-    /// outcome depends on.
+    /// Converts a number, for example to its value in one lane. It is only called for the numbers
+    /// that an outcome depends on.
     pub read: Read,
 }
 
@@ -68,7 +68,7 @@ macro_rules! outcomes {
             /// Outcomes of drives, then those of the head.
             const EVERY: &'static [Self] = &[$( Self::$Outcome ),+];
 
-            /// The part of a drive that it describes.
+            /// The part of a drive that the outcome describes.
             pub fn group(self) -> OutcomeGroup {
                 match self { $( Self::$Outcome => OutcomeGroup::$Group, )+ }
             }
@@ -116,7 +116,7 @@ macro_rules! outcomes {
                 })
             }
 
-            /// The error for an outcome that a drive with a landing does not have.
+            /// Error for an outcome that does not exist, although the ball lands.
             pub(crate) fn unavailable(self) -> Error {
                 let reason = match self.group() {
                     OutcomeGroup::Launch | OutcomeGroup::Head => "no club strikes the ball: the launch is given",
@@ -125,7 +125,7 @@ macro_rules! outcomes {
                 Error::Undefined { what: self.name().into(), reason: reason.into() }
             }
 
-            /// The outcome; `None` if a quantity that it depends on is missing.
+            /// Evaluates the outcome; `None` if a quantity that it depends on is missing.
             pub(crate) fn evaluate<T: Numbers, U: Number>(self, inputs: &OutcomeInputs<'_, T, impl Fn(T) -> U + Copy>) -> Option<U> {
                 match self { $( Self::$Outcome => { let $drive = inputs; Some($value) } )+ }
             }
@@ -203,8 +203,8 @@ outcomes! {
 }
 
 impl Outcome {
-    /// Outcomes of the head, which do not depend on the swing. [`named`](Self::named) finds them
-    /// too.
+    /// Outcomes of the head, which do not depend on the swing. [`named`](Self::named) also finds
+    /// them.
     pub const OF_HEAD: &'static [Self] = &[
         Self::HeadMass,
         Self::HeadMoi,
@@ -226,7 +226,7 @@ impl Outcome {
             .filter(move |outcome| outcome.group() == group)
     }
 
-    /// True if it depends on the apex.
+    /// True if the outcome depends on the apex.
     pub(crate) fn needs_apex(self) -> bool {
         matches!(
             self,
@@ -234,7 +234,7 @@ impl Outcome {
         )
     }
 
-    /// True if it depends on the run of the ball on the ground, after the landing.
+    /// True if the outcome depends on the run of the ball on the ground after the landing.
     pub fn needs_run(self) -> bool {
         matches!(self, Self::Total | Self::Run | Self::LateralTotal)
     }
@@ -276,7 +276,8 @@ impl Outcome {
         self.of(drive).ok().filter(|value| value.is_finite())
     }
 
-    /// True if it is an angle between −180° and 180°, with a jump between the two.
+    /// True if the outcome is an angle between −180° and 180°, which jumps from one end to the
+    /// other.
     fn is_direction(self) -> bool {
         matches!(self, Self::LaunchDirection | Self::SpinAxis)
     }

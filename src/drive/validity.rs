@@ -32,8 +32,8 @@ pub(crate) fn any_face() -> String {
     )
 }
 
-/// Angle to the ground, of these slopes, of a landing that bounces, rad, if it is flatter than any
-/// measured bounce.
+/// Angle between the path of a landing ball and the ground, rad, if the ball bounces and the angle
+/// is smaller than that of any measured bounce. The two slopes are those of the ground.
 pub(crate) fn flat_landing_angle<T: Number>(slopes: [f64; 2], landed: &Landed<T>) -> Option<f64> {
     landed
         .rest
@@ -58,14 +58,15 @@ pub(super) fn with_flat_landing_warning(before: Message) -> Message {
         )
 }
 
-/// Validity limits of the model that a drive exceeds.
+/// Validity limits of the model. A field is true if the drive exceeds the limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceededLimits {
     /// Spin ratio, spin, Reynolds number or airspeed outside the ranges that the law was fitted to.
     pub law: bool,
     /// Strike outside the face of any conforming head.
     pub face: bool,
-    /// Landing flatter than any measured bounce; checked if an outcome of the run is requested.
+    /// Landing flatter than any measured bounce. It is only checked if an outcome of the run is
+    /// requested.
     pub flat: bool,
 }
 
@@ -74,7 +75,7 @@ pub struct ExceededLimits {
 pub enum CheckScope {
     /// The launch only: cheap enough for every drive of a batch.
     Launch,
-    /// The whole flight, which is computed once more.
+    /// The whole flight, which must be computed again for the check.
     Flight,
 }
 
@@ -162,7 +163,7 @@ pub struct ExceededShare {
 }
 
 impl ExceededShare {
-    /// Smallest share that is warned of.
+    /// Smallest share for which there is a warning.
     const LEAST_WARNED: f64 = 0.01;
 
     /// Adds a drive with this share of all drives.
@@ -203,7 +204,7 @@ struct Subjects {
     law: Option<String>,
     face: Option<String>,
     flat: Option<String>,
-    /// A single drive lands flat.
+    /// True if exactly one drive lands flat.
     is_one_flat: bool,
 }
 

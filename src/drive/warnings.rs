@@ -10,11 +10,11 @@ use crate::flight::{Flight, fly, trajectory};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 
-/// Smallest share of the flight time outside the ranges of the law that is warned of. Within its
-/// ranges a law is more uncertain than this.
+/// Smallest share of the flight time outside the ranges of the law for which there is a warning.
+/// The uncertainty of a law within its ranges has a larger effect than this share.
 const LEAST_WARNED_SHARE: f64 = 0.01;
 
-/// Largest shift of the landing, m, when the step is halved, without a warning.
+/// Largest shift of the landing by half the step, m, without a warning.
 const LARGEST_SHIFT: f64 = 1e-3;
 
 /// Values of a variable along a flight, and the range that the law was fitted to.
@@ -27,10 +27,10 @@ pub struct FlownRange {
 }
 
 impl Drive<f64> {
-    /// All warnings about a setup and its drive: those of the setup, corners of the model at this
-    /// drive, a strike outside any face, a flight outside the ranges of the law, and a step so long
-    /// that the landing depends on it. Computes the flight again, so a search calls it for its
-    /// result only.
+    /// All warnings about a setup and its drive: the warnings about the setup, corners of the model
+    /// at this drive, a strike outside any face, a flight outside the ranges of the law, and a step
+    /// so long that the landing depends on it. The flight is computed again, so a search requests
+    /// the warnings for its result only.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let mut warnings = setup.warnings();
         warnings.extend(self.corners(setup).into_iter().map(Message::from));
@@ -40,8 +40,9 @@ impl Drive<f64> {
         warnings
     }
 
-    /// The [`warnings`](Self::warnings) of a drive with these requested outcomes. If one of them
-    /// depends on the run, also a warning about a landing flatter than any measured bounce.
+    /// The [`warnings`](Self::warnings) of a drive for these requested outcomes. If one of the
+    /// outcomes depends on the run, there is also a warning about a landing flatter than any
+    /// measured bounce.
     pub fn warnings_about(&self, setup: &Setup<f64>, of: &[Outcome]) -> Vec<Message> {
         let mut warnings = self.warnings(setup);
         warnings.extend(
@@ -64,7 +65,7 @@ impl Drive<f64> {
         ))
     }
 
-    /// Warning about a step so long that half of it moves the landing.
+    /// Warning about a step so long that half the step shifts the landing.
     fn long_step_warning(&self, setup: &Setup<f64>) -> Option<Message> {
         let landed = self.landed().ok()?;
         let mut finer = *setup;
@@ -185,8 +186,8 @@ impl Drive<f64> {
     }
 }
 
-/// Share of the time in which a condition holds for values given with their times. The value at
-/// the start of an interval decides for the interval.
+/// Share of the time in which a condition holds, from values with their times. The value at the
+/// start of each interval represents the interval.
 fn share(values: impl Iterator<Item = (f64, f64)>, condition: impl Fn(f64) -> bool) -> f64 {
     let (mut total, mut held, mut before) = (0.0, 0.0, None);
     for (time, value) in values {

@@ -13,7 +13,8 @@ pub(crate) struct Inputs<T> {
     pub velocity: Vector<T>,
     /// |ω₀| = √(ω₀·ω₀ + η²), rad/s.
     pub spin: T,
-    /// Spin axis ω₀/|ω₀|, constant during the flight; its length tends to 0 as the spin does.
+    /// Spin axis ω₀/|ω₀|, constant during the flight. As the spin tends to 0, the length of this
+    /// vector tends to 0.
     pub axis: Vector<T>,
     /// ρ A/(2 m): deceleration per C_D |v_r|², 1/m.
     pub force_per_mass: T,
@@ -25,7 +26,7 @@ pub(crate) struct Inputs<T> {
     pub reynolds_per_speed: T,
     /// δ, 1/s.
     pub decay: T,
-    /// κ/R, 1/m: decay of the spin with the distance through the air; `None` without damping.
+    /// κ/R, 1/m: decay rate of the spin with the distance through the air; `None` without damping.
     pub damping: Option<T>,
     /// Velocity of the air.
     pub wind: WindField<T>,

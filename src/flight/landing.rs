@@ -14,7 +14,7 @@ use crate::number::{Mask, Numbers, Vector, inlined};
 /// its error is 30 to 110 times that of a step with the same defect.
 const INTERPOLATION_WEIGHT: f64 = 100.0;
 
-/// Lanes between two steps.
+/// State of the lanes between two steps.
 #[derive(Clone, Copy)]
 struct Lanes<M> {
     /// Lanes in flight.
@@ -30,9 +30,10 @@ struct StepEvents<M> {
     has_apex: M,
     /// Lanes that may land.
     may_land: M,
-    /// The position of an apex is requested, or decides whether the ball clears the ground.
+    /// True if the position of the apex is requested, or if it decides whether the ball clears the
+    /// ground.
     needs_apex: bool,
-    /// The time limit is in the step.
+    /// True if the time limit is in the step.
     has_time_limit: bool,
 }
 

@@ -26,15 +26,15 @@ use step::Observer;
 /// # Errors
 /// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much within
 /// a step, or if a number overflows; [`Error::OutOfRange`](crate::Error::OutOfRange) and
-/// [`Error::NotANumber`](crate::Error::NotANumber) for a step that is not positive, or of which the
-/// time limit holds more than 1e8.
+/// [`Error::NotANumber`](crate::Error::NotANumber) for a step that is not positive, or so short
+/// that the time limit contains more than 1e8 steps.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     setup.flight.check_steps()?;
     Inputs::new(setup, launch, true).fly(None)
 }
 
 impl<T: Number> Inputs<T> {
-    /// Flies one ball. The observer sees each step.
+    /// Flies one ball. The observer receives each step.
     ///
     /// # Errors
     /// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much

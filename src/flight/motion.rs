@@ -83,8 +83,8 @@ impl<T: Numbers> Inputs<T> {
         }
     }
 
-    /// [`rate`](Self::rate) outside of the loop over the stages, written to its place: a copy of a
-    /// rate with many derivatives is long.
+    /// Like [`rate`](Self::rate), for calls outside of the loop over the stages. The result is
+    /// written in place, because a copy of a rate with many derivatives is long.
     #[inline(always)]
     fn write_rate(&self, v_r: Vector<T>, spin: T, rate: &mut Rate<T>) {
         T::not_inlined(inlined!(|| *rate = self.rate(v_r, spin)));
@@ -106,8 +106,8 @@ impl<T: Numbers> Inputs<T> {
 
     /// Derivative of the rate in time, d²v/dt² and d|v_r|/dt: the central difference of the
     /// equation of motion along the path. It is a smooth function of the node alone, so the
-    /// interpolants of neighbouring steps join C³. Dual numbers in time would double the code of a
-    /// flight.
+    /// interpolants of neighbouring steps join C³. Dual numbers in time would double the code size
+    /// of a flight.
     #[inline(always)]
     pub(super) fn rate_per_time(&self, node: &Node<T>) -> Rate<T> {
         let Rate {

@@ -33,7 +33,8 @@ pub struct Landed<T> {
     /// Defect D of the integration (docs/model.md, eq. 16a), m, without derivatives; `None` if not
     /// requested.
     pub(crate) defect: Option<T>,
-    /// Number of steps, including the one of the landing. In a batch, those of the longest flight.
+    /// Number of steps, including the step of the landing. In a batch, the number of steps of the
+    /// longest flight.
     pub steps: usize,
 }
 
@@ -58,7 +59,7 @@ impl<T: Copy> Landed<T> {
     }
 }
 
-/// Highest point of a flight; the launch, if the ball only falls.
+/// Highest point of a flight. If the ball only falls, this is the launch point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Apex<T> {
     /// Height above the tee, m.
@@ -174,10 +175,10 @@ pub(crate) struct FlightResult<T: Numbers> {
     pub height: T,
     /// Spin at landing, rad/s, if the run is requested.
     pub spin: T,
-    /// Part D_A of the defect, from the position of the apex, m (docs/model.md, eq. 16a), if apex
-    /// and defect are requested.
+    /// Contribution D_A of the apex position to the defect, m (docs/model.md, eq. 16a), if apex and
+    /// defect are requested.
     pub apex_defect: T,
-    /// Time at the end of the last step, s; in a batch, of the longest flight.
+    /// Time at the end of the last step, s. In a batch, this is the time of the longest flight.
     pub time: f64,
 }
 
@@ -258,7 +259,7 @@ impl<T: Numbers> FlightResult<T> {
         let velocity = inputs.velocity.map(value);
         let launch = Launch {
             velocity,
-            // not read: the launch angle does not depend on the spin
+            // not used: the launch angle does not depend on the spin
             spin: velocity,
         };
         Ok(Some(NoFlight::LaunchedDown {
@@ -285,7 +286,7 @@ impl FlightConditions {
     /// Largest step that resolves the flight of any golf ball, s; the default is 10 ms.
     const LARGEST_SAFE_STEP: f64 = 0.05;
 
-    /// Advice: shorten a long step; else check the conditions that are unusual; else the law.
+    /// Advice: shorten a long step; otherwise check unusual conditions; otherwise check the law.
     fn advice(&self, law: &str) -> String {
         if self.step > Self::LARGEST_SAFE_STEP {
             return "the step is long; reduce flight.step (the default is 10 ms)".into();

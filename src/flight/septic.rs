@@ -19,9 +19,9 @@ const FACTORS: [[f64; 8]; 3] = [
 ];
 
 impl<T: Numbers> Septic<T> {
-    /// From the position, velocity, acceleration and jerk at both ends of a step; `coordinate`
-    /// selects the coordinate. The end enters by the increments of the step: a difference of two
-    /// positions would cancel.
+    /// Builds the polynomial from the position, velocity, acceleration and jerk at both ends of a
+    /// step; `coordinate` selects the coordinate. The end of the step enters by the increments,
+    /// because a difference of two positions would lose digits by cancellation.
     #[inline(always)]
     fn new(
         step: &Step<'_, T>,
@@ -86,8 +86,8 @@ impl<T: Numbers> Septic<T> {
         self.derivative_of_order::<2>(s)
     }
 
-    /// The s at which the coordinate falls to `level`, in the lanes of a mask; it must be above at
-    /// `from`, and not at the end.
+    /// The s at which the coordinate falls to `level`, in the lanes of a mask. The coordinate must
+    /// be above `level` at `from`, and not above it at the end of the step.
     #[inline(always)]
     pub fn find_crossing(&self, level: T, from: T, lanes: T::Mask) -> T {
         falling_root(
@@ -97,8 +97,8 @@ impl<T: Numbers> Septic<T> {
         )
     }
 
-    /// The s of the maximum, in the lanes of a mask; the coordinate must rise at the start, and not
-    /// at the end.
+    /// The s of the maximum, in the lanes of a mask. The coordinate must rise at the start of the
+    /// step, and must not rise at its end.
     #[inline(always)]
     pub fn find_maximum(&self, lanes: T::Mask) -> T {
         falling_root(

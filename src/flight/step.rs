@@ -11,17 +11,18 @@ pub(super) struct Stepper<'a, T> {
     tableau: &'static Tableau,
     /// Step h, s.
     h: f64,
-    /// exp(−δ cᵢ h): decay in time of the spin from the start of a step to each stage.
+    /// exp(−δ cᵢ h): factor by which the spin decays in time from the start of a step to each
+    /// stage.
     decay_factors: [T; MOST_STAGES + 1],
-    /// Rates at the stages of a step; the first stage is the start node, its place is unused.
+    /// Rates at the stages of a step. Entry 0 is unused, because the first stage is the start node.
     rates: [Rate<T>; MOST_STAGES],
 }
 
 /// A step of the integration.
 #[derive(Debug)]
 pub(crate) struct Step<'n, T> {
-    /// Start and end node. They swap places at each step: a copy of a node takes 16 to 24 % of a
-    /// drive with rk4 (`src/number/mod.rs`, "Pipelines").
+    /// Start and end node. They are swapped at each step instead of copied: copies take 16 to 24 %
+    /// of a drive with rk4 (`src/number/mod.rs`, "Pipelines").
     pub from: &'n mut Node<T>,
     pub to: &'n mut Node<T>,
     /// Position increment x₁ − x₀ − h v₀, before it is rounded in the sum.
@@ -124,8 +125,8 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         height
     }
 
-    /// Spin at stage i from the spin at the start of the step: ω exp(−δ t − κ ℓ/R), with the
-    /// distance ℓ through the air since then (docs/model.md, eq. 13).
+    /// Spin at stage i from the spin at the start of the step: ω exp(−δ t − κ ℓ/R), with the time t
+    /// and the distance ℓ through the air since the start (docs/model.md, eq. 13).
     #[inline(always)]
     fn stage_spin(&self, start: &Rate<T>, spin: T, i: usize) -> T {
         let decayed = spin * self.decay_factors[i];

@@ -41,14 +41,14 @@ const DP8_ROWS: &[Weights] = & [
 /// Largest number of stages of a method.
 pub(super) const MOST_STAGES: usize = 12;
 
-/// An explicit Runge–Kutta method for x″ = a(t, x, x′). Positions are sums of accelerations too,
-/// with weights that follow from those of the velocities.
+/// An explicit Runge–Kutta method for x″ = a(t, x, x′). Positions, like velocities, are weighted
+/// sums of accelerations. The weights of the positions follow from those of the velocities.
 #[derive(Debug)]
 pub(super) struct Tableau {
-    /// Largest relative change of the airspeed by drag and lift within a step. With a larger one
-    /// the stages do not resolve the forces; not far above, the method is unstable.
+    /// Largest relative change of the airspeed by drag and lift within a step. Larger changes are
+    /// not resolved by the stages, and much larger ones make the method unstable.
     pub largest_relative_change: f64,
-    /// Number of stages. The end of the step is one more, with the weights bⱼ.
+    /// Number of stages. The end of the step is an additional stage with the weights bⱼ.
     pub stages: usize,
     /// aᵢⱼ: weights of the accelerations in the velocity of stage i, without zeros.
     pub velocity_weights: [Weights; MOST_STAGES + 1],

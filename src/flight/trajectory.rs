@@ -13,8 +13,8 @@ const LARGEST_INTERVAL: f64 = 0.05;
 /// Path of a flight and of the run after it.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
-    /// Points at launch, after each step, and within long steps at least every 0.05 s. The last
-    /// point of a flight that lands is the landing.
+    /// Points at launch, after each step, and within long steps at least every 0.05 s. If the ball
+    /// lands, the last point is the landing.
     pub points: Vec<TrajectoryPoint>,
     /// Result of the flight.
     pub flight: Flight<f64>,
@@ -45,7 +45,7 @@ pub struct TrajectoryPoint {
 /// ```
 ///
 /// # Errors
-/// Those of [`fly`](super::fly).
+/// The errors of [`fly`](super::fly).
 pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory> {
     setup.flight.check_steps()?;
     let start = TrajectoryPoint {

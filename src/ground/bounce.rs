@@ -14,7 +14,8 @@ pub(super) struct Motion<T> {
 }
 
 impl<T: Numbers> Motion<T> {
-    /// Slip: velocity of the contact point along a surface. `along` is that of the centre.
+    /// Slip: velocity of the contact point along a surface. `along` is the velocity of the ball's
+    /// centre along the surface.
     #[inline(always)]
     pub fn slip(&self, along: Vector<T>, normal: Vector<T>, radius: T) -> Vector<T> {
         along - self.spin.cross(normal) * radius
@@ -27,8 +28,9 @@ const INCIDENCE: f64 = 44.4 / 180.0 * PI;
 /// Start and width of the smooth clamp of the tilt over the angle of incidence (H in eq. 19). It
 /// ends at 1, where the ball meets the crater head-on; above, Penner's φ − θ_c is negative.
 const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
-/// Angle to the ground below which the ball digs less (S in eq. 19): nothing along the ground,
-/// where Penner's angle is largest. The width is fitted to TrackMan's chart (docs/sources.md).
+/// Angle to the ground below which the ball digs less than in Penner's formula (S in eq. 19). A
+/// ball that moves along the ground does not dig at all, although Penner's angle is largest for it.
+/// The width is fitted to TrackMan's chart (docs/sources.md).
 const FLAT: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
@@ -38,10 +40,10 @@ const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP
 /// Start and width of the transition from sticking to slipping, as x in eq. 21.
 const STICKS: f64 = 0.8;
 const SLIPS_OVER: f64 = 0.4;
-/// Largest squared slip without a direction, (m/s)².
+/// Largest squared slip, (m/s)², that counts as zero, without a direction.
 const NO_SLIP: f64 = 1e-24;
-/// Smallest squared speed along the ground, (m/s)²: keeps its direction and the derivatives finite
-/// for a ball that falls vertically.
+/// Smallest squared speed along the ground, (m/s)². It keeps the direction and the derivatives
+/// finite for a ball that falls vertically.
 const LEAST_SPEED_SQUARED: f64 = 1e-12;
 
 impl<T: Numbers> Turf<T> {
@@ -90,8 +92,8 @@ impl<T: Numbers> Turf<T> {
         ground * cos - along * (per_level * sin)
     }
 
-    /// q: part of the sticking impulse that friction supplies, with Coulomb's limit `limit`, m/s
-    /// (eq. 21).
+    /// q: fraction of the sticking impulse that friction supplies, with Coulomb's limit `limit`,
+    /// m/s (eq. 21).
     #[inline(always)]
     fn grip(&self, slip: Vector<T>, limit: T) -> T {
         let k = self.sticking_factor();
@@ -126,7 +128,7 @@ mod tests {
     const RADIUS: f64 = 0.021335;
     const UP: Vector<f64> = Vector::new(1.0, 0.0, 0.0);
 
-    /// A ball that comes in at an angle from the vertical, with backspin.
+    /// A ball that lands at an angle of incidence from the vertical, with backspin.
     fn ball(speed: f64, incidence: f64, backspin: f64) -> Motion<f64> {
         let velocity = Vector::new(-speed * incidence.cos(), 0.0, speed * incidence.sin());
         Motion {
@@ -214,7 +216,7 @@ mod tests {
         }
     }
 
-    /// A skimming ball leaves no faster upwards than it came down.
+    /// A ball that skims the ground does not bounce upwards faster than it came down.
     #[test]
     fn exact_flat_bounces_stay_flat() {
         let turf = Turf::new(&Setup::default());

@@ -1,8 +1,8 @@
 //! Run of the ball on the ground: bounces, sliding and rolling to rest (docs/model.md, eqs. 19–24),
 //! after Penner (2002).
 //!
-//! Between bounces the ball flies on parabolas, with drag along the ground. The rest is C² in all
-//! inputs, also where the number of bounces changes.
+//! Between bounces the ball flies on parabolas, with drag along the ground. The position at rest is
+//! C² in all inputs, even where the number of bounces changes.
 
 mod bounce;
 mod sliding;
@@ -21,7 +21,7 @@ pub struct Rest<T> {
     pub downrange: T,
     /// Distance to the right of the target line, m. NaN if the ball does not come to rest.
     pub right: T,
-    /// Number of impacts with the ground; in a batch, the largest number.
+    /// Number of impacts with the ground. In a batch, this is the largest number of all lanes.
     pub bounces: usize,
 }
 
@@ -56,14 +56,15 @@ pub(crate) struct Landing<T> {
     pub force_per_mass: T,
 }
 
-/// Speed away from the ground, m/s, below which the ball stays on it; at twice this speed it hops
-/// fully (eq. 22). Penner ends the bounces at a height of 5 mm, between the two (0.31 m/s).
+/// Speed away from the ground, m/s, below which the ball stays on the ground. From twice this speed
+/// on it hops fully (eq. 22). Penner ends the bounces at a height of 5 mm, whose speed is between
+/// the two (0.31 m/s).
 const LEAST_HOP_SPEED: f64 = 0.2;
-/// Smallest speed along the ground, m/s: keeps it and its derivatives finite at rest.
+/// Smallest speed along the ground, m/s. It keeps the speed's derivatives finite at rest.
 const LEAST_SPEED: f64 = 1e-6;
 /// C_D of a ball with little spin, for the hops.
 const HOP_DRAG: f64 = 0.25;
-/// Largest number of bounces, more than on any ground; then the ball rolls.
+/// Largest number of bounces, more than occur on any ground. Afterwards the ball rolls.
 const MOST_BOUNCES: usize = 250;
 /// Number of intervals of a hop in the path of a run.
 const HOP_INTERVALS: u32 = 16;
@@ -88,8 +89,8 @@ impl<T: Numbers> Turf<T> {
         }
     }
 
-    /// k = I_b/(I_b + m R²): part of the slip that a sticking contact takes from the velocity of
-    /// the ball's centre; 2/7 for a homogeneous ball.
+    /// k = I_b/(I_b + m R²): fraction of the slip that a sticking contact removes from the velocity
+    /// of the ball's centre; 2/7 for a homogeneous ball.
     #[inline(always)]
     pub fn sticking_factor(&self) -> T {
         self.inertia / (self.inertia + 1.0)
@@ -113,7 +114,8 @@ impl<T: Numbers> Turf<T> {
         )))
     }
 
-    /// Bounces and roll-out. `observe` receives each hop with its start, from the landing.
+    /// Computes bounces and roll-out. `observe` receives each hop with its start; the first start
+    /// is the landing.
     #[inline(always)]
     fn run(
         &self,
@@ -159,7 +161,7 @@ impl<T: Numbers> Turf<T> {
         let (normal, pull, k) = (slope.normal, slope.pull, self.sticking_factor());
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
-        // the slip s decelerates by μ_g g n_x/k and is pulled by G, like a sliding body
+        // the slip s decelerates by μ_g g n_x/k and is accelerated by G, like a sliding body
         let sliding = Sliding {
             deceleration: self.friction * slope.press / k,
             pull,
@@ -255,7 +257,7 @@ struct Hop<T: Numbers> {
 }
 
 impl<T: Numbers> Hop<T> {
-    /// Displacement after a part of the duration, from 0 to 1.
+    /// Displacement after a fraction of the duration, from 0 to 1.
     #[inline(always)]
     fn displacement(&self, part: f64) -> Vector<T> {
         let time = self.time * part;
@@ -270,7 +272,7 @@ impl<T: Numbers> Hop<T> {
         )
     }
 
-    /// Velocity at the end; along the plane if the ball does not leave it.
+    /// Velocity at the end of the hop. It is along the plane if the ball does not leave the plane.
     #[inline(always)]
     fn final_velocity(&self) -> Vector<T> {
         let v = self.along * (self.slowdown + 1.0).recip() + self.rising;
@@ -279,8 +281,8 @@ impl<T: Numbers> Hop<T> {
 }
 
 impl Turf<f64> {
-    /// Path from the landing to rest: the hops, then a straight line. Empty if the ball embeds; the
-    /// hops only if it does not come to rest.
+    /// Path from the landing to rest: the hops, then a straight line. Empty if the ball embeds. If
+    /// the ball does not come to rest, the path contains the hops only.
     pub fn path(&self, ball: &Landing<f64>) -> Vec<Vector<f64>> {
         let Some(restitution) = self.restitution else {
             return vec![];
@@ -309,8 +311,8 @@ mod tests {
     use super::{HOP_DRAG, Slope};
     use crate::number::Vector;
 
-    /// A hop beside the same with drag along the ground in small steps, at the density of usual
-    /// air.
+    /// Compares a hop with an integration of the drag along the ground in small steps, at usual air
+    /// density.
     #[test]
     fn independent_hop_by_integration_in_small_steps_within_a_hundredth() {
         let (g, drag) = (9.81, 0.0184 * HOP_DRAG);

@@ -12,7 +12,7 @@ pub struct Delivery<T> {
     pub axes: [Vector<T>; 3],
 }
 
-/// V₁: head speed of the stated bend and droop of the shaft, 100 mph, m/s.
+/// V₁: head speed at which bend and droop of the shaft are stated, 100 mph, m/s.
 const REFERENCE_SPEED: f64 = 44.704;
 
 /// Deflection of the shaft at impact, rad: bend forward and droop (docs/model.md, eqs. 2a, 2b).

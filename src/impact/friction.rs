@@ -7,9 +7,10 @@ use crate::number::{Mask, Number, Numbers, Vector};
 pub enum Grip {
     /// No limit to friction.
     Unlimited,
-    /// The ball sticks and uses the share |J_t|/(μ J_n) of the friction.
+    /// The ball sticks and uses the fraction |J_t|/(μ J_n) of the available friction.
     Sticks(f64),
-    /// The ball slips; sticking would need the share |J_t|/(μ J_n) of the friction.
+    /// The ball slips. Sticking would need the fraction |J_t|/(μ J_n) > 1 of the available
+    /// friction.
     Slips(f64),
 }
 
@@ -65,7 +66,8 @@ pub(super) fn limited<T: Numbers>(
 }
 
 impl<T: Numbers> Limited<T> {
-    /// Lanes in which the bodies separate; all lanes in which the ball sticks.
+    /// Lanes in which the impulse separates the bodies. They include all lanes in which the ball
+    /// sticks.
     #[inline(always)]
     pub fn separates(&self) -> T::Mask {
         !self.slips | (-self.separating).below(0.0)

@@ -11,8 +11,8 @@ pub struct Head<T> {
     pub mass: T,
     /// Distance d of the centre of mass behind the face, along the normal at the face centre, m.
     pub depth: T,
-    /// c₁, c₂: position of the centre of mass above the face centre and towards the toe, m; `None`
-    /// for a centre of mass behind the face centre.
+    /// c₁, c₂: position of the centre of mass above the face centre and towards the toe, m. `None`
+    /// if the centre of mass is directly behind the face centre.
     pub cg_offset: Option<[T; 2]>,
     /// Inertia tensor about the centre of mass in the head frame, kg m², row by row.
     pub inertia: [[T; 3]; 3],
@@ -70,8 +70,8 @@ impl<T: Numbers> Head<T> {
         }
     }
 
-    /// Face centre from the centre of mass, in the head frame, at this loft; the sweet spot if the
-    /// position of the centre of mass is not given.
+    /// Face centre relative to the centre of mass, in the head frame, at this loft. If the position
+    /// of the centre of mass is not given, this is the sweet spot.
     #[inline(always)]
     pub(super) fn face_centre(&self, loft: T) -> Vector<T> {
         let [high, toe] = self.cg_offset.unwrap_or_else(|| [T::zero(); 2]);

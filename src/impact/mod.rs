@@ -80,15 +80,16 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     })
 }
 
-/// Impact without branches, for one club in each lane: the launch, and its validity.
+/// Impact without branches, for one club in each lane: the launch and the lanes in which it is
+/// valid.
 pub(crate) struct LaneImpact<T: Numbers> {
     pub launch: Launch<T>,
-    /// Lanes in which [`strike`] returns this launch, and not an error.
+    /// Lanes in which [`strike`] returns this launch and no error.
     pub is_valid: T::Mask,
 }
 
 impl<T: Numbers> LaneImpact<T> {
-    /// The impact of a setup.
+    /// Computes the impact of a setup in each lane.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         let delivery = Delivery::new(&setup.swing);

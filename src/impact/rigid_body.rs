@@ -36,8 +36,8 @@ pub struct Collision<T> {
     pub gear_scale: Option<T>,
 }
 
-/// v₁: closing speed of a stated restitution that depends on the speed (docs/model.md, eq. 10a):
-/// 160 ft/s, the speed of the USGA's test of clubs, m/s.
+/// v₁: closing speed at which a speed-dependent restitution is stated (docs/model.md, eq. 10a): 160
+/// ft/s, the speed of the USGA's test of clubs, m/s.
 const REFERENCE_SPEED: f64 = 48.768;
 
 /// The bodies after the collision.
@@ -95,7 +95,7 @@ impl<T: Numbers> Collision<T> {
         collision
     }
 
-    /// Lanes in which the restitution at this speed is between 0 and 1.
+    /// Lanes in which the coefficient of restitution at this speed is between 0 and 1.
     #[inline(always)]
     pub(super) fn has_restitution(&self) -> T::Mask {
         !self.restitution.below(0.0) & !(-self.restitution).below(-1.0)
@@ -134,7 +134,7 @@ impl<T: Numbers> Collision<T> {
         Vector::from_array(system.compliance.solve(change.to_array()))
     }
 
-    /// The bodies after the impulse J on the ball (eq. 10).
+    /// Motion of the bodies after the impulse J on the ball (eq. 10).
     #[inline(always)]
     pub(super) fn after(&self, impulse: Vector<T>, system: &ContactSystem<T>) -> Rebound<T> {
         let turned =
@@ -228,11 +228,11 @@ impl<T: Number> Collision<T> {
         Ok(collision)
     }
 
-    /// The bodies after the collision, from the 3 equations for the impulse (docs/model.md,
-    /// eqs. 8–10).
+    /// Motion of the bodies after the collision, from the 3 equations for the impulse
+    /// (docs/model.md, eqs. 8–10).
     ///
     /// # Errors
-    /// [`Error::Jammed`] if the impulse would pull.
+    /// [`Error::Jammed`] if the impulse would pull the bodies together.
     #[inline]
     pub fn by_impulse(&self) -> Result<Rebound<T>> {
         let system = self.checked_system()?;
@@ -247,7 +247,7 @@ impl<T: Number> Collision<T> {
         Ok(self.checked_system()?.columns)
     }
 
-    /// The contact system.
+    /// The contact system, checked.
     ///
     /// # Errors
     /// [`Error::Jammed`] if one of its matrices is not positive definite.
@@ -268,10 +268,10 @@ impl<T: Number> Collision<T> {
         Ok(system)
     }
 
-    /// Checks that an impulse pushes.
+    /// Checks that an impulse pushes the bodies apart.
     ///
     /// # Errors
-    /// [`Error::Jammed`] if it pulls.
+    /// [`Error::Jammed`] if it pulls them together.
     #[inline]
     pub(super) fn pushing(&self, impulse: Vector<T>) -> Result<Vector<T>> {
         let push = impulse.dot(self.normal).re();
@@ -322,7 +322,7 @@ impl<T: Number> Collision<T> {
     /// Two perpendicular unit tangents of the face at the contact point.
     fn tangents(&self) -> [Vector<T>; 2] {
         let n = self.normal;
-        // perpendicular to the axis that is farther from the normal
+        // perpendicular to whichever of two axes is farther from the normal
         let across = if n.y.re().abs() < 0.9 {
             Vector::new(n.z, T::zero(), -n.x)
         } else {
@@ -400,8 +400,8 @@ impl<T: Number> SpeedSystem<T> {
         }
     }
 
-    /// Scale of the gear effect (eq. 9a): (g − 1) of the velocities along the face from the rotation
-    /// of the head.
+    /// Scale of the gear effect (eq. 9a): adds (g − 1) times the velocities along the face that the
+    /// rotation of the head causes.
     fn add_gear_scale(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
         let Some(scale) = collision.gear_scale else {
             return;

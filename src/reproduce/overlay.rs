@@ -29,7 +29,7 @@ impl LoopRow {
         nearest.map(|point| point.difference)
     }
 
-    /// This difference has the wrong sign.
+    /// True if this difference has the wrong sign.
     pub fn has_wrong_sign(&self) -> bool {
         self.small_difference()
             .is_some_and(|difference| difference * self.check.exact < 0.0)

@@ -1,8 +1,8 @@
 //! Statistics of a sweep, computed together with its rows: status counts, moments of each column,
 //! histograms, and the rows with the highest and lowest values.
 //!
-//! A [`Summary`] covers some rows. Summaries merge without another pass over the rows, so that many
-//! processes can share a sweep; [`SummarySpec`] defines the contents.
+//! A [`Summary`] covers some rows. Summaries merge without access to the rows, so that many
+//! processes can share a sweep. [`SummarySpec`] defines the contents.
 //!
 //! ```
 //! use longdrive::batch::Batch;

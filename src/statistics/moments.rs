@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-/// Count, mean, variance and range of a column; mergeable with those of other rows.
+/// Count, mean, variance and range of a column. They merge with the moments of other rows.
 ///
 /// The sum of squared deviations from the mean is merged by
 ///
@@ -76,7 +76,7 @@ impl Moments {
         self.finite(self.mean)
     }
 
-    /// Sum of squared deviations from the mean, M₂; `None` like the mean.
+    /// Sum of squared deviations from the mean, M₂; `None` without values, or if it overflows.
     pub fn squares(&self) -> Option<f64> {
         self.finite(self.squares)
     }

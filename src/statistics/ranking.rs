@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Default and maximum number of rows: every part of a sweep stores all of them.
+/// Default and maximum number of rows. Every part of a sweep stores all of them.
 const USUAL: usize = 10;
 const MOST: usize = 10_000;
 
@@ -99,7 +99,8 @@ impl Coordinate {
     }
 }
 
-/// Rows with the highest or lowest values of an outcome, best first; ties by row number.
+/// Rows with the highest or lowest values of an outcome, best first. Equal values are sorted by row
+/// number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ranking {
     /// The outcome.

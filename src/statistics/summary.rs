@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Contents of a batch's summary: histograms and best rows.
+/// Specification of a batch's summary: its histograms and rankings.
 #[derive(Clone, Debug)]
 pub struct SummarySpec {
     bins: Vec<(usize, Bins)>,
@@ -17,14 +17,15 @@ pub struct SummarySpec {
 }
 
 /// Summary of a batch's rows: status counts, moments of every outcome and derivative, histograms
-/// and best rows. Summaries of the same batch merge without another pass over the rows; merging in
-/// the same order gives the same bits.
+/// and best rows. Summaries of the same batch merge without access to the rows. Merging in the same
+/// order gives the same bits.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Number of drives by status.
     pub statuses: BTreeMap<Status, u64>,
-    /// Number of landed drives beyond each validity limit: launch outside the range that the law
-    /// was fitted to, strike off any face, and landing flatter than any measured bounce.
+    /// Number of landed drives beyond each validity limit, in this order: launch outside the ranges
+    /// that the law was fitted to, strike outside any face, and landing flatter than any measured
+    /// bounce.
     pub beyond: [u64; 3],
     /// Moments of each outcome and derivative, by column name.
     pub moments: BTreeMap<String, Moments>,
@@ -35,7 +36,7 @@ pub struct Summary {
 }
 
 impl SummarySpec {
-    /// Summary with these histograms and best rows, besides status counts and moments.
+    /// Specifies these histograms and rankings. Status counts and moments are always included.
     ///
     /// # Errors
     /// [`Error::Together`] for an outcome that is not computed, and for repeated requests.

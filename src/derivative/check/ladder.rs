@@ -10,14 +10,15 @@ pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 /// off within a millionth) are not resolved.
 pub(super) const LEAST_STEP: f64 = 1e-6;
 
-/// Smallest assumed size of a function, relative to the numbers it is computed from. Below it, the
-/// required resolution ([`Demand::FIRST`](super::Demand::FIRST)) would be less than rounding.
+/// Smallest assumed size of a function, relative to the numbers it is computed from. For a smaller
+/// size, the required resolution ([`Demand::FIRST`](super::Demand::FIRST)) would be below rounding.
 const LEAST_LEFT: f64 = 1e-5;
 
 /// Range of steps at which second differences are pure rounding.
 const ROUNDING_ONLY: std::ops::Range<f64> = 1e-12..2e-9;
 
-/// One step of a ladder with the function values on both sides; `None` where it has none.
+/// One step of a ladder with the function values on both sides. A value is `None` where the
+/// function is undefined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rung {
     /// The step h.
@@ -82,7 +83,8 @@ impl Ladder {
         ladders
     }
 
-    /// Raises the assumed size of the function, and that of its rounding.
+    /// Raises the assumed size of the function, and the size that determines its rounding, to at
+    /// least this size.
     #[must_use]
     pub fn made_of(self, size: f64) -> Self {
         Self {
@@ -92,8 +94,9 @@ impl Ladder {
         .rounded_as(size)
     }
 
-    /// For a function that is a small difference of numbers of this size (spins that cancel, say):
-    /// it has their rounding, and less than 1e-5 of them counts as zero.
+    /// Raises the size that determines the rounding, for a function that is a small difference of
+    /// numbers of this size (for example spins that cancel). Function values below 1e-5 of this
+    /// size count as zero.
     #[must_use]
     pub fn rounded_as(self, size: f64) -> Self {
         Self {
@@ -104,7 +107,8 @@ impl Ladder {
     }
 
     /// Rounding error of the function at the centre: the largest second difference over steps so
-    /// small that curvature has no effect. At the end of a range: of two steps on the one side.
+    /// small that curvature has no effect. At the end of the variable's range, the second
+    /// difference uses two steps on one side.
     pub fn rounding(&self) -> f64 {
         let small: Vec<&Rung> = self
             .rungs
@@ -138,8 +142,8 @@ impl Ladder {
         }
     }
 
-    /// Derivative on a side, extrapolated to step 0, as accurate as `enough` if small steps allow;
-    /// `None` with too few values.
+    /// Derivative on a side, extrapolated to step 0. Small steps are preferred if they reach the
+    /// uncertainty `enough`. `None` if there are too few values.
     pub fn slope(&self, side: Side, enough: f64) -> Option<Estimate> {
         let is_wide = |rung: &&Rung| rung.step >= 0.999 * LEAST_STEP * self.scale;
         let rounding = self.rounding();
@@ -149,8 +153,8 @@ impl Ladder {
                 .into_iter()
                 .flatten()
                 .fold(0.0_f64, |most, value| most.max(value.abs()));
-            // rounding of two values over two steps for a central difference, over one step for a
-            // one-sided one
+            // a central difference has the rounding of two values over two steps, a one-sided
+            // difference over one step
             let share = 2.0 / f64::from(side.power());
             Some((
                 rung.step,

@@ -4,7 +4,7 @@ use super::{Ladder, Rung};
 /// Remainders must exceed the rounding of the function by this factor.
 const ABOVE_ROUNDING: f64 = 100.0;
 
-/// Number of the smallest usable steps for a fit: two decades.
+/// Number of smallest usable steps in a fit: two decades.
 const FITTED: usize = 5;
 
 /// Orders of the Taylor remainders |f(x+h) − f|, |f(x+h) − f − h f′| and |f(x+h) − f − h f′ − ½ h²
@@ -32,7 +32,7 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
             (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)).max(of_the_change))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))
         };
-        // from the smallest usable step on, up to a step at which the remainder passes through 0
+        // consecutive steps from the smallest usable one; a zero of the remainder ends them
         let left = ladder
             .rungs
             .iter()

@@ -4,11 +4,11 @@ use super::{Estimate, Ladder, Side};
 /// Result of comparing an exact derivative with differences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
-    /// Differences contradict it, or cannot decide.
+    /// Differences contradict the derivative, or cannot decide.
     Fail,
     /// The function has a kink here, and no unique derivative.
     Corner,
-    /// Differences confirm it.
+    /// Differences confirm the derivative.
     Pass,
 }
 
@@ -35,11 +35,11 @@ pub const NEXT_TO_NOTHING: f64 = 1e-2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand {
     /// Smallest tolerance, relative to the derivative (or to the size below which it is
-    /// negligible). Jumps of higher derivatives, as from a flight's number of steps, disturb
-    /// differences by more than small steps show.
+    /// negligible). Jumps of higher derivatives, for example where the number of steps of a flight
+    /// changes, disturb differences more than the comparison of small steps shows.
     pub least_bar: f64,
-    /// Relative error that they must resolve; of a negligible derivative ([`NEXT_TO_NOTHING`]),
-    /// relative to the size below which it is negligible.
+    /// Relative error that differences must resolve. For a negligible derivative
+    /// ([`NEXT_TO_NOTHING`]) it is relative to the size below which a derivative is negligible.
     pub seen: Option<f64>,
 }
 
@@ -56,8 +56,8 @@ impl Demand {
     };
 }
 
-/// Rounding of the exact derivative, in units of the size of the numbers behind the function over
-/// the scale.
+/// Rounding error of the exact derivative, in units of s/scale, with s the size of the numbers that
+/// the function is computed from.
 const OWN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// One step of a V-curve: error of the central difference.
@@ -67,7 +67,7 @@ pub struct Point {
     pub step: f64,
     /// Central difference (f(x + h) − f(x − h))/2h.
     pub difference: f64,
-    /// Distance of the exact derivative from it.
+    /// |exact derivative − central difference|.
     pub error: f64,
 }
 
@@ -150,8 +150,9 @@ impl Ladder {
         }
     }
 
-    /// Like [`judge`](Self::judge), for a function with a known kink here. At the end of its range
-    /// only one of the two derivatives is visible, so a derivative between the two does not fail.
+    /// Like [`judge`](Self::judge), for a function with a known kink at this point. At the end of
+    /// the variable's range only one of the two one-sided derivatives is visible, so a derivative
+    /// between the two does not fail.
     pub fn judge_on_a_corner(&self, exact: f64, demand: Demand) -> Check {
         let check = self.judge(exact, demand);
         let sides =

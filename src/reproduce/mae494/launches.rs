@@ -31,9 +31,9 @@ pub struct Energy {
     pub fastest: f64,
     /// Launch of maximum carry at that ball speed, over launch angle and spin.
     pub farthest: Launched,
-    /// Carry per additional ball speed there, m per m/s.
+    /// Derivative of carry by ball speed at that launch, m per m/s.
     pub price_of_speed: f64,
-    /// Slowest launch with the report's longest carry.
+    /// Slowest launch that reaches the report's longest carry.
     pub needed: Launched,
     /// The club's kinetic energy, ½ M V², J.
     pub club: f64,
@@ -43,8 +43,8 @@ pub struct Energy {
     pub ball_needed: f64,
 }
 
-/// The report's "subsystem optimum": the best launch of the flight alone compared with launches
-/// that the impact can give.
+/// The report's "subsystem optimum": the best launch of the flight alone, compared with launches
+/// that the impact can produce.
 #[derive(Clone, Debug)]
 pub struct Subsystems {
     /// Launch at the optimum of the whole system.
@@ -60,8 +60,8 @@ pub struct Subsystems {
     /// Derivative of carry by loft through ball speed, launch angle and backspin, m/rad. The sum is
     /// 0 at the optimum.
     pub by_loft: [f64; 3],
-    /// Derivative of carry by attack angle through the same three, m/rad. The sum is the multiplier
-    /// of its bound.
+    /// Derivative of carry by attack angle through ball speed, launch angle and backspin, m/rad.
+    /// The sum is the multiplier of the bound on the attack angle.
     pub by_attack_angle: [f64; 3],
 }
 
@@ -70,7 +70,7 @@ const SLOWEST: f64 = 10.0;
 const MOST_SPEED: f64 = 300.0;
 const MOST_SPIN: f64 = 1000.0;
 
-/// Launch angles just inside horizontal and vertical, which give short carries.
+/// Launch angles slightly off horizontal and vertical, which give short carries.
 const ANGLES: [f64; 2] = [0.01, FRAC_PI_2 - 0.01];
 
 impl Energy {

@@ -12,8 +12,8 @@ const ITERATIONS: u64 = 200;
 
 /// Minimizes with argmin's L-BFGS from `start`: returns the best point and the termination message.
 ///
-/// argmin has no bounds: the substitution x = middle + half the width · sin u removes them. It also
-/// fails where the function is undefined, so a missing flight has carry 0.
+/// argmin's L-BFGS has no bounds, so the substitution x = middle + half the width · sin u removes
+/// them. It also fails where the function is undefined, so a drive that does not fly has carry 0.
 pub(super) fn search_by_lbfgs(objective: &Objective, start: &[f64]) -> (Vec<f64>, String) {
     let bounds = &objective.domain.variables;
     let half = |i: usize| 0.5 * (bounds.high[i] - bounds.low[i]);
@@ -41,7 +41,7 @@ pub(super) fn search_by_lbfgs(objective: &Objective, start: &[f64]) -> (Vec<f64>
     (best.into_inner().1, message)
 }
 
-/// Replaces a missing flight by a default value.
+/// Replaces the result of a drive that does not fly by a default value.
 fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Error> {
     match found {
         Err(crate::Error::NoFlight { .. }) => Ok(without),

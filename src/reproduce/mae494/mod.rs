@@ -66,7 +66,7 @@ impl Mae494 {
     pub const UNITS: System = System::Metric;
 }
 
-/// Reproduces the report; `progress` receives the name of each part.
+/// Reproduces the report; `progress` receives the name of each study as it begins.
 ///
 /// # Errors
 /// [`Error::NotConverged`](crate::Error::NotConverged) if a search fails.

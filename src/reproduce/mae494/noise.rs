@@ -6,8 +6,8 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
 
-/// The "noise" of the report's flight loop: carry has jumps, and differences give the slope of a
-/// single tooth.
+/// The "noise" of the report's flight loop: carry is a sawtooth function of loft, and finite
+/// differences give the slope of a single tooth.
 #[derive(Clone, Debug)]
 pub struct Noise {
     /// Time step of the loop, s.
@@ -45,9 +45,9 @@ pub struct Landings {
 pub struct Sawtooth {
     /// Number of jumps in the zoom.
     pub count: usize,
-    /// Mean distance, rad of loft.
+    /// Mean distance of the jumps, rad of loft.
     pub width: f64,
-    /// Mean height, m.
+    /// Mean height of the jumps, m.
     pub height: f64,
 }
 

@@ -20,7 +20,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Loss of the printed optimum, m; the whole carry if it does not fly.
+    /// Loss of carry of the printed optimum, m; the whole carry if it does not fly.
     pub fn cost(&self) -> f64 {
         self.best.value().unwrap_or_default() - self.at_printed.unwrap_or_default()
     }
@@ -64,8 +64,8 @@ pub(super) fn optimum(setup: &Setup<f64>) -> Result<Row> {
     )
 }
 
-/// The exact optimum over the named parameters within the report's ranges; other parameters are as
-/// printed.
+/// The exact optimum over the named parameters within the report's ranges. All other parameters
+/// have the printed values.
 fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
     let at = printed.set(setup);
     let vary = names
@@ -76,7 +76,8 @@ fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
         vary,
         ..Search::largest(Outcome::Carry)
     };
-    // some printed optima do not fly, and carry may have several maxima
+    // some printed optima do not fly, and carry may have several maxima, so several starts are
+    // needed
     let best = optima(&at, &search, 8, &Observers::default())?.best;
     Ok(Row {
         printed,

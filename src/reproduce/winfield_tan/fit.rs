@@ -9,8 +9,8 @@ use crate::study::calibrate::{Calibration, FitPlan, ShotTable, calibrate};
 const PRINTED: &str = include_str!("printed.csv");
 /// Decay rates of the profile, 1/s.
 const PROFILE: [f64; 6] = [0.0, 0.045, 0.1, 0.2, 0.3, 0.65];
-/// Method of the fits: carries within 4e-9 m of the preset's own method, with a sixth of the
-/// evaluations.
+/// Method of the fits. Its carries agree with the preset's own method within 4e-9 m, with a sixth
+/// of the evaluations.
 const METHOD: Method = Method::DormandPrince8;
 /// Time step, s.
 const STEP: f64 = 0.2;
@@ -23,9 +23,9 @@ pub struct Fitted {
     pub law: Calibration,
     /// Calibration including the decay rate.
     pub with_decay: Calibration,
-    /// Decay rate and its standard error, 1/s, scaled by the residuals.
+    /// Decay rate and its standard error, 1/s. The standard error is scaled by the residuals.
     pub decay: (f64, f64),
-    /// Sum of squares at given decay rates.
+    /// Smallest sum of squares at given decay rates.
     pub profile: Vec<Decay>,
 }
 

@@ -47,7 +47,7 @@ impl WinfieldTan {
     pub const UNITS: System = System::Us;
 }
 
-/// Reproduces the paper; `progress` receives the name of each part.
+/// Reproduces the paper; `progress` receives the name of each step as it begins.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum) and
