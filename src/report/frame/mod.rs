@@ -1,5 +1,5 @@
-//! What every page has: one HTML file that needs nothing else, with its head, the switch of units,
-//! tables and pictures.
+//! The frame of a page: a self-contained HTML file with its head, a switch of units, tables and
+//! pictures.
 
 mod picture;
 mod table;
@@ -23,12 +23,12 @@ pub(super) struct Frame<'a> {
     pub main: Markup,
     /// The footer.
     pub footer: Option<Markup>,
-    /// The units that it opens with.
+    /// The units shown when the page opens.
     pub system: System,
 }
 
 impl Frame<'_> {
-    /// The whole page. It has a switch of units where something in it differs between them.
+    /// The HTML of the page. It has a switch of units if a text in it differs between them.
     pub fn page(self) -> String {
         let Self {
             title,

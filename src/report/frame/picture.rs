@@ -1,4 +1,4 @@
-//! Plots on a page, each drawn for the widths and the units that it is looked at in.
+//! Plots on a page, each drawn for several widths and for both systems of units.
 
 use super::units::both;
 use crate::error::Result;
@@ -6,11 +6,11 @@ use crate::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
 use crate::units::System;
 use maud::{Markup, PreEscaped, html};
 
-/// A plot with its words in the units of each of [`System::ALL`].
+/// A plot with its texts in the units of each of [`System::ALL`].
 pub(in crate::report) type Pair = [Figure; 2];
 
-/// Widths that pictures are drawn for, pixels: the column of a phone or of print, where text has
-/// its own size, and that of a screen.
+/// Widths of pictures, pixels: a column on a phone or in print, where text has its normal size, and
+/// a screen.
 const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
 
 /// A plot drawn in each system.
@@ -18,20 +18,20 @@ pub(in crate::report) fn in_each(figure: impl Fn(System) -> Figure) -> Pair {
     System::ALL.map(figure)
 }
 
-/// The file of a plot's picture.
+/// The file name of a plot's picture.
 pub(in crate::report) fn svg_name(figure: &Figure, system: System) -> String {
     format!("{}-{system}.svg", figure.name)
 }
 
-/// The file of a plot's data.
+/// The file name of a plot's data.
 pub(in crate::report) fn csv_name(figure: &Figure) -> String {
     format!("{}.csv", figure.name)
 }
 
-/// The files beside a page, name and text: the picture of each plot in each system, and its data.
+/// The names and contents of the plots' files: a picture in each system of units, and the data.
 ///
 /// # Errors
-/// As [`figure_svg`] and [`figure_csv`].
+/// Those of [`figure_svg`] and [`figure_csv`].
 pub(in crate::report) fn picture_files<'a>(
     pairs: impl IntoIterator<Item = &'a Pair>,
     data_of: System,
@@ -52,10 +52,10 @@ pub(in crate::report) fn picture_files<'a>(
     Ok(files)
 }
 
-/// Plots side by side, as far as there is room.
+/// Plots, side by side if the page is wide enough.
 ///
 /// # Errors
-/// As [`figure_svg`].
+/// Those of [`figure_svg`].
 pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>) -> Result<Markup> {
     let drawn = pairs
         .into_iter()
@@ -75,7 +75,7 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
     })
 }
 
-/// The pictures of a plot with what they are for: one for both systems where they are the same.
+/// The pictures of a plot with their CSS classes. A picture without units serves both systems.
 fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];
     for (place, width) in WIDTHS {
@@ -103,7 +103,7 @@ fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
     Ok(drawings)
 }
 
-/// The note of a plot in a system.
+/// The note of a plot in the units of a system.
 fn note([metric, us]: &Pair, system: System) -> String {
     if system == System::Us {
         &us.note
@@ -113,7 +113,7 @@ fn note([metric, us]: &Pair, system: System) -> String {
     .clone()
 }
 
-/// The files of a plot.
+/// Links to the files of a plot.
 fn links([metric, us]: &Pair) -> Markup {
     html! {
         a.us href=(svg_name(us, System::Us)) { "SVG" }

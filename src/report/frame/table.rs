@@ -2,14 +2,14 @@
 
 use maud::{Markup, html};
 
-/// A table that can be moved to the side where it is wider than the page, by keys too; `label` says
-/// what is in it.
+/// A table that scrolls sideways if it is wider than the page, also by keyboard. `label` describes
+/// its content.
 pub(in crate::report) fn scrolled(label: &str, table: Markup) -> Markup {
     html! { section.wide tabindex="0" aria-label=(label) { (table) } }
 }
 
-/// Most cells of a column are numbers; a unit of up to three letters ("rpm") may follow. Empty
-/// cells and dashes do not count.
+/// True if most cells of a column are numbers, with an optional unit of up to three letters
+/// ("rpm"). Empty cells and dashes do not count.
 pub(in crate::report) fn is_of_numbers<'a>(cells: impl Iterator<Item = &'a str>) -> bool {
     let cells: Vec<&str> = cells.filter(|cell| !["", "–"].contains(cell)).collect();
     let numbers = cells.iter().filter(|cell| is_number(cell)).count();

@@ -1,16 +1,16 @@
-//! What a page shows in both systems of units, of which the reader chooses one.
+//! Texts of a page in both systems of units, between which the reader can switch.
 
 use crate::units::{System, typeset};
 use maud::{Markup, html};
 
-/// A part of a page differs between the units.
+/// True if a part of a page differs between the systems.
 pub(super) fn has_both(part: &Markup) -> bool {
     [r#"<span class="us""#, r#" us">"#]
         .iter()
         .any(|class| part.0.contains(class))
 }
 
-/// A text in each system of units; once, if both are equal.
+/// A text in both systems of units; only once if both are equal.
 pub(in crate::report) fn both(write: impl Fn(System) -> String) -> Markup {
     let [us, metric] = [System::Us, System::Metric].map(|system| typeset(&write(system)));
     html! {
@@ -18,7 +18,7 @@ pub(in crate::report) fn both(write: impl Fn(System) -> String) -> Markup {
     }
 }
 
-/// The choice of the units, without any script.
+/// The switch of units, which needs no script.
 pub(super) fn switch(system: System) -> Markup {
     html! {
         fieldset.switch {

@@ -1,4 +1,4 @@
-//! The MAE 494 report, reproduced, as a document and as JSON.
+//! The reproduction of the MAE 494 report, as a document and as JSON.
 
 mod noise;
 mod physics;
@@ -17,14 +17,14 @@ use crate::reproduce::{
 use crate::units::System;
 use serde::Serialize;
 
-/// The report, reproduced, SI and radians.
+/// The reproduction of the report, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct Mae494Report<'a> {
     #[serde(skip)]
     found: &'a Mae494,
     /// `mae494`.
     pub study: &'static str,
-    /// The optimum with the slip that the report's table has.
+    /// The optimum in the report's table, which has an error.
     pub slipped_optimum: DeliveryPoint,
     /// The optimum of the report's model.
     pub optimum: OptimumRow,
@@ -32,13 +32,13 @@ pub struct Mae494Report<'a> {
     pub table1: Vec<TableRow>,
     /// The optimum at each loft of Table 2.
     pub table2: Vec<TableRow>,
-    /// The loft that is best on average.
+    /// The loft with the best average carry.
     pub average: AverageReport,
     /// The optimum of the fitted polynomial.
     pub regression: RegressionReport,
     /// The energy of club and ball.
     pub energy: EnergyReport,
-    /// Impact and flight apart.
+    /// Optima of impact and flight, separately.
     pub subsystems: SubsystemsReport,
     /// The sensitivity of the optimum to the constants.
     pub parametric: ParametricReport,
@@ -60,7 +60,7 @@ pub struct OptimumRow {
     pub active: ByName<Option<&'static str>>,
 }
 
-/// A row of a table: the exact optimum, and the carry of the printed one.
+/// A row of a table: the exact optimum, and the carry at the printed optimum.
 #[derive(Clone, Debug, Serialize)]
 pub struct TableRow {
     /// The exact optimum.
@@ -68,11 +68,11 @@ pub struct TableRow {
     pub optimum: OptimumRow,
     /// The carry at the printed optimum.
     pub carry_at_printed: Number,
-    /// The carry that the printed optimum loses.
+    /// The carry lost at the printed optimum.
     pub cost: Number,
 }
 
-/// The loft that is best on average over the attack angles.
+/// The loft with the best average carry over the attack angles.
 #[derive(Clone, Debug, Serialize)]
 pub struct AverageReport {
     /// The best loft and its average carry.
@@ -82,14 +82,14 @@ pub struct AverageReport {
     pub rows: Vec<LoftCarry>,
 }
 
-/// The maximum of the fitted polynomial, with the polynomial of each fit.
+/// The maximum of the fitted polynomial, for each fit.
 #[derive(Clone, Debug, Serialize)]
 pub struct RegressionReport {
-    /// With the slipped row of the table.
+    /// The fit that includes the erroneous row of the table.
     pub slipped: PeakReport,
     /// The fit of the report.
     pub as_fitted: PeakReport,
-    /// By ordinary least squares.
+    /// The fit by ordinary least squares.
     pub ordinary: PeakReport,
 }
 
@@ -135,14 +135,14 @@ pub struct EnergyReport {
     pub ball_energy_needed: f64,
 }
 
-/// Impact and flight apart.
+/// Optima of impact and flight, separately.
 #[derive(Clone, Debug, Serialize)]
 pub struct SubsystemsReport {
     /// The launch of the optimum.
     pub whole: LaunchedReport,
     /// The optimum of the flight.
     pub flight: LaunchedReport,
-    /// The optimum of the impact.
+    /// The optimal delivery for the impact.
     pub impact: DeliveryPoint,
     /// The derivative of carry by each launch condition.
     pub carry_by: ByName<Number>,
@@ -157,7 +157,7 @@ pub struct SubsystemsReport {
 pub struct ParametricReport {
     /// Each constant.
     pub sensitivity: Vec<ConstantReport>,
-    /// The optimum after a change of a constant.
+    /// The optima after changes of a constant.
     pub changes: Vec<ChangeReport>,
 }
 
@@ -166,7 +166,7 @@ pub struct ParametricReport {
 pub struct ConstantReport {
     /// The constant.
     pub parameter: &'static str,
-    /// Its value.
+    /// The value of the constant.
     pub at: f64,
     /// The derivative of the carry.
     pub value: f64,
@@ -179,7 +179,7 @@ pub struct ConstantReport {
 pub struct ChangeReport {
     /// The constant.
     pub parameter: &'static str,
-    /// Its change.
+    /// The change of the constant.
     pub change: f64,
     /// The optimum by derivatives.
     pub predicted: ChangedOptimum,
@@ -196,7 +196,7 @@ pub struct ChangedOptimum {
     pub optimum: ByName<f64>,
 }
 
-/// The noise of the while-loop's landing.
+/// The noise of the while-loop, from its landing.
 #[derive(Clone, Debug, Serialize)]
 pub struct NoiseReport {
     /// The attack angle.
@@ -204,32 +204,32 @@ pub struct NoiseReport {
     pub attack_angle: f64,
     /// The time step, s.
     pub step: f64,
-    /// The step of the differences.
+    /// The step of the finite differences.
     pub difference: f64,
-    /// The teeth of carry over loft.
+    /// The steps (teeth) in the curve of carry over loft.
     pub teeth: TeethReport,
     /// The derivative of carry by loft at each loft.
     pub slopes: Vec<SlopesReport>,
     /// Number of lofts where the sign of the difference is wrong.
     pub wrong_signs: usize,
-    /// The largest error at shorter time steps.
+    /// The largest error for shorter time steps.
     pub shorter_steps: Vec<ShorterStep>,
-    /// The largest error at longer differences.
+    /// The largest error for longer steps of the finite differences.
     pub longer_differences: Vec<LongerDifference>,
     /// Carry over a small range of loft.
     pub zoom: Vec<LandingReport>,
-    /// Searches with each landing and method.
+    /// Searches for each landing and method.
     pub searches: Vec<SearchesReport>,
 }
 
-/// The teeth of carry over loft.
+/// The steps (teeth) in the curve of carry over loft.
 #[derive(Clone, Debug, Serialize)]
 pub struct TeethReport {
-    /// Their number.
+    /// The number of teeth.
     pub count: usize,
-    /// Their width.
+    /// The width of a tooth.
     pub width: f64,
-    /// Their height.
+    /// The height of a tooth.
     pub height: f64,
 }
 
@@ -239,44 +239,44 @@ pub struct SlopesReport {
     /// The loft.
     #[serde(rename = "club.loft")]
     pub loft: f64,
-    /// Exact.
+    /// The exact derivative.
     pub exact: f64,
-    /// With the time of landing held constant.
+    /// The derivative with a constant landing time.
     pub at_fixed_time: f64,
-    /// The difference of the loop.
+    /// The finite difference of the loop.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// The difference of the loop with an interpolated landing.
+    /// The finite difference of the loop with an interpolated landing.
     pub interpolated: f64,
-    /// The sign of the loop's difference is wrong.
+    /// True if the sign of the loop's finite difference is wrong.
     pub sign_is_wrong: bool,
 }
 
-/// The loop's difference at a shorter time step.
+/// The loop's finite difference for a shorter time step.
 #[derive(Clone, Debug, Serialize)]
 pub struct ShorterStep {
     /// The time step, s.
     pub step: f64,
-    /// The difference of the loop.
+    /// The finite difference of the loop.
     #[serde(rename = "loop")]
     pub overshot: f64,
 }
 
-/// The differences at a longer step of the parameter.
+/// The finite differences for a longer step of the parameter.
 #[derive(Clone, Debug, Serialize)]
 pub struct LongerDifference {
     /// The step of the parameter.
     pub difference: f64,
-    /// The difference of the loop.
+    /// The finite difference of the loop.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// With an interpolated landing.
+    /// The finite difference with an interpolated landing.
     pub interpolated: f64,
-    /// With the smooth landing.
+    /// The finite difference with the smooth landing.
     pub smooth: f64,
 }
 
-/// The carry of a loft, by each landing.
+/// The carry at a loft, for each landing.
 #[derive(Clone, Debug, Serialize)]
 pub struct LandingReport {
     /// The loft.
@@ -285,9 +285,9 @@ pub struct LandingReport {
     /// The carry of the loop.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// With an interpolated landing.
+    /// The carry with an interpolated landing.
     pub interpolated: f64,
-    /// With the smooth landing.
+    /// The carry with the smooth landing.
     pub smooth: f64,
 }
 
@@ -298,11 +298,11 @@ pub struct SearchesReport {
     pub landing: &'static str,
     /// The method.
     pub method: &'static str,
-    /// The end of the search from each start.
+    /// The results of the search from each start.
     pub ends: Vec<EndReport>,
 }
 
-/// The end of a search.
+/// The result of a search.
 #[derive(Clone, Debug, Serialize)]
 pub struct EndReport {
     /// The start.
@@ -315,7 +315,7 @@ pub struct EndReport {
     pub message: String,
 }
 
-/// The numbers that the report prints.
+/// The numbers in the printed report.
 #[derive(Clone, Debug, Serialize)]
 pub struct PrintedReport {
     /// The last row of Table 1.
@@ -326,7 +326,7 @@ pub struct PrintedReport {
     pub table1: Vec<DeliveryPoint>,
     /// Table 2.
     pub table2: Vec<DeliveryPoint>,
-    /// The loft that is best on average.
+    /// The loft with the best average carry.
     pub average: ByName<f64>,
 }
 
@@ -363,8 +363,8 @@ impl<'a> Mae494Report<'a> {
 impl Report for Mae494Report<'_> {
     const COMMAND: &'static str = "reproduce";
 
-    /// Computed numbers in the units of `system`, printed ones as the report prints them, with those
-    /// units beside.
+    /// Computed numbers in the units of `system`. Printed numbers are in the units of the report,
+    /// with the units of `system` in parentheses.
     fn document(&self, system: System) -> Document {
         let found = self.found;
         let shown = Published {

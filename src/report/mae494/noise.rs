@@ -1,4 +1,4 @@
-//! The exhibit of the noise.
+//! The section about the noise of the while-loop.
 
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};

@@ -1,4 +1,4 @@
-//! The report's claims, checked with its own model.
+//! Checks of the report's claims with its own model.
 
 use super::tables::degrees;
 use crate::report::document::Document;
@@ -178,7 +178,7 @@ fn with_sign(change: f64) -> String {
     signed(change, fixed(change, 4))
 }
 
-/// A spin without the trace that a search leaves of none.
+/// A spin. Rounding errors of a search are displayed as 0.
 fn spin(launched: &Launched) -> String {
     format!(
         "{:.1}",

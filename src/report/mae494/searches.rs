@@ -1,4 +1,4 @@
-//! Searches on the noise and without it.
+//! Searches with and without the noise of the while-loop.
 
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
@@ -6,7 +6,7 @@ use crate::report::published::Published;
 use crate::reproduce::{Delivery, Landing, Mae494, Method, Searches};
 use crate::units::Quantity;
 
-/// A search within this of the best carry, m, has found it.
+/// Largest distance from the best carry of a successful search, m.
 const FOUND: f64 = 0.01;
 
 pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published) {

@@ -1,4 +1,4 @@
-//! What the report prints of optima, beside the exact ones.
+//! Printed optima of the report, compared with the exact ones.
 
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
@@ -119,7 +119,7 @@ fn carried(row: &Row, shown: Published) -> String {
         .map_or("does not fly".into(), |carry| shown.length(carry))
 }
 
-/// "club.loft at its upper bound, 0.52 m per deg beyond it".
+/// The active bounds: "club.loft at its upper bound, 0.52 m per deg beyond it".
 fn held(row: &Row, shown: Published) -> String {
     let solution = &row.best.solution;
     let bounds = row.active.iter().filter_map(|active| {
@@ -182,7 +182,7 @@ pub(super) fn regression(document: &mut Document, found: &Mae494, shown: Publish
     ));
 }
 
-/// An angle in degrees, to four decimals as the report prints it.
+/// An angle in degrees, with four decimals as in the report.
 pub(super) fn degrees(radians: f64) -> String {
     format!("{}°", fixed(radians.to_degrees(), 4))
 }

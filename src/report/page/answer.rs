@@ -1,5 +1,5 @@
-//! The answer, before everything else: what the drive does, what the best one does, and what
-//! changes between them.
+//! The summary at the beginning of a page: the drive as set up, the optimal drive, and the changes
+//! between them.
 
 use super::findings::Findings;
 use super::numbers::{from_to, of_known_size, outcome};
@@ -14,10 +14,10 @@ use crate::study::{Effects, Optimum, Sense};
 use crate::units::{System, leading_number, one, signed};
 use maud::{Markup, html};
 
-/// Most parameters that the uncertainty is said to be of.
+/// Maximum number of parameters named as sources of the uncertainty.
 const NAMED: usize = 3;
 
-/// The block that the page begins with.
+/// The summary at the beginning of the page.
 pub(super) fn answer(findings: &Findings<'_>) -> Markup {
     let yours = findings
         .flown
@@ -63,8 +63,8 @@ fn headline(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> M
     })
 }
 
-/// From one value to another, with its sign: the difference of the two as they are printed, so that
-/// they add up.
+/// A change between two values, with its sign. It is the difference of the displayed values, so
+/// that the numbers add up.
 fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
     let unit = system.unit(of.unit());
     let size = of.quantity().size_of(unit).unwrap_or(1.0);
@@ -101,7 +101,7 @@ fn tiles(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Mark
     }
 }
 
-/// The changes from the drive as set up to the best one, and the active bounds and constraints.
+/// The changes from the drive as set up to the optimal one, and the active bounds and constraints.
 fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
     let search = &best.search;
     let varied = search.vary.iter().enumerate().map(|(i, vary)| {
@@ -154,7 +154,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     }
     let unit = system.unit(parameter.unit);
     let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
-    // of a number without unit one more is no small step
+    // a whole unit is a large step for a number without unit
     if is_corner || unit.is_empty() {
         return Some(bound_in_words(best, i, system));
     }
@@ -177,7 +177,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     Some(format!("your limit: {each} {does} {amount}"))
 }
 
-/// The sources of the uncertainty ±.
+/// The sources of the uncertainty after ±.
 fn what_is_known(findings: &Findings<'_>) -> Markup {
     let of = findings
         .effects_of(findings.of)

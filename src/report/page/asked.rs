@@ -1,4 +1,4 @@
-//! What was asked: the title of the page, and the question in a few lines.
+//! The request: the title of the page, and a summary in a few lines.
 
 use super::findings::Findings;
 use super::numbers::from_to;
@@ -10,12 +10,13 @@ use crate::report::shown;
 use crate::units::{System, counted};
 use maud::{Markup, html};
 
-/// Most changes that the title names; of more it names one less, and counts the others.
+/// Maximum number of changes in the title. If there are more, it names one less and counts the
+/// others.
 const NAMED: usize = 3;
 
-/// The title of the page: the setup, or the launch that is given, and the first changes.
+/// The title of the page: the setup or the stated launch, and the first changes.
 pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
-    // a file is what it is called
+    // a setup file has its own name
     if findings.is_of_a_file() {
         return Ok(findings.name.into());
     }
@@ -40,7 +41,7 @@ pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
     Ok(drive + &changes.collect::<String>() + &others)
 }
 
-/// The conditions of the launch that are given.
+/// The stated launch conditions.
 fn launch(findings: &Findings<'_>) -> Vec<&'static str> {
     findings
         .stated
@@ -50,7 +51,7 @@ fn launch(findings: &Findings<'_>) -> Vec<&'static str> {
         .collect()
 }
 
-/// The line below the title. A preset's description is about the drive of the preset.
+/// The line below the title. The description of a preset applies only to the preset's drive.
 pub(super) fn subtitle(findings: &Findings<'_>) -> Result<String> {
     let preset = findings.preset.name;
     let changes = changed(findings, System::default())?.len() as u64;
@@ -66,8 +67,8 @@ pub(super) fn subtitle(findings: &Findings<'_>) -> Result<String> {
     })
 }
 
-/// The differences from the preset, without the launch, which has a line of its own, and without
-/// the club if it strikes nothing.
+/// The differences from the preset, without the launch, which has its own line, and without the
+/// club if no impact is computed.
 fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
     let is_launched = findings.stated.launch.is_given();
     let is_told = |change: &Change| {
@@ -82,8 +83,8 @@ fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
         .collect())
 }
 
-/// The question: golfer, club and wind, varied and constant parameters, and the differences from
-/// the preset.
+/// The summary of the request: golfer, club and wind, varied and constant parameters, and the
+/// differences from the preset.
 pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
     const GOLFER: [&str; 4] = [
         "swing.speed",
@@ -148,7 +149,7 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
     })
 }
 
-/// Two ends of a range: "4 to 20 deg".
+/// The ends of a range: "4 to 20 deg".
 fn to(low: &str, high: &str) -> String {
     from_to(low, high).replace(" → ", " to ")
 }
@@ -166,7 +167,7 @@ fn stated(findings: &Findings<'_>, names: &[&str], system: System) -> String {
     names.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// The wind, without what is still.
+/// The wind, without components that are 0.
 fn wind(findings: &Findings<'_>, system: System) -> String {
     const WIND: [&str; 5] = [
         "wind.downrange",
@@ -180,7 +181,7 @@ fn wind(findings: &Findings<'_>, system: System) -> String {
         let row = findings.stated.parameter(name);
         row.is_ok_and(|row| findings.stated.why_replaced(row).is_none() && value(row))
     };
-    // a wind from 0° has a direction as any other
+    // a wind from 0° has a speed: the direction 0 is a value
     let is_given = |name: &&str| {
         blows(if *name == "wind.from" {
             "wind.speed"

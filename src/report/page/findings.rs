@@ -8,72 +8,72 @@ use crate::study::{
 };
 use crate::units::{Message, System};
 
-/// The setup file of a report: the best drive, or the drive as set up where there is no best one.
+/// The setup file of a report, with the optimal drive or else the drive as set up.
 pub const SETUP_FILE: &str = "setup.toml";
 
-/// The contents of a page. Missing parts are omitted, and `remarks` says why.
+/// The contents of a page. The page omits missing sections; `remarks` has the reasons.
 pub struct Findings<'a> {
     /// The name of the setup.
     pub name: &'a str,
-    /// The setup as it was stated.
+    /// The setup of the request.
     pub stated: &'a Setup<f64>,
-    /// The setup as it was flown: with the method and the step that were chosen.
+    /// The setup of the computed drives, with the chosen method and step.
     pub setup: &'a Setup<f64>,
     /// The outcome that the report is about.
     pub of: Outcome,
-    /// The preset that it started from.
+    /// The preset of the setup.
     pub preset: &'static Preset,
     /// The drive as set up, and at the optimum.
     pub flown: &'a [NamedDrive],
     /// The landings of the drives that fly.
     pub landings: &'a [Landing],
-    /// The carry over the launch, with their launches.
+    /// The map of carry over launch conditions, with the launches of the drives.
     pub launches: Option<&'a Launches>,
-    /// The carry over the strike, of the club as set up.
+    /// The carry over the strike, for the club as set up.
     pub face: Option<&'a Face>,
-    /// That of the optimum.
+    /// The carry over the strike, for the optimal club.
     pub best_face: Option<&'a Face>,
-    /// The end of the search, optimum or not.
+    /// The result of the search, converged or not.
     pub found: Option<&'a Optimum>,
     /// The optimum.
     pub best: Option<&'a Optimum>,
-    /// Why there is no optimum.
+    /// The reason why there is no optimum.
     pub why_none: Option<&'a Message>,
-    /// How flat it is.
+    /// The flatness of the objective around the optimum.
     pub flatness: Option<&'a Flatness>,
-    /// The map around it.
+    /// The map around the optimum.
     pub map: Option<&'a Map>,
     /// The constraints, each with the map of its outcome.
     pub limits: &'a [(Constraint, Map)],
-    /// The part of the map that is nearly as good as the optimum.
+    /// The region of the map that loses little compared with the optimum.
     pub region: Option<&'a Region>,
     /// The optimum along a parameter.
     pub chart: Option<&'a Chart>,
     /// The effects of stated uncertainties on outcomes.
     pub effects: &'a [Effects],
-    /// The effects on the outcome of the report, at the optimum.
+    /// The effects of uncertainties on the outcome of the report, at the optimum.
     pub at_best: Option<&'a Effects>,
-    /// Differences beside exact derivatives.
+    /// Finite differences compared with exact derivatives.
     pub rows: &'a [Row],
-    /// Differences of the MAE 494 report's while-loop.
+    /// Finite differences of the MAE 494 report's while-loop.
     pub loops: &'a [LoopRow],
-    /// The units that the page is shown in at first.
+    /// The units shown when the page opens.
     pub system: System,
     /// Warnings.
     pub remarks: &'a [Message],
-    /// The command that made it.
+    /// The command that made the page.
     pub command: &'a str,
-    /// The day on which it was made.
+    /// The date of the page.
     pub date: &'a str,
 }
 
 impl Findings<'_> {
-    /// The effects of stated uncertainties on an outcome of the drive as set up.
+    /// The effects of uncertainties on an outcome of the drive as set up.
     pub(super) fn effects_of(&self, of: Outcome) -> Option<&Effects> {
         self.effects.iter().find(|effects| effects.of == of)
     }
 
-    /// Why the drive as set up does not fly.
+    /// The reason why the drive as set up does not fly.
     pub(super) fn why_not_flown(&self) -> Option<Message> {
         match &self.flown.first()?.drive.flight {
             Flight::None(why) => Some(why.message()),
@@ -81,7 +81,7 @@ impl Findings<'_> {
         }
     }
 
-    /// The setup is a file, and not a preset with changes.
+    /// True for a setup file, false for a preset with changes.
     pub(super) fn is_of_a_file(&self) -> bool {
         self.name != self.preset.name
     }

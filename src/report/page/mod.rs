@@ -1,5 +1,5 @@
-//! A page to look at: one HTML file that needs nothing else, and its plots and their data as files
-//! beside it. It begins with the answer.
+//! The page of a report: a self-contained HTML file that begins with a summary, and separate files
+//! of its plots and their data.
 
 mod answer;
 mod asked;
@@ -25,7 +25,7 @@ use maud::{Markup, html};
 /// A file of a report.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Document {
-    /// Its name.
+    /// The file name.
     pub name: String,
     /// The content.
     pub text: String,
@@ -35,11 +35,11 @@ pub struct Document {
 /// `NAME-metric.svg` and `NAME.csv`.
 ///
 /// # Errors
-/// As [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
+/// Those of [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let (mut drive, left_out) = trajectories(findings.flown);
     if !findings.landings.is_empty() {
-        // after the view from the side
+        // insert the landings after the view from the side
         drive.insert(
             drive.len().min(1),
             in_each(|system| fairway_figure(findings.landings, system)),
@@ -65,14 +65,14 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
             .chart
             .map(|chart| charts(findings, chart))
             .unwrap_or_default(),
-        // without any effect there is no bar to draw
+        // effects of 0 have no bar
         effects: findings
             .effects
             .iter()
             .flat_map(|effects| Causes::APART.map(|causes| tornados(effects, causes)))
             .flatten()
             .collect(),
-        // derivatives that differences give to the last bit, as those of 0, have no curve
+        // finite differences without any error, such as for a derivative of 0, have no curve
         curves: Some(vcurve_figure(findings.rows, findings.loops, At::SetUp))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
             .map(|figure| alike(&figure))
@@ -99,7 +99,7 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
         .collect())
 }
 
-/// The face of the drive as set up and that of the optimum.
+/// The faces of the drive as set up and of the optimum.
 fn strikes(findings: &Findings<'_>) -> Vec<Pair> {
     let faces = [
         ("as set up", findings.face),
@@ -117,7 +117,7 @@ fn strikes(findings: &Findings<'_>) -> Vec<Pair> {
         .collect()
 }
 
-/// A plot without any unit in its words.
+/// A plot without units in its texts.
 fn alike(figure: &Figure) -> Pair {
     in_each(|_| figure.clone())
 }
@@ -142,7 +142,7 @@ fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
     )
 }
 
-/// The effects of some causes as set up, where they have any.
+/// The effects of some causes for the drive as set up, if there are any.
 fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
     let [metric, us] = System::ALL.map(|system| tornado_figure(effects, causes, At::SetUp, system));
     Some([metric?, us?])
@@ -157,7 +157,7 @@ fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
         .collect()
 }
 
-/// The paths of drives that fly, from both sides, and why a view is missing.
+/// The paths of drives that fly, from the side and from above, with reasons for missing views.
 fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
     let flying: Vec<NamedDrive> = flown
         .iter()
@@ -184,10 +184,10 @@ fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
 /// The plots of a page, by section.
 struct Plots {
     drive: Vec<Pair>,
-    /// Why a view of it is not there.
+    /// The reasons for missing views of the drive.
     left_out: Vec<[String; 2]>,
     strike: Vec<Pair>,
-    /// Outcomes of strikes all over the face.
+    /// Outcomes over the strike on the face.
     strikes: Vec<Pair>,
     map: Vec<Pair>,
     chart: Vec<Pair>,
@@ -236,7 +236,7 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<String> {
 
 fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
     let of = shown::words(findings.of.name());
-    // the answer begins with the reason
+    // the reason is at the beginning of the summary
     let why = findings.why_not_flown();
     let is_told = |remark: &&Message| {
         why.as_ref()

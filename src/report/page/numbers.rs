@@ -7,7 +7,7 @@ use crate::report::shown;
 use crate::units::{System, significant, with_unit};
 use maud::Markup;
 
-/// The value of an outcome, or a dash.
+/// The value of an outcome; a dash without one.
 pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
     both(|system| shown::outcome_or_dash(of, found, system))
 }
@@ -17,19 +17,19 @@ pub(super) fn loss(of: Outcome, loss: f64) -> Markup {
     both(|system| shown::spread(of, loss, system))
 }
 
-/// A value of a parameter that was computed.
+/// A computed value of a parameter.
 pub(super) fn parameter(parameter: &Parameter, found: f64) -> Markup {
     both(|system| shown::parameter(parameter, found, system))
 }
 
-/// How well an outcome is known, to two digits: "7.4 yd".
+/// The size of an outcome's uncertainty with two significant digits: "7.4 yd".
 pub(super) fn of_known_size(of: Outcome, size: f64, system: System) -> String {
     let unit = system.unit(of.unit());
     let number = significant(size / of.quantity().size_of(unit).unwrap_or(1.0), 2);
     with_unit(&number, unit)
 }
 
-/// A change, its unit said once: "9.5 → 6.70 deg".
+/// A change whose unit appears once: "9.5 → 6.70 deg".
 pub(super) fn from_to(from: &str, to: &str) -> String {
     let number = |text: &str| {
         text.rfind(|c: char| c.is_ascii_digit())

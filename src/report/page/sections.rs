@@ -1,4 +1,4 @@
-//! The parts of a page that are words and tables.
+//! The sections of a page with texts and tables.
 
 use super::findings::{Findings, SETUP_FILE};
 use super::numbers::{loss, outcome, parameter};
@@ -25,7 +25,7 @@ pub(super) fn panel(findings: &Findings<'_>) -> Markup {
         Outcome::LaunchAngle,
         Outcome::Backspin,
         Outcome::SpinAxis,
-        // what a launch monitor calls carry
+        // launch monitors call this outcome carry
         Outcome::CarryDistance,
         Outcome::Lateral,
         Outcome::ApexHeight,
@@ -128,7 +128,7 @@ fn limit(best: &Optimum, limit: Limit) -> Markup {
     }
 }
 
-/// The constraints with their prices.
+/// The constraints with their multipliers.
 fn limits(best: &Optimum) -> Markup {
     let reports = constraints(best);
     if reports.is_empty() {
@@ -150,7 +150,7 @@ fn limits(best: &Optimum) -> Markup {
     }
 }
 
-/// The uncertainties that the bars are of, with their sources.
+/// The uncertainties behind the bars, with their sources.
 pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else {
         return html! {};
@@ -175,7 +175,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     }
 }
 
-/// Each derivative beside the best that differences make of it.
+/// Each exact derivative with the best numerical derivative.
 pub(super) fn verdicts(rows: &[Row]) -> Markup {
     html! {
         (scrolled("Derivatives", html! { table {
@@ -231,14 +231,14 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     })
 }
 
-/// The name is that of a parameter or choice of swing, club, strike or impact.
+/// True for the name of a parameter or choice of swing, club, strike or impact.
 fn is_of_strike(findings: &Findings<'_>, name: &str) -> bool {
     let parameter = findings.setup.parameter(name);
     [GOLFER, SPEED_OF].contains(&name) || parameter.is_ok_and(Parameter::is_of_strike)
 }
 
-/// The source of a value; a remark for a method or step that was chosen, and for a form of the spin
-/// that is not given.
+/// The source of a value, or a remark: for an automatically chosen method or step, and for the
+/// spin values that the launch does not state.
 fn source_of(findings: &Findings<'_>, row: &SourcedValue) -> String {
     let (flown, stated) = (findings.setup, findings.stated);
     let is_chosen = match row.name {
@@ -249,7 +249,7 @@ fn source_of(findings: &Findings<'_>, row: &SourcedValue) -> String {
     if is_chosen {
         return "chosen for the accuracy of the flight".into();
     }
-    // a launch states its spin in one of two forms
+    // a launch states its spin as total and axis, or as backspin and sidespin
     let is_total = |name: &str| ["launch.spin", "launch.spin_axis"].contains(&name);
     let is_in_parts = |name: &str| ["launch.backspin", "launch.sidespin"].contains(&name);
     let given = stated.given_launch_conditions();
@@ -271,7 +271,7 @@ fn source_of(findings: &Findings<'_>, row: &SourcedValue) -> String {
     }
 }
 
-/// The end of the search, and the command of the page.
+/// The footer: status of the search, and the command that made the page.
 pub(super) fn footer(findings: &Findings<'_>) -> Markup {
     html! {
         @if let Some(found) = findings.found {

@@ -3,14 +3,14 @@ use crate::parameters::Parameter;
 use crate::report::shown::words;
 use crate::units::{Quantity, System, printed};
 
-/// A quantity along an axis or of a colour.
+/// A quantity along an axis, or of a colour scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
     /// The name: "carry".
     pub label: String,
-    /// Its kind of quantity; values are SI.
+    /// The physical quantity; values are in SI.
     pub quantity: Quantity,
-    /// The unit that golfers read it in, whichever of the two systems it belongs to.
+    /// The customary unit in golf, of either system.
     pub unit: &'static str,
 }
 
@@ -39,8 +39,8 @@ impl Measure {
         Self::new(words(parameter.name), parameter.quantity, parameter.unit)
     }
 
-    /// The size of the unit of a system, in SI units. SI values are divided by it, since reading a
-    /// unit takes much longer.
+    /// The size of the unit of a system, in SI units. Dividing by this number is much faster than
+    /// parsing the unit for each value.
     pub fn unit_size(&self, system: System) -> f64 {
         self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
@@ -85,18 +85,18 @@ fn with_unit(label: &str, unit: &str) -> String {
     }
 }
 
-/// How values lie along an axis.
+/// The scale of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Scale {
-    /// Evenly.
+    /// Linear.
     Linear,
-    /// Evenly, distances to the right of a line (+) and to the left of it (−), as seen from above
-    /// by one who looks along the horizontal axis: right is below. They are labelled without signs,
-    /// `20 R` and `20 L`.
+    /// Linear: distances to the right (+) and left (−) of a line, seen from above along the
+    /// horizontal axis, so that right is at the bottom. Labels have R or L in place of a
+    /// sign: `20 R` and `20 L`.
     LeftRight,
-    /// By their logarithm; what is not above zero has no place.
+    /// Logarithmic. Values that are not positive have no position.
     Log,
-    /// Whole numbers from 0, a name for each, the first on top: the bars of a tornado.
+    /// Names at whole numbers from 0, the first name on top, as in a tornado plot.
     Names(Vec<String>),
 }
 
@@ -105,16 +105,16 @@ pub enum Scale {
 pub struct Axis {
     /// The quantity.
     pub measure: Measure,
-    /// How.
+    /// The scale.
     pub scale: Scale,
-    /// Least range, SI; the data may extend it.
+    /// Minimum range, SI; the data may extend it.
     pub reach: Option<[f64; 2]>,
-    /// The axis ends exactly at `reach`, and data beyond are not drawn.
+    /// True if the axis ends exactly at `reach`; data outside are not drawn.
     pub is_exact: bool,
 }
 
 impl Axis {
-    /// An axis as wide as its data.
+    /// A linear axis with the range of the data.
     pub fn linear(measure: Measure) -> Self {
         Self {
             measure,
@@ -124,7 +124,7 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis as wide as its data.
+    /// A logarithmic axis with the range of the data.
     pub fn log(measure: Measure) -> Self {
         Self {
             scale: Scale::Log,
@@ -132,7 +132,7 @@ impl Axis {
         }
     }
 
-    /// Distances to the right of a line, with right below left, as wide as the data.
+    /// Distances to the right of a line, with right at the bottom, and with the range of the data.
     pub fn left_right(measure: Measure) -> Self {
         Self {
             scale: Scale::LeftRight,
@@ -148,7 +148,7 @@ impl Axis {
         }
     }
 
-    /// Extends the axis to at least `low` and `high`, SI.
+    /// Extends the range to at least `low` and `high`, SI.
     #[must_use]
     pub fn reaching(self, low: f64, high: f64) -> Self {
         Self {
@@ -157,7 +157,7 @@ impl Axis {
         }
     }
 
-    /// Limits the axis to `low` and `high` exactly, SI.
+    /// Sets the range to exactly `low` and `high`, SI.
     #[must_use]
     pub fn exactly(self, low: f64, high: f64) -> Self {
         Self {

@@ -1,5 +1,5 @@
-//! Bars of an axis of names: rows of one height, each with its name beside it, or above it where
-//! the picture is narrow, and with its values at the ends of the bars.
+//! Bars of an axis of names. Each row has the same height, with its name on the left, or above in a
+//! narrow picture, and with the values at the ends of the bars.
 
 use super::axis::{Axis, Scale};
 use super::canvas::{Area, TEXT, block, font, path, stroke, words};
@@ -11,37 +11,36 @@ use crate::error::Result;
 use crate::units::{System, leading_number, signed, typeset};
 use plotters::style::text_anchor::HPos;
 
-/// Sizes of names and of values, and the height of a line of a name, pixels.
+/// Text size of names and values, and the line height of a name, pixels.
 const NAME: f64 = TEXT - 0.5;
 const VALUE: f64 = 12.0;
 const NAME_LINE: f64 = 15.0;
 
-/// The part of a picture's width that names beside bars may take, and in how many lines; beyond
-/// they stand above.
+/// Maximum fraction of a picture's width for names on the left, and their maximum number of lines.
+/// Longer names are above the bars.
 const BESIDE: f64 = 0.38;
 const MOST_LINES: usize = 2;
 
-/// The height of a row's bars, pixels, and half that of a bar: alone, and of two one below the
-/// other.
+/// Height of a row's bars, and half the height of a bar: for one bar, and for two, pixels.
 const ROW: f64 = 34.0;
 const HALF: [f64; 2] = [8.0, 6.0];
 
-/// Distance of two bars of a row from its middle, pixels.
+/// Distance between the middle of a row and each of its two bars, pixels.
 const APART: f64 = 7.5;
 
-/// From a bar's end to its value, pixels.
+/// Distance between a bar's end and its value, pixels.
 const GAP: f64 = 4.0;
 
-/// The names of the rows, and where they stand.
+/// The rows of an axis of names, and the position of the names.
 pub(super) struct Rows {
     names: Vec<Vec<String>>,
     is_above: bool,
-    /// Width of the names, pixels.
+    /// Width of the names on the left, pixels.
     pub left: f64,
 }
 
 impl Rows {
-    /// The rows of a figure, where its vertical axis has names.
+    /// The rows of a figure whose vertical axis has names.
     pub fn of(figure: &Figure, width: f64) -> Option<Self> {
         let Scale::Names(names) = &figure.y.scale else {
             return None;
@@ -72,12 +71,12 @@ impl Rows {
         })
     }
 
-    /// The height of a row, the same for all.
+    /// The height of each row.
     fn height(&self) -> f64 {
         ROW + self.over()
     }
 
-    /// The height of the names above the bars.
+    /// The height of names above the bars.
     fn over(&self) -> f64 {
         let most = self.names.iter().map(Vec::len).max().unwrap_or(0);
         if self.is_above {
@@ -87,17 +86,17 @@ impl Rows {
         }
     }
 
-    /// The height of them all.
+    /// The height of all rows.
     pub fn heights(&self) -> f64 {
         self.height() * self.names.len() as f64
     }
 
-    /// The middle of the bars of a row, pixels below the top of the frame.
+    /// The middle of the bars of a row, pixels from the top of the frame.
     fn middle(&self, place: usize) -> f64 {
         place as f64 * self.height() + self.over() + 0.5 * ROW
     }
 
-    /// Draws where 0 is, and writes the names.
+    /// Draws the line at 0 and the names.
     pub fn draw(&self, area: &Area<'_>, plane: &Plane<'_>, palette: &Palette) -> Result<()> {
         let [left, top, _, bottom] = plane.frame;
         if let Some(x) = plane.pixel_across(0.0) {
@@ -109,7 +108,7 @@ impl Rows {
             for (i, line) in lines.iter().enumerate() {
                 let below = NAME_LINE * (i as f64 - 0.5 * (lines.len() - 1) as f64);
                 let (at, side) = if self.is_above {
-                    // the last line next to the bars
+                    // the last line is next to the bars
                     let up = 0.5 * ROW + NAME_LINE * (lines.len() as f64 - i as f64 - 0.5) - 2.0;
                     let y = middle - up;
                     let right = left + 8.0 + text_width(line, NAME, false);
@@ -180,7 +179,7 @@ impl Rows {
     }
 }
 
-/// A name in lines; what follows "±" stays together.
+/// A name wrapped into lines. The text from "±" on is not broken.
 fn in_lines(name: &str, room: f64) -> Vec<String> {
     match name.split_once(" ± ") {
         Some((words, amount)) if text_width(name, NAME, false) > room => {
@@ -200,7 +199,7 @@ fn in_lines(name: &str, room: f64) -> Vec<String> {
     }
 }
 
-/// The bars of other layers in a row, with the number of their layer.
+/// The bars of other layers in a row, each with the index of its layer.
 fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Bar)> {
     let mut others = vec![];
     for (i, other) in figure
@@ -220,8 +219,7 @@ fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Bar)> {
     others
 }
 
-/// Which of two lanes a bar lies in, and how many its row has: two where bars would hide each
-/// other.
+/// The lane of a bar, and the number of lanes in its row: two if bars would overlap, otherwise one.
 fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
     let ends = |bar: &Bar| [bar.from.min(bar.to), bar.from.max(bar.to)];
     let [low, high] = ends(bar);
@@ -238,8 +236,8 @@ fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
     }
 }
 
-/// A bar's value is written to its left: the bar points left, or it has no length and the other bar
-/// points right.
+/// True if the value is to the left of its bar: the bar points left, or it has no length and the
+/// other bar of the row points right.
 fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
     let is_right = |bar: &Bar| bar.to > bar.from;
     bar.to < bar.from
@@ -249,8 +247,8 @@ fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
                 .any(|(_, other)| is_right(other)))
 }
 
-/// The value at the end of a bar: "+3.9", in the unit of the axis; with more digits where all of
-/// its row would be written as 0.
+/// The value at the end of a bar, in the unit of the axis: "+3.9". It has more digits if all values
+/// of the row would be displayed as 0.
 fn value(figure: &Figure, layer: usize, bar: &Bar, system: System) -> String {
     let measure = &figure.x.measure;
     let unit = system.unit(measure.unit);
@@ -274,8 +272,8 @@ fn value(figure: &Figure, layer: usize, bar: &Bar, system: System) -> String {
     signed(amount, leading_number(&text).to_owned())
 }
 
-/// The horizontal axis with room for the values beside the bars, in a frame of this width, pixels;
-/// `None` for one too narrow for them.
+/// The horizontal axis with a margin for the values, in a frame of this width, pixels; `None` if
+/// the frame is too narrow for them.
 pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<Axis> {
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     let mut beside = [0.0_f64; 2];

@@ -1,4 +1,4 @@
-//! The sheet a plot is drawn on, in pixels of the picture.
+//! The drawing area of a plot, in pixels of the picture.
 
 use super::palette::Palette;
 use super::text_width::text_width;
@@ -11,14 +11,13 @@ use plotters::element::{PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle};
 
-/// Plotters puts things at whole numbers: a pixel is this many of them, so that curves are smooth
-/// at any size.
+/// Plotters has integer coordinates. This number of them makes a pixel, so that curves are smooth.
 pub(super) const FINE: i32 = 10;
 
 /// Size of the text, pixels.
 pub(super) const TEXT: f64 = 13.5;
 
-/// Width of a sign in the legend, pixels.
+/// Width of a symbol in the legend, pixels.
 pub(super) const SIGN: f64 = 24.0;
 
 /// The height of a line of text, pixels.
@@ -34,17 +33,17 @@ pub(super) fn failed<E: std::error::Error + Send + Sync>(error: DrawingAreaError
     }
 }
 
-/// Pixels as Plotters counts them.
+/// Pixels as integer coordinates of Plotters.
 pub(super) fn fine(pixels: f64) -> i32 {
     (pixels * f64::from(FINE)).round() as i32
 }
 
-/// A line's style, its width in pixels.
+/// The style of a line with a width in pixels.
 pub(super) fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
     color.stroke_width(fine(width) as u32)
 }
 
-/// Text of a size in pixels. (Plotters' sizes are 1.24 times those of SVG.)
+/// A font with a size in pixels. (Plotters' sizes are 1.24 times those of SVG.)
 pub(super) fn font(size: f64, color: RGBColor, is_bold: bool) -> TextStyle<'static> {
     let style = if is_bold {
         FontStyle::Bold
@@ -57,7 +56,7 @@ pub(super) fn font(size: f64, color: RGBColor, is_bold: bool) -> TextStyle<'stat
         .color(&color)
 }
 
-/// Words at a place in pixels, their middle at its height, as pictures print them.
+/// Typeset text with its vertical middle at a position, pixels.
 pub(super) fn words(
     area: &Area<'_>,
     text: &str,
@@ -70,7 +69,7 @@ pub(super) fn words(
         .map_err(failed)
 }
 
-/// A rectangle in pixels, and how much of what is under it it hides.
+/// A rectangle in pixels with an opacity.
 pub(super) fn block(
     area: &Area<'_>,
     low: [f64; 2],
@@ -89,7 +88,7 @@ pub(super) fn path(area: &Area<'_>, points: &[[f64; 2]], style: ShapeStyle) -> R
     area.draw(&PathElement::new(points, style)).map_err(failed)
 }
 
-/// Words on a patch of ground that sets them off; none where they would lie on `taken` places.
+/// Labels on a background that makes them readable; `taken` are the occupied rectangles.
 pub(super) struct Labels<'a, 'b> {
     pub area: &'a Area<'b>,
     pub palette: &'a Palette,
@@ -97,7 +96,7 @@ pub(super) struct Labels<'a, 'b> {
 }
 
 impl Labels<'_, '_> {
-    /// The place that words would take around a point, pixels, bold or not.
+    /// The rectangle of a text around a point, pixels, large enough for bold text.
     pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
         let half = [
             0.5 * text_width(&typeset(text), TEXT - 0.5, true) + 3.0,
@@ -109,7 +108,7 @@ impl Labels<'_, '_> {
         ]
     }
 
-    /// Words in this rectangle would cover no others.
+    /// True if a rectangle overlaps no occupied one.
     pub fn is_free(&self, [low, high]: [[f64; 2]; 2]) -> bool {
         let apart = |other: &[[f64; 2]; 2]| {
             (0..2).any(|axis| high[axis] < other[0][axis] || low[axis] > other[1][axis])
@@ -117,7 +116,7 @@ impl Labels<'_, '_> {
         self.taken.iter().all(apart)
     }
 
-    /// Writes words around a point.
+    /// Writes a text centred on a point.
     pub fn write(
         &mut self,
         text: &str,

@@ -1,25 +1,24 @@
-//! Lines of equal value. Plotters has none: the rings come from the `contour` crate's marching
-//! squares, chosen over coloured cells for a map that is smooth at any size and in print.
+//! Contour lines. Plotters has none. The `contour` crate computes them with marching squares:
+//! unlike coloured cells, they are smooth at any size and in print.
 
 use super::figure::Field;
 use crate::units::System;
 use contour::ContourBuilder;
 
-/// The ground at and above a level.
+/// The region at and above a level.
 pub(super) struct Ground {
-    /// The level, in the unit read.
+    /// The level, in the displayed unit.
     pub level: f64,
-    /// Its position among the levels, 0 to 1.
+    /// The position among the levels, 0 to 1.
     pub part: f64,
-    /// Its outlines, in the plane of the axes, SI; a hole is reached along a line without width.
+    /// The outlines in the coordinates of the axes, SI. A line without width leads to a hole.
     pub outlines: Vec<Vec<[f64; 2]>>,
-    /// Its edge within the map.
+    /// The boundary inside the map.
     pub lines: Vec<Vec<[f64; 2]>>,
 }
 
 impl Field {
-    /// The line on which the field has a value, SI: its pieces one after the other, parted by
-    /// points that are no numbers.
+    /// The contour line of a value, SI. NaN points separate its pieces.
     pub fn line_at(&self, level: f64) -> Vec<[f64; 2]> {
         if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
             return vec![];
@@ -52,7 +51,7 @@ impl Field {
     }
 }
 
-/// The grounds of a field, the lowest first: each covers a part of the one before.
+/// The regions of a field, the lowest level first. Each contains the next one.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let unit = field.measure.unit_size(system);
     let known = field
@@ -72,7 +71,7 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     }
     let levels = levels(&known);
     let values: Vec<f64> = continued(field).iter().map(|value| value / unit).collect();
-    // the lowest ground is everything
+    // the lowest region is the whole map
     let all = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         .map(|[x, y]: [f64; 2]| field.place(x * (columns - 1) as f64, y * (rows - 1) as f64));
     let base = Ground {
@@ -86,7 +85,7 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
         .collect()
 }
 
-/// The ground at and above each level of the values of a field's nodes.
+/// The region at and above each level, for these values at the field's nodes.
 fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
     let (columns, rows) = (field.columns, field.rows());
     let builder = ContourBuilder::new(columns, rows, true);
@@ -142,11 +141,11 @@ fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
     above.collect()
 }
 
-/// Round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over the whole range,
-/// and of finer ones within a stretch of it where much of the map lies, and perhaps again within a
-/// part of that. A map is steep in one place and flat in another, and one step for all would leave
-/// the flat top without a line. Within a stretch the step is the same, so that lines tell the
-/// slope.
+/// Contour levels at round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over
+/// the whole range. A stretch of the range that covers much of the map gets a finer step, perhaps
+/// repeatedly: a map is steep in some places and flat in others, and a single step would leave the
+/// flat top without a line. Within a stretch the step is constant, so that the distance of lines
+/// shows the slope.
 fn levels(sorted: &[f64]) -> Vec<f64> {
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
     let Some(mut step) = round_step((high - low) / FIRST_LINES) else {
@@ -198,15 +197,15 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
 /// The range between two adjacent levels.
 struct Interval {
     ends: [f64; 2],
-    /// The part of the map that lies in it.
+    /// The fraction of the map between the two levels.
     share: f64,
-    /// No level is beyond it.
+    /// True for the first and the last interval.
     is_last: bool,
 }
 
-/// The intervals that need finer levels: the one that covers most of the map, and its neighbours
-/// that cover much, as far as there is room for lines. None if no interval is dense, or if a single
-/// dense one lies between coarser ones.
+/// The intervals that need finer levels: the interval that covers most of the map, and those of its
+/// neighbours that cover much, as far as the number of lines allows. `None` if no interval is
+/// dense, or if a single dense one lies between coarser ones.
 fn dense_stretch(
     intervals: &[Interval],
     dense: f64,
@@ -237,16 +236,16 @@ fn dense_stretch(
     (from < to || intervals[from].is_last).then(|| ends(from, to))
 }
 
-/// A map begins with at most about so many lines …
+/// Maximum number of lines before refinement, approximately.
 const FIRST_LINES: f64 = 8.0;
-/// … and gets more where more than this part of it lies between two, and so many times more than
-/// between two on average …
+/// An interval is dense if it covers more than this fraction of the map, and more than `DENSE`
+/// times the average of all intervals.
 const LARGE: f64 = 0.12;
 const DENSE: f64 = 1.5;
-/// … until it has so many.
+/// Maximum number of lines after refinement.
 const LINES: usize = 14;
 
-/// The multiples of a step strictly between two numbers.
+/// The multiples of a step between two numbers, without the ends.
 fn multiples(step: f64, low: f64, high: f64) -> Vec<f64> {
     let rounding = 1e-9;
     let (from, to) = (
@@ -256,7 +255,7 @@ fn multiples(step: f64, low: f64, high: f64) -> Vec<f64> {
     (from..=to).map(|i| i as f64 * step).collect()
 }
 
-/// The next finer step of 1, 2, 2.5 or 5 times a power of ten that divides a step.
+/// The next smaller step of 1, 2, 2.5 or 5 times a power of ten that divides a step.
 fn finer(step: f64) -> f64 {
     let power = 10.0_f64.powf((step * (1.0 + 1e-9)).log10().floor());
     match (step / power * 10.0).round() as i64 {
@@ -265,10 +264,10 @@ fn finer(step: f64) -> f64 {
     }
 }
 
-/// Steps finer than this part of a map's height say nothing more.
+/// Minimum step relative to the range of a map.
 const FINEST: f64 = 1e-3;
 
-/// The step of 1, 2, 2.5 or 5 times a power of ten nearest above.
+/// The smallest step of 1, 2, 2.5 or 5 times a power of ten that is not below a step.
 fn round_step(step: f64) -> Option<f64> {
     let power = 10.0_f64.powf(step.log10().floor());
     let digits = [1.0, 2.0, 2.5, 5.0, 10.0].map(|digit| digit * power);
@@ -277,7 +276,7 @@ fn round_step(step: f64) -> Option<f64> {
         .find(|round| *round >= step * (1.0 - 1e-9) && round.is_finite() && *round > 0.0)
 }
 
-/// The pieces of a ring that do not run along the border of the map.
+/// The pieces of a ring without those along the border of the map.
 fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
     let ends = [(columns - 1) as f64, (rows - 1) as f64];
     let along = |a: &[f64; 2], b: &[f64; 2]| {
@@ -298,7 +297,7 @@ fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
             piece.push(pair[1]);
         }
     }
-    // a ring that begins in the middle of a piece
+    // join the first and the last piece of a ring that begins inside the map
     if let (Some(first), Some(last)) = (pieces.first(), pieces.last())
         && pieces.len() > 1
         && first.first() == last.last()
@@ -311,7 +310,8 @@ fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
     pieces
 }
 
-/// The field without gaps: lines run on beneath what hides them, and do not bend where values end.
+/// The field without gaps, by extrapolation: lines continue below the mask of missing values, and
+/// do not bend where the values end.
 fn continued(field: &Field) -> Vec<f64> {
     let (columns, rows) = (field.columns, field.rows());
     let mut values = field.values.clone();
@@ -319,8 +319,8 @@ fn continued(field: &Field) -> Vec<f64> {
         let before = values.clone();
         for i in (0..values.len()).filter(|i| before[*i].is_none()) {
             let (column, row) = (i % columns, i / columns);
-            // from each side along a straight line through the two nearest nodes, so that lines do
-            // not bend before they end
+            // extrapolate linearly from the two nearest nodes on each side, so that lines do not
+            // bend before they end
             let reach = [column, columns - 1 - column, row, rows - 1 - row];
             let node = |side: usize, n: usize| {
                 [
@@ -393,7 +393,7 @@ mod tests {
                 );
             }
         }
-        // each covers a part of the one before, and the lowest everything
+        // each region contains the next one, and the lowest is the whole map
         let areas: Vec<f64> = grounds
             .iter()
             .map(|ground| ground.outlines.iter().map(|o| area(o)).sum())
@@ -404,14 +404,14 @@ mod tests {
         );
     }
 
-    /// A level is a whole number of times 1, 2, 2.5 or 5 times a power of ten that is large beside
-    /// its distance to the next one.
+    /// Each level is a multiple of 1, 2, 2.5 or 5 times a power of ten that is not small compared
+    /// with the distance to the next level.
     #[test]
     fn levels_are_round_numbers_and_a_flat_top_has_some() {
         let carry = |x: f64, y: f64| 279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2);
         for scale in [1.0, 0.9144, 0.013, 4200.0] {
-            // as fine as maps are: what part of a map lies between two levels is not seen in fewer
-            // nodes
+            // a grid as fine as in maps: a coarser one would not show the fraction between two
+            // levels
             let mut values: Vec<f64> = (0..41 * 41)
                 .map(|i| {
                     scale
@@ -435,7 +435,7 @@ mod tests {
                     "{levels:?}"
                 );
             }
-            // the step falls towards one stretch and rises beyond it
+            // the step decreases towards one stretch and increases after it
             let apart: Vec<f64> = levels.windows(2).map(|pair| pair[1] - pair[0]).collect();
             let rises = apart
                 .windows(2)
@@ -457,7 +457,7 @@ mod tests {
     fn contours_of_a_basin_have_a_hole_and_missing_nodes_bend_no_line() {
         let bowl = |x: f64, y: f64| (x - 1.5).powi(2) + 4.0 * (y - 1.5).powi(2);
         let rim = grounds(&field(|x, y| Some(bowl(x, y))), System::Us);
-        // the hole takes its area from the ground around it
+        // the hole reduces the area of the region around it
         let lowest = &rim[1];
         assert!(
             area(&lowest.outlines[0]) < 2.95,
