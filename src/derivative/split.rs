@@ -30,8 +30,8 @@ impl Split {
         }
     }
 
-    /// True if the chain rule needs fewer or smaller flights than direct differentiation; for
-    /// gradients, also if the parameters exceed one pass.
+    /// True if the chain rule needs fewer or smaller flights than direct differentiation. For
+    /// gradients it is also true if the parameters need more than one pass.
     pub fn is_cheaper(&self, parameters: usize, to_second: bool, level: Level) -> bool {
         let most_variables = COMPONENTS + self.of_flight.len();
         if to_second {

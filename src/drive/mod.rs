@@ -37,9 +37,10 @@ pub struct Drive<T> {
 
 impl<T: Number> Drive<T> {
     /// Computes the drive of a setup: values over `f64`, exact derivatives over dual numbers.
-    /// Parameters are not checked against their ranges here ([`Setup::validate`] does), except the
-    /// step, with which a flight might never end. Method and step of the integration are those of
-    /// the setup; [`accuracy`](crate::study::accuracy()) finds others for an error tolerance.
+    /// Parameters are not checked against their ranges here ([`Setup::validate`] does this), except
+    /// the step: with an invalid step a flight might never end. The setup determines method and
+    /// step of the integration; [`accuracy`](crate::study::accuracy()) finds others for an error
+    /// tolerance.
     ///
     /// ```
     /// use longdrive::{Drive, Outcome, Setup};

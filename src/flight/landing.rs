@@ -10,8 +10,9 @@ use super::tableau::Tableau;
 use crate::ground::Landing;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
-/// Additional weight of the last step's defect (eq. 16a): the path is interpolated within it, and
-/// its error is 30 to 110 times that of a step with the same defect.
+/// Additional weight of the last step's defect (eq. 16a): the path is interpolated within the last
+/// step, and the error of the interpolation is 30 to 110 times the error of a step with an equal
+/// defect.
 const INTERPOLATION_WEIGHT: f64 = 100.0;
 
 /// State of the lanes between two steps.
@@ -119,8 +120,8 @@ impl<T: Numbers> Inputs<T> {
         result
     }
 
-    /// Ends the flights that the step does not resolve, and adds its defect to the others. Returns
-    /// the lanes in flight.
+    /// Ends the flights whose forces the step does not resolve, and adds the step's defect (eq. 16a)
+    /// to the defects of the other flights. Returns the lanes in flight.
     #[inline(always)]
     fn check_step(
         &self,

@@ -195,7 +195,8 @@ pub(super) fn rounding_test(
 }
 
 /// True if a variable diverges. Far from 0 a small derivative alone does not prove stationarity
-/// (that of −x³ is 3/x of its value), so derivative times distance must be a small part of φ too.
+/// (the derivative of −x³ is only 3/x of its value), so derivative times distance must be a small
+/// part of φ too.
 pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
     /// Distance from 0, in units of the scale, from which a variable counts as far.
     const FAR: f64 = 1e4;

@@ -17,7 +17,8 @@ pub struct Accuracy {
     pub error: f64,
     /// Number of drives compared.
     pub drives: usize,
-    /// Largest defect of the compared drives, m. A drive with a larger defect is not covered. See
+    /// Largest defect of the integration (docs/model.md, eq. 16a) of the compared drives, m. The
+    /// tolerance is not verified for drives with a larger defect. See
     /// [`Batch::with_largest_defect`].
     pub largest_defect: f64,
 }

@@ -19,7 +19,8 @@ pub struct Map {
     pub up: Vary,
     /// Number of columns.
     pub columns: usize,
-    /// Outcome at each node, SI, row by row from the lowest; `None` if the drive has none.
+    /// Outcome at each node, SI, row by row from the lowest row; `None` if the drive does not have
+    /// the outcome.
     pub values: Vec<Option<f64>>,
     /// Reason at the first node without a value.
     pub missing: Option<Message>,

@@ -21,7 +21,7 @@ impl NamedDrive {
     /// Flies a setup and keeps the path.
     ///
     /// # Errors
-    /// As [`Drive::new`].
+    /// The errors of [`Drive::new`].
     pub fn new(name: impl Into<String>, setup: &Setup<f64>) -> Result<Self> {
         let drive = Drive::new(setup)?;
         let path = trajectory(setup, &drive.launch)?;

@@ -16,7 +16,8 @@ pub struct Plane {
     pub columns: usize,
     /// Number of rows.
     pub rows: usize,
-    /// Each outcome at each node, SI, row by row from the lowest; `None` if the drive has none.
+    /// Each outcome at each node, SI, row by row from the lowest row; `None` if the drive does not
+    /// have the outcome.
     pub values: Vec<Vec<Option<f64>>>,
 }
 

@@ -9,16 +9,16 @@ use crate::optimize::status::Status;
 pub struct Front {
     /// Points in order.
     pub points: Vec<FrontPoint>,
-    /// Index of the knee: the point farthest, on the better side, from the straight line between
-    /// the ends, with both functions scaled from 0 to 1 (Das 1999). `None` if the front is nearly
-    /// straight or bends the other way.
+    /// Index of the knee: the point farthest from the straight line between the ends, towards
+    /// smaller values, with both functions scaled from 0 to 1 (Das 1999). `None` if the front is
+    /// nearly straight, or curves towards larger values.
     pub knee: Option<usize>,
     /// Distance of the front from the straight line between its ends, relative to the length of
     /// that line.
     pub bend: f64,
     /// Number of dominated points that were removed.
     pub dominated: usize,
-    /// Reason why a part of the front is missing, if it is.
+    /// Reason why a part of the front is missing, if any.
     pub ended: Option<String>,
     /// True if the computation was interrupted.
     pub interrupted: bool,

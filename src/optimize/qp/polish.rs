@@ -131,7 +131,7 @@ impl QuadraticProgram {
 
     /// Exact point of a working set with the multipliers of an approximate solution. If gradients
     /// of active constraints are linearly dependent, the point is unique but its multipliers are
-    /// not, and those from the equations may have the wrong sign.
+    /// not, and the multipliers from the equations may have the wrong sign.
     pub(super) fn with_multipliers_of(
         &self,
         active: &WorkingSet,

@@ -234,7 +234,7 @@ fn starting_points(
     count: usize,
     observer: &FitObserver,
 ) -> Result<Vec<Vec<f64>>> {
-    /// Number of points tried if the rows have no answer at the planned ones.
+    /// Number of starting points tried if rows cannot be computed at the planned ones.
     const START_TRIALS: usize = 64;
     let planned = starts(domain, own, count)?;
     if planned.iter().any(|start| problem.begin(start)) {
@@ -243,7 +243,8 @@ fn starting_points(
     if observer.is_interrupted() {
         return Err(stopped("the fit began"));
     }
-    // the setup's values give no answer: try other starting points, as the optimizer does
+    // rows cannot be computed with the setup's values: try other starting points, as the optimizer
+    // does
     let other = starts(domain, own, START_TRIALS)?
         .into_iter()
         .find(|start| problem.begin(start));
@@ -348,7 +349,7 @@ impl Searches {
     }
 }
 
-/// First words of the error for a fit without a starting point.
+/// First words of the error of a fit without a usable starting point.
 const NO_START: &str = "no start was found at which every row has an answer";
 
 /// The error that lists the rows that cannot be computed at `at`.

@@ -45,7 +45,7 @@ impl HeldOut {
     /// interrupted fit without residuals.
     ///
     /// # Errors
-    /// [`Error::NoFit`] with the rows that have no answer.
+    /// [`Error::NoFit`] with the rows that cannot be computed.
     pub fn as_it_stands(
         setup: &Setup<f64>,
         table: &ShotTable,

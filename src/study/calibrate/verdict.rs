@@ -1,4 +1,5 @@
-//! Final status of a fit after a look at the data: a converged search may still have no answer.
+//! Final status of a fit, with regard to the data: a converged search may leave parameters
+//! undetermined.
 
 use super::calibration::{Calibration, Remainder};
 use super::statistics::{Uncertainties, Undetermined};

@@ -265,8 +265,8 @@ struct Expected {
 /// - Dense output of degree 7: h⁸ in a position and h⁷ in its derivatives, one less in a velocity
 /// and in the root of one.
 /// - Apex: within a step, the velocity error is h^p times a function of the position in the step.
-/// The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). The
-/// landing lies in the middle of a step here, where that function is flat.
+/// The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). Here the
+/// steps are chosen so that the landing lies in the middle of a step, where this function is flat.
 /// - Join of a law with k continuous derivatives: error h^(k+2) times a function of the join's
 /// position in the step, which also moves at a rate 1/h; the derivative has an error h^(k+1).
 fn expected(setup: &Setup<f64>, of: Outcome) -> Expected {

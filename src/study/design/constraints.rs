@@ -50,8 +50,8 @@ pub struct ConstraintState {
     pub value: Option<f64>,
     /// Distance to the nearer limit, SI; negative if violated.
     pub margin: Option<f64>,
-    /// Gain of the goal per SI unit that the limit is relaxed (Lagrange multiplier); `None` if the
-    /// constraint is inactive.
+    /// Gain of the goal per SI unit by which the limit is relaxed (Lagrange multiplier); `None` if
+    /// the constraint is inactive.
     pub price: Option<f64>,
 }
 

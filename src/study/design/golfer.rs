@@ -52,8 +52,8 @@ pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     Swings::distributed(inputs, &[Correlation::new(between, PATH_WITH_FACE)?])
 }
 
-/// A truncated normal distribution with this standard deviation. The untruncated one is wider;
-/// bisection finds its deviation.
+/// Truncated normal distribution with this standard deviation after truncation. Bisection finds the
+/// larger standard deviation before truncation.
 fn cut(mean: f64, deviation: f64) -> Distribution {
     let of = |mean: f64, deviation: f64, wider: f64| {
         let [low, high] = [mean - WITHIN * deviation, mean + WITHIN * deviation];

@@ -47,7 +47,7 @@ pub enum GoalError {
     /// The 99 % interval of the goal over all swings by its scatter over independent sequences of
     /// swings, with the number of sequences. It contains the reported value.
     Sampling(Interval, usize),
-    /// Unknown: one of the other scenarios does not fly. The swing, and the reason.
+    /// Unknown, because one of the other scenarios does not fly: the swing, and the reason.
     Unknown(String),
 }
 

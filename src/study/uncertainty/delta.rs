@@ -31,7 +31,7 @@ pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Opt
         .zip(&moments)
         .map(|(g, [second, ..])| g * g * second)
         .sum();
-    // squares may overflow where the deviations themselves do not
+    // squares may overflow even if the deviations do not
     let by_size = || {
         gradient
             .iter()
