@@ -2,7 +2,7 @@ use super::axis::Scale;
 use super::figure::{Bar, Field, Figure, Layer};
 use crate::error::{Error, Result};
 
-/// A row: kind, name, x, y, x to, y to, and a value with its head.
+/// A row: kind, name, x, y, end x, end y, and a value with the head of its column.
 type Row<'a> = (
     &'static str,
     String,
@@ -10,10 +10,10 @@ type Row<'a> = (
     Option<(&'a Field, f64)>,
 );
 
-/// The data of a plot as CSV, SI and radians: a row for each point, bar, arrow or node, with its
-/// kind of layer and its name. Each quantity that contours show has a column of its own. Empty
-/// columns are omitted; a missing value is an empty cell. Views with contours have rows of their
-/// own, named after the view.
+/// The data of a plot as CSV, in SI and radians: a row for each point, bar, arrow or node, with the
+/// kind and the name of its layer. Each quantity shown as contours has its own column. Empty
+/// columns are omitted; a missing value is an empty cell. Views with contours have separate rows
+/// with the name of the view.
 ///
 /// # Errors
 /// [`Error::Output`].
@@ -94,7 +94,7 @@ pub fn figure_csv(figure: &Figure) -> Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The rows of a layer; of a view among several their names end by what the view is of.
+/// The rows of a layer. With several views, `of_view` is the end of their names.
 fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>> {
     let point = |[x, y]: [f64; 2]| [Some(x), Some(y), None, None];
     let between =
@@ -130,7 +130,7 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>>
             .map(|[from, to]| row("arrow", between(*from, *to)))
             .collect(),
         Layer::Region { rings, .. } => {
-            // rings are parted by rows without numbers
+            // a row without numbers separates two rings
             rings
                 .join(&[f64::NAN; 2])
                 .iter()

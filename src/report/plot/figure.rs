@@ -1,9 +1,9 @@
 use super::axis::{Axis, Measure};
 
-/// A plot as data: what is drawn, not how. Pictures and tables are views of it. All numbers are SI.
+/// A plot as data, in SI. Pictures and tables are made from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// A name for files: "trajectory-side".
+    /// The name in file names: "trajectory-side".
     pub name: String,
     /// The title: a few words.
     pub title: String,
@@ -15,21 +15,21 @@ pub struct Figure {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Height over width of the frame of the axes; rows of an axis of names have a height of their
-    /// own.
+    /// Height over width of the frame of the axes. An axis of names has a fixed height for each row
+    /// instead.
     pub aspect: f64,
-    /// The layers, the lowest first.
+    /// The layers, from the lowest to the highest.
     pub layers: Vec<Layer>,
-    /// Names are written on the lines, in place of a legend.
+    /// True if lines have their names next to them, in place of a legend.
     pub names_on_lines: bool,
-    /// Other views, drawn after it. Those without contours are of the same data.
+    /// Further views, drawn after this one. Views without contours show the data of this one.
     pub panels: Vec<Figure>,
-    /// Number of views in a row, if the picture is broad enough.
+    /// Number of views side by side, if the picture is wide enough.
     pub columns: usize,
 }
 
 impl Figure {
-    /// A plot without anything in it yet.
+    /// An empty plot.
     pub fn new(name: impl Into<String>, title: impl Into<String>, x: Axis, y: Axis) -> Self {
         let (name, title) = (name.into(), title.into());
         Self {
@@ -64,29 +64,29 @@ impl Figure {
     }
 }
 
-/// The colour of a layer, the same in all plots of a report.
+/// The colour of a layer. It is the same in all plots of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hue {
     /// Text and axes.
     Ink,
     /// Background elements.
     Faint,
-    /// A series, by number. Colours begin again after [`Hue::SERIES`], with one more bar across its
+    /// A series, by number. After [`Hue::SERIES`] the colours repeat, with one more cross bar on
     /// lines and points each time.
     Series(usize),
 }
 
 impl Hue {
-    /// The drive as set up, in every plot: no dashes.
+    /// The drive as set up: a solid line in every plot.
     pub const SET_UP: Self = Self::Series(0);
 
-    /// The optimum, in every plot: dashed.
+    /// The optimum: a dashed line in every plot.
     pub const OPTIMUM: Self = Self::Series(1);
 
     /// Number of colours for series.
     pub const SERIES: usize = 6;
 
-    /// Number of short bars across its lines and points. They distinguish series of the same
+    /// Number of short cross bars on lines and points. They distinguish series with the same
     /// colour.
     pub fn bars(self) -> usize {
         match self {
@@ -96,87 +96,87 @@ impl Hue {
     }
 }
 
-/// A layer of a plot. A name that is not empty appears in the legend and in the table of the data.
+/// A layer of a plot. The legend and the table of the data show names that are not empty.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
     /// A line through points; it breaks where a coordinate is not finite.
     Line {
-        /// Its name.
+        /// The name.
         name: String,
-        /// Its colour.
+        /// The colour.
         hue: Hue,
-        /// The line is dashed.
+        /// True for a dashed line.
         is_dashed: bool,
-        /// Its points.
+        /// The points.
         points: Vec<[f64; 2]>,
     },
     /// Points.
     Dots {
-        /// Their name.
+        /// The name.
         name: String,
-        /// Their colour.
+        /// The colour.
         hue: Hue,
         /// The coordinates.
         points: Vec<[f64; 2]>,
     },
     /// The area between two lines.
     Band {
-        /// Its name.
+        /// The name.
         name: String,
-        /// Its colour.
+        /// The colour.
         hue: Hue,
-        /// Its edges: x, low, high.
+        /// The boundaries: x, low, high.
         points: Vec<[f64; 3]>,
     },
     /// Horizontal bars, for an axis of names.
     Bars {
-        /// Their name.
+        /// The name.
         name: String,
-        /// Their colour.
+        /// The colour.
         hue: Hue,
-        /// Each bar: the number of its name, from, to.
+        /// The bars.
         bars: Vec<Bar>,
     },
-    /// Lines of equal value with the ground between them coloured.
+    /// Contour lines with coloured regions between them.
     Contours(Field),
-    /// A place with a word beside it.
+    /// A point with a label.
     Mark {
-        /// The word.
+        /// The label.
         name: String,
-        /// Its colour.
+        /// The colour.
         hue: Hue,
         /// The coordinates.
         at: [f64; 2],
     },
     /// Arrows.
     Arrows {
-        /// Their name.
+        /// The name.
         name: String,
-        /// Their colour.
+        /// The colour.
         hue: Hue,
-        /// Each from where to where.
+        /// The start and the end of each arrow.
         arrows: Vec<[[f64; 2]; 2]>,
     },
-    /// A part of the plane.
+    /// A region of the plane.
     Region {
-        /// Its name.
+        /// The name.
         name: String,
-        /// Its colour.
+        /// The colour.
         hue: Hue,
-        /// A forbidden region is hatched; others are tinted and outlined.
+        /// True for a forbidden region, which is hatched; others are tinted and outlined.
         is_hatched: bool,
-        /// Its outlines; a hole is reached along a line without width.
+        /// The outlines. A line without width leads to a hole.
         rings: Vec<Vec<[f64; 2]>>,
     },
     /// A rectangle.
     Frame {
-        /// Its name.
+        /// The name.
         name: String,
-        /// Its colour.
+        /// The colour.
         hue: Hue,
-        /// Its low corner.
+        /// The lower left corner.
         low: [f64; 2],
-        /// Its high corner.
+        /// The upper right corner.
         high: [f64; 2],
     },
 }
@@ -211,7 +211,7 @@ impl Layer {
         }
     }
 
-    /// Its name, and its colour if it has one of its own.
+    /// The name, and the colour if the layer has a single one.
     pub fn named(&self) -> (&str, Option<Hue>) {
         match self {
             Self::Line { name, hue, .. }
@@ -230,7 +230,7 @@ impl Layer {
 /// A horizontal bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
-    /// The number of its name on the axis.
+    /// The number of the name on the axis.
     pub place: usize,
     /// The start.
     pub from: f64,
@@ -238,32 +238,32 @@ pub struct Bar {
     pub to: f64,
 }
 
-/// Values over a grid that spans both axes' ends evenly.
+/// Values on a uniform grid over the ranges of both axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// The quantity.
     pub measure: Measure,
-    /// First and last column.
+    /// The coordinates of the first and last column.
     pub x: [f64; 2],
-    /// First and last row.
+    /// The coordinates of the first and last row.
     pub y: [f64; 2],
-    /// Columns.
+    /// The number of columns.
     pub columns: usize,
-    /// Row by row from the lowest; `None` where there is no value.
+    /// The values by rows, the lowest row first; `None` for a missing value.
     pub values: Vec<Option<f64>>,
     /// The meaning of a missing value: "no flight".
     pub nothing: &'static str,
-    /// The values of other fields with which it has its levels and colours in common, SI.
+    /// The values of other fields that share levels and colours with this one, SI.
     pub beside: Vec<f64>,
 }
 
 impl Field {
-    /// Rows.
+    /// The number of rows.
     pub fn rows(&self) -> usize {
         self.values.len().checked_div(self.columns).unwrap_or(0)
     }
 
-    /// The place of a column and a row, counted from 0; parts of them lie between.
+    /// The coordinates of a column and a row, counted from 0. Fractions lie between the nodes.
     pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
         let along = |[low, high]: [f64; 2], part: f64, count: usize| {
             low + (high - low) * part / (count.max(2) - 1) as f64
@@ -274,8 +274,8 @@ impl Field {
         ]
     }
 
-    /// The value at a place, between its four nodes; `None` off the grid, and beside a node without
-    /// value.
+    /// The value at a point by bilinear interpolation; `None` outside of the grid, and next to a
+    /// node without a value.
     pub fn at(&self, [x, y]: [f64; 2]) -> Option<f64> {
         let cell = |[low, high]: [f64; 2], at: f64, count: usize| {
             let along = (at - low) / (high - low) * (count.checked_sub(1)?) as f64;

@@ -1,14 +1,14 @@
-//! Hatching: the lines that fill a part of the plane.
+//! Hatching of regions.
 
-/// The parallels to the falling diagonal, so far apart, that lie within some rings (by the even-odd
-/// rule). All hatchings of a picture lie on the same lines.
+/// Hatching lines inside some rings (even-odd rule), parallel to the falling diagonal, at a
+/// distance `apart`. The hatchings of all regions in a picture are aligned.
 pub(super) fn hatching(rings: &[Vec<[f64; 2]>], apart: f64) -> Vec<[[f64; 2]; 2]> {
     let sums = || rings.iter().flatten().map(|[x, y]| x + y);
     let (low, high) = (
         sums().fold(f64::INFINITY, f64::min),
         sums().fold(f64::NEG_INFINITY, f64::max),
     );
-    // the distance of two lines x + y = c is that of their sums over √2
+    // two lines x + y = c have the distance |Δc|/√2
     let step = apart * std::f64::consts::SQRT_2;
     if !(low < high && step > 0.0) {
         return vec![];
@@ -19,7 +19,7 @@ pub(super) fn hatching(rings: &[Vec<[f64; 2]>], apart: f64) -> Vec<[[f64; 2]; 2]
         .collect()
 }
 
-/// The pieces of the line x + y = sum that lie within some rings.
+/// The segments of the line x + y = sum inside some rings.
 fn within(rings: &[Vec<[f64; 2]>], sum: f64) -> Vec<[[f64; 2]; 2]> {
     let edges = rings
         .iter()
@@ -43,7 +43,7 @@ fn within(rings: &[Vec<[f64; 2]>], sum: f64) -> Vec<[[f64; 2]; 2]> {
 mod tests {
     use super::hatching;
 
-    /// The area of a shape is the length of its hatching times the distance of the lines.
+    /// The area of a shape is the total length of its hatching times the distance of the lines.
     #[test]
     fn hatching_fills_a_ring_and_leaves_its_hole() {
         let square = |from: f64, to: f64| vec![[from, from], [to, from], [to, to], [from, to]];

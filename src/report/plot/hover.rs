@@ -1,4 +1,4 @@
-//! What a picture says where a pointer rests on it: titles of SVG on shapes that are not seen.
+//! Tooltips: SVG titles on invisible shapes.
 
 use super::axis::{Axis, Measure, Scale};
 use super::canvas::fine;
@@ -8,10 +8,10 @@ use super::layers::Plane;
 use crate::units::{Quantity, System, significant, typeset};
 use std::fmt::Write;
 
-/// A line of at most so many points says the values of each.
+/// Maximum number of points of a line with a tooltip at each point.
 const FEW: usize = 40;
 
-/// The titles of all that has a value, as SVG; the grounds are those of each layer that is a map.
+/// The tooltips of all values, as SVG; `grounds` are the contour regions of each layer.
 pub(super) fn titles(
     figure: &Figure,
     plane: &Plane<'_>,
@@ -32,7 +32,7 @@ pub(super) fn titles(
     let mut point = |name: &str, place: [f64; 2]| {
         if let Some([x, y]) = plane.pixel(place) {
             let title = escaped(&at(name, place));
-            // what a string takes, it takes
+            // writing to a string cannot fail
             let _ = writeln!(
                 svg,
                 "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" \
@@ -103,7 +103,7 @@ pub(super) fn titles(
     svg
 }
 
-/// "carry 279.2 yd"; the name of a row.
+/// A value with the name of its axis: "carry 279.2 yd"; for an axis of names, only the name.
 fn on_axis(axis: &Axis, value: f64, system: System) -> String {
     match &axis.scale {
         Scale::Names(names) => names
@@ -127,7 +127,7 @@ fn of(measure: &Measure, value: f64, system: System) -> String {
     measure.quantity.read_off(value, system.unit(measure.unit))
 }
 
-/// Typeset text, escaped for XML.
+/// Typeset text, with XML's special characters escaped.
 pub(super) fn escaped(text: &str) -> String {
     typeset(text)
         .replace('&', "&amp;")

@@ -1,4 +1,4 @@
-//! Drawing of each kind of layer, in pixels of the plot.
+//! Draws each kind of layer, in pixels of the plot.
 
 use super::canvas::{Area, FINE, Labels, SIGN, block, failed, fine, path, stroke};
 use super::contour::Ground;
@@ -11,15 +11,15 @@ use crate::units::{System, significant, with_unit};
 use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
 use plotters::style::{Color, RGBColor};
 
-/// Position of the first bars of a series along its line (the middle of its sign in the legend),
-/// and distance of the next, pixels.
+/// Distance of the first cross bar of a series along its line (the middle of the legend's symbol),
+/// and distance between cross bars, pixels.
 const FIRST_BARS: f64 = 0.5 * SIGN;
 const BARS_APART: f64 = 32.0;
 
-/// Distance of the lines of a hatching, pixels.
+/// Distance between hatching lines, pixels.
 const HATCHES_APART: f64 = 11.0;
 
-/// The plane of the axes on the sheet.
+/// The rectangle of the axes in the drawing area.
 pub(super) struct Plane<'a> {
     pub x: &'a Drawn,
     pub y: &'a Drawn,
@@ -59,7 +59,7 @@ impl Plane<'_> {
             .collect()
     }
 
-    /// The pieces of a line that lie on the plane.
+    /// The pieces of a line inside the axes.
     pub fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
         let placed: Vec<_> = points.iter().map(|point| self.pixel(*point)).collect();
         placed
@@ -69,7 +69,7 @@ impl Plane<'_> {
     }
 }
 
-/// Draws one layer, a map with its grounds; its words wait for the labels.
+/// Draws one layer; `grounds` are its contour regions. Labels are drawn later.
 pub(super) fn draw(
     area: &Area<'_>,
     plane: &Plane<'_>,
@@ -100,12 +100,12 @@ pub(super) fn draw(
                 0.22,
             )
         }
-        // with the names of their rows
+        // drawn with the names of the rows
         Layer::Bars { .. } => Ok(()),
         Layer::Contours(field) => ground(area, plane, palette, field, grounds),
-        // with their words, since one goes with the other
+        // drawn with its label, because one is omitted without the other
         Layer::Mark { .. } => Ok(()),
-        // after the words
+        // drawn after the labels, which have precedence
         Layer::Arrows { name, .. } if !name.is_empty() => Ok(()),
         Layer::Arrows { arrows, .. } => {
             pixels(plane, arrows).try_for_each(|[from, to]| arrow(area, from, to, color))
@@ -126,7 +126,7 @@ pub(super) fn draw(
     }
 }
 
-/// The arrows of a field, but for those that words and marks would hide in part.
+/// The arrows of a field, except those that a label or mark would partly cover.
 pub(super) fn field_arrows(
     labels: &Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -143,14 +143,14 @@ pub(super) fn field_arrows(
     })
 }
 
-/// Arrows with both ends in the frame.
+/// The arrows with both ends inside the axes, in pixels.
 fn pixels(plane: &Plane<'_>, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
     arrows
         .iter()
         .filter_map(|[from, to]| Some([plane.pixel(*from)?, plane.pixel(*to)?]))
 }
 
-/// The levels of contours, as far as there is room.
+/// Writes the levels of contours where there is space.
 pub(super) fn label(
     labels: &mut Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -177,7 +177,8 @@ pub(super) fn label(
     Ok(())
 }
 
-/// A free place for words on a line: nearest to its middle, since ends crowd together.
+/// A free position for a label on a line, as near as possible to the middle: the ends of several
+/// lines are often close together.
 pub(super) fn place_on(
     labels: &Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -204,7 +205,7 @@ pub(super) fn place_on(
         .copied()
 }
 
-/// A part of the plane: hatched, or tinted with an outline.
+/// Draws a region: hatched, or tinted with an outline.
 pub(super) fn region(
     area: &Area<'_>,
     rings: &[Vec<[f64; 2]>],
@@ -231,7 +232,7 @@ fn ground(
     grounds: &[Ground],
 ) -> Result<()> {
     let shade = |i: usize| {
-        // the shade of what lies between this level and the next
+        // the shade of the middle between this level and the next
         let next = grounds.get(i + 1).map_or(1.0, |next| next.part);
         palette.height(0.5 * (grounds[i].part + next))
     };
@@ -245,8 +246,8 @@ fn ground(
         path(area, &plane.all(line), stroke(palette.faint, 0.7))?;
     }
     let (columns, rows) = (field.columns, field.rows());
-    // where there is nothing: whole runs of each row, a little over their neighbours, so that no
-    // seams show
+    // cover missing values by one rectangle for each run in a row; the rectangles overlap a little,
+    // so that no seams are visible
     let corner = |column: f64, row: f64| {
         let end = |at: f64, count: usize| at.clamp(0.0, (count - 1) as f64);
         plane.pixel(field.place(end(column, columns), end(row, rows)))
@@ -292,7 +293,7 @@ pub(super) fn line(
         .map_err(failed)
 }
 
-/// A line of a series, with its bars across every so often.
+/// Draws a line of a series, with cross bars at regular distances.
 pub(super) fn series(
     area: &Area<'_>,
     points: &[[f64; 2]],
@@ -322,13 +323,13 @@ pub(super) fn series(
     Ok(())
 }
 
-/// A point of a series, with its bars across, aslant: an upright bar would look like an error.
+/// Draws a point of a series with oblique cross bars: vertical ones would look like error bars.
 pub(super) fn point(area: &Area<'_>, at: [f64; 2], palette: &Palette, hue: Hue) -> Result<()> {
     dot(area, at, palette.of(hue))?;
     bars(area, at, [0.5_f64.sqrt(); 2], palette.of(hue), hue.bars())
 }
 
-/// Short bars across a direction, beside each other around a place.
+/// Draws short parallel bars across a direction, centred on a point.
 fn bars(
     area: &Area<'_>,
     [x, y]: [f64; 2],

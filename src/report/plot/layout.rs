@@ -1,5 +1,5 @@
-//! Where the parts of a picture stand: titles, legend, axes and frame. Text keeps its size, and
-//! what is too wide for its place is broken into lines, or stands elsewhere.
+//! Positions of titles, legend, axes and frame. The text size is constant; text that is too wide is
+//! wrapped or moved.
 
 use super::axis::Axis;
 use super::bars::{Rows, with_room};
@@ -14,38 +14,39 @@ use crate::units::{System, typeset};
 /// Margin of a picture, pixels.
 pub(super) const MARGIN: f64 = 6.0;
 
-/// Size of the title and of the numbers on axes, pixels.
+/// Text size of the title and of the numbers on axes, pixels.
 pub(super) const TITLE: f64 = TEXT + 2.0;
 pub(super) const NUMBER: f64 = TEXT - 0.5;
 
-/// The least width of the frame of the axes, pixels.
+/// Minimum width of the frame of the axes, pixels.
 const LEAST: f64 = 100.0;
 
-/// Numbers on a vertical axis at most; those of a horizontal one are about so far apart, pixels.
+/// Maximum number of ticks on a vertical axis; approximate distance of ticks on a horizontal one,
+/// pixels.
 const MOST: usize = 6;
 const APART: f64 = 60.0;
 
-/// A figure as laid out at a width.
+/// The layout of a figure for a width.
 pub(super) struct Layout<'a> {
     pub titles: Vec<String>,
     pub subtitles: Vec<String>,
     pub legend: Vec<Entry<'a>>,
     pub x: Drawn,
     pub y: Drawn,
-    /// The titles of the axes, in lines.
+    /// The titles of the axes, wrapped into lines.
     pub x_title: Vec<String>,
     pub y_title: Vec<String>,
     /// The rows of an axis of names.
     pub rows: Option<Rows>,
-    /// Left, top, right and bottom, pixels.
+    /// The frame of the axes: left, top, right and bottom, pixels.
     pub frame: [f64; 4],
     pub height: f64,
 }
 
 impl<'a> Layout<'a> {
     /// # Errors
-    /// [`Error::Plot`] where nothing of the figure has a place on its axes, or the width leaves no
-    /// room for them.
+    /// [`Error::Plot`] if no part of the figure can be shown on its axes, or if the width is too
+    /// small for them.
     pub fn new(figure: &'a Figure, system: System, width: u32) -> Result<Self> {
         let failed = |reason: String| Error::Plot {
             name: figure.name.clone(),
@@ -62,7 +63,7 @@ impl<'a> Layout<'a> {
         let rows = Rows::of(figure, width);
         let ys = || coordinates(figure).map(|point| point[1]);
         let mut found = None;
-        // as many numbers as find room below each other
+        // use the largest number of ticks whose texts do not overlap
         for count in (1..=MOST).rev() {
             let y =
                 Drawn::new(&figure.y, ys(), system, count).ok_or_else(|| nothing("vertical"))?;
@@ -109,8 +110,8 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// The horizontal axis with as many numbers as find room beside each other, and where the frame
-/// begins and ends.
+/// The horizontal axis with the largest number of ticks whose texts do not overlap, and the left
+/// and right end of the frame.
 fn across(figure: &Figure, system: System, left: f64, width: f64) -> Option<(Drawn, f64, f64)> {
     let xs = || coordinates(figure).map(|point| point[0]);
     let has_bars = figure
@@ -121,8 +122,8 @@ fn across(figure: &Figure, system: System, left: f64, width: f64) -> Option<(Dra
     let most = ((width - left) / APART).max(4.0) as usize;
     for count in (1..=most).rev() {
         let x = Drawn::new(&figure.x, xs(), system, count)?;
-        // the text of a number stands under it, half of it to each side, also at the ends of the
-        // axis
+        // the text of a tick is centred below it, and needs half its width on each side at the ends
+        // of the axis too
         let half = 0.5 * x.widest(NUMBER) + 4.0;
         let (left, right) = (left.max(half), width - half.max(16.0));
         let widened: Option<Axis> = if has_bars {
@@ -145,7 +146,7 @@ fn across(figure: &Figure, system: System, left: f64, width: f64) -> Option<(Dra
     last
 }
 
-/// The points that the axes must reach.
+/// The points that the axes must include.
 fn coordinates(figure: &Figure) -> impl Iterator<Item = [f64; 2]> + '_ {
     figure.layers.iter().flat_map(|layer| -> Vec<[f64; 2]> {
         match layer {

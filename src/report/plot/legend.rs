@@ -1,4 +1,4 @@
-//! What the layers are called, in lines above the plot.
+//! The legend: names of layers, in lines above the plot.
 
 use super::canvas::{Area, LINE, SIGN, TEXT, block, font, words};
 use super::figure::{Figure, Hue, Layer};
@@ -9,26 +9,25 @@ use crate::error::Result;
 use crate::units::typeset;
 use plotters::style::text_anchor::HPos;
 
-/// Size of its text, pixels.
+/// Text size, pixels.
 const SIZE: f64 = TEXT - 0.5;
 
-/// From a sign to its name, and from a name to the next sign, pixels.
+/// Distance between a symbol and its name, and between a name and the next symbol, pixels.
 const GAPS: [f64; 2] = [6.0, 14.0];
 
-/// A legend with more names has columns; one with fewer has a width of its own.
+/// A legend with more names than this has columns.
 const FEW: usize = 4;
 
-/// A layer that a legend names.
+/// A layer in a legend.
 pub(super) struct Entry<'a> {
     layer: &'a Layer,
-    /// Its name in lines.
+    /// The name of the layer, wrapped into lines.
     lines: Vec<String>,
-    /// The start of its sign, pixels from the legend's top left.
+    /// The start of the symbol, pixels from the top left of the legend.
     at: [f64; 2],
 }
 
-/// The legend, and the height of it all, pixels. One layer alone needs no legend: the title names
-/// it.
+/// The legend, with its height in pixels. A single layer has no legend, because the title names it.
 pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
     let layers: Vec<&Layer> = figure
         .layers
@@ -66,7 +65,7 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
         .map(|(_, lines)| wide(lines) + GAPS[1])
         .sum::<f64>()
         - GAPS[1];
-    // side by side in columns, where there are so many that one looks for a name among them
+    // use columns if there are many names, so that a name is easy to find
     let column = (named.len() > FEW && all > width).then_some(widest + GAPS[1]);
     let (mut at, mut tallest, mut entries) = ([0.0, 0.5 * LINE], 1, vec![]);
     for (layer, lines) in named {
@@ -82,7 +81,7 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
     (entries, at[1] + LINE * (tallest as f64 - 0.5) + 3.0)
 }
 
-/// The legend names a layer. A mark has its word beside it.
+/// True if the legend names a layer. A mark has a label instead.
 fn is_named(figure: &Figure, layer: &Layer) -> bool {
     let (name, hue) = layer.named();
     let is_named_where_it_is = matches!(layer, Layer::Mark { .. })
@@ -98,7 +97,7 @@ fn is_named(figure: &Figure, layer: &Layer) -> bool {
     !name.is_empty() && hue.is_some() && !is_named_where_it_is && !is_part_of_another(figure, name)
 }
 
-/// The legend has this name.
+/// True if the legend has this name.
 pub(super) fn has(figure: &Figure, name: &str) -> bool {
     figure
         .layers
@@ -106,7 +105,7 @@ pub(super) fn has(figure: &Figure, name: &str) -> bool {
         .any(|layer| layer.named().0 == name && is_named(figure, layer))
 }
 
-/// A layer belongs to another whose name it extends by a remark: "ferguson (extrapolated)".
+/// True if another layer has this name without the remark: "ferguson (extrapolated)".
 fn is_part_of_another(figure: &Figure, name: &str) -> bool {
     let whole = name.rsplit_once(" (").map(|(whole, _)| whole);
     whole.is_some_and(|whole| {
@@ -118,7 +117,7 @@ fn is_part_of_another(figure: &Figure, name: &str) -> bool {
 }
 
 impl Entry<'_> {
-    /// Draws the layer's sign and name, from the legend's top left.
+    /// Draws the symbol and the name of a layer; `left` and `top` are the corner of the legend.
     pub fn draw(&self, area: &Area<'_>, palette: &Palette, [left, top]: [f64; 2]) -> Result<()> {
         let hue = self.layer.named().1.unwrap_or(Hue::Ink);
         let color = palette.of(hue);

@@ -1,4 +1,4 @@
-//! The names of lines, on them.
+//! Names of lines, written on the lines.
 
 use super::canvas::Labels;
 use super::figure::{Figure, Layer};
@@ -6,8 +6,8 @@ use super::layers::{Plane, place_on};
 use super::marks::write_near;
 use crate::error::Result;
 
-/// Writes the names of lines on them where the figure has them there; beside a line that has no
-/// room.
+/// Writes the names of lines on the lines, if the figure has no legend for them. A name without
+/// space on its line is written next to it.
 pub(super) fn write_line_names(
     labels: &mut Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -26,7 +26,7 @@ pub(super) fn write_line_names(
         }
         match place_on(labels, plane, &places, name) {
             Some(middle) => labels.write(name, middle, color, true)?,
-            // a line without its name would be a riddle
+            // a line without a name could not be identified
             None => places
                 .get(places.len() / 2)
                 .map_or(Ok(()), |at| write_near(labels, plane, name, *at, color))?,

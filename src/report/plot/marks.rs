@@ -1,4 +1,4 @@
-//! Marks with their words, which stand wherever nothing else does.
+//! Marks with labels in free positions.
 
 use super::canvas::{LINE, Labels, path, stroke};
 use super::figure::{Figure, Layer};
@@ -7,15 +7,15 @@ use super::legend;
 use crate::error::Result;
 use plotters::style::RGBColor;
 
-/// Size of a mark, and its distance from its word, pixels.
+/// Half the size of a mark, and the distance between a mark and its label, pixels.
 const SIZE: f64 = 6.5;
 const GAP: f64 = 9.0;
 
-/// A word farther than this from its mark is joined to it by a line, pixels.
+/// Distance from which a line connects a label with its mark, pixels.
 const FAR: f64 = 2.0 * LINE;
 
-/// Draws the marks, then their words. If the legend has a word too and one of its marks has no room
-/// for it, none of these marks is drawn.
+/// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
+/// all of them have space for their labels.
 pub(super) fn write_marks(
     labels: &mut Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -61,7 +61,7 @@ pub(super) fn write_marks(
     Ok(())
 }
 
-/// Writes a word as near to a place as there is room, and joins the two where they are far apart.
+/// Writes a label as near as possible to a point. If it is far away, a line connects the two.
 pub(super) fn write_near(
     labels: &mut Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -78,7 +78,7 @@ pub(super) fn write_near(
     labels.write(name, middle, color, true)
 }
 
-/// Places along the lines of a figure, so close that words cannot lie between them, pixels.
+/// Points along the lines of a figure, so dense that no label fits between them, pixels.
 fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
     const STEP: f64 = 6.0;
     let lines = figure.layers.iter().filter_map(|layer| match layer {
@@ -100,7 +100,7 @@ fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
     places
 }
 
-/// A word around a place lies in the frame and covers nothing.
+/// True if a label centred on a point is inside the frame and covers nothing.
 fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]) -> bool {
     let [left, top, right, bottom] = plane.frame;
     let [low, high] = Labels::extent(name, *middle);
@@ -111,8 +111,8 @@ fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64
         && labels.is_free([low, high])
 }
 
-/// The middle of a word beside its mark, above or below, where there is room and least of the lines
-/// is hidden.
+/// The middle of a label next to its mark, or above or below it, in a free position that covers the
+/// least of the lines.
 fn beside(
     labels: &Labels<'_, '_>,
     plane: &Plane<'_>,
@@ -136,14 +136,13 @@ fn beside(
             |place: &&[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
         lines.iter().filter(is_under).count()
     };
-    // the first of those that hide least
+    // the first position with the least covered
     all.into_iter()
         .filter(|middle| is_free(labels, plane, name, middle))
         .min_by_key(hidden)
 }
 
-/// The nearest middle of a word in the frame where there is room; in a frame that is full, over
-/// something.
+/// The nearest free middle of a label in the frame. In a full frame, the label covers something.
 fn nearest(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 8.0;
     let [left, top, right, bottom] = plane.frame;

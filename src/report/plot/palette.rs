@@ -1,27 +1,27 @@
 use super::figure::Hue;
 use plotters::style::RGBColor;
 
-/// The colours of a picture. The hues of series are distinguishable with colour blindness (after
-/// Okabe & Ito, 2008, darkened or lightened to a contrast of 3 : 1 with the ground and with the
-/// fills of maps and bands). Bars across distinguish series that share a colour.
+/// The colours of a picture. The hues of series remain distinguishable with colour blindness (after
+/// Okabe & Ito, 2008, darkened or lightened to a contrast of 3 : 1 with the background and with the
+/// fills of maps and bands). Cross bars distinguish series with the same colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
-    /// The page.
+    /// The background.
     pub ground: RGBColor,
     /// Text and axes.
     pub ink: RGBColor,
     /// Background elements.
     pub faint: RGBColor,
-    /// Lines of the mesh.
+    /// Grid lines.
     pub mesh: RGBColor,
-    /// Parts of a field without a value.
+    /// Missing values of a field.
     pub nothing: RGBColor,
     series: [RGBColor; Hue::SERIES],
-    /// The lowest, middle and highest ground of a field.
+    /// The colours of the lowest, middle and highest region of a field.
     heights: [RGBColor; 3],
 }
 
-/// For a bright page and for print.
+/// The colours for a bright page and for print.
 pub const LIGHT: Palette = Palette {
     ground: RGBColor(255, 255, 255),
     ink: RGBColor(28, 33, 40),
@@ -43,7 +43,7 @@ pub const LIGHT: Palette = Palette {
     ],
 };
 
-/// For a dark page.
+/// The colours for a dark page.
 pub const DARK: Palette = Palette {
     ground: RGBColor(20, 24, 29),
     ink: RGBColor(232, 236, 240),
@@ -65,7 +65,7 @@ pub const DARK: Palette = Palette {
     ],
 };
 
-/// Steps of a field's colour.
+/// Number of colour steps of a field.
 pub(super) const STEPS: usize = 24;
 
 impl Palette {
@@ -77,7 +77,7 @@ impl Palette {
         }
     }
 
-    /// The ground of a field at a part of its range, 0 to 1.
+    /// The colour of a field's region at a fraction of the range, 0 to 1.
     pub(super) fn height(&self, part: f64) -> RGBColor {
         let part = (part.clamp(0.0, 1.0) * STEPS as f64).round() / STEPS as f64 * 2.0;
         let (low, high) = if part < 1.0 { (0, 1) } else { (1, 2) };
@@ -87,7 +87,7 @@ impl Palette {
         RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
     }
 
-    /// Every colour, in the same order in each palette.
+    /// All colours, in the same order for each palette.
     pub(super) fn all(&self) -> Vec<RGBColor> {
         let heights = (0..=STEPS).map(|step| self.height(step as f64 / STEPS as f64));
         [self.ground, self.ink, self.faint, self.mesh, self.nothing]
@@ -102,7 +102,7 @@ impl Palette {
 mod tests {
     use super::{DARK, LIGHT, RGBColor, STEPS};
 
-    /// The contrast of two colours, 1 to 21 (WCAG 2.1, relative luminance).
+    /// The contrast ratio of two colours, 1 to 21 (WCAG 2.1, relative luminance).
     fn contrast(a: RGBColor, b: RGBColor) -> f64 {
         let linear = |part: u8| {
             let part = f64::from(part) / 255.0;
@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn contrasts_are_sufficient_for_reading() {
         for palette in [LIGHT, DARK] {
-            // bands hide 22 % of the ground
+            // bands have an opacity of 22 %
             let mix = |over: u8, under: u8| {
                 (0.22 * f64::from(over) + 0.78 * f64::from(under)).round() as u8
             };
@@ -143,7 +143,7 @@ mod tests {
                 contrast(palette.ink, palette.ground) >= 7.0
                     && contrast(palette.faint, palette.ground) >= 4.5
             );
-            // words on a map, and its lines
+            // labels and lines on a map
             assert!(
                 palette
                     .heights

@@ -1,4 +1,4 @@
-//! A picture: a figure, and below it its other views.
+//! The picture of a figure, with its further views below.
 
 use super::canvas::fine;
 use super::figure::Figure;
@@ -7,15 +7,15 @@ use super::svg::{Look, Panel, panel};
 use crate::error::Result;
 use std::fmt::Write;
 
-/// Least width of a view in a row of several, pixels.
+/// Minimum width of a view in a row with other views, pixels.
 const LEAST_BESIDE: u32 = 280;
 
-/// A plot as SVG. It is complete in itself, and names no other file; its colours are plain
-/// attributes, which [`dark_rules`](super::dark_rules) can change on a page. Titles contain the
-/// values, which a browser shows if a pointer rests on a point or a line.
+/// A plot as self-contained SVG, without references to other files. Its colours are attributes,
+/// which [`dark_rules`](super::dark_rules) can change on a page. Browsers show the values of points
+/// and lines as tooltips.
 ///
 /// # Errors
-/// [`Error::Plot`](crate::Error::Plot) where nothing of it has a place on its axes.
+/// [`Error::Plot`](crate::Error::Plot) if no part of the plot can be shown on its axes.
 pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
     let columns = figure
         .columns
@@ -45,7 +45,7 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
     for (row, height) in panels.chunks(columns).zip(heights) {
         for (i, Panel { body, .. }) in row.iter().enumerate() {
             let left = i as f64 * f64::from(each.width);
-            // what a string takes, it takes
+            // writing to a string cannot fail
             let _ = if top == 0.0 && left == 0.0 {
                 write!(svg, "{body}")
             } else {

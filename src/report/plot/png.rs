@@ -5,11 +5,11 @@ use crate::error::{Error, Result};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
-/// A plot as PNG, drawn from its SVG with a font that comes along: the same picture on every
-/// machine. `scale` is how many dots a pixel of [`Look::width`] takes.
+/// A plot as PNG, drawn from its SVG with an embedded font, so that the picture is the same on
+/// every machine. `scale` is the number of image pixels per pixel of [`Look::width`].
 ///
 /// # Errors
-/// As [`figure_svg`]; [`Error::Plot`] for a picture too large to hold.
+/// Those of [`figure_svg`]; [`Error::Plot`] for a picture that is too large for the memory.
 pub fn figure_png(figure: &Figure, look: &Look, scale: f64) -> Result<Vec<u8>> {
     let failed = |reason: String| Error::Plot {
         name: figure.name.clone(),

@@ -16,19 +16,19 @@ use plotters::style::text_anchor::HPos;
 use plotters::style::{Color, TRANSPARENT, TextStyle};
 use std::fmt::Write;
 
-/// How a plot is to look.
+/// The appearance of a plot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
-    /// The units on its axes.
+    /// The units of the axes.
     pub system: System,
-    /// Its colours.
+    /// The colours.
     pub shades: Shades,
-    /// Its width, pixels. Text keeps its size.
+    /// The width, pixels. The text size does not depend on it.
     pub width: u32,
 }
 
 impl Default for Look {
-    /// US units, light, 480 pixels: read on a phone and in a column of print.
+    /// US units, light, 480 pixels: readable on a phone and in a printed column.
     fn default() -> Self {
         Self {
             system: System::Us,
@@ -56,17 +56,17 @@ impl Shades {
     }
 }
 
-/// A figure as drawn: elements of SVG, and how tall they are, pixels.
+/// A drawn figure: SVG elements and their height, pixels.
 pub(super) struct Panel {
     pub body: String,
     pub height: f64,
 }
 
-/// Draws a figure without its other views.
+/// Draws a figure without its further views.
 ///
 /// # Errors
-/// [`Error::Plot`](crate::Error::Plot) where nothing of it has a place on its axes, or the width
-/// leaves no room for them.
+/// [`Error::Plot`](crate::Error::Plot) if no part of the figure can be shown on its axes, or if the
+/// width is too small for them.
 pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
     let palette = look.shades.palette();
     let layout = Layout::new(figure, look.system, look.width)?;
@@ -130,7 +130,7 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
             .iter()
             .any(|layer| matches!(layer, Layer::Contours(_)));
         axes(&area, &plane, palette, is_map)?;
-        // found once for what is drawn, written and told of them
+        // computed once for drawing, labels and tooltips
         let grounds: Vec<_> = figure
             .layers
             .iter()
@@ -163,7 +163,7 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
         hover = hover_titles(figure, &plane, look.system, &grounds);
         area.present().map_err(failed)?;
     }
-    // the elements alone: the picture around them may hold several panels
+    // only the elements: the picture may contain several panels
     let body = svg
         .split_once('>')
         .map_or("", |(_, body)| body)
@@ -175,7 +175,7 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
     })
 }
 
-/// The axes and the mesh, by the library.
+/// Draws the axes and the grid with Plotters.
 fn axes(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, is_map: bool) -> Result<()> {
     let Plane { x, y, frame } = plane;
     let (wide, tall) = area.dim_in_pixel();
@@ -203,7 +203,7 @@ fn axes(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, is_map: bool) -> 
         .map_err(failed)
 }
 
-/// Rules of CSS that turn the colours of light pictures within `inside` into those of dark ones.
+/// CSS rules that change the colours of light pictures inside `inside` to those of dark ones.
 pub fn dark_rules(inside: &str) -> String {
     let mut rules = String::new();
     for (light, dark) in LIGHT.all().into_iter().zip(DARK.all()) {
@@ -212,7 +212,7 @@ pub fn dark_rules(inside: &str) -> String {
             format!("#{r:02X}{g:02X}{b:02X}")
         };
         let (light, dark) = (hex(light), hex(dark));
-        // what a string takes, it takes
+        // writing to a string cannot fail
         let _ = writeln!(
             rules,
             "{inside} [fill=\"{light}\"]{{fill:{dark}}}{inside} \

@@ -1,7 +1,7 @@
-//! How wide words are. A picture cannot know its reader's font: these are the widths of DejaVu
-//! Sans, the widest usual one, so that words in any other take less room.
+//! Widths of texts. A picture does not know the reader's font. These are the widths of DejaVu Sans,
+//! the widest common font; a text in another font is narrower.
 
-/// The widths of the characters from space to tilde, thousandths of the size of the text.
+/// The widths of the characters from space to tilde, in thousandths of the text size.
 #[rustfmt::skip]
 const REGULAR: [u16; 95] = [
     318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337, 636, 636, 636,
@@ -19,11 +19,10 @@ const BOLD: [u16; 95] = [
     343, 1042, 712, 687, 716, 716, 493, 595, 478, 712, 652, 924, 645, 652, 582, 712, 365, 712, 838,
 ];
 
-/// The width of any other character: that of "−" and "±", than which the degree sign and exponents
-/// are narrower.
+/// The width of other characters: that of "−" and "±". Degree signs and exponents are narrower.
 const OTHER: [u16; 2] = [838, 870];
 
-/// The width of words of a size, pixels.
+/// The width of a text, pixels.
 pub(super) fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
     let (known, other) = if is_bold {
         (&BOLD, OTHER[1])
@@ -40,8 +39,8 @@ pub(super) fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
     text.chars().map(|c| f64::from(of(c))).sum::<f64>() * size / 1000.0
 }
 
-/// Words in lines no wider than `room`, pixels. A word that is too wide is broken, behind a mark
-/// where it has one.
+/// A text wrapped into lines of at most `room` pixels. A word that is too wide is broken, after a
+/// punctuation mark if it has one.
 pub(super) fn wrapped(text: &str, room: f64, size: f64, is_bold: bool) -> Vec<String> {
     let fits = |text: &str| text_width(text, size, is_bold) <= room;
     let mut lines: Vec<String> = vec![];
@@ -63,7 +62,7 @@ fn broken(word: &str, fits: &dyn Fn(&str) -> bool) -> Vec<String> {
     let mut rest = word;
     while !fits(rest) {
         let ends = rest.char_indices().map(|(at, c)| at + c.len_utf8());
-        // one character at least, however little room there is
+        // at least one character, even if it is too wide
         let longest = ends
             .enumerate()
             .take_while(|(i, end)| *i == 0 || fits(&rest[..*end]))

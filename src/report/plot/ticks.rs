@@ -1,4 +1,4 @@
-//! Where an axis ends and which values stand on it.
+//! Ends and ticks of an axis.
 
 use super::axis::{Axis, Scale};
 use super::text_width::text_width;
@@ -6,24 +6,24 @@ use crate::units::{System, significant};
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use std::ops::Range;
 
-/// An axis as drawn: its ends and ticks, in the unit of a system, of the logarithm where it is
-/// logarithmic.
+/// An axis with its ends and ticks, in the unit of a system; for a logarithmic axis, their
+/// logarithms.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Drawn {
     axis: Axis,
     system: System,
-    /// The unit that the axis is in, SI.
+    /// The size of the unit, SI.
     unit: f64,
     pub low: f64,
     pub high: f64,
     pub ticks: Vec<f64>,
-    /// Decimals of the numbers on a linear axis.
+    /// Number of decimals on a linear axis.
     decimals: usize,
 }
 
 impl Drawn {
-    /// An axis around these SI values, with about `count` ticks. `None` where nothing of them has a
-    /// place on it.
+    /// An axis for these SI values, with about `count` ticks. `None` if the axis can show none of
+    /// the values.
     pub fn new(
         axis: &Axis,
         values: impl Iterator<Item = f64>,
@@ -41,7 +41,7 @@ impl Drawn {
             decimals: 0,
         };
         if let Scale::Names(names) = &axis.scale {
-            // the first on top; the names are written with the bars
+            // the first name is on top; the code for bars draws the names
             (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
             return (!names.is_empty()).then_some(drawn);
         }
@@ -56,7 +56,7 @@ impl Drawn {
         let (low, high) = places.fold((first, first), |(low, high), place| {
             (low.min(place), high.max(place))
         });
-        // a single value still needs a width
+        // a single value needs a range with a positive width
         let (low, high) = if high > low {
             (low, high)
         } else {
@@ -71,7 +71,7 @@ impl Drawn {
             _ => drawn.even(count),
         }
         if axis.scale == Scale::LeftRight {
-            // right of the line is below
+            // right of the line is at the bottom
             (drawn.low, drawn.high) = (drawn.high, drawn.low);
         }
         Some(drawn)
@@ -81,7 +81,7 @@ impl Drawn {
         let step = nice_step((self.high - self.low) / count as f64);
         self.decimals = (-step.log10().floor()).max(0.0) as usize;
         if !self.axis.is_exact {
-            // on to the next tick, unless the data end close below one
+            // extend to the next tick, unless the data end just below a tick
             let slack = 1e-9;
             self.low = (self.low / step + slack).floor() * step;
             self.high = (self.high / step - slack).ceil() * step;
@@ -106,7 +106,7 @@ impl Drawn {
             .collect();
     }
 
-    /// The place of an SI value; `None` where it has none.
+    /// The position of an SI value; `None` if the axis cannot show it.
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.axis.scale {
             Scale::Names(_) => value,
@@ -123,7 +123,7 @@ impl Drawn {
                 .get(tick.round() as usize)
                 .cloned()
                 .unwrap_or_default(),
-            // a tick near zero is zero: no "-0"
+            // a tick near zero is displayed as 0, not as "-0"
             Scale::Linear => format!("{:.*}", self.decimals, tick + 0.0).replace('-', "\u{2212}"),
             Scale::LeftRight => {
                 let side = if tick.abs() < 1e-9 {
@@ -158,7 +158,8 @@ impl Drawn {
             .fold(0.0, f64::max)
     }
 
-    /// Texts at ticks have the distance that `least` requires, on an axis of this length in pixels.
+    /// True if adjacent ticks have at least the distance that `least` computes from their texts, on
+    /// an axis of this length, pixels.
     pub fn is_apart(&self, length: f64, least: impl Fn(&str, &str) -> f64) -> bool {
         let place = |tick: f64| length * (tick - self.low) / (self.high - self.low);
         self.ticks.windows(2).all(|pair| {
@@ -168,7 +169,7 @@ impl Drawn {
     }
 }
 
-/// To the plotting library an axis is a coordinate with ticks.
+/// For Plotters an axis is a coordinate with ticks.
 impl Ranged for Drawn {
     type FormatOption = DefaultFormatting;
     type ValueType = f64;
@@ -183,7 +184,7 @@ impl Ranged for Drawn {
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        // all its ticks are of the heavy kind
+        // all ticks are bold points for Plotters
         if hint.weight().allow_light_points() {
             vec![]
         } else {
@@ -192,7 +193,7 @@ impl Ranged for Drawn {
     }
 }
 
-/// The step of 1, 2 or 5 times a power of ten that is nearest above.
+/// The smallest step of 1, 2 or 5 times a power of ten that is not below a step.
 pub(super) fn nice_step(step: f64) -> f64 {
     let power = 10.0_f64.powf(step.log10().floor());
     let [one, two, five, ten] = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);

@@ -1,11 +1,11 @@
-//! Shots in the columns of a launch monitor, whatever they were read from.
+//! Shots with the columns of a launch monitor, for any kind of source.
 
 use super::csv::Added;
 use crate::drive::Outcome;
 use crate::shots::{Flown, Shot, size};
 use crate::units::Quantity;
 
-/// The launch: the spin with its axis.
+/// Launch columns: the spin has an axis.
 const LAUNCH: [(&str, Outcome); 5] = [
     ("Ball Speed", Outcome::BallSpeed),
     ("Launch Angle", Outcome::LaunchAngle),
@@ -14,7 +14,7 @@ const LAUNCH: [(&str, Outcome); 5] = [
     ("Spin Axis", Outcome::SpinAxis),
 ];
 
-/// The club.
+/// Club columns.
 const CLUB: [(&str, Outcome); 4] = [
     ("Club Speed", Outcome::BallSpeed),
     ("Attack Angle", Outcome::LaunchAngle),
@@ -54,8 +54,9 @@ pub(super) fn head(added: &Added) -> Vec<u8> {
     (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
 }
 
-/// The launch of a shot, SI: with the spin and axis of the flight, or the stated values of a shot
-/// that is not flown. Assumed values are omitted: read again, they would be measured zeros.
+/// The launch of a shot, SI. The spin and its axis are those of the flight, or the stated values of
+/// a shot that is not flown. Assumed values are omitted: in another run they would be measured
+/// zeros.
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {
@@ -76,7 +77,7 @@ pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     }
 }
 
-/// The launch direction is assumed to be 0; the spin axis is.
+/// Two flags: the launch direction is assumed to be 0; the spin axis is assumed to be 0.
 pub(super) fn assumed(shot: &Shot) -> [bool; 2] {
     let lacks = |of| shot.value(of).is_none();
     [
@@ -114,7 +115,7 @@ pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>)
     added.row(flown, row, bytes);
 }
 
-/// A value in a unit, to eight digits: what conversion adds beyond them is rounding.
+/// A value in a unit, rounded to eight digits to remove the rounding errors of the conversion.
 pub(super) fn in_unit(value: f64, quantity: Quantity, unit: &str) -> f64 {
     let number = value / size(quantity, unit);
     let digits = 1e6;

@@ -1,4 +1,4 @@
-//! What is predicted of shots, in columns beside those of the export.
+//! Predictions of shots, in columns after those of the export.
 
 use crate::drive::Outcome;
 use crate::shots::{Export, Flown, size};
@@ -6,11 +6,11 @@ use crate::table::quoted;
 use crate::units::System;
 use std::sync::Arc;
 
-/// Digits of a number in a table: four decimals, 0.1 mm of a length.
+/// Resolution of numbers in a table: four decimals, such as 0.1 mm of a length.
 const DECIMALS: f64 = 1e4;
 
-/// The columns that are added: the line, how the flight ended, why it did not, notes; what is
-/// predicted, and the residuals.
+/// The added columns: line, status of the flight, reason for a missing flight, notes, predicted
+/// outcomes, and residuals.
 #[derive(Clone, Debug)]
 pub(super) struct Added {
     pub of: Vec<Outcome>,
@@ -49,7 +49,7 @@ impl Added {
             .collect()
     }
 
-    /// Appends a number in a unit, if there is one.
+    /// Appends a number in a unit; an empty cell for `None`.
     pub fn push(&self, bytes: &mut Vec<u8>, value: Option<f64>, unit: &'static str, of: Outcome) {
         let Some(value) = value else { return };
         self.push_number(
@@ -97,7 +97,7 @@ impl Added {
     }
 }
 
-/// The rows of an export as they are, with the added columns.
+/// The rows of an export, unchanged, with the added columns.
 #[derive(Clone, Debug)]
 pub(super) struct Copied {
     export: Arc<Export>,
@@ -112,13 +112,13 @@ impl Copied {
         }
     }
 
-    /// The columns of a section with another head.
+    /// The columns of another section, which has its own head.
     pub fn of_section(&self, export: &Arc<Export>) -> Self {
         Self::new(export, &self.added.of, self.added.system)
     }
 
-    /// The cells of a line that an earlier run has not added, one for each column; a row of units
-    /// may be shorter.
+    /// The cells of a line without those that an earlier run added, one for each column. A row of
+    /// units may be shorter.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
         let (columns, added) = (self.export.heads().len(), self.export.added());
         let cells = (0..columns).map(|at| cells.get(at).map_or("", AsRef::as_ref));
@@ -170,7 +170,7 @@ impl Copied {
             .refusal()
             .is_some_and(|refusal| refusal.is_unreadable())
         {
-            // as one cell, so that nothing is read under a wrong head
+            // write the row as one cell, so that no value is below a wrong head
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
             bytes.extend(std::iter::repeat_n(
                 separator,
@@ -179,8 +179,7 @@ impl Copied {
         } else if shot.has_cells_of_head && self.export.added().is_empty() {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
-            // without what an earlier flight added, and without empty cells beyond those of the
-            // head
+            // omit the cells that an earlier run added, and empty cells after those of the head
             for (at, cell) in self.own(&self.export.cells(&shot.text)).enumerate() {
                 if at > 0 {
                     bytes.push(separator);

@@ -5,7 +5,7 @@ use crate::drive::Outcome;
 use crate::shots::{Club, Export, Flown, Section, Shots};
 use std::sync::Arc;
 
-/// The names of the launch, in the order of [`crate::shots::Shot::launch`].
+/// The keys of the launch, in the order of [`crate::shots::Shot::launch`].
 const LAUNCH: [&str; 5] = [
     "ball_speed",
     "launch_angle",
@@ -18,9 +18,9 @@ const LAUNCH: [&str; 5] = [
 #[derive(Clone, Debug)]
 pub(super) struct Keys {
     of: Vec<Outcome>,
-    /// The further parameters that every row has a value of.
+    /// The further parameters, which have a value in every row.
     further: Vec<&'static str>,
-    /// The export, and `"head":` of each of its columns.
+    /// The export, with the text `"head":` for each of its columns.
     cells: Option<(Arc<Export>, Vec<String>)>,
 }
 
@@ -36,7 +36,7 @@ fn number(bytes: &mut Vec<u8>, value: Option<f64>) {
     }
 }
 
-/// An object of numbers.
+/// Appends an object of numbers.
 fn numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f64>)>) {
     bytes.push(b'{');
     for (at, (name, value)) in of.enumerate() {
@@ -63,7 +63,7 @@ impl Keys {
     pub fn of_section(&self, section: Option<&Section>) -> Self {
         let cells = section.map(|Section { export, .. }| {
             let heads = export.heads();
-            // heads that are alike get a number
+            // equal heads get a number
             let key = |(at, head): (usize, &String)| {
                 let before = heads[..at].iter().filter(|other| *other == head).count();
                 let name = if before == 0 {
@@ -175,11 +175,11 @@ impl Keys {
         bytes.push(b'}');
     }
 
-    /// The row as it was read.
+    /// Appends the original row.
     fn own(&self, row: &str, is_unreadable: bool, bytes: &mut Vec<u8>) {
         match &self.cells {
             _ if is_unreadable => text(bytes, row),
-            // a text in JSON has no line break
+            // a JSON string cannot contain a line break
             None => bytes.extend(row.bytes().map(|byte| {
                 if matches!(byte, b'\n' | b'\r') {
                     b' '

@@ -1,6 +1,5 @@
-//! Flown shots as bytes: the rows of an export with what is predicted of them, the same in the
-//! columns of a launch monitor, JSON lines, and messages of GSPro Open Connect; and what was found
-//! of all of them, as text and as JSON.
+//! Output of flown shots: the rows of an export with their predictions, rows with the columns of a
+//! launch monitor, JSON lines, messages of GSPro Open Connect, and a summary as text and JSON.
 
 mod columns;
 mod csv;
@@ -20,14 +19,14 @@ use crate::shots::{Flown, Layout, Shots};
 use crate::units::System;
 use csv::{Added, Copied};
 
-/// How flown shots are written.
+/// Format of flown shots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShotFormat {
-    /// The rows of the export as they are, with what is predicted in further columns; messages in
+    /// The rows of the export, unchanged, with further columns for the predictions. Messages have
     /// the columns of [`LaunchMonitor`](Self::LaunchMonitor).
     Csv,
-    /// The columns of a launch monitor, whatever the rows were read from, with what is predicted in
-    /// further columns.
+    /// The columns of a launch monitor for any kind of source, with further columns for the
+    /// predictions.
     LaunchMonitor,
     /// A JSON object per row, in SI.
     JsonLines,
@@ -35,7 +34,7 @@ pub enum ShotFormat {
     OpenConnect,
 }
 
-/// Makes bytes of flown shots.
+/// Formats flown shots.
 #[derive(Clone, Debug)]
 pub struct ShotWriter {
     table: Table,
@@ -50,7 +49,7 @@ enum Table {
 }
 
 impl ShotWriter {
-    /// The rows of these shots in a format; CSV in the units of a system.
+    /// A writer for these shots; CSV is in the units of a system.
     pub fn new(format: ShotFormat, shots: &Shots, of: &[Outcome], system: System) -> Self {
         let table = match (format, shots.layout()) {
             (ShotFormat::Csv, Layout::Export(export)) => {
@@ -74,7 +73,7 @@ impl ShotWriter {
         }
     }
 
-    /// A line for each row, below a line of heads where a section of the table begins.
+    /// A line for each row. If a section of the table begins, a line of heads precedes them.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
         let section = flown.section();

@@ -7,7 +7,7 @@ use crate::report::json::ByName;
 use crate::shots::{ASSUMED, Flown, Shot};
 use serde::Serialize;
 
-/// A shot in the protocol's words and units.
+/// A shot with the keys and units of the protocol.
 #[derive(Serialize)]
 struct Message<'a> {
     #[serde(rename = "DeviceID")]
@@ -63,7 +63,7 @@ struct ClubData {
     path: Option<f64>,
 }
 
-/// The parts that a message has.
+/// Flags for the parts of a message.
 #[derive(Serialize)]
 #[serde(rename_all = "PascalCase")]
 struct Options {
@@ -109,7 +109,7 @@ impl BallData {
     fn new(shot: &Shot) -> Self {
         let [speed, angle, direction, spin, axis] = launch(shot);
         let of_launch = |at: usize| shot.launch().map(|launch| launch[at]);
-        // a simulator needs assumed values too; `Origins` marks them
+        // a simulator needs the assumed values too; `Origins` identifies them
         let direction = direction.or(of_launch(2));
         let axis = axis.or(shot.launch().map(|_| 0.0));
         let carry = shot.value(Outcome::CarryDistance).map(|value| value.value);
@@ -174,8 +174,8 @@ fn number(value: Option<f64>, of: Outcome, unit: &str) -> Option<f64> {
     Some(in_unit(value?, of.quantity(), unit))
 }
 
-/// Appends the message of a row. A row that cannot be flown says that it has no ball data, so that
-/// no simulator plays it.
+/// Appends the message of a row. For a row that cannot be flown, the message states that it has no
+/// ball data, so that no simulator plays it.
 pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let shot = &flown.shots()[row];
     let club = ClubData::new(shot);
@@ -197,9 +197,9 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let _ = serde_json::to_writer(bytes, &message);
 }
 
-/// The answer to a message: 200 for a shot, with the predictions of its flight in SI; 201 for a
-/// message that is no shot, with the player; 501 for one that cannot be read, with the reason. It
-/// ends with a line break.
+/// The answer to a message: 200 for a shot, with its predictions in SI; 201 for a message without a
+/// shot, with the player; 501 for an unreadable message, with the reason. It ends with a line
+/// break.
 pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
     let is_no_shot = flown
         .shots()

@@ -1,5 +1,5 @@
-//! Flown shots as Parquet, in SI: a row for each shot, with what it states, what is predicted, and
-//! the row as it was read.
+//! Flown shots as Parquet, in SI. Each row has the stated values of a shot, the predictions, and
+//! the original row.
 
 use super::columns::launch;
 use crate::batch::CHUNK;
@@ -9,10 +9,10 @@ use crate::report::parquet::{Cells, Kind, ParquetTable, PlacedGroup};
 use crate::shots::{Club, Flown, Shots};
 use parquet::data_type::ByteArray;
 
-/// Rows of a row group.
+/// Number of rows in a row group.
 const ROWS: usize = 32 * CHUNK;
 
-/// The launch, in the order of [`launch`].
+/// The names of the launch, in the order of [`launch`].
 const LAUNCH: [&str; 5] = [
     "ball_speed",
     "launch_angle",
@@ -51,21 +51,21 @@ enum Of {
     Row,
 }
 
-/// Makes Parquet of flown shots, a row group of some thousand at a time.
+/// Writes flown shots as Parquet, in row groups of some thousand rows.
 pub struct ShotParquet {
     table: ParquetTable,
     columns: Vec<Of>,
     waiting: Vec<Flown>,
     placed: Vec<PlacedGroup>,
-    /// Bytes that were handed on.
+    /// Number of bytes returned so far.
     at: u64,
 }
 
 impl ShotParquet {
-    /// The table of these shots with the outcomes that are predicted.
+    /// The table of these shots with their predicted outcomes.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for columns that Parquet cannot have.
+    /// [`Error::Output`](crate::Error::Output) for columns that Parquet does not allow.
     pub fn new(shots: &Shots, of: &[Outcome]) -> Result<Self> {
         let mut columns: Vec<(String, Kind, Of)> = vec![
             ("line".into(), Kind::Number, Of::Line),
@@ -120,10 +120,10 @@ impl ShotParquet {
         self.table.head()
     }
 
-    /// Takes some shots; the bytes of a row group where they fill one.
+    /// Adds shots. Returns the bytes of a row group once it is full, otherwise no bytes.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold them.
+    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
     pub fn take(&mut self, flown: Flown) -> Result<Vec<u8>> {
         self.waiting.push(flown);
         match self.waiting.iter().map(Flown::rows).sum::<usize>() >= ROWS {
@@ -132,10 +132,10 @@ impl ShotParquet {
         }
     }
 
-    /// The last bytes of a file.
+    /// The last bytes of a file: the remaining rows and the footer.
     ///
     /// # Errors
-    /// As [`take`](Self::take).
+    /// Those of [`take`](Self::take).
     pub fn finish(&mut self) -> Result<Vec<u8>> {
         let mut bytes = if self.waiting.is_empty() {
             vec![]

@@ -12,41 +12,41 @@ use serde::Serialize;
 pub struct ShotsReport<'a> {
     #[serde(skip)]
     tally: &'a ShotStatistics,
-    /// The end of the command.
+    /// The status of the command.
     #[serde(skip)]
     pub ending: Ending,
-    /// The file that the rows were written to; `null` where they were not.
+    /// The file of the rows; `null` without one.
     pub file: Option<String>,
-    /// The maker of the export, if its heads name one.
+    /// The maker of the export, if its heads identify it.
     pub source: Option<&'static str>,
-    /// All rows.
+    /// Number of rows.
     pub rows: u64,
-    /// Rows whose ball landed.
+    /// Number of rows whose ball landed.
     pub flown: u64,
-    /// The other rows, by the kind of reason.
+    /// The other rows, by kind of reason.
     pub refused: Vec<RefusedRows>,
-    /// Rows with values that are assumed or not compared.
+    /// Number of rows with assumed values, or with values that are not compared.
     pub noted: u64,
-    /// Rows whose spin is estimated or modelled, as the export says.
+    /// Number of rows whose export states an estimated or modelled spin.
     pub spin_not_measured: u64,
-    /// Rows whose values are normalized, as the export says.
+    /// Number of rows whose export states normalized values.
     pub normalized: u64,
-    /// Predicted − measured, of each outcome.
+    /// The residuals of each outcome, predicted − measured.
     pub residuals: Vec<OutcomeResiduals>,
     /// Remarks about the columns.
     pub remarks: Vec<Message>,
 }
 
-/// Rows that were refused for one kind of reason.
+/// Rows refused for one kind of reason.
 #[derive(Clone, Debug, Serialize)]
 pub struct RefusedRows {
     /// The kind of reason.
     pub kind: &'static str,
     /// Number of rows.
     pub rows: u64,
-    /// The line of the first.
+    /// The line of the first of these rows.
     pub first_line: u64,
-    /// Its reason.
+    /// The reason of the first of these rows.
     pub first_reason: String,
 }
 
@@ -55,23 +55,23 @@ pub struct RefusedRows {
 pub struct OutcomeResiduals {
     /// The outcome.
     pub of: &'static str,
-    /// All rows.
+    /// The residuals of all rows.
     #[serde(flatten)]
     pub all: SumsReport,
-    /// The standard deviation of two instruments' differences on the same drives.
+    /// The standard deviation of the difference between two instruments for the same drives.
     pub instruments: Option<f64>,
-    /// Rows by ball speed.
+    /// The residuals by ball speed.
     pub bands: Vec<BandReport>,
 }
 
-/// Predicted − measured of some rows.
+/// Statistics of residuals, predicted − measured.
 #[derive(Clone, Debug, Serialize)]
 pub struct SumsReport {
     /// Number of rows.
     pub rows: u64,
     /// The mean.
     pub bias: Option<f64>,
-    /// The mean size.
+    /// The mean absolute value.
     pub mean_absolute: Option<f64>,
     /// The standard deviation.
     pub deviation: Option<f64>,
@@ -102,14 +102,14 @@ impl SumsReport {
     }
 }
 
-/// The standard deviation of two instruments' differences on the same drives, SI.
+/// The standard deviation of the difference between two instruments for the same drives, SI.
 fn instrument_deviation(of: Outcome) -> Option<f64> {
     let (_, deviation, unit) = FLOOR.iter().find(|(outcome, ..)| *outcome == of)?;
     Some(deviation * of.quantity().size_of(unit)?)
 }
 
 impl<'a> ShotsReport<'a> {
-    /// The report of a tally.
+    /// The report of these statistics.
     pub fn new(
         tally: &'a ShotStatistics,
         source: Option<&'static str>,
@@ -185,7 +185,7 @@ fn speeds(band: &Band, system: System) -> String {
     }
 }
 
-/// The outcomes of the rows: counts, and the residuals of each outcome by ball speed.
+/// The counts of rows, and the residuals of each outcome by ball speed.
 fn document(tally: &ShotStatistics, source: Option<&'static str>, system: System) -> Document {
     let mut lines = counts(tally, source);
     let mut rows = vec![];
@@ -223,7 +223,7 @@ fn document(tally: &ShotStatistics, source: Option<&'static str>, system: System
     document
 }
 
-/// Numbers of rows, by the end of the drive and by remark.
+/// Numbers of rows, by status of the drive and by remark.
 fn counts(tally: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
     let from = source.map_or(String::new(), |source| format!(" ({source})"));
     let refused: u64 = tally.refused.values().map(|refused| refused.count).sum();
@@ -262,7 +262,7 @@ fn counts(tally: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
     lines
 }
 
-/// The residuals of an outcome: a row for each band of ball speeds, and one for all.
+/// The residuals of an outcome: a row for each band of ball speed, and one for all rows.
 fn residual_rows(
     tally: &ShotStatistics,
     at: usize,

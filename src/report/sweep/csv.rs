@@ -2,7 +2,7 @@ use super::{Columns, STATUS, push_number};
 use crate::batch::{Batch, Block};
 use crate::units::ratio;
 
-/// A batch as CSV. What does not exist is an empty cell.
+/// A batch as CSV. A missing value is an empty cell.
 #[derive(Clone, Debug)]
 pub struct SweepCsv {
     names: Vec<String>,
@@ -42,7 +42,7 @@ impl SweepCsv {
         }
     }
 
-    /// The first line, with the names of the columns and their SI units: none of them needs quotes.
+    /// The first line: names of the columns with SI units. They need no quotes.
     pub fn head(&self) -> Vec<u8> {
         (self.names.join(",") + "\n").into_bytes()
     }
@@ -50,7 +50,7 @@ impl SweepCsv {
     /// A line for each drive.
     ///
     /// # Panics
-    /// Where the block is of a batch with other numbers of parameters, outcomes or derivatives.
+    /// If the block has other numbers of parameters, outcomes or derivatives than the batch.
     pub fn rows(&self, block: &Block) -> Vec<u8> {
         self.columns.expect(block);
         let mut bytes = Vec::with_capacity(block.rows() * self.names.len() * 20);
@@ -58,9 +58,9 @@ impl SweepCsv {
             for value in block.point(row) {
                 match *value {
                     value if value.is_finite() => push_number(&mut bytes, value),
-                    // missing in the table
+                    // a missing value in the table of points
                     value if value.is_nan() => {}
-                    // a flat face
+                    // the radius of a flat face
                     _ => bytes.extend_from_slice(b"inf"),
                 }
                 bytes.push(b',');

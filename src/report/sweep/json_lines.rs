@@ -1,12 +1,12 @@
 use super::{Columns, STATUS, parameter_names, push_number};
 use crate::batch::{Batch, Block};
 
-/// A batch as JSON lines: an object for each drive. What does not exist is `null`.
+/// A batch as JSON lines: an object for each drive. A missing value is `null`.
 #[derive(Clone, Debug)]
 pub struct SweepJsonLines {
-    /// `"name":`, for each swept parameter.
+    /// The text `"name":` for each swept parameter.
     parameters: Vec<String>,
-    /// `,"name":`, for each outcome and derivative.
+    /// The text `,"name":` for each outcome and derivative.
     results: Vec<String>,
     columns: Columns,
 }
@@ -29,7 +29,7 @@ impl SweepJsonLines {
     /// A line for each drive.
     ///
     /// # Panics
-    /// Where the block is of a batch with other numbers of parameters, outcomes or derivatives.
+    /// If the block has other numbers of parameters, outcomes or derivatives than the batch.
     pub fn rows(&self, block: &Block) -> Vec<u8> {
         self.columns.expect(block);
         let width = self.parameters.len() + self.results.len();
@@ -40,9 +40,9 @@ impl SweepJsonLines {
                 bytes.extend_from_slice(key.as_bytes());
                 match *value {
                     value if value.is_finite() => push_number(&mut bytes, value),
-                    // missing in the table
+                    // a missing value in the table of points
                     value if value.is_nan() => bytes.extend_from_slice(b"null"),
-                    // a flat face: JSON has no infinity
+                    // the radius of a flat face: JSON has no infinity
                     _ => bytes.extend_from_slice(b"\"inf\""),
                 }
                 bytes.push(b',');

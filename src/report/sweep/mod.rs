@@ -1,7 +1,6 @@
-//! Rows of a batch as bytes: CSV, JSON lines and Parquet. The columns are the swept parameters,
-//! `status`, the outcomes, and `d_OUTCOME/d_PARAMETER`, all in SI; the heads of CSV name the units,
-//! `carry [m]`. Numbers are written so that they read back equal; what does not exist is an empty
-//! cell, or null.
+//! Output of batches: CSV, JSON lines and Parquet. The columns are the swept parameters, `status`,
+//! the outcomes, and `d_OUTCOME/d_PARAMETER`, all in SI. CSV heads name the units: `carry [m]`.
+//! Numbers are parsed to the same value to the last bit. A missing value is an empty cell or null.
 
 mod csv;
 mod json_lines;
@@ -17,10 +16,10 @@ pub use summary::summary_document;
 
 use crate::batch::{Batch, Block};
 
-/// The name of the column that says how a drive ended.
+/// The name of the status column.
 const STATUS: &str = "status";
 
-/// Numbers of columns of a batch: parameters, outcomes, derivatives.
+/// Number of parameters, outcomes and derivatives in a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Columns([usize; 3]);
 
@@ -31,7 +30,7 @@ impl Columns {
     }
 
     /// # Panics
-    /// Where a block has others.
+    /// If a block has other numbers.
     #[track_caller]
     fn expect(&self, block: &Block) {
         let (here, there) = (self.0, block.columns());
@@ -52,7 +51,7 @@ fn parameter_names(batch: &Batch) -> Vec<&'static str> {
         .collect()
 }
 
-/// Appends a number in the shortest form that reads back equal.
+/// Appends a number in the shortest form that is parsed to the same value.
 pub(super) fn push_number(bytes: &mut Vec<u8>, number: f64) {
     // writing to memory does not fail
     let _ = serde_json::to_writer(bytes, &(number + 0.0));

@@ -4,8 +4,8 @@ use crate::error::Result;
 use crate::report::parquet::{Cells, Kind, ParquetGroup, ParquetTable, PlacedGroup};
 use parquet::data_type::ByteArray;
 
-/// Rows of a row group, at most and, however wide the table, at least; and most bytes of its
-/// numbers in between.
+/// Maximum and minimum number of rows in a row group, and maximum number of bytes of its numbers.
+/// The minimum number of rows applies even if the bytes exceed their maximum.
 const MOST_ROWS: usize = 128 * CHUNK;
 const LEAST_ROWS: usize = 16 * CHUNK;
 const MOST_BYTES: usize = 16 << 20;
@@ -13,9 +13,9 @@ const MOST_BYTES: usize = 16 << 20;
 /// A batch as Parquet: `DOUBLE` columns (required for the swept parameters, optional for the rest)
 /// and the status as a string.
 ///
-/// Row groups are made one at a time: what a file of many needs is its [`head`](Self::head), the
-/// groups' bytes one after the other, and a [`foot`](Self::foot) made of the groups' metadata: so a
-/// file can be gone on with after any of its groups.
+/// Row groups are created one at a time. A file with many row groups consists of the
+/// [`head`](Self::head), the bytes of the groups, and a [`foot`](Self::foot) made from their
+/// metadata. An interrupted file can therefore continue after any of its groups.
 pub struct SweepParquet {
     table: ParquetTable,
     parameters: usize,
@@ -24,10 +24,10 @@ pub struct SweepParquet {
 }
 
 impl SweepParquet {
-    /// The table of a batch; `question` is kept in the file under the key `longdrive`.
+    /// The table of a batch. The file stores `question` under the key `longdrive`.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for columns that Parquet cannot have.
+    /// [`Error::Output`](crate::Error::Output) for columns that Parquet does not allow.
     pub fn new(batch: &Batch, question: &str) -> Result<Self> {
         let (parameters, results) = (parameter_names(batch), batch.columns());
         let columns = parameters
@@ -47,7 +47,7 @@ impl SweepParquet {
     }
 
     /// Number of blocks of [`CHUNK`] rows in a row group: fewer for wide tables. A group must fit
-    /// in memory, and little must be computed again after a kill.
+    /// in memory, and a kill must not lose much work.
     pub fn blocks_of_group(&self) -> usize {
         let width = 9 * (self.parameters + self.results) + 1;
         (MOST_BYTES / width).clamp(LEAST_ROWS, MOST_ROWS) / CHUNK
@@ -61,10 +61,10 @@ impl SweepParquet {
     /// The row group of some blocks.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold it.
+    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
     ///
     /// # Panics
-    /// Where a block is of a batch with other numbers of parameters, outcomes or derivatives.
+    /// If a block has other numbers of parameters, outcomes or derivatives than the batch.
     pub fn group(&self, blocks: &[Block]) -> Result<ParquetGroup> {
         blocks.iter().for_each(|block| self.columns.expect(block));
         let all = |block: &Block| 0..block.rows();
@@ -92,27 +92,27 @@ impl SweepParquet {
         })
     }
 
-    /// A row group, given by its metadata, in its place: after `at` bytes of the file, as group
+    /// Gives the row group with this metadata its place: offset `at` in the file, bytes, and group
     /// number `ordinal`.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for metadata of something else.
+    /// [`Error::Output`](crate::Error::Output) for other metadata.
     pub fn place(&self, metadata: &[u8], at: u64, ordinal: usize) -> Result<PlacedGroup> {
         self.table.place(metadata, at, ordinal)
     }
 
-    /// The last bytes of a file of these row groups.
+    /// The last bytes of a file with these row groups.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold them.
+    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
     pub fn foot(&self, groups: &[PlacedGroup]) -> Result<Vec<u8>> {
         self.foot_with(groups, &[])
     }
 
-    /// The footer with further notes in the file, by their keys.
+    /// The footer with further notes by key.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold them.
+    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
     pub fn foot_with(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
         self.table.foot(groups, notes)
     }

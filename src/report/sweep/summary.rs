@@ -5,8 +5,8 @@ use crate::report::shown;
 use crate::statistics::{Coordinate, Histogram, Infinite, Ranking, Summary};
 use crate::units::{System, counted, significant};
 
-/// A summary of a sweep's rows: numbers by status, the moments of each column, histograms and best
-/// rows. Outcomes are in the units of a system, derivatives in SI.
+/// A summary of a sweep's rows: counts by status, moments of each column, histograms and best rows.
+/// Outcomes are in the units of a system, derivatives in SI.
 pub fn summary_document(summary: &Summary, system: System) -> Document {
     let counts = summary.statuses.iter().filter(|(_, count)| **count > 0);
     let counts: Vec<_> = counts
@@ -51,7 +51,7 @@ pub fn summary_document(summary: &Summary, system: System) -> Document {
     document
 }
 
-/// A value of a column: derivatives are in SI.
+/// A value of a column. Derivatives are in SI.
 fn quantity(column: &str, value: f64, system: System) -> String {
     match Outcome::named(column) {
         Ok(of) => shown::outcome(of, value, system),
@@ -59,7 +59,7 @@ fn quantity(column: &str, value: f64, system: System) -> String {
     }
 }
 
-/// The numbers of rows in the bins of a histogram.
+/// The number of rows in each bin of a histogram.
 fn histogram(histogram: &Histogram, system: System) -> Table {
     let Histogram {
         of,
@@ -79,7 +79,7 @@ fn histogram(histogram: &Histogram, system: System) -> Table {
     Table::new([of.as_str(), "rows"], rows).right([1])
 }
 
-/// The best rows of a column, with their points.
+/// The best rows by a column, with their points.
 fn ranking(ranking: &Ranking, system: System) -> Table {
     let setup = Setup::default();
     let coordinate = |name: &str, value: &Option<Coordinate>| {

@@ -1,4 +1,4 @@
-//! The laws beside published drives, as plots.
+//! Plots of the laws against published drives.
 
 use crate::drive::Outcome;
 use crate::parameters::Law;
@@ -7,10 +7,10 @@ use crate::shots::FLOOR;
 use crate::study::validation::{Case, Compared, Computation, LawScores, Score, SetScores};
 use crate::units::Quantity;
 
-/// The independent law that the default one is compared with.
+/// The independent law for comparison with the default one.
 pub(super) const ALTERNATIVE: &str = "ferguson";
 
-/// Speeds that residuals are drawn over.
+/// The speed on the horizontal axis of residuals.
 #[derive(Clone, Copy)]
 enum Over {
     Ball,
@@ -34,10 +34,10 @@ impl Over {
     }
 }
 
-/// The set whose optima are drawn: its club strikes the ball as the chart's.
+/// The set of optima to plot, whose drives are computed from the impact on.
 const OPTIMA: &str = "chart-optima-impact";
 
-/// The band, and what the plots say of it.
+/// The name of the band, and the note about it.
 const INSTRUMENTS: &str = "two launch monitors";
 const BAND: &str = "The band is what two launch monitors differ by on a single drive, one standard \
                     deviation (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft of apex, 3.9° of \
@@ -45,7 +45,7 @@ const BAND: &str = "The band is what two launch monitors differ by on a single d
 const OPTIMUM: &str =
     "Computed at the loft of the longest carry, less the spin that TrackMan's chart has there.";
 
-/// Carry as predicted and as measured, and the residuals of carry, apex, descent and spin.
+/// Predicted against measured carry, and the residuals of carry, apex, descent and spin.
 pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured()).collect();
     let optima: Vec<&SetScores> = found.iter().filter(|set| set.set.name == OPTIMA).collect();
@@ -64,7 +64,7 @@ pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     figures
 }
 
-/// The default law, the alternative, and each that is the best on the carry of a set.
+/// The default law, the alternative, and the law with the best carry for each set.
 fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
     let mut laws = vec![Law::default().name(), ALTERNATIVE];
     for set in sets {
@@ -77,7 +77,7 @@ fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
     laws
 }
 
-/// Predicted over measured carry with the default law, a series for each set.
+/// Predicted against measured carry with the default law, a series for each set.
 fn carry(sets: &[&SetScores]) -> Figure {
     let default = Law::default().name();
     let measure = |words: &str| Measure::new(format!("{words} carry"), Quantity::LENGTH, "yd");
@@ -173,7 +173,7 @@ fn of_law(law: Option<&LawScores>, of: Compared) -> &[crate::study::validation::
     score.map_or(&[], |score| &score.residuals)
 }
 
-/// Least and largest; nothing drawn has both at 0.
+/// The smallest and the largest value; 0 for both without data.
 fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
     let found = of.fold(None, |ends: Option<[f64; 2]>, at| {
         let [low, high] = ends.unwrap_or([at; 2]);
@@ -182,7 +182,7 @@ fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
     found.unwrap_or([0.0; 2])
 }
 
-/// The standard deviation between instruments of this quantity, SI.
+/// The standard deviation between two instruments for this quantity, SI.
 fn floor(of: Compared) -> Option<f64> {
     let outcome = match of {
         Compared::Carry => Outcome::CarryDistance,
@@ -196,15 +196,15 @@ fn floor(of: Compared) -> Option<f64> {
 }
 
 impl crate::study::validation::Set {
-    /// Its drives were measured and are flown from their launch: they are not output of models,
-    /// gains or optima.
+    /// True if the drives of the set were measured and are computed from their launch. Results of
+    /// models, gains and optima are not measured.
     fn is_measured(&self) -> bool {
         self.computation == Computation::Launch
             && !["chart-launches", "simulations"].contains(&self.name)
     }
 }
 
-/// The smallest mean absolute error of the first quantity of a set, and the law that has it.
+/// The smallest mean absolute error of a set's first quantity, with its law.
 pub(super) fn best(set: &SetScores) -> Option<(f64, &'static str)> {
     let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
     set.laws

@@ -1,4 +1,4 @@
-//! Every law of drag and lift on published drives, as a document, as JSON and as CSV.
+//! The errors of every law of drag and lift on published drives, as a document, JSON and CSV.
 
 mod figures;
 mod text;
@@ -11,7 +11,7 @@ use crate::study::validation::{Case, Compared, LawScores, Residual, Score, SetSc
 use crate::units::System;
 use serde::Serialize;
 
-/// Every law on every set of published drives, SI and radians.
+/// The errors of every law on every set of published drives, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct ValidationReport<'a> {
     #[serde(skip)]
@@ -20,18 +20,18 @@ pub struct ValidationReport<'a> {
     pub sets: Vec<SetReport>,
 }
 
-/// Every law on a set of published drives.
+/// The errors of every law on a set of published drives.
 #[derive(Clone, Debug, Serialize)]
 pub struct SetReport {
-    /// Its name.
+    /// The name of the set.
     pub name: &'static str,
-    /// Its title.
+    /// The title of the set.
     pub title: &'static str,
-    /// Its contents.
+    /// A description of the set.
     pub about: &'static str,
     /// The air of the drives.
     pub air: &'static str,
-    /// Quantities that the source does not state.
+    /// The quantities that the source does not state.
     pub misses: &'static str,
     /// The drives.
     pub cases: Vec<CaseReport>,
@@ -42,7 +42,7 @@ pub struct SetReport {
 /// A published drive.
 #[derive(Clone, Debug, Serialize)]
 pub struct CaseReport {
-    /// Its name.
+    /// The name of the drive.
     pub name: String,
     /// The publication.
     pub source: String,
@@ -57,20 +57,21 @@ pub struct LawScoresReport {
     pub law: &'static str,
     /// The errors of each quantity.
     pub scores: ByName<ScoreReport>,
-    /// The bias of the first quantity in colder and warmer air; `null` where the air is stated.
+    /// The bias of the first quantity in colder and warmer air; `null` if the source states the
+    /// air.
     pub bias_in_other_air: Option<BiasInOtherAir>,
-    /// The bias of carry if the mean of drives that scatter replaces the drive of the average
-    /// launch.
+    /// The bias of carry if the drive with the average launch is replaced by the mean over drives
+    /// with scattered launches.
     pub bias_averaged: Number,
 }
 
-/// The bias of a quantity in other air than the model assumes.
+/// The bias of a quantity for another air than the default.
 #[derive(Clone, Debug, Serialize)]
 pub struct BiasInOtherAir {
-    /// At 15 °C.
+    /// The bias at 15 °C.
     #[serde(rename = "at_15_degC")]
     pub at_15_deg_c: Number,
-    /// At 35 °C.
+    /// The bias at 35 °C.
     #[serde(rename = "at_35_degC")]
     pub at_35_deg_c: Number,
 }
@@ -78,26 +79,26 @@ pub struct BiasInOtherAir {
 /// The errors of a quantity.
 #[derive(Clone, Debug, Serialize)]
 pub struct ScoreReport {
-    /// Number of drives that state it and fly.
+    /// Number of drives that have the quantity and fly.
     pub count: usize,
-    /// The mean of computed less published.
+    /// The mean difference, computed minus published.
     pub bias: Number,
-    /// The mean size of the difference.
+    /// The mean absolute difference.
     pub mean_absolute_error: Number,
-    /// Each drive.
+    /// The error of each drive.
     pub residuals: Vec<ResidualReport>,
 }
 
-/// The error of a quantity of a drive.
+/// The error of a quantity for one drive.
 #[derive(Clone, Debug, Serialize)]
 pub struct ResidualReport {
-    /// The place of the drive in `cases`.
+    /// The index of the drive in `cases`.
     pub case: usize,
     /// The computed value.
     pub predicted: f64,
     /// The published value.
     pub published: f64,
-    /// The difference of the two.
+    /// The predicted minus the published value.
     pub difference: f64,
 }
 

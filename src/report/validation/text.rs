@@ -4,7 +4,7 @@ use crate::report::document::Document;
 use crate::study::validation::{Compared, LawScores, SWEPT, Score, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
-/// Every law on every set: the errors of the laws that stand out, figures, then each set.
+/// The errors of the most interesting laws, figures, then each set with every law.
 pub(super) fn document(found: &[SetScores], system: System) -> Document {
     let mut document = Document::new("Laws of drag and lift beside published drives");
     let length = system.unit("yd");
@@ -35,8 +35,8 @@ pub(super) fn document(found: &[SetScores], system: System) -> Document {
     document
 }
 
-/// The mean absolute error of the first quantity of every set: that of the best law, of the default
-/// one, and of the alternative.
+/// The mean absolute error of the first quantity of every set, for the best law, the default law
+/// and the alternative.
 fn summary(document: &mut Document, found: &[SetScores], system: System) {
     let default = Law::default().name();
     document.heading("Which law is the default");
@@ -80,7 +80,7 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
     ));
 }
 
-/// A set, with a row for each law.
+/// A set with a row for each law.
 fn one(document: &mut Document, set: &SetScores, system: System) {
     let about = set.set;
     document.heading(&format!("{} ({})", about.title, about.name));
@@ -146,7 +146,7 @@ fn first(set: &SetScores) -> Compared {
     set.set.computation.compared()[0]
 }
 
-/// Number of cases that state it.
+/// Number of cases that have the main quantity of the set.
 fn first_published(set: &SetScores) -> usize {
     set.cases
         .iter()
@@ -154,7 +154,7 @@ fn first_published(set: &SetScores) -> usize {
         .count()
 }
 
-/// A number without its unit, to the digits that the data have.
+/// A number without its unit, with the digits of the data.
 fn shown(of: Compared, value: f64, system: System) -> String {
     let (quantity, unit) = of.unit();
     let size = quantity.size_of(system.unit(unit)).unwrap_or(f64::NAN);

@@ -1,4 +1,4 @@
-//! The law that was fitted to the paper's tables.
+//! The law fitted to the paper's tables.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::report::document::Document;
@@ -8,20 +8,21 @@ use crate::report::shown::stated;
 use crate::reproduce::WinfieldTan;
 use crate::units::{Quantity, System, significant};
 
-/// Speeds that the law is shown at, m/s and mph, equal within 3 %: those of the paper's flights.
+/// Speeds of the displayed values, m/s and mph, equal within 3 %. The flights of the paper have
+/// these speeds.
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
 const MILES_PER_HOUR: [f64; 4] = [70.0, 90.0, 110.0, 145.0];
 
-/// The slowest and the fastest ball of the paper's flights, m/s.
+/// The lowest and the highest ball speed in the paper's flights, m/s.
 const FLOWN: [f64; 2] = [25.0, 68.0];
 
-/// Spin ratios that the law is shown at.
+/// Spin ratios of the displayed values.
 const SPIN_RATIOS: [f64; 6] = [0.03, 0.06, 0.10, 0.15, 0.20, 0.30];
 
 /// The uncertainty of a printed distance in the calibration, m: 0.05 yd.
 const WEIGHT: f64 = 0.04572;
 
-/// The most spin of the paper's flights, rad/s: loft 17.14° at 110 mph.
+/// The largest spin in the paper's flights, rad/s: for loft 17.14° at 110 mph.
 const MOST_SPIN: f64 = 450.0;
 
 /// Adds the law to a document: its formula and coefficients, its values, and plots.
@@ -61,9 +62,9 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published
     }
 }
 
-/// The speeds that the law is shown at.
+/// The speeds of the displayed values.
 struct Speeds {
-    /// In their unit.
+    /// The values in the unit below.
     numbers: [f64; 4],
     unit: &'static str,
     /// The size of the unit, m/s.
@@ -84,7 +85,7 @@ impl Speeds {
     }
 }
 
-/// Adds the formula to a document, with its coefficients in the preset and fitted again.
+/// Adds the formula to a document, with the coefficients of the preset and of a new fit.
 fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let fit = &found.fitted.law;
     let scale = (fit.statistics.chi_square / fit.statistics.degrees_of_freedom as f64).sqrt();
@@ -160,14 +161,14 @@ fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
     document.table(&heads, rows);
 }
 
-/// A number to two digits, with its unit.
+/// A number with two significant digits and its unit.
 fn given(number: f64, unit: &str) -> String {
     format!("{} {unit}", significant(number, 2))
         .trim_end()
         .to_owned()
 }
 
-/// A ball of the paper has as much spin.
+/// True if the spin is within that of the paper's flights.
 fn is_flown(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> bool {
     spin_ratio * speed / found.setup.ball.radius <= MOST_SPIN
 }

@@ -1,4 +1,4 @@
-//! Winfield & Tan (1994), reproduced, as a document and as JSON.
+//! The reproduction of Winfield & Tan (1994), as a document and as JSON.
 
 mod law;
 mod tables;
@@ -10,7 +10,7 @@ use crate::reproduce::{Best, Point, SingleShot, WinfieldTan};
 use crate::units::System;
 use serde::Serialize;
 
-/// The paper, reproduced, SI and radians.
+/// The reproduction of the paper, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct WinfieldTanReport<'a> {
     #[serde(skip)]
@@ -18,16 +18,16 @@ pub struct WinfieldTanReport<'a> {
     /// The computed numbers.
     #[serde(flatten)]
     pub computed: PaperNumbers,
-    /// The numbers that the paper prints.
+    /// The numbers in the paper.
     pub printed: PaperNumbers,
-    /// The decay of the spin that was fitted to the paper's.
+    /// The spin decay rate fitted to the paper's data.
     #[serde(rename = "aero.spin_decay")]
     pub spin_decay: FittedNumber,
     /// `winfield-tan`.
     pub study: &'static str,
 }
 
-/// The numbers of the paper, computed or printed.
+/// The numbers of the paper, either computed or printed.
 #[derive(Clone, Debug, Serialize)]
 pub struct PaperNumbers {
     /// The single shot.
@@ -38,7 +38,7 @@ pub struct PaperNumbers {
     pub table1: Vec<DeliveryPoint>,
     /// Table 2.
     pub table2: Vec<DeliveryPoint>,
-    /// The loft that is best on average.
+    /// The loft with the best average carry.
     pub average: LoftCarry,
 }
 
@@ -127,8 +127,8 @@ impl From<Point> for DeliveryPoint {
 impl Report for WinfieldTanReport<'_> {
     const COMMAND: &'static str = "reproduce";
 
-    /// Computed numbers in the units of `system`, printed ones as the paper prints them, with those
-    /// units beside.
+    /// Computed numbers in the units of `system`. Printed numbers are in the units of the paper,
+    /// with the units of `system` in parentheses.
     fn document(&self, system: System) -> Document {
         let found = self.found;
         let shown = Published {

@@ -1,4 +1,4 @@
-//! What the paper prints, beside what comes out.
+//! The numbers of the paper, compared with the computed ones.
 
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
@@ -313,12 +313,12 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
     );
 }
 
-/// An angle in degrees, to two decimals as the paper prints it.
+/// An angle in degrees with two decimals, as in the paper.
 fn degrees(radians: f64) -> String {
     format!("{}°", fixed(radians.to_degrees(), 2))
 }
 
-/// Root mean square and the largest size of some numbers.
+/// Root mean square and largest absolute value of some numbers.
 fn spread(numbers: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let n = numbers.clone().count() as f64;
     let square: f64 = numbers.clone().map(|number| number * number).sum();
