@@ -136,7 +136,7 @@ struct Sample {
     /// Points not tested yet.
     further: Vec<f64>,
     lengths: Vec<Outcome>,
-    /// Step of the reference, s, and its results.
+    /// Step of the reference flights, s, and the results of these flights.
     reference: f64,
     exact: Block,
 }

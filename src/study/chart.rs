@@ -189,7 +189,7 @@ pub struct ChartObserver {
     /// Cancellation flag: once true, the chart ends with its points so far, even within a search.
     pub interrupt: Arc<AtomicBool>,
     /// Receives each value at which the first optimum is searched for: the low end of the range,
-    /// then others if it has none.
+    /// and further values if there is no optimum at the low end.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Receives every iteration of every search.
     pub iteration: Option<Show>,
@@ -394,7 +394,7 @@ impl Follower<'_> {
         }))
     }
 
-    /// Bisects for the first optimum between a value without one and a known one.
+    /// Bisects for the first optimum, between a value without an optimum and a known optimum.
     fn begin(&self, mut without: f64, mut first: ChartPoint) -> ChartPoint {
         let tolerance = LOCATED * (self.along.high - self.along.low);
         while first.at - without > tolerance && !self.observer.is_interrupted() {

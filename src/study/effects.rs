@@ -14,8 +14,8 @@ pub struct Effects {
     pub of: Outcome,
     /// Its value, SI.
     pub value: f64,
-    /// Effects of all parameters: those with an uncertainty first, by magnitude, then the others by
-    /// elasticity.
+    /// Effects of all parameters. Parameters with an uncertainty come first, by magnitude of the
+    /// effect; the others follow, by elasticity.
     pub effects: Vec<Effect>,
 }
 
@@ -29,7 +29,7 @@ pub struct Effect {
     /// (p/f) ∂f/∂p: relative change of f per relative change of p; `None` if p or f is 0, or f is
     /// rounding.
     pub elasticity: Option<f64>,
-    /// Effect of its standard uncertainty; `None` without one.
+    /// Effect of the parameter's standard uncertainty; `None` if it has none.
     pub bar: Option<Bar>,
 }
 

@@ -21,9 +21,9 @@ pub struct Flatness {
     pub windows: Vec<Window>,
     /// Directions of the free parameters in ascending order of curvature.
     pub directions: Vec<Direction>,
-    /// The ellipse of the allowed loss for each pair of free parameters, by the quadratic model of
-    /// the outcome. None if a constraint is active: there the outcome has a slope, and a contour of
-    /// the loss is no ellipse.
+    /// Ellipse of the allowed loss for each pair of free parameters, by the quadratic model of the
+    /// outcome. Empty if a constraint is active: the gradient of the outcome is then not 0, and a
+    /// contour of the loss is not an ellipse.
     pub ellipses: Vec<Ellipse>,
 }
 
@@ -49,7 +49,7 @@ pub enum Limit {
     Bound,
     /// A constraint, by number.
     Constraint(usize),
-    /// Drives beyond it do not fly.
+    /// The ball does not fly beyond this end.
     NoFlight,
 }
 

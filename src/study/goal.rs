@@ -10,13 +10,13 @@ use crate::units::Quantity;
 /// drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
-    /// The text it was read from, or the name of the outcome.
+    /// The text from which the goal was parsed, or the name of the outcome.
     pub expression: String,
     /// Each measure with its weight, SI.
     pub terms: Vec<(f64, Measure)>,
     /// The kind of quantity of the sum.
     pub quantity: Quantity,
-    /// The unit in which texts show it.
+    /// Display unit of the goal.
     pub unit: &'static str,
 }
 
@@ -24,7 +24,7 @@ pub struct Goal {
 /// drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constraint {
-    /// The text it was read from.
+    /// The text from which the constraint was parsed.
     pub expression: String,
     /// The limited goal.
     pub goal: Goal,
@@ -73,7 +73,7 @@ impl Goal {
     }
 }
 
-/// An outcome of one drive: its mean over that drive alone.
+/// An outcome of one drive is a goal: the mean over a single drive.
 impl From<Outcome> for Goal {
     fn from(of: Outcome) -> Self {
         Self {

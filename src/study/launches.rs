@@ -47,8 +47,8 @@ impl Launched {
     }
 }
 
-/// Margin of the map around the launches, rad and rad/s; its ends are rounded to multiples of
-/// `ENDS`.
+/// Margin of the map around the launches, rad and rad/s. The ends of the map are rounded to
+/// multiples of `ENDS`.
 const BEYOND: [f64; 2] = [7.0 * DEGREE, 1250.0 * RPM];
 const ENDS: [f64; 2] = [DEGREE, 250.0 * RPM];
 const DEGREE: f64 = std::f64::consts::PI / 180.0;

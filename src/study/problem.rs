@@ -1,4 +1,4 @@
-//! A search as the optimizer sees it: the goals as functions of the parameters varied.
+//! A search in the form that the optimizer needs: the goals as functions of the varied parameters.
 //!
 //! ```text
 //!   x ──▶ each scenario's drive with exact derivatives ──▶ goals: smoothed measures of the drives
@@ -22,7 +22,7 @@ use crate::parameters::{Parameter, Setup, Vary};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The goals of a search as functions of the parameters varied.
+/// The goals of a search as functions of the varied parameters.
 ///
 /// The optimizer sees smooth goals with exact gradients. Their Hessians use the second derivatives
 /// of a subset of the drives. Reported values follow the exact definitions of the goals
@@ -34,7 +34,7 @@ pub(super) struct SearchProblem {
     setup: Setup<f64>,
     vary: Vec<&'static Parameter>,
     scenarios: Scenarios,
-    /// The outcomes of a drive. Each goal is one of them, in order, if `is_of_outcomes`.
+    /// The outcomes of a drive. If `is_of_outcomes`, each goal is one of the outcomes, in order.
     of: Vec<Outcome>,
     goals: Vec<Goal>,
     /// True if every goal is an outcome of one drive.
@@ -139,7 +139,7 @@ impl SearchProblem {
         })
     }
 
-    /// Factor of the objective in the function minimized.
+    /// Factor that turns the objective into the minimized function: −1 or 1.
     pub fn sign(&self) -> f64 {
         self.sense.sign()
     }
@@ -210,8 +210,8 @@ impl SearchProblem {
         order: Order,
         stop: &AtomicBool,
     ) -> std::result::Result<Vec<Vec<Taylor>>, String> {
-        // in the order of the scenarios, so that neither sums nor the first error depend on the
-        // threads
+        // results in the order of the scenarios, so that neither sums nor the first error depend on
+        // the threads
         let flown = each_until(scenarios, stop, |k| self.drives[*k].at_order(x, order));
         let flown = flown
             .ok_or_else(|| stopped_before("all swings were flown"))?

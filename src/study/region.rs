@@ -5,8 +5,8 @@ use super::plane::Plane;
 use super::{Constraint, Vary};
 use crate::error::Result;
 
-/// The drives of a map that lose at most a stated amount of an optimum's outcome and meet every
-/// bound and constraint. The other parameters are fixed at the optimum.
+/// Region of a map in which drives lose at most a stated amount of an optimum's outcome and meet
+/// every bound and constraint. Parameters that are not on the map's axes are fixed at the optimum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     /// The allowed loss, SI.
@@ -105,7 +105,7 @@ impl Region {
         for (constraint, values) in best.search.subject_to.iter().zip(&plane.values[1..]) {
             let missed = missed(constraint, values);
             if constraint.is_equation() {
-                // an equation that holds all over the plane excludes nothing
+                // an equality constraint that holds on the whole plane excludes no point
                 let rounding = ROUNDING
                     * plane.values[0]
                         .iter()

@@ -122,7 +122,7 @@ fn fly(problem: &SearchProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Poi
     Ok(Some(points))
 }
 
-/// The rank of a point: first by its constraints, then by its objective.
+/// Rank of a point: constraint violation first, then the objective.
 struct Merit {
     /// True if the point meets every constraint.
     is_feasible: bool,

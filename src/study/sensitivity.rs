@@ -157,8 +157,8 @@ pub struct Changed {
     pub predicted: Vec<f64>,
     /// Optimum of the new search.
     pub resolved: Optimum,
-    /// First predicted change of the active set, with the fraction of the change after which it
-    /// happens (first order).
+    /// First predicted change of the active set, with the fraction of the parameter change at which
+    /// it happens (first order).
     pub event: Option<(f64, Message)>,
     /// Actual changes of the active set.
     pub differences: Vec<Message>,

@@ -27,14 +27,14 @@ pub struct Remainder {
     pub row: usize,
     /// The measured outcome; [`Outcome::Carry`] for a stationary parameter.
     pub outcome: Outcome,
-    /// The stationary parameter, for a row that is an optimum in it.
+    /// The stationary parameter, if the carry of the row is maximal in a parameter.
     pub stationary: Option<&'static Parameter>,
     /// The measured value, SI; `None` for a stationary parameter.
     pub measured: Option<f64>,
     /// Computed − measured, SI. For a stationary parameter: distance of the computed optimum from
     /// the row's value, to first order.
     pub difference: f64,
-    /// `difference` divided by its standard uncertainty.
+    /// `difference` divided by the standard uncertainty of the difference.
     pub residual: f64,
 }
 

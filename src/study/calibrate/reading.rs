@@ -17,7 +17,7 @@ use crate::units::{Digits, Message, Quantity};
 /// Upper limit of any outcome in its SI unit.
 const MOST: f64 = 1e9;
 
-/// The columns of a section, with the setup and options that say how to use them.
+/// The columns of one section of a table, with the setup and the options for reading them.
 #[derive(Clone)]
 pub(super) struct Reading {
     pub setup: Setup<f64>,
@@ -43,7 +43,8 @@ pub(super) struct Row {
     pub implausible: Vec<String>,
     /// Reason why the air of the setup is used.
     pub no_air: Option<String>,
-    /// Messages on club columns without a usable value. The prior distribution replaces them.
+    /// Messages on club columns without a usable value. The prior distribution replaces the missing
+    /// value.
     pub not_stated: Vec<String>,
 }
 
@@ -64,7 +65,7 @@ impl Row {
         }
     }
 
-    /// The row, if it has anything to compare.
+    /// Returns the row if it has a measurement or a stationary parameter.
     fn checked(self) -> Result<Self, RowError> {
         if !(self.shot.measured.is_empty() && self.shot.stationary.is_empty()) {
             return Ok(self);
@@ -232,7 +233,8 @@ impl Reading {
         Ok(reading)
     }
 
-    /// Columns for messages and for lines written by `fly`: every value that at least one shot has.
+    /// Columns for messages and for lines written by `fly`. There is a column for every value that
+    /// at least one shot has.
     pub fn of_shots(
         setup: &Setup<f64>,
         shots: &[Stated],
@@ -716,7 +718,8 @@ impl Reading {
     }
 }
 
-/// Removes the columns of the ball's rest position from an export, since its ground is unknown.
+/// Removes the columns of the ball's rest position from an export, because the ground of the export
+/// is unknown.
 /// Returns a remark.
 fn without_totals(head: &mut Head) -> Option<Message> {
     let is_total =

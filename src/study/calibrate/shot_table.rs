@@ -102,7 +102,7 @@ pub struct Measurement {
     pub outcome: Outcome,
     /// The value.
     pub value: f64,
-    /// Its standard uncertainty, or the reciprocal of its weight if none is known.
+    /// Standard uncertainty of the value. If it is unknown, the reciprocal of the weight.
     pub sigma: f64,
 }
 

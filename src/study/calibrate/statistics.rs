@@ -5,8 +5,8 @@ use crate::optimize::least_squares::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal, StudentsT};
 
-/// Relative threshold of singular values of the Jacobian with unit columns. Smaller ones count as
-/// 0, since rounding dominates them.
+/// Relative threshold of singular values of the Jacobian with unit columns. Smaller singular values
+/// count as 0, because rounding dominates them.
 const SINGULAR: f64 = 1e-8;
 /// Components of a unit direction below this are rounding.
 const PART: f64 = 1e-3;
@@ -14,12 +14,12 @@ const PART: f64 = 1e-3;
 /// Quality of the standard uncertainties of the measured values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Uncertainties {
-    /// The table states all of them.
+    /// The table states all standard uncertainties.
     Stated,
     /// The table lacks some; the known uncertainties of instruments replace them
     /// ([`instrument`](super::instrument())).
     Instruments,
-    /// Some are unknown: one unit of the column serves as a weight.
+    /// Some standard uncertainties are unknown: one unit of the column serves as a weight.
     Weights,
 }
 
@@ -28,12 +28,12 @@ pub enum Uncertainties {
 pub struct Fitted {
     /// True if the value lies inside its range, false if it lies on a bound.
     pub is_free: bool,
-    /// Width of its range, SI. A larger standard error means that the data do not determine the
-    /// parameter.
+    /// Width of the parameter's range, SI. If the standard error is larger, the data do not
+    /// determine the parameter.
     pub width: f64,
 }
 
-/// Statistics of the fitted parameters, SI, in their order.
+/// Statistics of the fitted parameters, SI, in the order of the parameters.
 #[derive(Clone, Debug)]
 pub struct Statistics {
     /// Covariance. An entry is `None` if one of its parameters is undetermined or lies on a bound;
@@ -194,7 +194,7 @@ impl Statistics {
     /// value decomposition fails.
     ///
     /// # Panics
-    /// If the Jacobian has not one row for each residual and one column for each parameter.
+    /// If the Jacobian does not have one row for each residual and one column for each parameter.
     pub fn new(
         rows: &Rows,
         fitted: &[Fitted],

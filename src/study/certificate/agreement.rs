@@ -1,5 +1,5 @@
-//! First derivatives over `num_dual::Dual64`, one flight per parameter. They share no
-//! differentiation rule, no lane and no chain rule with the jets.
+//! First derivatives over `num_dual::Dual64`, one flight per parameter. They are independent of the
+//! jets: they use no common differentiation rule, no lanes and no chain rule.
 
 use crate::derivative::check::Ladder;
 use crate::drive::{Drive, Outcome};

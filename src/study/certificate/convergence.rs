@@ -261,9 +261,8 @@ struct Expected {
 
 /// Expected orders p of value and gradient: those of the method, limited by interpolation and
 /// joins.
-///
-/// - Dense output of degree 7: h⁸ in a position and h⁷ in its derivatives, one less in a velocity
-/// and in the root of one.
+/// - Dense output of degree 7: the error is h⁸ in a position and h⁷ in its derivatives. In a
+///   velocity, and in a root of a velocity, the order is one less.
 /// - Apex: within a step, the velocity error is h^p times a function of the position in the step.
 /// The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). Here the
 /// steps are chosen so that the landing lies in the middle of a step, where this function is flat.

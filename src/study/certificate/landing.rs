@@ -108,8 +108,8 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
 }
 
 /// Adjusts the time step so that a step ends at the landing; returns the setup with this landing.
-/// The step changes the landing by its truncation error, so this iterates until the change is
-/// rounding. It converges fast, since the landing changes only by a fraction of h^p.
+/// The truncation error of the step shifts the landing, so the adjustment is iterated until the
+/// change is rounding. It converges fast, because the landing shifts only by a fraction of h^p.
 fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
     /// Maximum number of iterations.
     const TRIALS: usize = 16;

@@ -154,8 +154,8 @@ impl Certificate {
 /// so far are returned.
 ///
 /// # Errors
-/// The errors of [`evaluate`]. Outcomes that the drive does not have are listed as missing; if it
-/// has none of them, the error of the first is returned.
+/// The errors of [`evaluate`]. Outcomes that the drive does not have are listed as missing. If the
+/// drive has none of the outcomes, the error of the first outcome is returned.
 pub fn certify(
     setup: &Setup<f64>,
     of: &[Outcome],

@@ -15,14 +15,14 @@ use nalgebra::{DMatrix, DVector};
 /// Minimum number of levels.
 pub(super) const MEASURED: usize = 3;
 
-/// Number of finest levels used to fit the lower-order term; coarser ones need more terms.
+/// Number of finest levels used to fit the lower-order term. Coarser levels would need more terms.
 const FITTED: usize = 4;
 
 /// Largest negligible share of the lower-order term in the error at the finest level. A method of
 /// lower order has a share near 1.
 const SHARE: f64 = 0.25;
 
-/// Largest negligible lower-order term in its standard errors, for scattering errors.
+/// Largest negligible lower-order term, in units of its standard error, for scattering errors.
 const DEVIATIONS: f64 = 4.0;
 
 /// Signed errors at one step: of a value, or of each entry of a gradient.

@@ -28,7 +28,7 @@ pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
 /// Typical size of parameters with default 0, SI.
 fn usual(parameter: &Parameter) -> f64 {
     let units = match (parameter.name, parameter.unit) {
-        // published value; a thousandth of it already changes a flight
+        // published value; a thousandth of this value already changes a flight
         ("aero.spin_damping", _) => 2e-5,
         ("air.altitude", _) => 1000.0,
         (_, "deg") => 5.0,

@@ -27,7 +27,7 @@ pub struct StepError {
     pub steps: [f64; 2],
     /// Error of the value, relative to the magnitude of its terms.
     pub value: f64,
-    /// The derivative with the largest relative error: its parameter and this error.
+    /// Parameter of the derivative with the largest relative error, and this error.
     pub derivative: Option<(&'static Parameter, f64)>,
     /// Largest derivative error relative to outcome per parameter scale.
     pub of_outcome: f64,

@@ -86,7 +86,8 @@ impl Path {
                 || (parameter.is_of_launch() && differ_in_launch)
                 || (parameter.law.is_some() && differ_in_law)
                 || otherwise.iter().any(|ways| ways.has(parameter));
-            // a parameter replaced in one setup is replaced in the other, by the same parameters
+            // if other parameters replace a parameter in one setup, they also replace it in the
+            // other
             let is_replaced = ends[0].why_replaced(parameter).is_some();
             if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
                 continue;
@@ -130,9 +131,9 @@ impl Path {
         !self.discrete.is_empty()
     }
 
-    /// Shares of the discrete changes, at the middle of the path. They are applied one after
-    /// another, in their order and in the reverse order; a share is the mean of both, so that the
-    /// reverse path gives the negative shares.
+    /// Shares of the discrete changes, at the middle of the path. The changes are applied one after
+    /// another, first in their order and then in the reverse order. A share is the mean of both
+    /// results, so that the reverse path gives the negative shares.
     pub fn halfway(&self, of: Outcome) -> Result<Vec<Share>> {
         let last = self.discrete.len();
         let mut shares: Vec<Share> = self

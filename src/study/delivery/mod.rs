@@ -1,9 +1,9 @@
 //! Inverse impact: the delivery and strike that explain a measured launch, by bounded least squares
 //! with exact Jacobians.
 //!
-//! A launch has five numbers, a delivery with its strike has more. Prior knowledge of the golfer (a
-//! value and standard uncertainty for each parameter) enters as additional measurements, so the
-//! solution is unique: the most probable delivery.
+//! A launch has five numbers; a delivery with its strike has more. Prior knowledge of the golfer (a
+//! value and a standard uncertainty for each parameter) enters as additional measurements, so that
+//! the solution is unique: the most probable delivery.
 
 mod expectation_maximization;
 mod linearized;

@@ -17,7 +17,7 @@ pub struct Population {
     pub spreads: Vec<Recovered>,
     /// Their correlation matrix, row by row.
     pub correlations: Vec<Vec<f64>>,
-    /// Number of shots it was estimated from.
+    /// Number of shots from which the distribution was estimated.
     pub shots: usize,
     /// Factor on the prior standard deviation along directions that the shots do not identify.
     pub prior_factor: f64,
@@ -56,8 +56,8 @@ pub struct PredictedOutcome {
 
 /// Minimum number of shots for a distribution.
 pub const LEAST_SHOTS: usize = 10;
-/// A direction is identified if its information exceeds this, in units of the prior: a shot then
-/// removes more than half of its variance.
+/// A direction is identified if its information exceeds this, in units of the prior. A shot then
+/// removes more than half of the prior variance along the direction.
 const IDENTIFIED: f64 = 1.0;
 /// Factors on the prior deviation of unidentified directions, tried in this order.
 const PRIOR_FACTORS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
@@ -80,10 +80,10 @@ impl Population {
     /// Estimates the normal distribution of the swings behind shots with an explained launch, by
     /// maximum likelihood.
     ///
-    /// Unidentified directions keep their prior distribution. If that makes the predicted launches
-    /// scatter more than the shots, since an impact is nonlinear, a smaller prior deviation is
-    /// used. Rows measure the parameters for which `is_measured` is true; the prior of all others
-    /// describes the swings.
+    /// Unidentified directions keep their prior distribution. Because an impact is nonlinear, this
+    /// can make the predicted launches scatter more than the shots; a smaller prior deviation is
+    /// then used. `is_measured` is true for the parameters that the rows measure. For all other
+    /// parameters the prior describes the swings.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
@@ -179,7 +179,8 @@ struct Solution {
     prior_factor: f64,
 }
 
-/// The distribution for one prior factor, linearized about its own mean.
+/// Computes the distribution for one prior factor, iterated until it is linearized about its own
+/// mean.
 fn converged(
     setup: &Setup<f64>,
     shots: &[&Delivered],

@@ -88,7 +88,7 @@ const LEAST_COMPONENT: f64 = 0.1;
 /// A combined change of parameters that hardly changes the launch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unidentified {
-    /// Fraction of the prior variance along it that the shot removes, below one half.
+    /// Fraction of the prior variance along the direction that the shot removes, below one half.
     pub variance_removed: f64,
     /// Change of each parameter, SI. The total change is one prior standard uncertainty; the first
     /// component is positive.

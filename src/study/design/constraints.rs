@@ -14,9 +14,9 @@ pub struct DesignConstraint {
     pub name: String,
     /// Expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
     pub expression: String,
-    /// The rule of golf, if it is one.
+    /// The rule of golf, if the constraint is one.
     pub rule: Option<&'static Rule>,
-    /// How the search enforces it.
+    /// Method by which the search enforces the constraint.
     pub by: Enforcement,
     /// Lower and upper limit, SI; may be infinite.
     pub range: [f64; 2],

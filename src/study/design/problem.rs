@@ -167,8 +167,8 @@ impl Design {
         });
     }
 
-    /// A rule on the head's inertia: `None` if the varied parameters change it, so that a
-    /// constraint is needed; otherwise a check of the setup or the swings.
+    /// Enforces a rule on the head's inertia. `None` if the varied parameters change the inertia,
+    /// so that a constraint is needed; otherwise a check of the setup or the swings.
     fn of_head(
         &mut self,
         setup: &Setup<f64>,
@@ -220,7 +220,8 @@ impl Design {
         }
     }
 
-    /// A rule on the user's relation with index `k`, which must limit it accordingly.
+    /// Enforces a rule by the user's relation with index `k`, whose limits must conform to the
+    /// rule.
     fn of_relation(&mut self, rule: &'static Rule, name: &str, k: usize) -> Result<()> {
         let limit = &self.search.subject_to[k];
         let [low, high] = [limit.low, limit.high];
@@ -256,8 +257,8 @@ impl Design {
         Ok(())
     }
 
-    /// A rule on a parameter: a bound if the parameter varies, otherwise a check of the setup or
-    /// the swings.
+    /// Enforces a rule on a parameter: by a bound if the parameter varies, otherwise by a check of
+    /// the setup or the swings.
     fn of_parameter(
         &mut self,
         setup: &Setup<f64>,
@@ -307,7 +308,7 @@ impl Design {
         )?))
     }
 
-    /// Limits the range of the varied parameter `i` to a rule.
+    /// Limits the range of the varied parameter `i` according to a rule.
     fn bound(&mut self, rule: &Rule, i: usize) -> Result<()> {
         let vary = &mut self.search.vary[i];
         let [best, worst] = if rule.is_greatest {
@@ -339,7 +340,7 @@ impl Design {
         Ok(())
     }
 
-    /// Notes parameters whose distributions are unbounded: the rule is checked at the sampled
+    /// Adds a note on parameters with unbounded distributions: the rule is checked at the sampled
     /// swings only.
     fn note_endless(&mut self, scenarios: &Scenarios, rule: &Rule, places: &[usize]) {
         let names = places

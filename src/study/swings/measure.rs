@@ -493,7 +493,7 @@ mod tests {
         }
     }
 
-    /// Equal drives: every share of them has their value, for any weights.
+    /// All drives are equal, so every share has the common value, for any weights.
     #[test]
     fn exact_shares_of_identical_drives() {
         let weights = [0.5, 0.25, 0.15, 0.1];

@@ -54,8 +54,8 @@ pub enum GoalError {
 /// The quantile of Student's distribution for an interval of 99 %.
 const QUANTILE: f64 = 0.995;
 
-/// The best design for the mean swing and the errors of the goals. If the mean swing or another
-/// scenario does not fly, the result contains the reason in its place.
+/// Computes the best design for the mean swing and the errors of the goals. If the mean swing or
+/// another scenario does not fly, the corresponding field contains the reason.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
