@@ -103,7 +103,7 @@ impl Batch {
     /// Sets the instruction level. The default is the widest level of this processor.
     ///
     /// # Errors
-    /// [`Error::Together`] if the processor does not have it.
+    /// [`Error::Together`] if the processor does not support the level.
     pub fn with_level(self, level: Level) -> Result<Self> {
         let most = Level::here();
         if !level.is_here() {

@@ -6,7 +6,7 @@ use crate::number::{Lanes, Level, MOST_PER_LANE, Mask, inlined};
 pub(super) struct Directions<'a> {
     /// Indices in order; each lane takes as many as its number type has directions.
     pub variables: &'a [usize],
-    /// True if they are pairs, one per lane, for a mixed second derivative.
+    /// True if the directions are pairs, one pair per lane, for a mixed second derivative.
     pub are_pairs: bool,
 }
 

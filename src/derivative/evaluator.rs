@@ -88,7 +88,7 @@ impl Evaluator {
         })
     }
 
-    /// Limits second derivatives to those with the last parameter.
+    /// Limits the second derivatives to those that involve the last parameter.
     pub(super) fn with_last_parameter(self) -> Self {
         Self {
             first_row: self.wrt.len().saturating_sub(1),

@@ -96,8 +96,8 @@ fn is_kink(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) 
     }
     let (distance, jump) = (above.x - below.x, above.slope - below.slope);
     let is_significant = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
-    // at a bound one side is the rounded tip of the kink itself, whose curvature could explain any
-    // change
+    // on a bound, one side is the rounded tip of the kink itself, and its curvature could explain
+    // any change
     let is_unexplained = |side: &Side| {
         !side.is_inside || (side.hessian[i][i] * distance - jump).abs() > 0.5 * jump.abs()
     };

@@ -253,8 +253,9 @@ impl Model<'_> {
     }
 
     /// Corrects the multipliers of active rows for the raised Hessian. The raise adds a gradient
-    /// along each active normal, proportional to the step's component there, and the multipliers
-    /// absorb it; this restores the multipliers of the unraised model.
+    /// along each active normal, proportional to the step's component along the normal. The
+    /// multipliers of the quadratic program contain this gradient; the correction restores the
+    /// multipliers of the unraised model.
     fn correct_multipliers(
         &self,
         raise: f64,

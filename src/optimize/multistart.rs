@@ -227,8 +227,8 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
 }
 
 /// Largest scaled derivative of each constraint at the results of all searches (1 if unknown): a
-/// common unit of violation. The units of the single searches differ, because each comes from its
-/// own start.
+/// common unit of violation. The searches themselves have different units, because each unit comes
+/// from the start of its search.
 fn steepest(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
     let mut steepest = vec![0.0_f64; domain.constraints.dimension()];
     for LocalMinimum { solution, .. } in locals {

@@ -64,8 +64,9 @@ impl State {
         Ok(true)
     }
 
-    /// Moves an infeasible search to the smallest violation near the current or the first iterate:
-    /// the merit function alone would balance violation and objective. Returns true if it moved.
+    /// Moves an infeasible search to the smallest violation near the current or the first iterate.
+    /// The merit function does not lead there, because it balances violation and objective. Returns
+    /// true if the search moved.
     pub fn move_to_least_violation(
         &mut self,
         initial_point: &[f64],

@@ -392,7 +392,8 @@ struct Margin {
 }
 
 impl Margin {
-    /// Fraction of a parameter change `delta` after which the distance is 0, if that is within it.
+    /// Fraction of a parameter change `delta` after which the distance is 0; `None` if the whole
+    /// change does not use up the distance.
     fn used_up_after(&self, delta: f64) -> Option<f64> {
         let reduction = -self.rate * delta;
         let is_used_up = reduction > 0.0 && self.distance.is_finite() && self.distance <= reduction;
@@ -400,7 +401,8 @@ impl Margin {
     }
 }
 
-/// Margins of the variables: to their bounds, or of active bounds' multipliers to 0.
+/// Margins of the variables: distances from the bounds and, for active bounds, distances of the
+/// multipliers from 0.
 fn variable_margins(
     solution: &Solution,
     domain: &Domain,
@@ -430,7 +432,8 @@ fn variable_margins(
     margins
 }
 
-/// Margins of the constraints: to their limits, or of active limits' multipliers to 0.
+/// Margins of the constraints: distances from the limits and, for active limits, distances of the
+/// multipliers from 0.
 fn constraint_margins(
     solution: &Solution,
     domain: &Domain,
@@ -458,7 +461,7 @@ fn constraint_margins(
     margins
 }
 
-/// Margins of a number, given with its derivative, to its two limits.
+/// Margins of a value with a known derivative to its two limits.
 fn limit_margins(
     limits: &Bounds,
     i: usize,

@@ -72,7 +72,7 @@ pub(super) struct State {
     solver: QpSolver,
     pub counters: Counters,
     pub effort: Effort,
-    /// Reason why the functions were undefined at the last trial point without a value.
+    /// Reason why the functions were undefined, at the last trial point at which they were.
     pub undefined_reason: Option<String>,
     #[serde(skip)]
     workspace: Workspace,
@@ -140,8 +140,9 @@ impl State {
                 .is_none_or(|active| active.has_dimensions(n, m))
     }
 
-    /// Trial step of the quadratic model. If a kink's far side, expanded from too far away, leaves
-    /// no predicted reduction, that side is dropped from the model and the step computed again.
+    /// Trial step of the quadratic model. If the model contains another side of a kink, expanded
+    /// from a distant point, and therefore predicts no reduction, that side is dropped and the step
+    /// is computed again.
     pub fn trial_step(&mut self) -> TrialStep {
         loop {
             let step = self.solve_model(None);

@@ -78,7 +78,8 @@ pub struct Check {
     pub exact: f64,
     /// Best estimate from differences; `None` if the function has no values on either side.
     pub best: Option<Estimate>,
-    /// Derivatives below and above, if they differ; `None` for a side without values.
+    /// One-sided derivatives below and above the point, if they differ; `None` for a side without
+    /// values.
     pub sides: Option<[Option<f64>; 2]>,
     /// |exact − best|.
     pub error: f64,
@@ -173,8 +174,8 @@ impl Ladder {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// Derivatives on both sides, if they differ by more than their error estimates and the
-    /// rounding of the numbers behind the function over the smallest step.
+    /// One-sided derivatives, if they differ by more than their error estimates and by more than
+    /// the rounding of the numbers behind the function over the smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();

@@ -13,7 +13,7 @@ use crate::optimize::solution::{Iteration, Solution};
 use crate::optimize::status::Status;
 use std::cell::Cell;
 
-/// Relative tolerance within which a function is at its minimum.
+/// A function counts as minimal if it is within this relative tolerance of its minimum.
 pub(super) const SAME: f64 = 1e-9;
 /// Tolerance on a function, relative to its span over the front, when its minimum is made unique.
 const UNIQUE_WITHIN: f64 = 1e-7;

@@ -63,7 +63,7 @@ pub struct Step {
     /// Multiplier μⱼ of each row: > 0 at its upper limit, < 0 at its lower, 0 between. B d + Σ αₖ
     /// gradientₖ + Σ μⱼ normalⱼ = 0 for the variables that are not at a bound.
     pub multipliers: Vec<f64>,
-    /// Method that found it.
+    /// Method that found the step.
     pub source: StepSource,
 }
 
