@@ -227,7 +227,7 @@ def body(command: dict[str, Any], before: str) -> str:
 def docstring(
     command: dict[str, Any], required: list[Any], setups: list[Any], others: list[Any]
 ) -> str:
-    lines = wrapped(as_python(command["about"] or "") + ".", "    ")
+    lines = wrapped(as_python(command["about"] or "").rstrip(".") + ".", "    ")
     lines.append("")
     lines.append("    Args:")
     for option in [*required, *setups, *others]:

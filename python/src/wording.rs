@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 
 /// A message with its arguments as those of functions: `subject_to="apex_height <= 30 m"`.
 #[pyfunction]
-#[pyo3(name = "_in_python")]
+#[pyo3(name = "in_python")]
 pub fn in_python(message: &str) -> String {
     with_mentions(message, mention)
 }

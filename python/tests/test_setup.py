@@ -33,7 +33,7 @@ def test_same_setup_from_texts_and_numbers() -> None:
 
 
 def test_a_dict_without_a_preset_starts_from_that_of_a_setup_file() -> None:
-    assert Setup({}) == Setup("modern-driver") == Setup.from_toml("")
+    assert Setup({}) == Setup("tour-average") == Setup.from_toml("")
 
 
 def test_exact_conversion_of_quantities_of_pint(unit: Any) -> None:

@@ -14,7 +14,7 @@ import pytest
 
 import longdrive
 from longdrive import InputError, parts
-from longdrive._longdrive import _in_python as in_python
+from longdrive._longdrive import in_python as in_python
 
 
 @pytest.mark.parametrize(
@@ -80,7 +80,7 @@ def test_mentions_are_written_as_arguments(text: str, words: str) -> None:
             lambda: longdrive.optimize(distribution={"swing.speed": ("normal", 50.0, -1.0)}),
             "the distribution swing.speed=normal",
         ),
-        (lambda: longdrive.optimize(maximize="carry", minimize="carry"), "'maximize'.*'minimize'"),
+        (lambda: longdrive.optimize(maximize="carry", minimize="carry"), "a search has one goal"),
         (lambda: longdrive.pareto(maximize="carry"), "give two with maximize and minimize"),
         (lambda: longdrive.uncertainty(samples=-3), "samples"),
         (lambda: longdrive.plot.trajectory(width=10), "width=800"),
@@ -479,7 +479,7 @@ def test_a_range_is_any_sequence_of_two_numbers(shape: Callable[[Any], Any]) -> 
     ).all()
     chart = longdrive.chart(
         "mae494",
-        along={"swing.speed": shape([45.0, 50.0])},
+        along="swing.speed",
         at=shape([45.0, 47.0, 50.0]),
         vary={"club.loft": shape(ends)},
     )

@@ -36,7 +36,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let answer = if request.is_json() {
         let mut reply = OptimumReport::reply(&optima, over, warnings);
         reply.body.file = written;
-        reply.body.from = Some(request.title());
+        reply.body.from = request.source().has_name().then(|| request.title());
         reply.body.held = held.iter().map(|parameter| parameter.name).collect();
         Answer::json(&reply)
     } else {

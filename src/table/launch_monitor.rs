@@ -193,53 +193,6 @@ pub(super) fn is_head(text: &str, separator: u8) -> bool {
         >= 2
 }
 
-/// The word that identifies a statistic of other rows, such as `Average`. Shots contain none of
-/// these words.
-pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    const WORDS: [&str; 17] = [
-        "dev",
-        "average",
-        "averages",
-        "avg",
-        "mean",
-        "median",
-        "consistency",
-        "std dev",
-        "stddev",
-        "stdev",
-        "standard deviation",
-        "deviation",
-        "std deviation",
-        "durchschnitt",
-        "mittelwert",
-        "standardabweichung",
-        "Ø",
-    ];
-    let mut cells = cells.map(str::trim);
-    // fast path: most cells contain none of the words
-    cells.find(|cell| {
-        let words = || {
-            cell.split(|c: char| c.is_whitespace() || c == '.' || c == ':')
-                .filter(|word| !word.is_empty())
-        };
-        let is = |known: &&str| {
-            let mut known = known.split(' ');
-            words().all(|word| {
-                known
-                    .next()
-                    .is_some_and(|other| word.eq_ignore_ascii_case(other))
-            }) && known.next().is_none()
-        };
-        let first = cell
-            .bytes()
-            .find(|byte| !matches!(byte, b'.' | b':' | b' '));
-        let begins = |known: &&&str| {
-            first.is_some_and(|first| known.as_bytes()[0].eq_ignore_ascii_case(&first))
-        };
-        WORDS.iter().filter(begins).any(is)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Meaning, is_export, meaning, meaning_with, split_unit, units_row};

@@ -1,6 +1,5 @@
 //! Rows that are rejected, or hold no shot.
 
-use super::launch_monitor::summary;
 use crate::units::Message;
 
 /// Reason for rejecting a row.
@@ -114,4 +113,51 @@ impl NonShotRows {
     pub fn remarks(&self) -> impl Iterator<Item = Message> {
         self.messages().into_iter().map(Message::from)
     }
+}
+
+/// The word that identifies a statistic of other rows, such as `Average`. Shots contain none of
+/// these words.
+fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    const WORDS: [&str; 17] = [
+        "dev",
+        "average",
+        "averages",
+        "avg",
+        "mean",
+        "median",
+        "consistency",
+        "std dev",
+        "stddev",
+        "stdev",
+        "standard deviation",
+        "deviation",
+        "std deviation",
+        "durchschnitt",
+        "mittelwert",
+        "standardabweichung",
+        "Ø",
+    ];
+    let mut cells = cells.map(str::trim);
+    // fast path: most cells contain none of the words
+    cells.find(|cell| {
+        let words = || {
+            cell.split(|c: char| c.is_whitespace() || c == '.' || c == ':')
+                .filter(|word| !word.is_empty())
+        };
+        let is = |known: &&str| {
+            let mut known = known.split(' ');
+            words().all(|word| {
+                known
+                    .next()
+                    .is_some_and(|other| word.eq_ignore_ascii_case(other))
+            }) && known.next().is_none()
+        };
+        let first = cell
+            .bytes()
+            .find(|byte| !matches!(byte, b'.' | b':' | b' '));
+        let begins = |known: &&&str| {
+            first.is_some_and(|first| known.as_bytes()[0].eq_ignore_ascii_case(&first))
+        };
+        WORDS.iter().filter(begins).any(is)
+    })
 }

@@ -75,6 +75,11 @@ impl Source {
         self.content.gives_step || entries.iter().any(|entry| is_of_step(entry.name))
     }
 
+    /// Whether the command line names it: a preset or a file, and not standard input.
+    pub fn has_name(&self) -> bool {
+        self.kind != Kind::StandardInput
+    }
+
     /// The setup file, if the source is a file on disk.
     pub fn file(&self) -> Option<&Path> {
         (self.kind == Kind::File).then_some(Path::new(&self.argument))
