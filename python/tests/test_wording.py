@@ -14,7 +14,7 @@ import pytest
 
 import longdrive
 from longdrive import InputError, parts
-from longdrive._longdrive import in_python as in_python
+from longdrive._longdrive import in_python
 
 
 @pytest.mark.parametrize(
