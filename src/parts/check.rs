@@ -9,11 +9,11 @@ use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// Kind of a fault of a file.
+/// Kind of a file's fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FaultKind {
-    /// It cannot be read completely, or its rows have changed.
+    /// The file cannot be read completely, or its rows have changed.
     Damaged,
     /// A part of another sweep.
     OtherQuestion,
@@ -211,8 +211,8 @@ struct Merged {
     summary: Option<Summary>,
 }
 
-/// Merges the summaries of the parts in order. With `contents`, reads the rows too; parts whose rows
-/// have changed become faults.
+/// Merges the summaries of the parts in order. With `contents`, reads the rows too; parts whose
+/// rows have changed become faults.
 fn merge_parts(
     folder: &Path,
     parts: BTreeMap<u64, (String, Footer)>,
@@ -249,7 +249,7 @@ fn merge_parts(
     merged
 }
 
-/// The sweep of a set of files.
+/// The definition of the sweep that most files belong to, among those that agree with `wanted`.
 fn question(
     found: &[(String, Footer)],
     wanted: Option<&SweepDefinition>,
@@ -276,7 +276,7 @@ fn question(
         .values()
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
-    // without a file of the wanted sweep: with the number of parts of another one
+    // no file agrees with `wanted`: take number of parts and instructions from another file
     let of_none = || {
         found
             .first()
@@ -291,7 +291,7 @@ fn question(
     most.map(|(_, of)| (*of).clone()).or_else(of_none)
 }
 
-/// Fault of a file that is a part of some sweep.
+/// The fault of a file that is a part of some sweep; `None` for a valid part.
 fn fault(question: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(FaultKind, String)> {
     if footer.part.question != hash {
         let theirs = &footer.question;

@@ -18,7 +18,8 @@ pub struct SweepDefinition {
     pub outcomes: String,
     /// Parameters of the derivatives; empty for values only.
     pub derivatives: String,
-    /// The largest defect of a drive, m (docs/model.md, eq. 16a); `inf` for the step of the setup.
+    /// The largest integration error (defect) of a drive, m (docs/model.md, eq. 16a); `inf` for the
+    /// step of the setup.
     pub largest_defect: String,
     /// The histograms and best rows of each footer.
     pub summary: String,
@@ -114,8 +115,8 @@ impl SweepDefinition {
 }
 
 /// Hash of values of the elementary functions of the C library that drives use. They are rounded
-/// differently by other libraries, versions, and processors, for which a library has variants. Equal
-/// hashes mean equal values at some thousand arguments of each function.
+/// differently by other libraries, versions, and processors, for which a library has variants.
+/// Equal hashes mean equal values at some thousand arguments of each function.
 fn elementary_functions() -> u64 {
     let functions: [fn(f64) -> f64; 6] = [
         f64::sin,
@@ -127,7 +128,7 @@ fn elementary_functions() -> u64 {
     ];
     let mut fingerprint = Fingerprint::new();
     for i in 1..=4096 {
-        // 0 to 12.7: two turns of a circle, and usual arguments of logarithms and exponentials
+        // 0 to 12.7: two full turns, and common arguments of logarithms and exponentials
         let x = f64::from(i) * 3.1e-3;
         functions
             .iter()

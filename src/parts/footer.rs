@@ -34,14 +34,14 @@ pub struct Part {
     pub summary: Summary,
 }
 
-/// File of a part, and its content, which does not depend on the writer.
+/// File of a part, with its content, which does not depend on threads or repetition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
     /// Name of the file.
     pub file: String,
     /// Size, bytes.
     pub bytes: u64,
-    /// SHA-256 of the whole file, like the output of `sha256sum`.
+    /// SHA-256 of the whole file, in the format of `sha256sum`.
     pub sha256: String,
     /// The footer.
     #[serde(flatten)]

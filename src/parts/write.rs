@@ -25,15 +25,15 @@ pub struct Dataset {
 pub enum Written {
     /// The part was computed and its file written.
     New(Manifest),
-    /// The complete file existed already.
+    /// A complete file of the part existed before.
     There(Manifest),
-    /// The computation was stopped, without a file.
+    /// The computation was interrupted; no file was written.
     Stopped,
 }
 
 impl Dataset {
-    /// The sweep of a batch over these points in `parts` parts. Each footer has these histograms and
-    /// best rows.
+    /// The sweep of a batch over these points in `parts` parts. Each footer has these histograms
+    /// and best rows.
     ///
     /// # Errors
     /// [`Error::Together`] for more parts than blocks of rows; those of [`SummarySpec::new`].
@@ -69,7 +69,7 @@ impl Dataset {
         rows_of(part, self.question.parts, self.question.rows)
     }
 
-    /// Computes and writes a part into an existing folder, unless it is there already. The file is
+    /// Computes and writes a part into an existing folder, unless the part exists. The file is
     /// synced to the disk before it is renamed. `run` gives the threads and the stop flag;
     /// `progress` receives the number of computed rows.
     ///

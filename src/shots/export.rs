@@ -9,7 +9,7 @@ use crate::table::{
     contradiction, implausible, implausible_launch, is_straight_by_assumption, miscounted,
 };
 
-/// Conditions whose origin is in a common column, `Spin Rate Type`.
+/// Conditions whose origin is stated in the common column `Spin Rate Type`.
 pub(super) const OF_SPIN: [Outcome; 4] = [
     Outcome::Spin,
     Outcome::Backspin,
@@ -46,10 +46,11 @@ impl ExportHead {
         shot
     }
 
-    /// Earlier refusal by `fly`, if the rewritten row lacks the faulty value.
+    /// The refusal by an earlier run of `fly`, if the rewritten row does not contain the faulty
+    /// value.
     fn refused_before<S: AsRef<str>>(&self, row: &[S], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
-        // `fly` writes a row that it cannot split into its first cell
+        // for a row without valid cells, `fly` writes the whole row into the first cell
         let own = row[..self.added.start].iter().chain(&row[self.added.end..]);
         let is_lacking =
             now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.as_ref().is_empty());
@@ -155,7 +156,7 @@ impl ExportHead {
     }
 }
 
-/// Recognizes normalized values in a condition.
+/// True if a condition text states normalized values.
 fn says_normalized(text: &str) -> bool {
     let word = b"normali";
     text.as_bytes()

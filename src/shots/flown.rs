@@ -22,7 +22,7 @@ pub struct Flown {
 }
 
 impl Flown {
-    /// Combines shots and results; `flights` holds the row of each shot in the block.
+    /// Combines shots and results; `flights` has the row of each shot in the block.
     pub(super) fn new(
         of: &[Outcome],
         shots: Vec<Shot>,

@@ -16,12 +16,12 @@ use std::sync::atomic::Ordering;
 #[derive(Clone, Debug)]
 pub struct Flying {
     batch: Batch,
-    /// The ground is that of the shots: measured runs are compared.
+    /// True if the ground is that of the shots: roll-outs are compared.
     is_on_their_ground: bool,
 }
 
-/// Launches for which method and step are chosen, independent of the table; drives outside that
-/// need a smaller step get one automatically. So predictions do not depend on other rows.
+/// Range of launches for the choice of method and step. It does not depend on the table, so that
+/// predictions do not depend on other rows. Drives outside that need a smaller step get one.
 const USUAL: [(&str, f64, f64, &str); 5] = [
     ("launch.ball_speed", 60.0, 200.0, "mph"),
     ("launch.launch_angle", 2.0, 35.0, "deg"),
@@ -70,10 +70,10 @@ impl Flying {
         })
     }
 
-    /// Ranges of launches for the choice of method and step.
+    /// Ranges of launches for which method and step are chosen.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a missing parameter, which does not happen.
+    /// [`Error::Unknown`] for an unknown parameter, which does not occur.
     pub fn usual(setup: &Setup<f64>) -> Result<Vec<Vary>> {
         let range = |(name, low, high, unit): &(&str, f64, f64, &str)| {
             let parameter = setup.parameter(name)?;
@@ -87,7 +87,7 @@ impl Flying {
         USUAL.iter().map(range).collect()
     }
 
-    /// See [`Batch::with_largest_defect`].
+    /// Limits the integration error: see [`Batch::with_largest_defect`].
     ///
     /// # Errors
     /// The errors of [`Batch::with_largest_defect`].

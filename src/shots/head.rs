@@ -12,13 +12,13 @@ use crate::table::{
 use crate::units::Message;
 use std::ops::Range;
 
-/// A column that is read.
+/// A column with values to read.
 #[derive(Clone, Debug)]
 pub(super) struct Read {
     pub at: usize,
     pub of: Outcome,
     pub column: Column,
-    /// Origin of its values, if the head states it.
+    /// Origin of the column's values, if the head states it.
     pub origin: Option<Origin>,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct ExportHead {
     pub club: [Option<(usize, Column)>; 4],
     pub further: Vec<Further>,
     pub further_columns: Vec<Column>,
-    /// Columns of the origin of the spin, and of the conditions of the values.
+    /// Columns with the origin of the spin, and with the conditions of the values.
     pub spin_type: Option<usize>,
     pub condition: Option<usize>,
     pub is_export: bool,
@@ -173,7 +173,7 @@ impl ExportHead {
                 self.further.push(Further { at, parameter });
                 self.further_columns.push(column.clone());
             }
-            // a table of launches ignores the club
+            // the club has no effect in a table of launches
             Content::Note | Content::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
                 let format = Format {

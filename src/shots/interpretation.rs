@@ -15,13 +15,13 @@ pub(crate) struct Interpretation {
     pub maker: Option<&'static str>,
     /// Message about assumed units.
     pub without_unit: Option<String>,
-    /// Message about columns with + to the left.
+    /// Message about columns whose positive values are to the left.
     pub turned: Option<String>,
 }
 
 impl Interpretation {
-    /// Interprets the columns of an export and changes them accordingly; other tables stay as they
-    /// are. `setup` enables the air of each row.
+    /// Interprets the columns of an export and adapts them; other tables are unchanged. With
+    /// `setup`, the air of each row is used.
     pub fn of(setup: Option<&Setup<f64>>, head: &mut Head, table: &TextTable) -> Self {
         if !head.format.is_export {
             return Self::default();

@@ -12,7 +12,7 @@ pub struct Piece {
     pub line: u64,
     /// The text.
     pub text: String,
-    /// All braces are closed.
+    /// True if all braces are closed.
     pub is_whole: bool,
 }
 
@@ -24,15 +24,14 @@ enum State {
     Inside(usize),
     /// In a string of an object; true after a backslash.
     Text(usize, bool),
-    /// In other text, up to the end of the line.
+    /// In other text, until the end of the line.
     Astray,
     /// In the rest of an object that is too long.
     TooLong,
 }
 
-/// Finds objects in bytes as they arrive. Truncated objects and other text are returned as pieces
-/// too; they end with their line, or before the next opening brace, so that no later object is
-/// lost.
+/// Finds objects in bytes as they arrive. Truncated objects and other text are pieces too. Such a
+/// piece ends with its line, or before the next opening brace, so that later objects are found.
 #[derive(Clone, Debug)]
 pub struct Objects {
     state: State,
@@ -72,7 +71,7 @@ impl Objects {
         self.found.pop_front()
     }
 
-    /// An object is incomplete.
+    /// True if an object is incomplete.
     pub fn is_under_way(&self) -> bool {
         self.state != State::Between
     }

@@ -47,7 +47,7 @@ fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Re
     }
 }
 
-/// The number of a key, if present.
+/// The number with a key; `None` if the key is absent.
 fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>, Refusal> {
     match of.get(key) {
         None | Some(Json::Null) => Ok(None),
@@ -100,8 +100,8 @@ fn suggestion(ball: &Map<String, Json>, key: &str) -> String {
         .unwrap_or_default()
 }
 
-/// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. A
-/// line that `fly` wrote has values of exactly the parameters `further`.
+/// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. In a
+/// line that `fly` wrote, exactly the parameters `further` have values.
 pub(super) fn shot(piece: Piece, further: &[&'static Parameter]) -> Shot {
     let Piece {
         line,
@@ -173,7 +173,7 @@ fn fill(
                 match implausible(of, value, || format!("BallData.{key}"))
                     .filter(|_| of == Outcome::CarryDistance)
                 {
-                    // 0 means not sent
+                    // 0 means that the value was not sent
                     Some(_) if number == 0.0 => {}
                     Some(reason) => shot.notes.push(format!("not compared: {reason}")),
                     None => shot.values.push(Value {

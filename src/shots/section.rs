@@ -18,7 +18,7 @@ impl Export {
         self.head.separator
     }
 
-    /// Its heads.
+    /// The heads of the columns.
     pub fn heads(&self) -> &[String] {
         &self.head.heads
     }
@@ -28,7 +28,7 @@ impl Export {
         self.head.units.as_deref()
     }
 
-    /// Numbers have decimal commas.
+    /// True if numbers have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
         self.head.decimal_mark == Some(DecimalMark::Comma)
     }
@@ -47,8 +47,8 @@ impl Export {
 /// A section of a table: the rows below one head.
 #[derive(Clone, Debug)]
 pub struct Section {
-    /// Its head.
+    /// The head of the section.
     pub export: Arc<Export>,
-    /// The shots of this chunk are the first of a later section.
+    /// True if the shots of this chunk are the first of a later section.
     pub begins: bool,
 }

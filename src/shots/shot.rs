@@ -127,14 +127,14 @@ pub struct Shot {
     pub club: Club,
     /// Condition text of the export, verbatim.
     pub condition: Option<String>,
-    /// The export states normalized values; `None` without a statement.
+    /// True if the export states normalized values; `None` without a statement.
     pub is_normalized: Option<bool>,
     /// Notes on assumed or unused values.
     pub notes: Vec<String>,
-    /// Direction or spin tilt is assumed: lateral results are not compared.
+    /// True if direction or spin tilt is assumed, so that lateral results are not compared.
     pub is_straight_by_assumption: bool,
     pub(super) point: Result<Point, Refusal>,
-    /// The row has exactly one cell per column.
+    /// True if the row has exactly one cell per column.
     pub(crate) has_cells_of_head: bool,
 }
 
@@ -167,7 +167,7 @@ impl Shot {
             .map_or(&[], |point| &point[LAUNCH.len()..])
     }
 
-    /// Reason for not flying it.
+    /// The reason why the shot cannot be flown.
     pub fn refusal(&self) -> Option<&Refusal> {
         self.point.as_ref().err()
     }

@@ -1,9 +1,9 @@
-//! Columns of the spin with + to the left.
+//! Sign conventions of the spin: detects columns whose positive values are to the left.
 
 use crate::drive::Outcome;
 use crate::table::{Column, Content};
 
-/// Columns of the spin with + to the left.
+/// Flags for spin columns whose positive values are to the left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct SignConventions {
     sidespin: bool,
@@ -13,13 +13,13 @@ pub(super) struct SignConventions {
 /// Minimum share of the rows that must agree.
 const SHARE: f64 = 0.8;
 
-/// Minimum curve, relative to the carry, that indicates a side.
+/// Minimum lateral curve, relative to the carry, that indicates a side.
 const STRAIGHT: f64 = 0.01;
 
 impl SignConventions {
-    /// Garmin: + of `Sidespin` is to the left if the column stands alone, or if its sign opposes
-    /// that of the spin axis. If both agree and the balls curve to the other side, both columns
-    /// have + to the left.
+    /// Garmin: positive values of `Sidespin` are to the left if the table has no spin axis, or if
+    /// the signs of the two columns are opposite. If the signs agree and the balls curve to the
+    /// other side, positive values of both columns are to the left.
     pub fn detect(maker: Option<&str>, columns: &[Column], rows: &[Vec<String>]) -> Self {
         let has = |of: Outcome| {
             columns

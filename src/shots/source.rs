@@ -34,7 +34,7 @@ pub struct Shots {
     pub(super) layout: Layout,
     pub(super) rows: Rows,
     pub(super) parameters: Vec<&'static Parameter>,
-    /// JSON lines written by `fly`.
+    /// True for JSON lines written by `fly`.
     is_written: bool,
 }
 
@@ -61,7 +61,7 @@ pub(super) struct TableRows {
 /// Rows of a section of an export.
 pub(super) struct Records {
     pub export: Arc<Export>,
-    /// These rows are the first of a later section.
+    /// True if these rows are the first of a later section.
     pub begins: bool,
     records: Vec<Record>,
 }
@@ -83,7 +83,7 @@ impl Shots {
         }
         let name = path.display().to_string();
         let table = SourceName(name.clone());
-        // a folder can be opened, but not read
+        // report a folder as unreadable: opening succeeds, reading fails
         Self::read(setup, &name, table.io(File::open(path))?)
     }
 
@@ -123,7 +123,7 @@ impl Shots {
                 is_written,
             });
         }
-        // keep values as stated: + to the right for every golfer
+        // keep values as stated: positive to the right for every golfer
         let setup = Setup {
             golfer: Golfer::Right,
             ..*setup
@@ -191,7 +191,7 @@ impl Shots {
         }
     }
 
-    /// Parameters of each row: a launch, and those of further columns.
+    /// Parameters of each row: those of a launch, then those of further columns.
     pub fn parameters(&self) -> &[&'static Parameter] {
         &self.parameters
     }

@@ -7,11 +7,11 @@ use crate::units::{Message, Quantity};
 /// Maximum number of ratios kept for a median.
 const MOST: usize = 4096;
 
-/// Minimum number of rows for a warning; more for ratios near 1.
+/// Minimum number of rows for a warning, in general and for ratios near 1.
 const LEAST: usize = 2;
 const LEAST_NEAR_ONE: usize = 5;
 
-/// Relative tolerance of a ratio; smaller for ratios near 1.
+/// Relative tolerance of a ratio, in general and for ratios near 1.
 const NEAR: f64 = 0.06;
 const NEAR_ONE: f64 = 0.025;
 
@@ -21,7 +21,7 @@ const STRAIGHT: f64 = 3.0;
 /// Minimum share of rows with opposite sides.
 const MOST_DISAGREE: f64 = 0.8;
 
-/// Quantities whose values in the first unit may have been read in the second.
+/// Pairs of units: values in the first unit may have been read in the second.
 const MISTAKEN: [(Quantity, &str, &str); 6] = [
     (Quantity::LENGTH, "yd", "ft"),
     (Quantity::LENGTH, "ft", "yd"),
@@ -31,19 +31,19 @@ const MISTAKEN: [(Quantity, &str, &str); 6] = [
     (Quantity::SPEED, "m/s", "mph"),
 ];
 
-/// Upper limit of carry over ball speed, s. Speeds in m/s read as mph exceed it.
+/// Maximum of carry over ball speed, s. Speeds in m/s that were read as mph exceed it.
 const MOST_CARRY_PER_SPEED: f64 = 4.6;
 
 /// Predicted/measured carry of speeds in km/h that were read in mph.
 const IN_KMH: std::ops::Range<f64> = 1.45..2.0;
 
-/// Minimum ball speed for this check, m/s.
+/// Minimum ball speed of the carries in this check, m/s.
 const SLOW: f64 = 22.0;
 
 /// Ratios and sides of predicted and measured values.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Comparison {
-    /// predicted/measured of each outcome.
+    /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
     /// Number of rows with clear sides, and of those with opposite sides.
     sides: [usize; 2],

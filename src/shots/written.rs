@@ -1,4 +1,4 @@
-//! Reads JSON lines that `fly` wrote as the shots behind them.
+//! Reads shots back from JSON lines that `fly` wrote.
 
 use super::export::launch;
 use super::flown::REFUSED;
@@ -9,7 +9,7 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::{Refusal, is_straight_by_assumption};
 use serde_json::{Map, Value as Json};
 
-/// Precedes the row, the last member of a line; no other member can contain this text.
+/// The text before the original row, which is the last member of a line. It cannot occur elsewhere.
 const ROW: &str = ",\"row\":";
 
 /// Recognizes a JSON line written by `fly`.
@@ -19,7 +19,7 @@ pub(super) fn is_written(message: &Map<String, Json>) -> bool {
         .all(|key| message.contains_key(*key))
 }
 
-/// Recognizes a text that begins with such a line.
+/// True for a text whose first line was written by `fly`.
 pub(super) fn begins(beginning: &str) -> bool {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
@@ -72,14 +72,14 @@ fn members<'a>(
 /// Reads the shot of a line, without its predictions.
 ///
 /// # Errors
-/// Reason for not flying it.
+/// The reason why the shot cannot be flown.
 pub(super) fn fill(
     shot: &mut Shot,
     message: &Map<String, Json>,
     further: &[&'static Parameter],
 ) -> Result<(), Refusal> {
     let text = message.get("row").map(Json::to_string).unwrap_or_default();
-    // keep the original text of an unmodified line
+    // an unmodified line keeps the text of its original row
     let own = shot
         .text
         .split_once(ROW)

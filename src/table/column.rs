@@ -34,33 +34,33 @@ pub(crate) struct Column {
     pub content: Content,
     pub head: String,
     unit: Option<String>,
-    /// The unit, if it matches the column's quantity.
+    /// The parsed unit, if it matches the column's quantity.
     size: Option<Unit>,
     format: Format,
-    /// Angle of an export without a unit, read in degrees.
+    /// True for an angle of an export without a unit, which is read in degrees.
     is_in_assumed_degrees: bool,
-    /// Launch condition with its dotted name.
+    /// True for a launch condition with its dotted name.
     is_dotted_condition: bool,
-    /// Air that the weather of the setup overrides.
+    /// True for air that the weather of the setup overrides.
     is_of_given_air: bool,
     /// Handedness of the golfer.
     golfer: Golfer,
-    /// Each cell contains its unit.
+    /// True if each cell contains a unit.
     has_units_in_cells: bool,
-    /// The unit is assumed; the table states none.
+    /// True if the unit is assumed, because the table states none.
     is_unit_assumed: bool,
-    /// Positive values are to the left.
+    /// True if positive values are to the left.
     is_turned: bool,
-    /// Cells describe the weather in words, from which the air density is computed.
+    /// True if cells describe the weather in words, from which the air density is computed.
     is_weather: bool,
 }
 
 /// Format of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Format {
-    /// Export of a launch monitor: unknown columns are ignored.
+    /// True for an export of a launch monitor: unknown columns are ignored.
     pub is_export: bool,
-    /// Numbers may have decimal commas.
+    /// True if numbers may have decimal commas.
     pub has_decimal_comma: bool,
 }
 
@@ -195,42 +195,42 @@ impl Column {
         }
     }
 
-    /// Ignored because its head is unknown.
+    /// True if the column is ignored because its head is unknown.
     pub fn is_unknown(&self) -> bool {
         self.content == Content::Note && self.head != NOTE && !self.is_of_given_air
     }
 
-    /// Air that the weather of the setup overrides.
+    /// True for air that the weather of the setup overrides.
     pub fn is_of_given_air(&self) -> bool {
         self.is_of_given_air
     }
 
-    /// Angle without a unit, read in degrees.
+    /// True for an angle without a unit, which is read in degrees.
     pub fn is_in_assumed_degrees(&self) -> bool {
         self.is_in_assumed_degrees && self.content != Content::Note
     }
 
-    /// Parameter of the delivery.
+    /// True for a parameter of the delivery.
     pub fn is_of_the_strike(&self) -> bool {
         matches!(self.content, Content::Input(parameter) if parameter.is_of_strike())
     }
 
-    /// Launch condition with its dotted name, `launch.ball_speed`.
+    /// True for a launch condition with its dotted name, `launch.ball_speed`.
     pub fn is_dotted_condition(&self) -> bool {
         self.is_dotted_condition
     }
 
-    /// Status column of a sweep.
+    /// True for the status column of a sweep.
     pub fn is_status(&self) -> bool {
         self.content == Content::Written && self.head == STATUS
     }
 
-    /// Cells may have decimal commas.
+    /// True if cells may have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
         self.format.has_decimal_comma
     }
 
-    /// Cells are read as numbers.
+    /// True if cells are read as numbers.
     pub fn is_a_number(&self) -> bool {
         self.quantity().is_some() && !self.is_weather
     }
@@ -271,7 +271,7 @@ impl Column {
         }
     }
 
-    /// The quantity has units and the table states none.
+    /// True if the quantity has units and the table states none.
     pub fn lacks_unit(&self) -> bool {
         self.unit.is_none()
             && self
@@ -395,7 +395,7 @@ impl Column {
         matches!(self.content, Content::Input(parameter) if parameter.range.contains(value))
     }
 
-    /// True if the quantity can have this side.
+    /// True if values of the quantity can have this side in place of a sign.
     fn has(&self, side: Side) -> bool {
         let of_parameter = |names: &[&str]| match self.content {
             Content::Input(parameter) => names.contains(&parameter.name),
@@ -466,9 +466,9 @@ impl Column {
         Ok(Some(if sign < 0.0 { -value } else { value }))
     }
 
-    /// Sign that converts a number to this program's convention. Launch monitors measure path and
-    /// face, and cells with a side, + to the right for every golfer; here + is outwards. A turned
-    /// column is + to the left.
+    /// The sign that converts a number to this program's convention. In launch monitors, path and
+    /// face, and cells with a side, are positive to the right for every golfer; in this program
+    /// they are positive outwards. In a turned column, positive values are to the left.
     fn sign(&self, side: Option<Side>) -> f64 {
         if self.is_turned && side.is_none() {
             return -1.0;
@@ -618,7 +618,7 @@ fn is_of_flown(name: &str) -> bool {
     OF_FLOWN.contains(&name) || FLOWN.iter().any(|before| name.starts_with(before))
 }
 
-/// Recognizes unknown heads of launch monitors, as opposed to misspelt names of this program.
+/// True for an unknown head of a launch monitor, false for a misspelt name of this program.
 fn is_head_of_launch_monitor(name: &str, format: Format) -> bool {
     let is_written_otherwise = name.is_empty() || name.contains(". ");
     let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');
@@ -662,7 +662,7 @@ fn named(setup: &Setup<f64>, name: &str) -> Result<Content> {
     })
 }
 
-/// The parameter of a column, or an error that names outcomes too.
+/// The parameter of a column, or an error whose suggestions include outcomes.
 fn known(setup: &Setup<f64>, name: &str) -> Result<&'static Parameter> {
     setup.column(name).map_err(|error| match error {
         Error::Unknown { .. } => {

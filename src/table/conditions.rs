@@ -3,13 +3,13 @@
 use super::CONDITIONS;
 use crate::drive::Outcome;
 
-/// Error in the launch conditions of a row.
+/// An error in the launch conditions of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fault {
     /// The condition at fault.
     pub of: Outcome,
     pub why: &'static str,
-    /// The value is missing; the other values are valid.
+    /// True if the value is missing and the other values are valid.
     pub is_missing: bool,
 }
 
@@ -37,7 +37,8 @@ pub(crate) type Stated = [Option<f64>; CONDITIONS.len()];
 /// Largest spin axis with backspin: tan 90° is infinite.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 
-/// Relative difference of spins that rounding explains: a spin axis in whole degrees gives 0.9 %.
+/// Relative difference between two spins that rounding explains: rounding a spin axis to whole
+/// degrees gives 0.9 %.
 const ROUNDING: f64 = 0.02;
 
 /// Removes redundant spin values. The first available combination is used: spin with axis, backspin
@@ -53,13 +54,14 @@ pub(crate) fn without_redundant_spins(values: Stated) -> Stated {
     [speed, angle, direction, spin, backspin, sidespin, axis]
 }
 
-/// True without a launch direction or a spin tilt: lateral results cannot be compared.
+/// True for a row without a launch direction or without a spin tilt: its lateral results cannot be
+/// compared.
 pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
     let [_, _, direction, _, _, sidespin, axis] = values;
     direction.is_none() || sidespin.is_none() && axis.is_none()
 }
 
-/// Lateral outcomes, which need the launch direction and the spin tilt.
+/// True for lateral outcomes, which need the launch direction and the spin tilt.
 pub(crate) fn is_sideways(of: Outcome) -> bool {
     matches!(of, Outcome::Lateral | Outcome::LateralTotal)
 }
@@ -127,8 +129,8 @@ pub(crate) fn contradiction(
 }
 
 /// Launch parameters of a row from the values of [`CONDITIONS`]. A missing direction or spin tilt
-/// counts as 0; redundant spins are reduced by [`without_redundant_spins`]. `has` tells which conditions have a
-/// column.
+/// counts as 0; redundant spins are removed by [`without_redundant_spins`]. `has` is true for
+/// conditions that have a column.
 ///
 /// # Errors
 /// Missing, contradictory or invalid conditions.
@@ -162,7 +164,7 @@ pub(crate) fn conditions(
     ])
 }
 
-/// Backspin and sidespin of spin, backspin, sidespin and spin axis, without redundant ones.
+/// Backspin and sidespin from the stated forms of the spin, which must not be redundant.
 fn spin_components(
     [spin, backspin, sidespin, axis]: [Option<f64>; 4],
     has: impl Fn(Outcome) -> bool,

@@ -34,7 +34,7 @@ impl DecimalMark {
         }
     }
 
-    /// The mark of a number that contains only one of the two.
+    /// The mark of a number that contains commas or points, but not both.
     fn only_in(number: &str) -> Option<Self> {
         Self::ALL
             .into_iter()
@@ -102,7 +102,7 @@ struct MarkedCell {
 }
 
 impl DecimalMarkCheck {
-    /// Checks a cell against all cells before.
+    /// Checks a cell against all cells so far.
     ///
     /// # Errors
     /// A sentence if this cell, or one before it, is ambiguous.
@@ -135,7 +135,7 @@ impl DecimalMarkCheck {
     }
 }
 
-/// Message on an ambiguous cell, since another cell has the other mark.
+/// Message on an ambiguous cell: `reference` is a cell with the other mark.
 fn ambiguous(mark: DecimalMark, doubtful: &MarkedCell, reference: &MarkedCell) -> String {
     let [decimal, thousands] = [".", ""].map(|read| doubtful.text.replace(mark.sign(), read));
     format!(

@@ -6,7 +6,7 @@ use super::launch_monitor::{nearest_head, words};
 use crate::drive::Outcome;
 use crate::units::{Message, Quantity};
 
-/// Prefix of the remark.
+/// Beginning of the remark on assumed units.
 pub(crate) const ASSUMED_UNITS: &str = "heads without a unit are read as";
 
 /// Default units of heads without one, as in US versions of the makers' applications.
@@ -52,7 +52,7 @@ pub(crate) fn assume_units(
     })
 }
 
-/// Use of the club columns beside a measured launch.
+/// Use of the club columns in a table with measured launches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ClubColumns {
     /// Ignored: the ball flies from its measured launch.
@@ -66,7 +66,8 @@ pub(crate) enum ClubColumns {
 pub(crate) enum SpinSource {
     /// The same columns for the whole table.
     Table,
-    /// The values that each row has: [`without_redundant_spins`](super::conditions::without_redundant_spins).
+    /// A choice in each row among its values:
+    /// [`without_redundant_spins`](super::conditions::without_redundant_spins).
     Row,
 }
 
@@ -198,7 +199,7 @@ fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
 
 /// Remark on unknown columns, with similar known heads.
 fn unknown_columns(columns: &[Column]) -> Option<Message> {
-    // a condition column belongs to the air of the rows if it states the air
+    // a condition column is not unknown: it may state the air of the rows
     let is_condition =
         |column: &Column| ["condition", "conditions"].contains(&words(&column.head).as_str());
     let unknown: Vec<String> = columns

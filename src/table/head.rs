@@ -12,7 +12,7 @@ use crate::units::Message;
 /// Options for reading a table.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TableOptions {
-    /// Use of the club columns beside a measured launch.
+    /// Use of the club columns in a table with measured launches.
     pub club: ClubColumns,
     /// Source of redundant spin values.
     pub spin: SpinSource,

@@ -54,8 +54,8 @@ pub(crate) fn words(name: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The known head nearest to an unknown one, within a letter or two: "ball speed" for `Ball Sped
-/// [mph]`.
+/// The known head nearest to an unknown one, with at most one or two different letters: "ball
+/// speed" for `Ball Sped [mph]`.
 pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     let words = words(split_unit(head).0);
     let near = HEADS
@@ -66,8 +66,8 @@ pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
 }
 
-/// Meaning of a head whose unit decides: `Ball (km/h)` is a speed, while `Ball` alone may be a ball
-/// model.
+/// Meaning of a head that depends on its unit: `Ball (km/h)` is a speed, while `Ball` may be the
+/// name of a ball model.
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
     let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
@@ -75,7 +75,7 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let by_unit = match name {
         "Ball" if is_speed => Some(Meaning::Outcome(Outcome::BallSpeed)),
         "Club" if is_speed => Some(Meaning::Input("swing.speed")),
-        // without a unit it is the time of day
+        // without a unit the head means the time of day
         "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
         // without a unit g/L and lb/ft³ are ambiguous (a factor of 16)
         _ if is_density && ["air density", "luftdichte"].contains(&words(name).as_str()) => {
@@ -142,8 +142,8 @@ fn is_simulated(word: &str) -> bool {
 }
 
 /// Parses a line of units below the heads, each `[mph]` or empty; `None` for another line. At least
-/// one cell below a known head must be a unit, and no cell a number. Another word below a known
-/// head is returned as a unit, so that it is reported.
+/// one cell below a known head must be a unit, and no cell may be a number. An unknown word below a
+/// known head is returned as a unit, so that an error reports it.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
     let is_known = |head: &str| {
         let name = split_unit(head).0;

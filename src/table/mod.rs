@@ -42,7 +42,7 @@ pub(crate) use text::{Entry, SourceName, Text, TextTable, miscounted};
 
 use crate::drive::Outcome;
 
-/// Launch conditions: outcomes that together determine a launch.
+/// Launch conditions: the outcomes that together determine a launch.
 pub(crate) const CONDITIONS: [Outcome; 7] = [
     Outcome::BallSpeed,
     Outcome::LaunchAngle,

@@ -112,7 +112,7 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
     }
     let is_of_number = |c: char| c.is_ascii_digit() || "+-.,\u{2212}".contains(c);
     let begins = rest.find(|c: char| !is_of_number(c)).unwrap_or(rest.len());
-    // the thousands may be separated by a space
+    // the thousands separator may be a space
     let ends = rest
         .rfind(|c: char| c.is_ascii_digit())
         .map_or(begins, |last| last + 1)
@@ -137,7 +137,7 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
     })
 }
 
-/// Parses a number; decimal commas only where the comma does not separate cells.
+/// Parses a number. Decimal commas are allowed only if commas do not separate cells.
 pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     let cell = cell.trim();
     // fast path for plain numbers
@@ -162,8 +162,8 @@ fn without_thousands(cell: &str) -> String {
     mark.map_or_else(|| cell.to_owned(), |mark| cell.replace(mark, ""))
 }
 
-/// True if the mark may separate thousands: the comma in `2,686` or `1,234.5`, not in `3,2` or
-/// `0,250`.
+/// True if the mark may separate thousands, as the comma in `2,686` or `1,234.5`, but not in `3,2`
+/// or `0,250`.
 pub(crate) fn has_thousands(cell: &str, mark: char) -> bool {
     let decimals: &[char] = if mark == ',' {
         &['.']
@@ -204,7 +204,7 @@ pub(super) fn is_unit(word: &str) -> bool {
 /// A unit as this program writes it: `MPH` and `Yards` are mph and yards, `yds` yd.
 pub(super) fn unit(written: &str) -> String {
     let written = written.trim();
-    // `deg L-/R+` also explains the signs
+    // `deg L-/R+` also contains the sign convention
     let written = written
         .split_once(' ')
         .filter(|(_, signs)| signs.contains("-/"))

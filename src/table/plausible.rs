@@ -7,8 +7,8 @@ use crate::drive::Outcome;
 use crate::units::Quantity;
 use std::sync::LazyLock;
 
-/// Range of each outcome in its unit. The fastest ball on record had 241.7 mph (108 m/s); a driver
-/// gives no topspin.
+/// Range of each outcome in its unit. The fastest recorded ball speed is 241.7 mph (108 m/s); a
+/// driver gives no topspin.
 const RANGES: &[(Outcome, f64, f64, &str)] = &[
     (Outcome::BallSpeed, 0.0, 270.0, "mph"),
     (Outcome::LaunchAngle, -90.0, 90.0, "deg"),
@@ -27,7 +27,7 @@ const RANGES: &[(Outcome, f64, f64, &str)] = &[
     (Outcome::LateralTotal, -800.0, 800.0, "yd"),
 ];
 
-/// Range of each club parameter. The fastest club on record moved slower than 170 mph (76 m/s).
+/// Range of each club parameter. The fastest recorded club speed is below 170 mph (76 m/s).
 const OF_CLUB: &[(&str, f64, f64, &str)] = &[
     ("swing.speed", 0.0, 170.0, "mph"),
     ("swing.attack_angle", -45.0, 45.0, "deg"),
@@ -58,7 +58,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     let at = OF_CLUB.iter().position(|(known, ..)| *known == parameter)?;
     let [lowest, highest] = OF_CLUB_IN_SI[at];
     let (_, low, high, unit) = OF_CLUB[at];
-    // a struck ball needs a moving club
+    // a club at rest cannot strike a ball
     let is_still = lowest == 0.0 && value == 0.0;
     if (lowest..=highest).contains(&value) && !is_still {
         return None;
@@ -75,7 +75,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     ))
 }
 
-/// Outcomes that must exceed the lower end of their range: 0 means not measured.
+/// Outcomes whose value must exceed the lower end of the range: 0 means that it was not measured.
 const ABOVE: &[Outcome] = &[
     Outcome::BallSpeed,
     Outcome::Spin,
@@ -128,7 +128,8 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     ))
 }
 
-/// Positive outcomes: negative values, and zero lengths and times, are errors of the table.
+/// Outcomes that are positive: a negative value, and a length or time of 0, is an error of the
+/// table.
 const POSITIVE: &[Outcome] = &[
     Outcome::Carry,
     Outcome::CarryDistance,
@@ -167,8 +168,8 @@ pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     })
 }
 
-/// Message for an implausible launch: from the values used, and from the spin components that
-/// follow.
+/// Message for an implausible launch, by the stated values and by the spin components computed from
+/// them.
 pub(crate) fn implausible_launch(
     values: &Stated,
     name: impl Fn(Outcome) -> String,
@@ -179,7 +180,7 @@ pub(crate) fn implausible_launch(
         return Some(reason);
     }
     let [.., (_, back), (_, side)] = conditions(used, |_| true).ok()?;
-    // near 90° the tangent is large; beyond, the cosine is negative
+    // the tangent is large near 90°, and the cosine is negative above
     [
         (
             Outcome::Sidespin,

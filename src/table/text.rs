@@ -90,7 +90,7 @@ pub(crate) struct TextTable {
     /// The first 64 KiB of the text.
     beginning: String,
     encoding: Encoding,
-    /// Exports may contain further heads.
+    /// True for exports, which may contain further heads.
     has_sections: bool,
 }
 

@@ -43,7 +43,7 @@ impl Amount {
         }
     }
 
-    /// Its quantity, if that has a name.
+    /// The quantity, if it has a name.
     pub fn quantity(self) -> Option<Quantity> {
         Quantity::ALL
             .iter()
@@ -53,7 +53,7 @@ impl Amount {
 }
 
 impl Quantity {
-    /// The first of its usual units.
+    /// The first usual unit of the quantity.
     pub(crate) fn usual_unit(self) -> &'static str {
         if self.si.is_empty() {
             ""

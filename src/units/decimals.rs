@@ -21,13 +21,13 @@ const DECIMALS: [(&str, usize); 13] = [
     ("", 2),
 ];
 
-/// Significant digits for a unit without a number of decimals.
+/// Significant digits for a unit that is not listed in `DECIMALS`.
 const DIGITS: usize = 5;
 
-/// Numbers below this part of a unit are rounding errors: a thousandth of a millimetre in carry.
+/// Absolute value, in the displayed unit, below which a number is a rounding error.
 const NOISE: f64 = 1e-6;
 
-/// Numbers above this have a power of ten.
+/// Absolute value above which numbers have a power of ten.
 const LARGE: f64 = 1e9;
 
 impl Quantity {
@@ -43,8 +43,8 @@ impl Quantity {
         with_unit(&self.with(value, unit, fixed), unit)
     }
 
-    /// [`read_off`](Self::read_off) with one more decimal, for computed settings such as an optimum's
-    /// loft.
+    /// [`read_off`](Self::read_off) with one more decimal, for computed settings such as an
+    /// optimum's loft.
     ///
     /// ```
     /// use longdrive::units::Quantity;

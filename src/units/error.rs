@@ -25,7 +25,7 @@ pub enum UnitError {
     UnknownUnit {
         /// The string.
         text: String,
-        /// Its unit.
+        /// The unit in the string.
         unit: String,
         /// The unit that was probably meant; may be empty.
         hint: String,

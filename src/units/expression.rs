@@ -55,7 +55,7 @@ impl Size {
 pub(crate) struct Unit {
     size: Size,
     pub(super) dimension: Dimension,
-    /// SI value of its zero, for a temperature scale.
+    /// SI value of the scale's zero, for a temperature scale.
     zero: Option<f64>,
 }
 
@@ -72,9 +72,9 @@ impl Unit {
     }
 }
 
-/// Parses a product of units: factors separated by spaces, `*`, `·`, `.` or `/` (which applies to the
-/// next factor), each with an optional power: `kg/m^3`, `g cm²`, `m s^-2`, `Pa.s`. A temperature
-/// scale with its own zero cannot be a factor.
+/// Parses a product of units: factors separated by spaces, `*`, `·`, `.` or `/` (which applies to
+/// the next factor), each with an optional power: `kg/m^3`, `g cm²`, `m s^-2`, `Pa.s`. A
+/// temperature scale with its own zero cannot be a factor.
 pub(super) fn read_unit(text: &str) -> Option<Unit> {
     let spaced = text.replace('/', " / ").replace(['*', '·', '⋅', '.'], " ");
     let (mut size, mut dimension, mut zero) = (Size::ONE, Dimension::NONE, None);

@@ -205,7 +205,8 @@ impl Quantity {
         }
     }
 
-    /// List of the valid units for messages: the usual ones, then the other symbols of this quantity.
+    /// List of the valid units for messages: the usual ones, then the other symbols of this
+    /// quantity.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -239,7 +240,8 @@ impl Quantity {
         }
     }
 
-    /// Hint for an unknown unit: other case, a degree without `deg`, or a decimal comma before it.
+    /// Hint for an unknown unit: different case, a degree without `deg`, or a decimal comma before
+    /// it.
     fn hint(self, unit: &str) -> String {
         if unit
             .strip_prefix(',')

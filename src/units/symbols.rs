@@ -1,8 +1,8 @@
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
-/// Powers of length, mass, time, angle and temperature. The angle is a dimension, so that 10 rpm are
-/// not 10 per minute.
+/// Powers of length, mass, time, angle and temperature. The angle is a dimension, so that 10 rpm
+/// are not 10 per minute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Dimension(pub [i8; 5]);
 
@@ -37,10 +37,11 @@ pub(super) struct Symbol {
 /// All unit symbols.
 pub(super) static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(symbols);
 
-/// Letters of a name that is read in capitals too: "Mm" and "mm", "MG" and "mg" are not one unit.
+/// Minimum length of a name that may be in capitals. Shorter names differ by case: "Mm" and "mm",
+/// "MG" and "mg".
 const WITHOUT_PREFIX: usize = 3;
 
-/// The unit symbol of this name; a word of three letters or more may be in capitals ("MPH",
+/// The unit symbol with this name. A name of at least three letters may be in capitals ("MPH",
 /// "Yards").
 pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
     let exact = SYMBOLS.iter().find(|known| known.names.contains(&name));
@@ -49,9 +50,9 @@ pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
     exact.or_else(|| SYMBOLS.iter().filter(|_| is_word).find(is_meant))
 }
 
-/// The sizes are definitions, exact to the last bit: SI brochure, 9th edition; the yard and the pound
-/// of 1959, from which inch, foot, mile and ounce follow; mercury of 13 595.1 kg/m³ at standard
-/// gravity.
+/// The sizes are definitions, exact to the last bit: SI brochure, 9th edition; the yard and the
+/// pound of 1959, from which inch, foot, mile and ounce follow; mercury of 13 595.1 kg/m³ at
+/// standard gravity.
 fn symbols() -> Vec<Symbol> {
     use Dimension as D;
     let symbol = |names, size, dimension| Symbol {
@@ -132,11 +133,11 @@ mod tests {
 
     /// Exact by definition.
     const EXACT: f64 = f64::EPSILON;
-    /// Half of the seventh digit.
+    /// Relative rounding error of seven digits.
     const SEVEN_DIGITS: f64 = 5e-7;
 
-    /// NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and appendix B.8.
-    /// Sizes printed with fewer than seven digits are compared with the library pint by a test of the
+    /// NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and appendix B.8. Sizes
+    /// printed with fewer than seven digits are compared with the library pint by a test of the
     /// Python package.
     #[test]
     fn published_sizes_are_those_of_nist_sp_811() {

@@ -41,7 +41,7 @@ impl System {
     }
 
     /// The unit of this system for a unit of either system: yards for metres, miles per hour for
-    /// metres per second, and vice versa. Millimetres, of strikes on the face, are in both systems.
+    /// metres per second, and vice versa. Millimetres, for strikes on the face, belong to both.
     pub fn unit(self, unit: &'static str) -> &'static str {
         match self {
             Self::Metric => PAIRS

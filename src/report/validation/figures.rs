@@ -34,7 +34,7 @@ impl Over {
     }
 }
 
-/// The set of optima to plot, whose drives are computed from the impact on.
+/// The set of optima to plot. Its club gives launch angle and spin in the ratio of the chart.
 const OPTIMA: &str = "chart-optima-impact";
 
 /// The name of the band, and the note about it.

@@ -33,7 +33,7 @@ struct Section {
     width: usize,
     /// Columns to read, with their positions.
     read: Vec<(usize, Column)>,
-    /// Export of a launch monitor: averages and titles are skipped.
+    /// True for an export of a launch monitor, whose averages and titles are skipped.
     is_export: bool,
 }
 

@@ -25,7 +25,7 @@ pub(super) trait Pieces: Sized {
     /// Next values of a column, at most the remaining rows.
     fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String>;
 
-    /// Advances by rows whose values were read.
+    /// Skips rows whose values were read.
     fn pass(&mut self, rows: usize);
 }
 

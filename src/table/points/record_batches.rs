@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 const MAGIC: &[u8; 6] = b"ARROW1";
 const FEATHER_1: &[u8; 4] = b"FEA1";
-/// Precedes the length of a message since Arrow 0.15.
+/// Marker before the length of a message, since Arrow 0.15.
 const CONTINUATION: [u8; 4] = [0xff; 4];
 /// Bytes after the footer: its length, and the magic number.
 const TAIL: usize = 10;
@@ -109,7 +109,7 @@ impl RecordBatches {
             end: length,
             order: Order::Following { first: 0, next: 0 },
         };
-        // another kind of file does not begin with such a message
+        // an Arrow file or stream must begin with a valid message
         let neither =
             "it is neither an Arrow IPC file nor a stream, or it was cut short in its first bytes";
         let head = stream.head(0).ok().flatten().ok_or(neither)?;

@@ -12,7 +12,7 @@ pub(super) trait Rows {
     /// Back to the first row.
     fn rewind(&mut self) -> Result<()>;
 
-    /// See [`Points::read`]; a missing value is NaN.
+    /// Reads values as [`Points::read`] does; a missing value is NaN.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
     /// Remarks after the last row.
@@ -24,8 +24,8 @@ pub(super) trait Rows {
 /// Number of invalid rows that are listed individually.
 const LISTED: usize = 5;
 
-/// A table of points. It is read once on opening, to report unreadable and invalid rows before any
-/// work.
+/// A table of points. Opening reads it once, so that unreadable and invalid rows are reported
+/// before any work.
 pub(super) struct Table<R> {
     rows: R,
     count: u64,
@@ -144,7 +144,7 @@ impl<R: Rows> Points for Table<R> {
     }
 
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
-        // ignore rows appended meanwhile
+        // ignore rows that were appended after the table was opened
         let left = usize::try_from(self.count - self.next).unwrap_or(most);
         let rows = self.rows.read(most.min(left), values)?;
         self.next += rows as u64;
@@ -155,7 +155,7 @@ impl<R: Rows> Points for Table<R> {
         self.notes.clone()
     }
 
-    /// Identical for equal rows in any format.
+    /// A text that is identical for equal rows in any format.
     fn identity(&self) -> String {
         let names: Vec<_> = self
             .parameters()
