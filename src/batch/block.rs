@@ -137,7 +137,8 @@ pub struct Block {
     pub(super) defect: Vec<f64>,
     /// A column for each outcome; a number that is not finite marks a missing value.
     pub(super) outcomes: Vec<Vec<f64>>,
-    /// A column for each outcome and parameter, by outcome, then parameter; not finite if missing.
+    /// A column for each outcome and parameter, sorted by outcome, then by parameter. A number that
+    /// is not finite marks a missing value.
     pub(super) derivatives: Vec<Vec<f64>>,
 }
 

@@ -120,8 +120,8 @@ impl<T: Numbers> Inputs<T> {
         result
     }
 
-    /// Ends the flights whose forces the step does not resolve, and adds the step's defect (eq. 16a)
-    /// to the defects of the other flights. Returns the lanes in flight.
+    /// Ends the flights whose forces the step does not resolve, and adds the step's defect
+    /// (eq. 16a) to the defects of the other flights. Returns the lanes in flight.
     #[inline(always)]
     fn check_step(
         &self,

@@ -159,8 +159,8 @@ mod tests {
             };
             let (along, rise) = (5.0 / 7.0 * along - 2.0 / 7.0 * RADIUS * spin, e * push);
             let after = turf.bounce(&ball(speed, INCIDENCE, spin), UP, RADIUS, 0.51);
-            // Penner's restitution has a corner at 20 m/s; the smooth restitution deviates from it by at
-            // most 0.0013
+            // Penner's restitution has a corner at 20 m/s; the smooth restitution deviates from it
+            // by at most 0.0013
             let bar = 0.0013 * push;
             assert!(
                 (after.velocity.x - (along * tilt.sin() + rise * tilt.cos())).abs() < bar,

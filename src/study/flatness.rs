@@ -72,8 +72,8 @@ pub struct Direction {
 pub struct Ellipse {
     /// The indices of the two parameters in the search.
     pub pair: [usize; 2],
-    /// The two half-axes as components along the two parameters, SI; the longer one, in units of
-    /// the ranges, first.
+    /// The two half-axes as components along the two parameters, SI. The half-axis that is longer
+    /// in units of the ranges comes first.
     pub half_axes: [[f64; 2]; 2],
     /// Smallest and largest loss of the drives on the ellipse that meet the ranges and constraints;
     /// `None` if there are none.

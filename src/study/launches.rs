@@ -58,7 +58,7 @@ const RPM: f64 = std::f64::consts::PI / 30.0;
 const NODES: usize = 61;
 
 impl Launches {
-    /// The map at the ball speed of the first drive, with the launches of all.
+    /// The map at the ball speed of the first drive, with the launches of all drives.
     ///
     /// # Errors
     /// The errors of [`Drive::new`] and [`Batch::new`](crate::batch::Batch::new);

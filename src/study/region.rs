@@ -17,9 +17,9 @@ pub struct Region {
     pub up: Vary,
     /// Nodes in each direction.
     pub columns: usize,
-    /// Excess at each node; it is at most 0 in the region. It is the larger of loss/allowed loss − 1
-    /// and the largest constraint violation, which is divided by the range of the constraint's goal
-    /// over the map. `None` if the drive does not fly.
+    /// Excess at each node; it is at most 0 in the region. It is the larger of loss/allowed loss
+    /// − 1 and the largest constraint violation, which is divided by the range of the constraint's
+    /// goal over the map. `None` if the drive does not fly.
     pub misses: Vec<Option<f64>>,
     /// Signed violation of an equality constraint at each node. The region lies on the line on
     /// which it is 0.

@@ -296,8 +296,8 @@ mod tests {
         );
     }
 
-    /// As many nonlinear residuals as variables: at a zero residual, known to rounding only, the
-    /// cosine carries no information.
+    /// A nonlinear system with as many residuals as variables: at a zero of the residuals, which is
+    /// known to rounding only, the cosine carries no information.
     #[test]
     fn exact_zero_of_a_square_system_is_converged() {
         let curve = |x: &[f64]| {

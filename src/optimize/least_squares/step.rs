@@ -82,8 +82,8 @@ impl Point {
         }
     }
 
-    /// Largest cosine of the angle between the residuals and a column of the Jacobian; columns
-    /// whose variable is blocked by a bound are left out.
+    /// Largest cosine of the angle between the residuals and a column of the Jacobian. Columns
+    /// whose variable is blocked by a bound are omitted.
     pub fn cosine(&self, bounds: &Bounds) -> f64 {
         let size = (2.0 * self.cost).sqrt();
         let of = |i: usize| {

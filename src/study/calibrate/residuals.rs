@@ -159,7 +159,8 @@ impl ShotResiduals<'_> {
     /// The residuals of each shot with a setup, or its error.
     fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<OfShot>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
-        // before the curvatures are known, only success matters
+        // the curvatures are missing before the first fit; then only the success of each shot is
+        // used
         let of = |&(at, shot): &(usize, &Shot)| {
             self.of(
                 moved,

@@ -16,7 +16,7 @@ pub enum Cause {
     Golfer,
     /// The point of the head whose speed the swing states (discrete).
     SpeedOf,
-    /// Club strike or given launch, with all parameters of both (discrete).
+    /// A club strike or a given launch, with all parameters of both alternatives (discrete).
     Launch,
     /// Air or wind that the setups give by different parameters (discrete).
     Ways(&'static Ways),

@@ -69,7 +69,8 @@ const TOLERANCE: f64 = 1e-5;
 const ACCEPTED_DISCREPANCY: f64 = 0.25;
 
 impl PredictedOutcome {
-    /// The larger difference of mean and deviation, relative to the measured deviation.
+    /// The larger of the differences of mean and standard deviation, relative to the measured
+    /// standard deviation.
     pub fn discrepancy(&self) -> f64 {
         let ([mean, deviation], [found, spread]) = (self.measured, self.recovered);
         (found - mean).abs().max((spread - deviation).abs()) / deviation

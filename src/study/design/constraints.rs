@@ -31,9 +31,9 @@ pub struct DesignConstraint {
 /// How a constraint is enforced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Enforcement {
-    /// As a bound of the varied parameter with this index.
+    /// By a bound of the varied parameter with this index.
     Bound(usize),
-    /// As the constraint of the search with this index.
+    /// By the constraint of the search with this index.
     Limit(usize),
     /// Checked once: the varied parameters do not change this value.
     Value(f64),

@@ -36,8 +36,8 @@ pub fn beyond_share(
     Some(share)
 }
 
-/// Warnings about a setup and its drives: those of [`Drive::warnings_about`] for one drive, or
-/// warnings with the share of the swings.
+/// Warnings about a setup and its drives: for one drive the warnings of [`Drive::warnings_about`],
+/// over swings warnings with the share of the swings.
 fn warnings(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
