@@ -59,7 +59,7 @@ impl Rule {
     /// must not be that of another format.
     ///
     /// # Errors
-    /// Those of [`file`](Self::file); the extension of another format.
+    /// The errors of [`file`](Self::file); the extension of another format.
     pub fn setup_file(&self, path: &Path) -> Result<Destination> {
         let destination = self.file(path)?;
         match ending_of_a_file(path).filter(|ending| ending != "toml") {
@@ -77,7 +77,7 @@ impl Rule {
     /// Checks a destination, except for the permissions of its folder.
     ///
     /// # Errors
-    /// Those of [`file`](Self::file).
+    /// The errors of [`file`](Self::file).
     pub fn place(&self, path: &Path) -> Result<Destination> {
         let found = match fs::metadata(path) {
             Ok(found) => Some(found),
@@ -331,7 +331,7 @@ impl Folder {
     /// Writes files. All destinations are checked before the first file is written.
     ///
     /// # Errors
-    /// Those of [`Rule::file`] and [`Destination::write`].
+    /// The errors of [`Rule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
         fs::create_dir_all(&self.path).map_err(|error| unwritable(&self.path, &error))?;
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));

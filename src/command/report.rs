@@ -462,6 +462,6 @@ fn said<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
 struct ReportFiles<'a> {
     /// The folder.
     folder: String,
-    /// Their names.
+    /// Names of the files.
     files: Vec<&'a str>,
 }

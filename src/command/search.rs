@@ -107,7 +107,7 @@ impl SearchArgs {
     /// The objective and its sense.
     ///
     /// # Errors
-    /// Those of [`refuse_two_goals`](Self::refuse_two_goals); an unknown outcome.
+    /// The errors of [`refuse_two_goals`](Self::refuse_two_goals); an unknown outcome.
     pub fn sought(&self) -> Result<(Outcome, Sense)> {
         self.refuse_two_goals()?;
         Ok(match (&self.maximize, &self.minimize) {

@@ -25,7 +25,7 @@ use std::sync::atomic::AtomicBool;
 const RESAMPLES: usize = 200;
 
 impl SwingsArgs {
-    /// Whether swings are given.
+    /// True if swings are given, by a file or by distributions.
     pub fn is_given(&self) -> bool {
         self.swings.is_some() || !self.distribution.is_empty()
     }
@@ -45,7 +45,7 @@ impl SwingsArgs {
     }
 
     /// # Errors
-    /// [`Error::Unreadable`] for an option about swings where none are given.
+    /// [`Error::Unreadable`] for an option about swings if no swings are given.
     pub fn refuse_stray(&self) -> Result<()> {
         match self.stray().filter(|_| !self.is_given()) {
             Some(option) => {
@@ -61,7 +61,7 @@ impl SwingsArgs {
     }
 
     /// # Errors
-    /// [`Error::Unreadable`] for correlations where no distributions are given.
+    /// [`Error::Unreadable`] for correlations if no distributions are given.
     pub fn refuse_correlation(&self) -> Result<()> {
         if self.correlation.is_empty() {
             Ok(())

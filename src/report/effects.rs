@@ -34,7 +34,7 @@ pub struct OutcomeEffects {
     pub of: &'static str,
     /// The value of the outcome.
     pub value: Number,
-    /// Its standard uncertainty to first order.
+    /// The standard uncertainty of the outcome, to first order.
     pub standard_uncertainty: Number,
     /// The sum of the second-order terms. The differences of flown drives include them.
     pub linearity: Number,

@@ -438,7 +438,7 @@ fn place_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String
     }
 }
 
-/// The optimal drive: the objective, carry and run, launch and flight.
+/// The optimal drive: objective, carry, roll-out, launch and flight.
 fn drive_text(optimum: &Optimum, value: f64, drive: &Drive<f64>, system: System) -> String {
     const LAUNCH: [Outcome; 4] = [
         Outcome::BallSpeed,
@@ -657,7 +657,7 @@ pub fn optima_text(optima: &Optima, system: System) -> String {
 /// The setup at the best optimum as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// Those of [`setup_toml`].
+/// The errors of [`setup_toml`].
 pub fn optimum_toml(optima: &Optima, swings: Option<&Swings>, preset: &Preset) -> Result<String> {
     best_toml(&optima.best, swings, optima.interrupted(), preset)
 }

@@ -295,7 +295,7 @@ pub fn pareto_csv(found: &Pareto) -> Result<String> {
 /// The setup of one point of a front as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// Those of [`setup_toml`](super::setup_toml).
+/// The errors of [`setup_toml`](super::setup_toml).
 pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<String> {
     let search = &found.search;
     let Some(point) = found.points.get(place) else {

@@ -15,7 +15,7 @@ use std::borrow::Cow;
 pub(super) struct SourcedValue {
     /// The parameter or choice.
     pub name: &'static str,
-    /// Its value as text.
+    /// The value as text.
     pub value: String,
     /// The source of the value, or a remark.
     pub source: Cow<'static, str>,

@@ -355,7 +355,7 @@ fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
 /// The setup with the robust design as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// Those of [`setup_toml`](super::setup_toml).
+/// The errors of [`setup_toml`](super::setup_toml).
 pub fn robust_toml(found: &Robust, within: Option<f64>, preset: &Preset) -> Result<String> {
     let search = &found.search;
     let mut about = vec![format!(

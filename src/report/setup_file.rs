@@ -43,7 +43,7 @@ pub fn setup_toml(
 /// ```
 ///
 /// # Errors
-/// Those of [`setup_toml`].
+/// The errors of [`setup_toml`].
 pub fn setup_toml_without_step(setup: &Setup<f64>, preset: &Preset) -> Result<String> {
     Ok(without_step(&setup_toml(setup, preset, &[], &[])?))
 }

@@ -98,7 +98,7 @@ impl Flying {
         })
     }
 
-    /// Declares the ground as that of the shots: total, run and lateral total are compared.
+    /// Declares the ground as that of the shots, so that total, run and lateral total are compared.
     #[must_use]
     pub fn on_their_ground(self) -> Self {
         Self {

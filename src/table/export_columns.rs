@@ -64,7 +64,7 @@ pub(crate) enum ClubColumns {
 /// Source of the spin if it is stated more than once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SpinSource {
-    /// The same columns for the whole table.
+    /// One choice of columns for the whole table.
     Table,
     /// A choice in each row among its values:
     /// [`without_redundant_spins`](super::conditions::without_redundant_spins).

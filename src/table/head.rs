@@ -191,9 +191,9 @@ fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column
     ColumnErrors::of(faults).map_or(Ok(columns), Err)
 }
 
-/// Resolves ambiguous names in a sweep written by this program, which has a status column: beside
-/// dotted launch conditions, undotted ones are outcomes, and `carry` is the distance along the
-/// target line.
+/// Resolves ambiguous names in a sweep written by this program, which has a status column. If
+/// launch conditions with dotted names are present, names without a dot are outcomes, and `carry`
+/// is the distance along the target line.
 fn resolve_sweep_names(columns: &mut [Column]) {
     if !columns.iter().any(Column::is_status) {
         return;

@@ -120,7 +120,7 @@ impl Quantity {
     /// ```
     ///
     /// # Errors
-    /// Those of [`read`](Self::read).
+    /// The errors of [`read`](Self::read).
     pub fn read_difference(self, text: &str) -> Result<f64, UnitError> {
         self.read_as(text, Unit::difference)
     }
@@ -142,7 +142,7 @@ impl Quantity {
     /// [`read`](Self::read), but a number without a unit is SI.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read), except a missing unit.
+    /// The errors of [`read`](Self::read), except a missing unit.
     pub fn read_bare(self, text: &str) -> Result<f64, UnitError> {
         match self.split(text)? {
             (number, "") => Ok(number),

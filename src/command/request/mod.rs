@@ -131,7 +131,7 @@ impl Request {
     /// the middle of its range.
     ///
     /// # Errors
-    /// Those of [`setup`](Self::setup); an unreadable range.
+    /// The errors of [`setup`](Self::setup); an unreadable range.
     pub fn setup_with_starts<'a>(
         &self,
         ranges: impl IntoIterator<Item = &'a String>,
@@ -143,7 +143,7 @@ impl Request {
     /// A setup with a start value for each varied parameter that has no value.
     ///
     /// # Errors
-    /// Those of [`setup_with_starts`](Self::setup_with_starts).
+    /// The errors of [`setup_with_starts`](Self::setup_with_starts).
     pub fn with_starts<'a>(
         &self,
         setup: Setup<f64>,
@@ -169,7 +169,7 @@ impl Request {
     /// user; `how` is its verb.
     ///
     /// # Errors
-    /// Those of [`setup`](Self::setup).
+    /// The errors of [`setup`](Self::setup).
     pub fn with_values(
         &self,
         mut setup: Setup<f64>,
@@ -352,7 +352,7 @@ impl Request {
     /// value in the source, or is a launch condition.
     ///
     /// # Errors
-    /// Those of [`refuse_stated`](Self::refuse_stated).
+    /// The errors of [`refuse_stated`](Self::refuse_stated).
     pub fn refuse_stated_with_default(
         &self,
         parameters: &[&'static Parameter],
@@ -477,7 +477,7 @@ impl OwnLaw {
     /// The user's table of drag and lift, if one is given.
     ///
     /// # Errors
-    /// Those of a setup; a setting of another parameter.
+    /// The errors of a setup; a setting of another parameter.
     pub fn law(&self) -> Result<Option<Law<f64>>> {
         let settings = Setting::read_all("set", &self.set)?;
         refuse_duplicates(&settings)?;

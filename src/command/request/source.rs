@@ -75,7 +75,7 @@ impl Source {
         self.content.gives_step || entries.iter().any(|entry| is_of_step(entry.name))
     }
 
-    /// Whether the command line names it: a preset or a file, and not standard input.
+    /// True if the setup has a name on the command line: a preset or a file, not standard input.
     pub fn has_name(&self) -> bool {
         self.kind != Kind::StandardInput
     }

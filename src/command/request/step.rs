@@ -26,7 +26,7 @@ impl Request {
     /// The setup with a step for many drives whose parameters are in these ranges.
     ///
     /// # Errors
-    /// Those of [`within_tolerance`](Self::within_tolerance).
+    /// The errors of [`within_tolerance`](Self::within_tolerance).
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
         let begun = Vary::initialised(&setup, ranges)?;
         Ok(self
@@ -38,7 +38,7 @@ impl Request {
     /// `None` if `flight.method` and `flight.step` of the setup apply.
     ///
     /// # Errors
-    /// Those of [`within_tolerance`](Self::within_tolerance).
+    /// The errors of [`within_tolerance`](Self::within_tolerance).
     pub fn accuracy_for_many(
         &self,
         setup: &Setup<f64>,

@@ -261,7 +261,7 @@ impl<'a> CalibrationReport<'a> {
     /// their standard errors as remarks. `data` is the file of the shots.
     ///
     /// # Errors
-    /// Those of [`setup_toml`].
+    /// The errors of [`setup_toml`].
     pub fn toml(&self, preset: &Preset, data: &str) -> Result<String> {
         let found = self.found;
         let about = [

@@ -401,7 +401,7 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
 /// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.
 ///
 /// # Errors
-/// Those of [`setup_toml`].
+/// The errors of [`setup_toml`].
 pub fn delivery_toml(
     setup: &Setup<f64>,
     all: &[Delivery],

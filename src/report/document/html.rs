@@ -10,7 +10,7 @@ use maud::{Markup, html};
 /// which also determines the names of the data.
 ///
 /// # Errors
-/// Those of [`figure_svg`](crate::report::plot::figure_svg) and
+/// The errors of [`figure_svg`](crate::report::plot::figure_svg) and
 /// [`figure_csv`](crate::report::plot::figure_csv).
 pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<(String, String)>> {
     let [metric, us] = documents;

@@ -31,7 +31,7 @@ pub(in crate::report) fn csv_name(figure: &Figure) -> String {
 /// The names and contents of the plots' files: a picture in each system of units, and the data.
 ///
 /// # Errors
-/// Those of [`figure_svg`] and [`figure_csv`].
+/// The errors of [`figure_svg`] and [`figure_csv`].
 pub(in crate::report) fn picture_files<'a>(
     pairs: impl IntoIterator<Item = &'a Pair>,
     data_of: System,
@@ -55,7 +55,7 @@ pub(in crate::report) fn picture_files<'a>(
 /// Plots, side by side if the page is wide enough.
 ///
 /// # Errors
-/// Those of [`figure_svg`].
+/// The errors of [`figure_svg`].
 pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>) -> Result<Markup> {
     let drawn = pairs
         .into_iter()

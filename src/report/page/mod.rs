@@ -35,7 +35,7 @@ pub struct Document {
 /// `NAME-metric.svg` and `NAME.csv`.
 ///
 /// # Errors
-/// Those of [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
+/// The errors of [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let (mut drive, left_out) = trajectories(findings.flown);
     if !findings.landings.is_empty() {

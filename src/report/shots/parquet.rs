@@ -135,7 +135,7 @@ impl ShotParquet {
     /// The last bytes of a file: the remaining rows and the footer.
     ///
     /// # Errors
-    /// Those of [`take`](Self::take).
+    /// The errors of [`take`](Self::take).
     pub fn finish(&mut self) -> Result<Vec<u8>> {
         let mut bytes = if self.waiting.is_empty() {
             vec![]

@@ -60,7 +60,7 @@ pub struct ShotNumbers {
 pub struct FittedNumber {
     /// The estimate.
     pub value: f64,
-    /// Its standard uncertainty.
+    /// The standard uncertainty of the estimate.
     pub standard_uncertainty: f64,
 }
 
