@@ -76,7 +76,6 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
                 ..Options::default()
             },
             scenarios: scenarios.clone(),
-            ..Search::largest(Outcome::Carry)
         };
         optimum(&here, search, Observer::default())
             .unwrap()
