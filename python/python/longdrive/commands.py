@@ -52,7 +52,7 @@ def compare(
     progress: Progress = False,
 ) -> Reply:
     """Compare two drives, with the cause of each difference. The outcomes of both, and the share of
-    each parameter and launch condition in the difference..
+    each parameter and launch condition in the difference.
 
     Args:
         setup: the first drive, which messages call a: a setup, the name of a preset, a dict, or
@@ -100,7 +100,7 @@ def optimize(
     progress: Progress = False,
 ) -> Optimum:
     """Find the drive that carries farthest, or any best outcome. Finds the parameters that maximize or
-    minimize an outcome: by default, the loft and attack angle of the longest carry..
+    minimize an outcome: by default, the loft and attack angle of the longest carry.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -175,7 +175,7 @@ def optimum_sensitivity(
     progress: Progress = False,
 ) -> Optimum:
     """Sensitivity of the optimum, and how flat it is. How the optimum depends on every other
-    parameter, and what its bounds and constraints cost..
+    parameter, and what its bounds and constraints cost.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -255,7 +255,7 @@ def design(
     progress: Progress = False,
 ) -> Optimum:
     """Design head and face under the Rules of Golf. For swings that vary: the best bulge, roll, loft,
-    inertia or movable weights, with what each rule costs..
+    inertia or movable weights, with what each rule costs.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset modern-driver.
@@ -322,7 +322,7 @@ def calibrate(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Reply:
-    """Fit parameters to measured shots. With their uncertainties, and what the data do not determine..
+    """Fit parameters to measured shots. With their uncertainties, and what the data do not determine.
 
     Args:
         data: measured shots as CSV, one row per shot; the head of each column names a parameter or
@@ -377,7 +377,7 @@ def delivery(
     progress: Progress = False,
 ) -> Reply:
     """Find the swing and strike behind a measured launch. And what the launch does not determine of
-    them..
+    them.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -487,7 +487,7 @@ def pareto(
     progress: Progress = False,
 ) -> Reply:
     """The best compromises between two goals. Such as carry and dispersion, with what one costs of the
-    other..
+    other.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -559,7 +559,7 @@ def robust(
     progress: Progress = False,
 ) -> Optimum:
     """The design that loses least, whichever model is true. Several models of impact and flight are
-    compared..
+    compared.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -628,7 +628,7 @@ def report(
     progress: Progress = False,
 ) -> Reply:
     """Write a page: drive, optimum, map, sensitivities. An HTML page of the drive, the optimum, a map
-    around it, sensitivities and uncertainties, with plots and data..
+    around it, sensitivities and uncertainties, with plots and data.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -678,7 +678,7 @@ def fly(
     progress: Progress = False,
 ) -> Reply:
     """Fly the shots of a launch monitor. From a CSV export or GSPro Open Connect: predicted flights
-    beside the measured ones..
+    beside the measured ones.
 
     Args:
         shots: shots, a row each: the CSV export of a launch monitor, any CSV with columns such as
@@ -736,7 +736,7 @@ def validate(
     progress: Progress = False,
 ) -> Reply:
     """Compare every law of flight with published drives. Bias and mean absolute error of carry, apex
-    and descent..
+    and descent.
 
     Args:
         output: write the comparison too: into this folder as a page (index.html) and Markdown with
@@ -760,7 +760,7 @@ def verify(
     progress: Progress = False,
 ) -> Reply:
     """Check every derivative against finite differences. And what the derivatives rest on; exit status
-    1 if a check fails..
+    1 if a check fails.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -798,7 +798,7 @@ def sensitivity(
     progress: Progress = False,
 ) -> Reply:
     """Effect of each parameter on the outcomes. Slopes, elasticities, and the effect of the
-    uncertainty of each parameter..
+    uncertainty of each parameter.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -844,7 +844,7 @@ def uncertainty(
     progress: Progress = False,
 ) -> Reply:
     """Spread of the outcomes from uncertain parameters. By exact derivatives, and by a sample of
-    drives..
+    drives.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -877,7 +877,7 @@ def laws(
     progress: Progress = False,
 ) -> Reply:
     """List the laws of drag and lift. Authors, formula, ball, source, and the range each was fitted
-    to..
+    to.
 
     Args:
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
