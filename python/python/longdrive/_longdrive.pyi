@@ -21,6 +21,7 @@ __all__ = [
     "described",
     "gradient",
     "hessian",
+    "in_python",
     "jacobian",
     "main",
     "merge_parts",
