@@ -3,6 +3,7 @@
 use crate::command::args::DesignArgs;
 use crate::command::interrupt;
 use crate::command::output::{Answer, system};
+use crate::command::ranges::DefaultRanges;
 use crate::command::swings::{Asked, found, sought};
 use crate::parameters::Parameter;
 use crate::report::Designed;
@@ -49,7 +50,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         &search.swings,
         &request.with_starts(setup, &search.search.vary)?,
         &|| Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
-        &usual_vary,
+        &|setup| DefaultRanges::new(usual_vary(setup)?, &request).vary(),
     )?;
     request.note_starts(&setup, &asked.vary);
     if search.search.maximize.is_none() && search.search.minimize.is_none() {
@@ -59,11 +60,11 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         ));
     }
     if search.search.vary.is_empty() {
-        notes.push(
-            "nothing was asked to vary: bulge, roll and loft are varied; others: `vary \
-                    NAME=LOW..HIGH`"
-                .into(),
-        );
+        let varied: Vec<_> = asked.vary.iter().map(|vary| vary.parameter.name).collect();
+        notes.push(format!(
+            "varied by default: {}; others: `vary NAME=LOW..HIGH`",
+            varied.join(", ")
+        ));
     }
     let scenarios = Scenarios::new(&swings, search.swings.rule(&swings, true)?)?;
     let asked = Search { scenarios, ..asked };

@@ -54,6 +54,7 @@ mod picture;
 mod plot;
 mod plot_drive;
 mod presets;
+mod ranges;
 mod report;
 mod reproduce;
 mod request;

@@ -32,7 +32,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         .transpose()?
         .flatten();
     let over = OverSwings::default();
-    let held = args.search.held(&request, &setup);
+    let held = args.search.held(&request, &setup)?;
     let answer = if request.is_json() {
         let mut reply = OptimumReport::reply(&optima, over, warnings);
         reply.body.file = written;

@@ -6,9 +6,10 @@ use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, system, tell, warn};
 use crate::command::picture::Target;
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::{not_stated, of_a_drive};
+use crate::command::search::of_a_drive;
 use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
 use crate::optimize::{Iteration, Observers, Options};
 use crate::parameters::Vary;
@@ -140,7 +141,7 @@ fn over_swings(
     refuse_idle_strokes(strokes, all)?;
     let vary = match asked.vary.as_slice() {
         // the attack angle varies from swing to swing: it belongs to the golfer
-        [] => not_stated(vec![Search::longest_drive(&setup)?.vary[0]], request)?,
+        [] => DefaultRanges::loft(request, &setup)?.vary()?,
         given => given
             .iter()
             .map(|text| Vary::read(&setup, text))

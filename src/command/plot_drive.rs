@@ -204,7 +204,7 @@ pub fn at_optimum(best: &Optimum) -> Vec<Message> {
 /// varied, the plot shows only the drive, with a remark.
 fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Option<Optimum>)> {
     let setup = request.setup()?;
-    let reason = search.nothing_to_vary(request, &setup);
+    let reason = search.nothing_to_vary(request, &setup)?;
     if let Some(reason) = reason.filter(|_| search.given().is_empty()) {
         tell(&format!("no optimum is drawn: {reason}"));
         return Ok((request.for_many(setup, &[])?, None));

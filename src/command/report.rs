@@ -31,7 +31,14 @@ pub fn run(args: &Report) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let stated = request.setup()?;
     let of = args.search.sought()?.0;
-    let sought = args.sought(&request, &stated)?;
+    let reason = args.search.nothing_to_vary(&request, &stated)?;
+    let sought = match &reason {
+        None => Some(args.sought(&request, &stated)?),
+        Some(_) => {
+            args.refuse_idle_search()?;
+            None
+        }
+    };
     let ranges: Vec<_> = sought
         .iter()
         .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
@@ -73,7 +80,7 @@ pub fn run(args: &Report) -> Result<Answer> {
 
     let in_words = |message: Message| message.map_words(in_words_of_the_host);
     let mut remarks: Vec<_> = remarks.into_iter().map(in_words).collect();
-    let why_none = drives.why_none().map(in_words);
+    let why_none = drives.why_none(reason.as_deref()).map(in_words);
     let name = name_of(&request);
     let findings = Findings {
         name: &name,
@@ -195,9 +202,14 @@ impl Drives {
     }
 
     /// The reason why there is no optimum.
-    fn why_none(&self) -> Option<Message> {
+    /// `reason` is why there was no search.
+    fn why_none(&self, reason: Option<&str>) -> Option<Message> {
         match (&self.found, self.best()) {
-            (None, _) => Some(Message::from(NO_SEARCH)),
+            (None, _) => reason.map(|reason| {
+                Message::from(format!(
+                    "the optimum, its map and its chart are left out: {reason}"
+                ))
+            }),
             (Some(found), None) => Some(
                 Message::from(format!("no optimum: {}: ", found.status())).message(found.message()),
             ),
@@ -308,43 +320,30 @@ impl Slopes {
     }
 }
 
-/// The remark of a report without an optimization.
-const NO_SEARCH: &str = "nothing is left to vary (the drive is given by its launch, or loft and \
-                         attack angle are stated), so that the optimum, its map and its chart are \
-                         left out; `vary` names what to vary, for example \
-                         launch.launch_angle=5deg..20deg or club.loft=4deg..20deg";
-
 impl Report {
-    /// The search, and the parameter along which the chart runs. `None` if the setup gives the
-    /// launch and `--vary` is absent.
-    fn sought(&self, request: &Request, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
-        if self.search.nothing_to_vary(request, setup).is_none() {
-            let along = match &self.along {
-                Some(given) => Vary::read(setup, given)?,
-                None => usual_speeds(setup)?,
-            };
-            return Ok(Some((self.search.search(request, setup)?, along)));
-        }
-        let of_search = self
-            .search
-            .given()
-            .into_iter()
-            .chain(self.along.as_ref().map(|_| "`along`"));
-        match of_search
-            .into_iter()
-            .find(|option| !["`maximize`", "`minimize`"].contains(option))
-        {
-            Some(option) => {
-                let source = "it is about the search for an optimum; give `vary` too, for example \
-                              launch.launch_angle=5deg..20deg, or leave \
-                              it out";
-                Err(Error::Unreadable {
-                    name: option.into(),
-                    source: source.into(),
-                })
-            }
-            None => Ok(None),
-        }
+    /// The search, and the parameter along which the chart runs.
+    fn sought(&self, request: &Request, setup: &Setup<f64>) -> Result<(Search, Vary)> {
+        let along = match &self.along {
+            Some(given) => Vary::read(setup, given)?,
+            None => usual_speeds(setup)?,
+        };
+        Ok((self.search.search(request, setup)?, along))
+    }
+
+    /// Refuses options of a search if there is nothing to vary.
+    fn refuse_idle_search(&self) -> Result<()> {
+        let along = self.along.as_ref().map(|_| "`along`");
+        let options = self.search.given().into_iter().chain(along);
+        let mut idle = options.filter(|option| !["`maximize`", "`minimize`"].contains(option));
+        let Some(option) = idle.next() else {
+            return Ok(());
+        };
+        let source = "it is about the search for an optimum; give `vary` too, for example \
+                      launch.launch_angle=5deg..20deg, or leave it out";
+        Err(Error::Unreadable {
+            name: option.into(),
+            source: source.into(),
+        })
     }
 }
 

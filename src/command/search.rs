@@ -5,6 +5,7 @@ use crate::command::files::Destination;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{bar_of, system, tell, warn};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::optimize::{Checkpoint, Iteration, Observers, Options, Status};
@@ -32,19 +33,12 @@ impl SearchArgs {
         along: Option<&Parameter>,
     ) -> Result<Search> {
         let vary = match self.vary.as_slice() {
-            [] if setup.launch.is_given() => {
-                return Err(Error::Unreadable {
-                    name: "`vary`".into(),
-                    source: self
-                        .nothing_to_vary(request, setup)
-                        .unwrap_or_default()
-                        .into(),
-                });
-            }
             [] => {
-                let mut usual = Search::longest_drive(setup)?.vary;
-                usual.retain(|range| along.is_none_or(|along| along.name != range.parameter.name));
-                not_stated(usual, request)?
+                let ranges = DefaultRanges::longest_drive(request, setup)?;
+                match along {
+                    Some(along) => ranges.without(along).vary()?,
+                    None => ranges.vary()?,
+                }
             }
             given => given
                 .iter()
@@ -72,36 +66,27 @@ impl SearchArgs {
         Ok(search)
     }
 
-    /// The parameters of the default search that are fixed, because the command line states them.
-    pub fn held(&self, request: &Request, setup: &Setup<f64>) -> Vec<&'static Parameter> {
+    /// The parameters of the default search that are held, because the command line states them.
+    ///
+    /// # Errors
+    /// The errors of [`DefaultRanges::longest_drive`].
+    pub fn held(&self, request: &Request, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         if !self.vary.is_empty() {
-            return vec![];
+            return Ok(vec![]);
         }
-        let usual = Search::longest_drive(setup).map_or(vec![], |search| search.vary);
-        let usual = usual.into_iter().map(|range| range.parameter);
-        usual
-            .filter(|parameter| request.states(parameter))
-            .collect()
+        let ranges = DefaultRanges::longest_drive(request, setup)?;
+        Ok(ranges.held().to_vec())
     }
 
-    /// Reason why nothing can be varied without `--vary`: the setup gives the launch, or loft and
-    /// attack angle are stated; `None` otherwise.
-    pub fn nothing_to_vary(&self, request: &Request, setup: &Setup<f64>) -> Option<&'static str> {
+    /// The reason why there is nothing to vary without `--vary`; `None` otherwise.
+    ///
+    /// # Errors
+    /// The errors of [`DefaultRanges::longest_drive`].
+    pub fn nothing_to_vary(&self, request: &Request, setup: &Setup<f64>) -> Result<Option<String>> {
         if !self.vary.is_empty() {
-            return None;
+            return Ok(None);
         }
-        if setup.launch.is_given() {
-            return Some(
-                "the drive is given by its launch, so there is no loft and no attack angle to \
-                 vary; give the parameters of the launch to vary, for example `vary \
-                 launch.launch_angle=5deg..20deg`",
-            );
-        }
-        let usual = Search::longest_drive(setup).map_or(0, |search| search.vary.len());
-        (self.held(request, setup).len() == usual).then_some(
-            "loft and attack angle are stated, so that they are held; give the parameters to \
-             vary, for example `vary club.loft=4deg..20deg`",
-        )
+        Ok(DefaultRanges::longest_drive(request, setup)?.reason())
     }
 
     /// The objective and its sense.
@@ -245,32 +230,6 @@ pub fn write(
     };
     tell(&format!("wrote the setup {place} into {file}"));
     Ok(Some(file.to_string()))
-}
-
-/// The default ranges, without those of parameters that the command line states.
-///
-/// # Errors
-/// [`Error::Unreadable`] if the command line states all of them.
-pub fn not_stated(usual: Vec<Vary>, request: &Request) -> Result<Vec<Vary>> {
-    let is_held = |range: &Vary| request.states(range.parameter);
-    let (held, vary): (Vec<_>, Vec<_>) = usual.into_iter().partition(is_held);
-    if !vary.is_empty() {
-        return Ok(vary);
-    }
-    let names: Vec<_> = held.iter().map(|range| range.parameter.name).collect();
-    let (are, them) = match names.len() {
-        1 => ("is stated, so that it is", "it"),
-        _ => ("are stated, so that they are", "them"),
-    };
-    let source = format!(
-        "nothing is left to vary: {} {are} held; to vary {them}, give a range, for example `vary \
-         club.loft=4deg..20deg`",
-        names.join(" and ")
-    );
-    Err(Error::Unreadable {
-        name: "`vary`".into(),
-        source: source.into(),
-    })
 }
 
 /// The outcome in an option of a single drive. A goal over many swings needs their distribution.

@@ -4,8 +4,9 @@ use crate::command::args::{Optimize, SearchArgs, SwingsArgs};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, system, warn};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
-use crate::command::search::{not_stated, write};
+use crate::command::search::write;
 use crate::optimize::{Options, Status};
 use crate::parameters::Vary;
 use crate::report::{OptimumReport, OverSwings, Reply, optimize_text};
@@ -282,8 +283,7 @@ pub fn searched(
     swings: &SwingsArgs,
     setup: &Setup<f64>,
 ) -> Result<Search> {
-    let loft =
-        |setup: &Setup<f64>| not_stated(vec![Search::longest_drive(setup)?.vary[0]], request);
+    let loft = |setup: &Setup<f64>| DefaultRanges::loft(request, setup)?.vary();
     sought(
         search,
         swings,

@@ -443,7 +443,7 @@ fn assumptions_of_a_design_are_printed() {
     for part in [
         "Bliss & Langdown 2026",
         "the design with the largest mean(carry) - 0.5*rms(lateral) is sought",
-        "bulge, roll and loft are varied",
+        "varied by default: club.bulge_radius, club.roll_radius, club.loft",
         "miss the side spin of strikes off the centre by 30 to 50 %",
         "moment of inertia",
         "not checked; it can be stated as a relation",

@@ -440,7 +440,7 @@ fn a_report_of_a_launch_names_omitted_parts() {
     ] {
         assert!(files.contains(&name.into()), "{name}: {files:?}");
     }
-    let told = "so that the optimum, its map and its chart are left out; --vary names what to vary";
+    let told = "the optimum, its map and its chart are left out: the drive is given by its launch";
     assert!(warnings.contains(told) && page.contains(told), "{warnings}");
     assert!(page.contains("d carry/d launch.backspin") && !page.contains("swing.speed"));
 

@@ -440,7 +440,9 @@ fn a_missing_answer_is_reported_first() {
     ]);
     let said = words(answer(&page), "us");
     assert!(
-        status == 0 && said.starts_with("Carry 2") && said.contains("--vary names what to vary"),
+        status == 0
+            && said.starts_with("Carry 2")
+            && said.contains("for example --vary launch.launch_angle"),
         "{said}"
     );
     let down = [

@@ -70,6 +70,31 @@ fn a_stated_value_is_held_in_every_search() {
     assert_eq!(names(&chart["points"][0]["optimum"]), ["club.loft"]);
 }
 
+/// The default ranges of a design have the loft, which is stated here.
+#[test]
+fn a_design_holds_a_stated_loft() {
+    let words = ["design", "--set", "club.loft=12deg", "--scenarios", "64"];
+    let (_, found) = json(&words);
+    assert_eq!(
+        names(&found["optimum"]),
+        ["club.bulge_radius", "club.roll_radius"]
+    );
+    let loft = number(&found["setup"]["club.loft"]);
+    assert!((loft.to_degrees() - 12.0).abs() < 1e-12, "{loft}");
+}
+
+/// A drive whose loft and attack angle are stated is drawn without an optimum.
+#[test]
+fn a_report_of_a_stated_drive_leaves_the_optimum_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("page").display().to_string();
+    let loft = ["--set", "club.loft=10deg"];
+    let said = longdrive(&[&["report", "-o", &page], &GOLFER[..], &loft].concat());
+    assert_eq!(said.status, 0, "{}", said.err);
+    let html = std::fs::read_to_string(folder.path().join("page/index.html")).unwrap();
+    assert!(html.contains("its map and its chart are left out"));
+}
+
 #[test]
 fn nothing_left_to_vary_is_refused_with_what_to_write() {
     let loft = ["--set", "club.loft=10deg"];

@@ -1,0 +1,95 @@
+//! The default ranges of a search: the parameters that a command varies without `--vary`.
+
+use crate::command::request::Request;
+use crate::parameters::{Parameter, Vary};
+use crate::study::Search;
+use crate::{Error, Result, Setup};
+
+/// Default ranges, divided by the settings of the command line: a stated parameter is held.
+pub struct DefaultRanges {
+    vary: Vec<Vary>,
+    held: Vec<&'static Parameter>,
+}
+
+impl DefaultRanges {
+    /// Divides the default ranges of a command.
+    pub fn new(ranges: Vec<Vary>, request: &Request) -> Self {
+        let (held, vary): (Vec<_>, Vec<_>) = ranges
+            .into_iter()
+            .partition(|range| request.states(range.parameter));
+        Self {
+            vary,
+            held: held.into_iter().map(|range| range.parameter).collect(),
+        }
+    }
+
+    /// Loft and attack angle; no range if the setup gives the launch of the ball.
+    ///
+    /// # Errors
+    /// The errors of [`Search::longest_drive`].
+    pub fn longest_drive(request: &Request, setup: &Setup<f64>) -> Result<Self> {
+        let ranges = if setup.launch.is_given() {
+            vec![]
+        } else {
+            Search::longest_drive(setup)?.vary
+        };
+        Ok(Self::new(ranges, request))
+    }
+
+    /// The loft alone: the attack angle of a golfer varies from swing to swing.
+    ///
+    /// # Errors
+    /// The errors of [`Search::longest_drive`].
+    pub fn loft(request: &Request, setup: &Setup<f64>) -> Result<Self> {
+        let loft = Search::longest_drive(setup)?.vary[0];
+        Ok(Self::new(vec![loft], request))
+    }
+
+    /// The ranges without that of the parameter of a chart.
+    pub fn without(mut self, along: &Parameter) -> Self {
+        self.vary.retain(|range| range.parameter.name != along.name);
+        self
+    }
+
+    /// The parameters that the command line states.
+    pub fn held(&self) -> &[&'static Parameter] {
+        &self.held
+    }
+
+    /// The reason why no range is left; `None` if there is one.
+    pub fn reason(&self) -> Option<String> {
+        if !self.vary.is_empty() {
+            return None;
+        }
+        let names: Vec<_> = self.held.iter().map(|parameter| parameter.name).collect();
+        Some(match names.as_slice() {
+            [] => "the drive is given by its launch, so there is no loft and no attack angle to \
+                   vary; give the parameters of the launch to vary, for example `vary \
+                   launch.launch_angle=5deg..20deg`"
+                .into(),
+            [name] => format!(
+                "nothing is left to vary: {name} is stated, so that it is held; to vary it, give \
+                 a range, for example `vary club.loft=4deg..20deg`"
+            ),
+            _ => format!(
+                "nothing is left to vary: {} are stated, so that they are held; to vary them, \
+                 give a range, for example `vary club.loft=4deg..20deg`",
+                names.join(" and ")
+            ),
+        })
+    }
+
+    /// The ranges to vary.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] if no range is left.
+    pub fn vary(self) -> Result<Vec<Vary>> {
+        match self.reason() {
+            None => Ok(self.vary),
+            Some(reason) => Err(Error::Unreadable {
+                name: "`vary`".into(),
+                source: reason.into(),
+            }),
+        }
+    }
+}
