@@ -14,12 +14,12 @@ fn main() -> Result<()> {
     let beginner = [
         "swing.speed=truncated(93.4 mph, 6 mph, 81.4 mph, 105.4 mph)",
         "swing.attack_angle=truncated(-1.6 deg, 4 deg, -9.6 deg, 6.4 deg)",
-        "strike.high=truncated(-4.5 mm, 8 mm, -20.5 mm, 11.5 mm)",
+        "strike.high=truncated(-2.6 mm, 8 mm, -18.6 mm, 13.4 mm)",
     ];
     let professional = [
         "swing.speed=normal(115 mph, 1.2 mph)",
         "swing.attack_angle=normal(-0.9 deg, 1 deg)",
-        "strike.high=normal(3 mm, 3 mm)",
+        "strike.high=normal(6 mm, 3 mm)",
     ];
     for (golfer, preset, distributions) in [
         ("beginner", "amateur-average", beginner),

@@ -193,16 +193,16 @@ parameter_groups! {
         /// elastic.
         tangential_restitution: T = "impact.tangential_restitution", "e_t", NUMBER in "",
             Range::from_to(-1.0, 1.0),
-            "-0.15",
-            "measured drivers spin less than rolling predicts: −0.15 ± 0.05, docs/sources.md";
+            "-0.1",
+            "measured drivers spin less than rolling predicts: −0.1 ± 0.06, docs/sources.md";
         /// Coefficient of friction; unset: the ball never slips.
         friction: Option<T> = "impact.friction", "μ_f", NUMBER in "", Range::from_to(0.0, 100.0),
             "none", "a driver does not slip, docs/sources.md";
         /// Scale of the gear effect: of the speed at which the face moves along itself as the push
         /// on it turns the head; unset: 1, rigid bodies.
         gear_scale: Option<T> = "impact.gear_scale", "g", NUMBER in "", Range::from_to(0.0, 2.0),
-            "none",
-            "rigid bodies; measured gear effects differ by a factor of two, docs/sources.md";
+            "0.75",
+            "measured drives: 0.75 ± 0.2 of the gear effect of rigid bodies, docs/sources.md";
     }
 
     /// Launch conditions, as measured by a launch monitor. If `launch.ball_speed` is set, no club

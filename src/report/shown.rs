@@ -12,8 +12,7 @@ use crate::units::{
 pub(super) const NONE: &str = "–";
 
 /// A remark about strikes off the centre.
-pub(super) const RIGID: &str =
-    "rigid bodies are known to miss the side spin of strikes off the centre by 30 to 50 %";
+pub(super) const SIDE_SPIN: &str = "the side spin of strikes off the centre is known to about 30 %";
 
 /// Parameters that have another name on launch monitors.
 const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", "club path")];

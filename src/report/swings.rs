@@ -267,7 +267,7 @@ pub(super) fn notes_text(best: &Optimum, over: OverSwings<'_>, system: System) -
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
         notes.push(format!(
             "{}; the scatter to the sides has this doubt",
-            shown::RIGID
+            shown::SIDE_SPIN
         ));
     }
     notes.extend(designs(best, nominal(over.price)));

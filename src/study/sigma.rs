@@ -181,6 +181,11 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("swing.path", Amount::Of(0.3, "deg"), MONITOR),
     ("swing.face_angle", Amount::Of(0.3, "deg"), MONITOR),
     ("club.loft", Amount::Of(0.3, "deg"), MONITOR),
+    (
+        "club.cg_high",
+        Amount::Of(3.0, "mm"),
+        "docs/sources.md: sweet spots of two measured sets differ by 3 mm and more",
+    ),
     ("strike.high", Amount::Of(1.0, "mm"), STRIKE),
     ("strike.toe", Amount::Of(1.0, "mm"), STRIKE),
     ("launch.ball_speed", Amount::Of(1.0, "mph"), BALL),
@@ -192,8 +197,13 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("launch.spin_axis", Amount::Of(2.0, "deg"), BALL),
     (
         "impact.tangential_restitution",
-        Amount::Of(0.05, ""),
-        "docs/sources.md: −0.15 ± 0.05",
+        Amount::Of(0.06, ""),
+        "docs/sources.md: −0.1 ± 0.06",
+    ),
+    (
+        "impact.gear_scale",
+        Amount::Of(0.2, ""),
+        "docs/sources.md: 0.75 ± 0.2",
     ),
     ("air.density", Amount::Part(0.005), AIR),
     ("air.temperature", Amount::Of(1.5, "K"), AIR),

@@ -1,7 +1,7 @@
 //! `verify`, `sensitivity` and `uncertainty` on the command line.
 
 use crate::command_line::{json, longdrive, number};
-use crate::common::close;
+use crate::common::{SET_RIGID, close};
 use crate::program;
 
 #[test]
@@ -505,7 +505,7 @@ fn a_certificate_that_fails_names_what_failed() {
         "--set",
         "wind.roughness=10000mm",
     ];
-    let said = longdrive(&[&wind[..], &ground].concat());
+    let said = longdrive(&[&wind[..], &SET_RIGID, &ground].concat());
     let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(said.status, 1);
     assert!(words.contains("fail (second)"), "{words}");

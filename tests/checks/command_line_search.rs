@@ -1,7 +1,7 @@
 //! Commands that search: constraints, many starts, sensitivities, charts, and bad input.
 
 use crate::command_line::{json, longdrive, number};
-use crate::common::close;
+use crate::common::{SET_RIGID, close};
 use crate::program;
 use serde_json::Value;
 
@@ -641,14 +641,15 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
 
 #[test]
 fn each_outcome_of_a_gradient_has_its_own_error() {
-    let (status, rows) = json(&[
+    let asked = [
         "gradient",
         "modern-driver",
         "--of",
         "launch_angle,carry",
         "--set",
         "club.loft=-20deg",
-    ]);
+    ];
+    let (status, rows) = json(&[&asked[..], &SET_RIGID].concat());
     assert_eq!(status, 1);
     close(
         number(&rows["outcomes"][0]["value"]).to_degrees(),

@@ -28,12 +28,12 @@ fn a_drive_has_the_units_of_launch_monitors_in_both_systems() {
             "ball speed 161.9 mph (72.4 m/s)",
             "ball speed 72.4 m/s (161.9 mph)",
         ),
-        ("launch angle", "launch angle 7.5°", "launch angle 7.5°"),
+        ("launch angle", "launch angle 7.4°", "launch angle 7.4°"),
         ("smash factor", "smash factor 1.47", "smash factor 1.47"),
         (
             "lateral",
-            "lateral 15.5 yd R (14.1 m R)",
-            "lateral 14.1 m R (15.5 yd R)",
+            "lateral 16.5 yd R (15.1 m R)",
+            "lateral 15.1 m R (16.5 yd R)",
         ),
         (
             "launch direction",
@@ -60,13 +60,13 @@ fn every_command_prints_the_chosen_units() {
     for (args, in_us, in_metric) in [
         (
             vec!["optimize", "modern-driver", "-q"],
-            "carry   279.2 yd (255.3 m)",
-            "carry   255.3 m (279.2 yd)",
+            "carry   278.6 yd (254.7 m)",
+            "carry   254.7 m (278.6 yd)",
         ),
         (
             vec!["gradient", "modern-driver"],
-            "carry = 251.1 yd (229.6 m)",
-            "carry = 229.6 m (251.1 yd)",
+            "carry = 253.6 yd (231.9 m)",
+            "carry = 231.9 m (253.6 yd)",
         ),
         (
             vec!["gradient", "modern-driver"],

@@ -150,8 +150,8 @@ fn heights_in_messages_have_the_chosen_units() {
         ),
         (
             chart.to_vec(),
-            "no optimum was found beyond 65.3",
-            "no optimum was found beyond 59.7",
+            "no optimum was found beyond 65.2",
+            "no optimum was found beyond 59.6",
         ),
     ] {
         for (units, shown) in [("us", in_us), ("metric", in_metric)] {
@@ -338,7 +338,7 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
         "-o",
         &file,
         "--subject-to",
-        "apex_height <= 30 yd",
+        "apex_height <= 36 yd",
     ]);
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&file).unwrap();

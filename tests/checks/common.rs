@@ -97,6 +97,26 @@ pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
     random_setups(cases).for_each(check);
 }
 
+/// The collision of rigid bodies, where a test has its numbers from that collision.
+pub const RIGID: [(&str, &str); 2] = [
+    ("impact.gear_scale", "none"),
+    ("impact.tangential_restitution", "-0.15"),
+];
+
+/// [`RIGID`] as settings of a command.
+pub const SET_RIGID: [&str; 2] = [
+    "--set=impact.gear_scale=none",
+    "--set=impact.tangential_restitution=-0.15",
+];
+
+/// A drive of the PGA TOUR by a rigid impact, as settings of a command.
+pub const SET_RIGID_TOUR: [&str; 4] = [
+    SET_RIGID[0],
+    SET_RIGID[1],
+    "--set=club.loft=9.5deg",
+    "--set=strike.high=3mm",
+];
+
 /// Steps with an error of about 1e-8 m of carry, which take a tenth of the time.
 pub const LARGE_STEPS: [(&str, &str); 2] = [("flight.method", "dp8"), ("flight.step", "400 ms")];
 
@@ -210,6 +230,8 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
             s.impact.restitution,
             s.impact.tangential_restitution,
         ) = ball;
+        // rigid bodies in half of the drives
+        s.impact.gear_scale = s.club.face_semi_axis.map(|_| 0.75);
         s.ball.inertia = ball
             .2
             .map(|part: f64| part * s.ball.mass * s.ball.radius * s.ball.radius);

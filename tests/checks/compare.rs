@@ -446,7 +446,7 @@ fn two_drives_as_text_and_json() {
         "{}",
         said.out
     );
-    assert!(line("carry: +").contains(", from 251.1 yd to "));
+    assert!(line("carry: +").contains(", from 253.6 yd to "));
 
     let (status, found) = json(&["compare", "modern-driver", file, "--of", "carry,backspin"]);
     let (carry, spin) = (&found["outcomes"][0], &found["outcomes"][1]);

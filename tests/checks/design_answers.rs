@@ -300,12 +300,12 @@ fn unchecked_rules_and_missing_effects_are_reported() {
 }
 
 #[test]
-fn the_error_of_rigid_bodies_is_printed_once() {
+fn the_error_of_side_spin_is_printed_once() {
     assert_eq!(
         longdrive(&["design"])
             .out
             .replace('\n', " ")
-            .matches("known to miss the side spin")
+            .matches("side spin of strikes off the centre is known")
             .count(),
         1
     );

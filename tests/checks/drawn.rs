@@ -28,6 +28,8 @@ fn setup() -> Setup<f64> {
 fn in_large_steps() -> Setup<f64> {
     let mut setup = setup();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
+    setup.set_all(crate::common::RIGID).unwrap();
+    setup.set("strike.high", "3 mm").unwrap();
     setup
 }
 

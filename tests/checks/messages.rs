@@ -204,7 +204,7 @@ fn a_drive_without_a_landing_says_what_ended_it() {
         (
             "flight.time_limit=1s",
             "no landing: the flight was stopped at flight.time_limit = 1 s with the ball at a \
-             height of 9.5138 yd; increase flight.time_limit",
+             height of 9.6249 yd; increase flight.time_limit",
         ),
         (
             "swing.speed=1e-300mph",

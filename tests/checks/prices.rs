@@ -69,7 +69,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
 fn a_design_that_violates_a_relation_is_marked() {
     let text = told(&over_swings("loft: club.loft >= 10 deg"));
     assert!(
-        text.contains("9.5° (broken)") || text.contains("9.50° (broken)"),
+        text.contains("8.8° (broken)") || text.contains("8.80° (broken)"),
         "{text}"
     );
     assert!(

@@ -42,6 +42,7 @@ fn mcnally() -> Setup<f64> {
             ("club.inertia.xz", "0 g cm^2"),
             ("impact.restitution", "0.83"),
             ("impact.tangential_restitution", "0"),
+            ("impact.gear_scale", "none"),
         ],
     )
 }
@@ -404,7 +405,7 @@ fn struck_beside_the_middle(
 /// drives; carry and lateral, which the fit does not use, then scatter as published too.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {
-    let ([carry, rest], off) = struck_beside_the_middle((4.6, 13.8), (-7.3, 5.2), 0.85);
+    let ([carry, rest], off) = struck_beside_the_middle((6.9, 17.4), (-7.1, 5.3), 0.87);
     println!(
         "carry {:.1} ± {:.1} yd, at rest {:.1} ± {:.1} yd to the right; off {off:.1?}",
         carry.0, carry.1, rest.0, rest.1
@@ -440,15 +441,15 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         "{centred:?} {off:?}"
     );
     // the necessary correlation with the face, by the scatter of the strikes
-    for (toe, with_toe) in [(12.0, 0.88), (16.0, 0.80), (20.0, 0.78)] {
-        let ([_, rest], _) = struck_beside_the_middle((4.6, toe), (-7.3, 5.2), with_toe);
+    for (toe, with_toe) in [(16.0, 0.91), (20.0, 0.83), (24.0, 0.80)] {
+        let ([_, rest], _) = struck_beside_the_middle((6.9, toe), (-7.1, 5.3), with_toe);
         println!(
             "{toe} mm, correlation {with_toe}: at rest ± {:.1} yd",
             rest.1
         );
         assert!((rest.1 / LATERAL - 1.0).abs() < 0.05, "{toe}: {rest:?}");
     }
-    let ([_, rest], _) = struck_beside_the_middle((4.6, 8.2), (-7.3, 5.2), 0.94);
+    let ([_, rest], _) = struck_beside_the_middle((6.9, 8.2), (-7.1, 5.3), 0.94);
     println!("8.2 mm, correlation 0.94: at rest ± {:.1} yd", rest.1);
     assert!(rest.1 > 1.1 * LATERAL, "{rest:?}");
 }
@@ -479,7 +480,7 @@ fn published_golfer_of_the_documents_scatters_as_published() {
         "{carry:?} {rest:?}"
     );
     assert!(
-        (carry.0 - 244.0).abs() < 1.0 && (rest.0 - 8.0).abs() < 1.0,
+        (carry.0 - 242.6).abs() < 1.0 && (rest.0 - 7.6).abs() < 1.0,
         "{carry:?} {rest:?}"
     );
 }

@@ -2,7 +2,7 @@
 //! every design.
 
 use crate::command_line::{json, longdrive, number};
-use crate::common::close;
+use crate::common::{SET_RIGID, close};
 use longdrive::optimize::{Iteration, Observers};
 use longdrive::report::{Report, RobustReport};
 use longdrive::study::swings::{Model, Robust, robust};
@@ -330,7 +330,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
             "--subject-to",
             limit,
         ];
-        let (status, found) = json(&[&args[..], &models].concat());
+        let (status, found) = json(&[&args[..], &models, &SET_RIGID].concat());
         assert_eq!(status, 0, "{found}");
         found
     };
@@ -382,6 +382,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
                         "--model=ball.mass=44 g",
                         "--model=swing.speed=108 mph",
                     ],
+                    &SET_RIGID,
                 ]
                 .concat(),
             );

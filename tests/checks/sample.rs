@@ -1,7 +1,7 @@
 //! The random sample of the ranges that each optimum is compared with.
 
 use crate::command_line::{json, longdrive, number};
-use crate::common::LARGE_STEPS;
+use crate::common::{LARGE_STEPS, SET_RIGID};
 use longdrive::batch::Batch;
 use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::PRESETS;
@@ -205,6 +205,7 @@ fn a_small_feasible_region_is_found() {
         "--subject-to",
         "apex_height <= 14.362690438633521 m",
     ];
+    let asked = [&asked[..], &SET_RIGID].concat();
     let (status, found) = json(&asked);
     assert_eq!(
         (status, found["status"].as_str()),

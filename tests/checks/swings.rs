@@ -859,7 +859,7 @@ fn parameters_without_swings_are_reported() {
         .collect::<Vec<_>>()
         .join(" ");
     assert!(
-        said.contains("side spin of strikes off the centre by 30 to 50 %"),
+        said.contains("side spin of strikes off the centre is known to about 30 %"),
         "{said}"
     );
     // a setup file names its goal
@@ -882,12 +882,12 @@ fn documents_say_the_best_lofts_of_a_beginner_and_of_a_professional() {
     let beginner = [
         "swing.speed=truncated(93.4 mph, 6 mph, 81.4 mph, 105.4 mph)",
         "swing.attack_angle=truncated(-1.6 deg, 4 deg, -9.6 deg, 6.4 deg)",
-        "strike.high=truncated(-4.5 mm, 8 mm, -20.5 mm, 11.5 mm)",
+        "strike.high=truncated(-2.6 mm, 8 mm, -18.6 mm, 13.4 mm)",
     ];
     let professional = [
         "swing.speed=normal(115 mph, 1.2 mph)",
         "swing.attack_angle=normal(-0.9 deg, 1 deg)",
-        "strike.high=normal(3 mm, 3 mm)",
+        "strike.high=normal(6 mm, 3 mm)",
     ];
     for (golfer, preset, swings) in [
         ("beginner", "amateur-average", beginner),

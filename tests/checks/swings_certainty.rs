@@ -1,6 +1,7 @@
 //! Goals over swings follow their definitions, with an error estimate that contains the truth.
 
 use crate::command_line::{json, number};
+use crate::common::{RIGID, SET_RIGID};
 use longdrive::batch::Batch;
 use longdrive::optimize::Observer;
 use longdrive::study::swings::{GoalError, Measure, Rule, Scenarios, Swings, price};
@@ -286,9 +287,11 @@ fn independent_shares_of_sorted_drives_are_within_the_error_estimate() {
                 .iter()
                 .flat_map(|text| ["--distribution", text]),
         );
+        args.extend(SET_RIGID);
         let (status, found) = json(&args);
         assert_eq!(status, 0, "{found}");
         let mut setup = Setup::preset("modern-driver").unwrap();
+        setup.set_all(RIGID).unwrap();
         setup.club.loft = number(&found["optimum"]["club.loft"]);
         let inputs = distributions
             .iter()

@@ -361,6 +361,7 @@ fn drive() -> (Setup<f64>, Vec<Uncertain>) {
     let mut setup = Setup::default();
     // gradients and samples are of the same drives, in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
+    setup.set_all(crate::common::RIGID).unwrap();
     let sigmas = [
         "swing.speed=1 mph",
         "club.loft=0.2 deg",

@@ -1,6 +1,6 @@
 //! Certificates of derivatives: correct ones pass, wrong ones fail, kinks are named.
 
-use crate::common::{close, in_large_steps, random_setups};
+use crate::common::{RIGID, close, in_large_steps, random_setups};
 use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
@@ -431,6 +431,7 @@ fn order_of_the_flight_is_not_one_more() {
             ("swing.path", "-2 deg"),
         ])
         .unwrap();
+    setup.set_all(RIGID).unwrap();
     let of = [Outcome::Carry, Outcome::CarryDistance, Outcome::FlightTime];
     let found = certificate(&setup, &of, &[setup.variable("club.loft").unwrap()]).convergence;
     assert_eq!(found.len(), of.len());

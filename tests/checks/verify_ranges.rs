@@ -175,6 +175,7 @@ fn differences_to_one_side_show_a_small_derivative() {
         ("wind.right", "-1.11702 m/s"),
         ("air.density", "1.5 kg/m^3"),
         ("impact.tangential_restitution", "-1"),
+        ("impact.gear_scale", "none"),
     ];
     setup.set_all(settings).unwrap();
     let found = certificate(&setup, &[Outcome::Lateral], "impact.tangential_restitution");
